@@ -1,0 +1,66 @@
+// The whole compiler as one call: sources in, stages' values out, nothing written.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/assembly.h"
+#include "popup/check.h"
+#include "popup/design.h"
+#include "popup/files.h"
+#include "popup/layout.h"
+#include "popup/motion.h"
+#include "popup/output.h"
+#include "popup/pattern.h"
+
+namespace popup {
+
+// The program's version, "0.1.0".
+std::string_view version();
+
+// How far to go. Later stages are skipped.
+enum class Stage { design, check, assembly, motion, pattern, layout };
+
+struct CompileOptions {
+    ReadOptions read;
+    CheckOptions check;
+    MotionOptions motion;
+    PatternOptions pattern;
+    LayoutOptions layout;
+    OutputOptions output;
+    Stage until = Stage::layout;
+    int threads = 1;            // ≥ 1; results do not depend on it
+    // Called after each finished design, one call at a time but from any thread; may be empty.
+    std::function<void(std::size_t done, std::size_t total)> progress;
+};
+
+// Everything known of one input. A stage that failed, or was not asked for, is empty.
+struct CompiledDesign {
+    Source source;
+    std::string stem;                       // unique in the run
+    Diagnostics diagnostics;
+    std::optional<Design> design;
+    std::optional<CheckedDesign> checked;
+    std::optional<Assembly> assembly;
+    std::optional<Motion> motion;
+    std::optional<Pattern> pattern;
+};
+
+struct Compilation {
+    std::vector<CompiledDesign> designs;    // in argument order
+    std::optional<Layout> layout;           // of all of them; empty when any design has errors
+    Diagnostics run_diagnostics;            // what concerns the run, not one design (layout, outputs)
+    [[nodiscard]] bool has_errors() const;
+    [[nodiscard]] bool has_findings() const;
+};
+
+// Runs the stages on every source, in parallel under options.threads, then lays all patterns out together.
+// A design's stages end with the first that gives nothing; warnings that the policy made errors do not stop it.
+// Never throws for bad input; findings are in the result.
+Compilation compile(std::vector<Source> sources, const CompileOptions& options, const DiagnosticPolicy& policy);
+
+}  // namespace popup

@@ -1,0 +1,40 @@
+// Reading inputs and writing outputs, the only place that touches the disk.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "popup/diagnostics.h"
+
+namespace popup {
+
+// Bytes and a name. The name is what the user typed ("-" for standard input); stages never open it.
+struct Source {
+    std::string name;
+    std::string text;
+
+    // The name's last part without its suffix: "designs/castle.xml" is "castle", standard input "stdin".
+    [[nodiscard]] std::string stem() const;
+};
+
+// Reads a whole file, or standard input for "-". Files above `limit_bytes` are refused.
+// On failure: an `unreadable-input` error (missing, a directory, no permission, too large) and nullopt.
+std::optional<Source> read_source(const std::string& name, Diagnostics& diagnostics,
+                                  std::size_t limit_bytes = 64u << 20);
+
+// A file to be written. "-" is standard output.
+struct PendingFile {
+    std::string path;
+    std::string bytes;
+};
+
+// Writes all of them, or none: each goes to a temporary file in its own directory, is flushed, and only when all
+// are safely there are they renamed into place. On failure an `unwritable-output` error is added, no old file has
+// changed, and no temporary file is left. Signals that end the process also leave no litter.
+// Devices and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
+// With `keep_identical`, a file that already holds these bytes is left alone, modification time included.
+bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics);
+
+}  // namespace popup

@@ -1,0 +1,84 @@
+// The Pattern: flat pieces with tagged lines, tabs, labels and colours, ready to be laid out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "popup/assembly.h"
+#include "popup/units.h"
+
+namespace popup {
+
+// A path of cuts. Closed: the last point joins the first.
+struct Contour {
+    std::vector<Vec2> points;
+    bool closed = false;
+};
+
+struct PatternLine {
+    LineKind kind = LineKind::valley;  // mountain, valley, seam or mark; cuts are contours
+    Segment at;
+    int plate = -1;                    // index into Pattern::plate_names, -1: none
+};
+
+struct Fill {
+    Polygon area;
+    Color color;
+    int plate = -1;                    // -1: a tab's
+};
+
+struct PatternStroke {
+    Stroke stroke;
+    int plate = -1;
+};
+
+// A glue target: the tab's own shape on the plate it is glued to.
+struct GlueTarget {
+    Ring outline;
+    int plate = -1;
+};
+
+enum class LabelKind { piece, tab, target };
+
+// Text that is printed, never cut. `at` is the middle of the text.
+struct Label {
+    LabelKind kind = LabelKind::piece;
+    std::string text;
+    Vec2 at;
+    double height_mm = 4.0;            // of the capitals
+    double angle = 0.0;                // radians, counter-clockwise
+};
+
+struct PatternPiece {
+    std::string name;
+    std::vector<Contour> cuts;         // inner before outer
+    std::vector<PatternLine> lines;    // folds and seams
+    std::vector<Fill> fills;
+    std::vector<PatternStroke> strokes;
+    std::vector<GlueTarget> targets;
+    std::vector<Label> labels;
+    std::vector<Polygon> silhouette;   // the piece's paper, tabs included, slits ignored; what layout must keep apart
+    Box bounds;                        // of the silhouette
+};
+
+struct Pattern {
+    std::vector<std::string> plate_names;
+    std::vector<PatternPiece> pieces;
+};
+
+struct PatternOptions {
+    Length tab_depth = Length::millimetres(10.0);  // > 0
+    Angle tab_taper = Angle::degrees(30.0);        // of a tab's ends, off the perpendicular; [0°, 80°]
+    Tolerances tolerances;
+};
+
+// Unfolds the assembly. Tabs are trimmed so that none crosses another, a fold, a cut-out or an edge; what is left of
+// each is drawn, as its target, with the same number on the plate it is glued to. `tab-too-small` warns of a tab
+// that has under 3 mm of depth along half its seam or more.
+// Guarantees: cuts chained into as few paths as possible; no segment twice; every target inside its plate.
+// Cost: near linear in lines.
+std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
+                                    Diagnostics& diagnostics);
+
+}  // namespace popup

@@ -1,0 +1,338 @@
+// The walk over the build order: find the fold, look along it, constrain, lower.
+#include "popup/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/fold_index.h"
+#include "check/paper.h"
+#include "check/placing.h"
+#include "mechanism/element.h"
+#include "mechanism/shapes.h"
+
+namespace popup {
+
+struct Checker {
+    const Design& authored;
+    const CheckOptions& options;
+    Diagnostics& diagnostics;
+    Design design;
+    std::shared_ptr<Skeleton> skeleton = std::make_shared<Skeleton>();
+    Builder builder{*skeleton};
+    FoldIndex index;
+    Paper paper;
+    std::vector<Fold> ghosts;    // folds of elements that could not be made, so that what stands on them is left in peace
+    int pages = 1;               // pages that exist so far
+    std::vector<bool> redrawn{false};  // of each page: its piece was drawn mirrored, and the document is mended
+
+    Checker(const Design& input, const CheckOptions& opts, Diagnostics& diags)
+        : authored(input), options(opts), diagnostics(diags), design(input), paper(opts.tolerances) {}
+
+    std::optional<CheckedDesign> run();
+
+   private:
+    void check_structure(std::size_t number);
+    std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
+    void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
+    bool may_stand(const Structure& structure, const Placing& placing);
+    void keep_ghost(const Placing& placing, const Element& before);
+    void drop(Structure& structure);
+    void renumber_pages();
+    const Fold& fold_of(const FoldMatch& match) const {
+        const auto number = static_cast<std::size_t>(match.fold);
+        return match.ghost ? ghosts[number] : skeleton->folds[number];
+    }
+};
+
+namespace {
+
+FoldLines lines_of(const ElementRow& row, const Element& element) { return row.fold_lines(element); }
+
+bool finite(const FoldLines& lines) {
+    return std::all_of(lines.begin(), lines.end(), [](const FoldLine& line) {
+        const auto ok = [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+        return ok(line.on_left.a) && ok(line.on_left.b) && ok(line.on_right.a) && ok(line.on_right.b);
+    });
+}
+
+}  // namespace
+
+std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
+    const auto matches = index.matches(structure.fold.page, placing.begin, placing.end, placing.place_on_line(),
+                                       options.tolerances.snap_mm);
+    const FoldMatch* dead = nullptr;
+    for (const FoldMatch& match : matches) {
+        const Fold& fold = fold_of(match);
+        placing.look_along(match, fold);
+        if (match.ghost) return match;
+        const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
+        const double from = std::max(0.0, std::min(lo, hi));
+        const double to = std::min(fold.length(), std::max(lo, hi));
+        const double slack = options.tolerances.snap_mm;
+        if (!(from <= to + slack)) continue;  // beside its ends, or not a number
+        const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
+        const auto alive = fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
+        if (!alive) {
+            if (dead == nullptr) dead = &match;
+            continue;
+        }
+        placing.stand_between(*alive, fold.length());
+        return match;
+    }
+    no_fold(structure, placing, dead);
+    return std::nullopt;
+}
+
+void Checker::no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead) {
+    if (dead != nullptr) {
+        const Fold& fold = fold_of(*dead);
+        Placing there = placing;
+        there.look_along(*dead, fold);
+        const auto [lo, hi] = element_row(*placing.element.info).stands_on(there.element);
+        double middle = std::clamp(0.5 * (lo + hi), 0.0, fold.length());
+        if (there.element.site.reversed) middle = fold.length() - middle;
+        const CutSpan* cut = fold.cut_within(middle - 1e-6, middle + 1e-6);
+        diagnostics
+            .error("fold-cut-away", structure.fold.place,
+                   fmt::format("where \"{}\" stands, its parent fold has been cut away by \"{}\"", structure.id,
+                               cut != nullptr ? cut->by : fold.owner))
+            .hint(fmt::format("stand it on a fold of \"{}\", or move it along the fold",
+                              cut != nullptr ? cut->by : fold.owner))
+            .about(structure.id);
+        return;
+    }
+    std::string nearest = "there is no fold within 500 mm of it";
+    if (const auto near = index.nearest(structure.fold.page, placing.begin, placing.end, 500.0)) {
+        const Fold& fold = near->ghost ? ghosts[static_cast<std::size_t>(near->fold)]
+                                       : skeleton->folds[static_cast<std::size_t>(near->fold)];
+        nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold", fold.owner,
+                              mm(near->distance));
+    }
+    diagnostics
+        .error("fold-not-found", structure.fold.place,
+               fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line from {} to {}; {}",
+                           structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
+                           placing.text(placing.begin), placing.text(placing.end), nearest))
+        .hint("give two points of a fold or seam that an earlier structure, or the page, makes")
+        .about(structure.id);
+}
+
+bool Checker::may_stand(const Structure& structure, const Placing& placing) {
+    const Site& site = placing.element.site;
+    const Fold& fold = skeleton->folds[static_cast<std::size_t>(site.fold)];
+    if (site.seam && !placing.element.info->glued) {
+        diagnostics
+            .error("cut-on-seam", structure.place,
+                   fmt::format("\"{}\" ({}) would cut the glued seam of \"{}\" it stands on", structure.id,
+                               placing.element.info->name, fold.owner))
+            .hint("put a tent or a v-fold on the seam, or cut a fold instead")
+            .about(structure.id);
+        return false;
+    }
+    if (fold.closed_deg == 180) {
+        diagnostics
+            .error("seam-stays-flat", structure.place,
+                   fmt::format("\"{}\" stands on a seam of \"{}\" that is flat (180°) when the card is closed, so nothing "
+                               "on it can fold",
+                               structure.id, fold.owner))
+            .hint("only seams of v-folds and tents on valley folds, and of inverted v-folds on mountain folds, open and close")
+            .about(structure.id);
+        return false;
+    }
+    return true;
+}
+
+void Checker::keep_ghost(const Placing& placing, const Element& before) {
+    const FoldLines lines = lines_of(element_row(*before.info), before);
+    if (!finite(lines)) return;
+    const int extra = before.extra_page;
+    const auto page_of = [&](std::size_t role, bool right) {
+        if (extra < 0) return placing.element.site.left_page;
+        if (role == kLeftFold && !right) return placing.element.site.left_page;
+        if (role == kRightFold && right) return placing.element.site.right_page;
+        return extra;
+    };
+    for (std::size_t role = 0; role < kFoldRoles; ++role) {
+        Fold ghost;
+        ghost.owner = before.paint.id;
+        ghost.on_left = lines[role].on_left;
+        ghost.on_right = lines[role].on_right;
+        ghost.left_page = page_of(role, false);
+        ghost.right_page = page_of(role, true);
+        ghost.seam = extra >= 0 && role != kCentreFold;
+        ghosts.push_back(ghost);
+        index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[role], true, options.tolerances.rounding_mm);
+    }
+}
+
+void Checker::drop(Structure& structure) {
+    structure.dropped = true;
+    diagnostics
+        .warning("dropped", structure.place, fmt::format("\"{}\" cannot fold, or stands on something that cannot; it was taken out", structure.id))
+        .about(structure.id)
+        .changed(structure.id, "");
+}
+
+void Checker::check_structure(std::size_t number) {
+    Structure& structure = design.structures[number];
+    const ElementInfo* info = find_element(structure.type);
+    POPUP_INVARIANT(info != nullptr && structure.points.size() == info->points.size());
+    const int extra_page = info->glued ? pages++ : -1;
+    if (info->glued) {
+        skeleton->page_mirrored.push_back(false);
+        redrawn.push_back(false);
+    }
+    const ElementRow& row = element_row(*info);
+    Placing placing(design, structure, *info, extra_page, {skeleton->page_mirrored, redrawn});
+
+    if (structure.fold.page < 0 || structure.fold.page >= pages - (info->glued ? 1 : 0)) {
+        diagnostics
+            .error("page-not-there", structure.fold.place,
+                   fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only", structure.id,
+                               structure.fold.page, pages - (info->glued ? 2 : 1)))
+            .hint("list the structure whose piece is that page first: every v-fold and tent adds one page")
+            .about(structure.id);
+        return;
+    }
+    if (distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
+        diagnostics
+            .error("fold-without-direction", structure.fold.place,
+                   fmt::format("the parent fold of \"{}\" begins and ends in the same point", structure.id))
+            .hint("give two distinct points of the fold")
+            .about(structure.id);
+        return;
+    }
+    const auto match = find_fold(structure, placing);
+    if (!match) {
+        placing.look_along_given_line();
+        keep_ghost(placing, placing.authored_element());
+        return;
+    }
+    if (match->ghost) {
+        keep_ghost(placing, placing.authored_element());
+        if (options.drop) drop(structure);
+        return;
+    }
+    bool broken = false;
+    Element& element = placing.element;
+    element.tolerances = &options.tolerances;
+    const PaperQuery query{
+        [&](Side side, const Ring& ring) {
+            const Site& s = element.site;
+            return side == Side::left ? paper.may_cut(s.left_plate, s.left_page, s.left, ring)
+                                      : paper.may_cut(s.right_plate, s.right_page, s.right, ring);
+        },
+        [&](Side side, const Segment& seam) {
+            const Site& s = element.site;
+            return side == Side::left ? paper.may_glue(s.left_plate, s.left_page, s.left, seam)
+                                      : paper.may_glue(s.right_plate, s.right_page, s.right, seam);
+        }};
+    element.paper = &query;
+    bool degenerate = false;
+    element.failed = [&](std::string_view code, std::string what, std::string hint) {
+        degenerate = code == "degenerate";
+        if (degenerate && options.drop) return;
+        diagnostics.error(code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
+            .hint(std::move(hint))
+            .about(structure.id);
+    };
+    element.repaired = [&](std::string_view code, std::string what, std::string hint) {
+        const Severity severity = options.repair ? Severity::warning : Severity::error;
+        const Change change = placing.take_change(options.tolerances);
+        diagnostics.add(severity, code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
+            .hint(std::move(hint))
+            .about(structure.id)
+            .changed(change.before, change.after);
+    };
+
+    broken = !placing.settle(*match, skeleton->folds[static_cast<std::size_t>(match->fold)], options.tolerances, diagnostics) ||
+             !may_stand(structure, placing);
+    const Element before = placing.authored_element();
+    broken = broken || !row.constrain(element);
+    if (broken) {
+        keep_ghost(placing, before);
+        if (degenerate && options.drop) drop(structure);
+        return;
+    }
+    if (info->glued) {
+        skeleton->page_mirrored[static_cast<std::size_t>(extra_page)] = placing.turned;
+        redrawn[static_cast<std::size_t>(extra_page)] = element.piece_mirrored;
+    }
+    placing.write_back(structure, options.tolerances);
+
+    const std::size_t first_fold = skeleton->folds.size();
+    row.lower(element, builder);
+    paper.update(*skeleton);
+    FoldLines was = lines_of(row, before);
+    for (std::size_t role = 0; role < kFoldRoles; ++role) {
+        const Fold& fold = skeleton->folds[first_fold + role];
+        const FoldLine authored_line = finite(was) ? was[role] : FoldLine{fold.on_left, fold.on_right};
+        index.add(static_cast<int>(first_fold + role), fold, authored_line, false, options.tolerances.rounding_mm);
+    }
+}
+
+// Pages of dropped pieces go; later pages move up, in everything that names one.
+void Checker::renumber_pages() {
+    std::vector<int> renamed(static_cast<std::size_t>(pages), 0);
+    int next = 1;
+    std::size_t page = 1;
+    for (const Structure& structure : design.structures) {
+        if (!find_element(structure.type)->glued) continue;
+        renamed[page++] = structure.dropped ? -1 : next++;
+    }
+    const auto rename = [&](int old) { return old >= 0 && old < pages ? renamed[static_cast<std::size_t>(old)] : old; };
+    for (Structure& structure : design.structures) {
+        if (structure.dropped) continue;
+        if (const int to = rename(structure.fold.page); to != structure.fold.page) {
+            structure.fold.page = to;
+            structure.fold.page_changed = true;
+        }
+        for (DesignPoint& point : structure.points) {
+            if (point.page && rename(*point.page) != *point.page) {
+                point.page = rename(*point.page);
+                point.changed = true;
+            }
+        }
+    }
+    for (DrawnLine& line : design.lines) {
+        const int to = rename(line.page);
+        if (to == line.page) continue;
+        line.dropped = to < 0;
+        line.page_changed = !line.dropped;
+        line.page = std::max(to, 0);
+    }
+}
+
+std::optional<CheckedDesign> Checker::run() {
+    builder.add_base_page(design.width_mm, design.height_mm, design.left, design.right);
+    skeleton->draft.file = design.file;
+    skeleton->draft.stem = design.stem;
+    const Fold& gutter = skeleton->folds.front();
+    index.add(0, gutter, {gutter.on_left, gutter.on_right}, false, options.tolerances.rounding_mm);
+    paper.update(*skeleton);
+    for (std::size_t i = 0; i < design.structures.size(); ++i) check_structure(i);
+    for (DrawnLine& line : design.lines) {
+        if (line.page < 0 || line.page >= pages) {
+            diagnostics
+                .error("page-not-there", line.place,
+                       fmt::format("a line is drawn on page {}, but there are pages 0 to {} only", line.page, pages - 1))
+                .hint("page 0 is the base page; every v-fold and tent adds one page");
+            continue;
+        }
+        if (!redrawn[static_cast<std::size_t>(line.page)]) continue;
+        for (DesignPoint& point : line.points) {
+            point.at.x = -point.at.x;
+            point.changed = true;
+        }
+    }
+    if (options.drop) renumber_pages();
+    if (diagnostics.has_errors()) return std::nullopt;
+    return CheckedDesign(std::move(design), std::move(skeleton));
+}
+
+std::optional<CheckedDesign> check(const Design& design, const CheckOptions& options, Diagnostics& diagnostics) {
+    return Checker(design, options, diagnostics).run();
+}
+
+}  // namespace popup

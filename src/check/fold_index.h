@@ -1,0 +1,61 @@
+// Finds the fold that a document means: by where its author saw it, not by where repairs have moved it since.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/edge_index.h"
+#include "mechanism/builder.h"
+
+namespace popup {
+
+// Moves a page's points with a fold that moved: a turn and a shift. Identity unless the fold moved.
+struct RigidMove {
+    bool identity = true;
+    Vec2 from, to;        // the fold's begin, before and after
+    double c = 1.0, s = 0.0;
+    [[nodiscard]] Vec2 apply(Vec2 p) const;
+};
+RigidMove move_of(const Segment& before, const Segment& after);
+
+// A fold that a given line may mean.
+struct FoldMatch {
+    int fold = -1;          // index into Skeleton::folds, or of the ghost
+    bool ghost = false;     // the fold of an element that could not be made
+    bool right_page = false;// the line was given on the fold's right page
+    bool reversed = false;  // against the fold's own direction
+    double off = 0.0;       // mm between the line given and the fold
+    RigidMove left, right;  // of points on the left and on the right page
+};
+
+class FoldIndex {
+   public:
+    // `authored`: where the author's document has it; the same as the fold's own lines unless a repair moved it.
+    void add(int fold, const Fold& exact, const FoldLine& authored, bool ghost, double rounding_mm);
+
+    // All folds on `page` whose line lies within `reach` mm of begin–end, of those near `place`; nearest first,
+    // younger before older where they are equally near.
+    [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place, double reach) const;
+    // Distance to the nearest fold on the page from the middle of begin–end, and that fold; within `limit`.
+    struct Nearest {
+        int fold;
+        bool ghost;
+        double distance;
+    };
+    [[nodiscard]] std::optional<Nearest> nearest(int page, Vec2 begin, Vec2 end, double limit) const;
+
+   private:
+    struct Entry {
+        int fold;
+        bool ghost, right_page;
+        RigidMove left, right;
+    };
+    struct PageFolds {
+        EdgeIndex lines;
+        std::vector<Entry> entries;
+    };
+    void insert(int page, const Segment& line, Entry entry);
+    std::vector<PageFolds> pages_;
+};
+
+}  // namespace popup

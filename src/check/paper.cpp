@@ -1,0 +1,128 @@
+#include "check/paper.h"
+
+#include <algorithm>
+
+#include "mechanism/shapes.h"
+
+namespace popup {
+namespace {
+
+constexpr double kOnLine = 1e-6;  // mm: edges this close to the fold's line lie along it
+
+bool along_line(const DirectedLine& line, const Segment& s) {
+    return std::abs(cross(line.dir, s.a - line.at)) < kOnLine && std::abs(cross(line.dir, s.b - line.at)) < kOnLine;
+}
+
+Box box_around(const Ring& points, double margin) {
+    Box box;
+    for (const Vec2 p : points) {
+        box.extend(p + Vec2{margin, margin});
+        box.extend(p - Vec2{margin, margin});
+    }
+    return box;
+}
+
+// Distance from a segment to a convex region; 0 when it enters it.
+double region_distance(const Ring& ring, const Segment& s) {
+    if (contains({ring, {}}, s.a)) return 0.0;
+    double best = HUGE_VAL;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        best = std::min(best, distance(Segment{ring[j], ring[i]}, s));
+    }
+    return best;
+}
+
+bool inside(const Ring& outline, Vec2 p, double slack) {
+    if (contains({outline, {}}, p)) return true;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        if (distance(p, Segment{outline[j], outline[i]}) <= slack) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Paper::PageEdges& Paper::page(int number) {
+    while (pages_.size() <= static_cast<std::size_t>(number)) pages_.emplace_back();
+    return pages_[static_cast<std::size_t>(number)];
+}
+
+void Paper::add(int page_number, const Segment& at, int plate, bool seam) {
+    PageEdges& page_edges = page(page_number);
+    page_edges.edges.insert(at, false);
+    page_edges.obstacles.push_back({plate, seam});
+}
+
+void Paper::update(const Skeleton& skeleton) {
+    const auto add_ring = [&](int number, const Ring& ring, int plate) {
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+            add(number, {ring[j], ring[i]}, plate, false);
+        }
+    };
+    for (std::size_t plate = outlines_.size(); plate < skeleton.draft.plates.size(); ++plate) {
+        outlines_.push_back(skeleton.draft.plates[plate].outline.outer);
+        cuts_seen_.push_back(0);
+        add_ring(skeleton.plate_page[plate], outlines_.back(), static_cast<int>(plate));
+    }
+    for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
+        const Fold& fold = skeleton.folds[folds_seen_];
+        // Only the plates that lost paper or got a seam have changed: those on either side of a new fold.
+        for (const auto& [plate, number, at] : {std::tuple{fold.left_plate, fold.left_page, fold.on_left},
+                                                std::tuple{fold.right_plate, fold.right_page, fold.on_right}}) {
+            const auto index = static_cast<std::size_t>(plate);
+            if (fold.seam) add(number, at, plate, true);
+            for (std::size_t& seen = cuts_seen_[index]; seen < skeleton.cut_outs[index].size(); ++seen) {
+                const Ring& ring = skeleton.cut_outs[index][seen];
+                add_ring(number, ring, plate);
+                const Box box = bounds(ring);
+                PageEdges& edges = page(number);
+                edges.cut_boxes.insert({box.min, box.max}, false);
+                edges.cuts.emplace_back(plate, ring);
+            }
+        }
+    }
+}
+
+bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
+    if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); })) return false;
+    const double around = tolerances_.paper_mm - tolerances_.rounding_mm;
+    std::vector<int> found;
+    page_edges.edges.query(box_around(footprint, tolerances_.paper_mm), found);
+    return std::none_of(found.begin(), found.end(), [&](int number) {
+        const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
+        const Segment& edge = page_edges.edges[number];
+        if (obstacle.plate != plate || along_line(line, edge)) return false;
+        return region_distance(footprint, edge) < (obstacle.seam ? tolerances_.rounding_mm : around);
+    });
+}
+
+bool Paper::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
+    const double slack = tolerances_.rounding_mm;
+    if (!inside(outline, seam.a, slack) || !inside(outline, seam.b, slack)) return false;
+    const double size = distance(seam.a, seam.b);
+    const Vec2 trim = size > 4.0 * slack ? (slack / size) * (seam.b - seam.a) : Vec2{};
+    const Segment core{seam.a + trim, seam.b - trim};
+    const Ring ends{seam.a, seam.b};
+    std::vector<int> found;
+    page_edges.edges.query(box_around(ends, slack), found);
+    const bool crosses = std::any_of(found.begin(), found.end(), [&](int number) {
+        const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
+        const Segment& edge = page_edges.edges[number];
+        if (obstacle.plate != plate || obstacle.seam || along_line(line, edge)) return false;
+        return proper_crossing(core, edge).has_value();
+    });
+    if (crosses) return false;
+    found.clear();
+    const Vec2 middle = 0.5 * (seam.a + seam.b);
+    page_edges.cut_boxes.query(box_around({middle}, 0.0), found);
+    return std::none_of(found.begin(), found.end(), [&](int number) {
+        const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
+        return owner == plate && contains({ring, {}}, middle);
+    });
+}
+
+}  // namespace popup

@@ -1,0 +1,46 @@
+// The paper as it is while elements are put on it: where plates end, what has been cut out, where seams lie.
+#pragma once
+
+#include <vector>
+
+#include "base/edge_index.h"
+#include "mechanism/element.h"
+#include "popup/geometry.h"
+
+namespace popup {
+
+// Grows with the skeleton; each question looks only at what lies near. Cost a question: logarithmic in the page's
+// edges, linear in those near.
+class Paper {
+   public:
+    explicit Paper(const Tolerances& tolerances) : tolerances_(tolerances) {}
+
+    // Takes in the plates, cut-outs and seams that were added to the skeleton since the last call.
+    void update(const Skeleton& skeleton);
+
+    // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
+    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint) const;
+    [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine& line, const Segment& seam) const;
+
+   private:
+    struct Obstacle {
+        int plate;
+        bool seam;
+    };
+    struct PageEdges {
+        EdgeIndex edges;
+        std::vector<Obstacle> obstacles;  // of each edge
+        EdgeIndex cut_boxes;              // diagonals of the cut-outs' boxes
+        std::vector<std::pair<int, Ring>> cuts;
+    };
+    void add(int page, const Segment& at, int plate, bool seam);
+    PageEdges& page(int number);
+
+    Tolerances tolerances_;
+    std::vector<PageEdges> pages_;
+    std::vector<Ring> outlines_;          // raw, of each plate
+    std::vector<std::size_t> cuts_seen_;  // of each plate
+    std::size_t folds_seen_ = 0;
+};
+
+}  // namespace popup

@@ -1,0 +1,390 @@
+#include "check/placing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mechanism/shapes.h"
+
+namespace popup {
+namespace {
+
+Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
+
+bool has_inverse(const ElementInfo& info) {
+    const auto table = element_table();
+    return std::any_of(table.begin(), table.end(), [&](const ElementInfo& other) {
+        return other.family == info.family && other.inverted != info.inverted;
+    });
+}
+
+DirectedLine directed(const Segment& s, bool reversed) {
+    return reversed ? DirectedLine{s.b, unit(s.a - s.b)} : DirectedLine{s.a, unit(s.b - s.a)};
+}
+
+// The line before the fold moved.
+DirectedLine undone(const RigidMove& move, const DirectedLine& line) {
+    if (move.identity) return line;
+    const auto back = [&](Vec2 d) { return Vec2{move.c * d.x + move.s * d.y, move.c * d.y - move.s * d.x}; };
+    return {move.from + back(line.at - move.to), back(line.dir)};
+}
+
+}  // namespace
+
+Placing::Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
+                 const PageTurns& pages)
+    : structure_(&structure), pages_(pages), unit_mm_(design.unit.mm) {
+    element.info = &info;
+    element.paint = {structure.id,   structure.place,    structure.left,
+                     structure.right, structure.left_tab, structure.right_tab};
+    element.extra_page = extra_page;
+    element.page_height = design.height_mm;
+    element.label = extra_page < 0 ? std::string() : fmt::format("{}", extra_page);
+    element.inverted = info.inverted;
+    const auto on_page = [&](Vec2 at, int page) {
+        const bool redrawn = page >= 0 && static_cast<std::size_t>(page) < pages_.redrawn.size() &&
+                             pages_.redrawn[static_cast<std::size_t>(page)];
+        return redrawn != read_mirrored(page) ? mirrored(at) : at;
+    };
+    for (std::size_t i = 0; i < info.points.size(); ++i) {
+        const DesignPoint& point = structure.points[i];
+        const bool extra = info.points[i].page == PointPage::extra;
+        const int page = extra ? extra_page : point.page.value_or(structure.fold.page);
+        points_.push_back({on_page(point.at, page), page});
+        reported_.push_back({point.at, page});
+        letters_.push_back(info.points[i].letter);
+        if (extra) element.extra.push_back(point.at);
+        else element.on.push_back({});
+    }
+    authored_ = points_;
+    begin = on_page(structure.fold.begin.at, structure.fold.page);
+    end = on_page(structure.fold.end.at, structure.fold.page);
+    fold_begin_ = begin;
+    fold_end_ = end;
+}
+
+bool Placing::read_mirrored(int page) const {
+    return page >= 0 && static_cast<std::size_t>(page) < pages_.mirrored.size() &&
+           pages_.mirrored[static_cast<std::size_t>(page)];
+}
+
+// The form as the document should name it: a turned v-fold is read as its inverse.
+bool Placing::ends_inverted() const {
+    return turned && element.info->glued && has_inverse(*element.info) ? !element.inverted : element.inverted;
+}
+
+std::string Placing::text(Vec2 p) const {
+    const auto number = [&](double value) {
+        std::string text = fmt::format("{:.4f}", value / unit_mm_);
+        while (text.back() == '0') text.pop_back();
+        if (text.back() == '.') text.pop_back();
+        return text == "-0" ? std::string("0") : text;
+    };
+    return fmt::format("({}, {})", number(p.x), number(p.y));
+}
+
+Box Placing::place_on_line() const {
+    const Vec2 dir = unit(end - begin);
+    Box box;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->fold.page) continue;
+        box.extend(begin + dot(dir, points_[i].at - begin) * dir);
+    }
+    if (box.empty()) {
+        box.extend(begin);
+        box.extend(end);
+    }
+    return box;
+}
+
+std::size_t Placing::index_on(std::size_t point) const {
+    return static_cast<std::size_t>(
+        std::count_if(element.info->points.begin(), element.info->points.begin() + static_cast<std::ptrdiff_t>(point),
+                      [](const PointInfo& p) { return p.page == PointPage::fold; }));
+}
+
+std::size_t Placing::index_extra(std::size_t point) const { return point - index_on(point); }
+
+Side Placing::side_of(std::size_t point) const {
+    switch (element.info->points[point].side) {
+        case 'L': return Side::left;
+        case 'R': return Side::right;
+        default: return points_[point].page == element.site.left_page ? Side::left : Side::right;
+    }
+}
+
+void Placing::to_site() {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (element.info->points[i].page == PointPage::extra) {
+            element.extra[index_extra(i)] = points_[i].at;
+        } else {
+            element.on[index_on(i)] = element.site.from_page(side_of(i), points_[i].at);
+        }
+    }
+}
+
+void Placing::look_along(const FoldMatch& match, const Fold& fold) {
+    turned = match.reversed && !match.ghost && match.fold == 0;
+    Site& site = element.site;
+    const bool reversed = match.reversed && !turned;
+    site.left = directed(reversed ? fold.on_right : fold.on_left, reversed);
+    site.right = directed(reversed ? fold.on_left : fold.on_right, reversed);
+    site.left_page = reversed ? fold.right_page : fold.left_page;
+    site.right_page = reversed ? fold.left_page : fold.right_page;
+    site.left_plate = reversed ? fold.right_plate : fold.left_plate;
+    site.right_plate = reversed ? fold.left_plate : fold.right_plate;
+    site.fold = match.ghost ? -1 : match.fold;
+    site.length = fold.length();
+    site.mountain = fold.closed_deg == 360;
+    site.seam = fold.seam;
+    site.reversed = reversed;
+    authored_site_ = site;
+    authored_site_.left = undone(reversed ? match.right : match.left, site.left);
+    authored_site_.right = undone(reversed ? match.left : match.right, site.right);
+    // Only where it stands is asked yet: positions along the fold, as its author saw them.
+    const Site exact = site;
+    site = authored_site_;
+    to_site();
+    site = exact;
+}
+
+void Placing::look_along_given_line() {
+    Site& site = element.site;
+    site.left = site.right = {begin, distance(begin, end) > 0.0 ? unit(end - begin) : Vec2{0, 1}};
+    site.left_page = site.right_page = structure_->fold.page;
+    site.length = distance(begin, end);
+    authored_site_ = site;
+    to_site();
+}
+
+void Placing::stand_between(std::pair<double, double> alive, double fold_length) {
+    const auto [lo, hi] = alive;
+    element.alive_lo = element.site.reversed ? fold_length - hi : lo;
+    element.alive_hi = element.site.reversed ? fold_length - lo : hi;
+}
+
+void Placing::exchange(bool extra_too) {
+    const auto partners = element_row(*element.info).partners;
+    for (std::size_t i = 0; i < partners.size(); ++i) {
+        const auto j = static_cast<std::size_t>(partners[i]);
+        if (j <= i || (!extra_too && element.info->points[i].page == PointPage::extra)) continue;
+        std::swap(points_[i], points_[j]);
+        std::swap(authored_[i], authored_[j]);
+    }
+}
+
+bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances, Diagnostics& diagnostics) {
+    const Site& site = element.site;
+    const std::string& id = structure_->id;
+    // Every point of the fold's page must lie on one of the pages that meet there.
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const int page = points_[i].page;
+        if (element.info->points[i].page == PointPage::extra || page == site.left_page || page == site.right_page) continue;
+        diagnostics
+            .error("wrong-page", structure_->points[i].place,
+                   fmt::format("point {} of \"{}\" is on page {}, but its parent fold is on page{} {}", letters_[i], id, page,
+                               site.seam ? "s" : "",
+                               site.seam ? fmt::format("{} and {}", site.left_page, site.right_page)
+                                         : fmt::format("{}", site.left_page)))
+            .hint("leave out the point's page, or give the page its plane is drawn on")
+            .about(id);
+        return false;
+    }
+
+    if (turned) {
+        exchange(true);
+        for (auto* list : {&points_, &authored_}) {
+            for (std::size_t i = 0; i < list->size(); ++i) {
+                if (element.info->points[i].page == PointPage::extra) (*list)[i].at = mirrored((*list)[i].at);
+            }
+        }
+        std::swap(element.paint.left, element.paint.right);
+        std::swap(element.paint.left_tab, element.paint.right_tab);
+        if (element.info->glued && has_inverse(*element.info)) element.inverted = !element.inverted;
+        diagnostics
+            .remark("fold-turned", structure_->fold.place,
+                    fmt::format("\"{}\" gives the gutter downwards; it is read upwards, with left and right exchanged", id))
+            .about(id);
+    }
+
+    // What stands on a fold that a repair has moved moves with it.
+    const auto move_for = [&](int page) -> const RigidMove& { return page == fold.left_page ? match.left : match.right; };
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (element.info->points[i].page == PointPage::fold) points_[i].at = move_for(points_[i].page).apply(points_[i].at);
+    }
+    const RigidMove& fold_move = match.right_page ? match.right : match.left;
+    fold_begin_ = fold_move.apply(fold_begin_);
+    fold_end_ = fold_move.apply(fold_end_);
+    const Vec2 written = read_mirrored(structure_->fold.page) ? mirrored(fold_begin_) : fold_begin_;
+    fold_moved_ = distance(written, structure_->fold.begin.at) > 0.0 || !fold_move.identity;
+    to_site();
+    const auto moved = [&] {
+        const auto now = page_points();
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (distance(now[i].at, reported_[i].at) > tolerances.rounding_mm) return true;
+        }
+        return false;
+    };
+    if (moved()) {
+        element.repaired("moved-with-fold",
+                         fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it", fold.owner),
+                         fmt::format("mend \"{}\" first", fold.owner));
+    }
+
+    if (match.off > tolerances.rounding_mm) {
+        const bool given_left = structure_->fold.page == site.left_page && !(site.seam && match.right_page != site.reversed);
+        const Side side = given_left ? Side::left : Side::right;
+        const auto onto = [&](Vec2 p) {
+            const SitePoint at = site.from_page(side, p);
+            return site.on_page(side, {std::clamp(at.s, 0.0, site.length), 0.0});
+        };
+        const std::string before = text(structure_->fold.begin.at) + " to " + text(structure_->fold.end.at);
+        fold_begin_ = onto(fold_begin_);
+        fold_end_ = onto(fold_end_);
+        fold_moved_ = true;
+        element.repaired("fold-snapped",
+                         fmt::format("its parent fold was given as {}, {} off the {} of \"{}\"; it now runs from {} to {}", before,
+                                     mm(match.off), fold.seam ? "seam" : "fold", fold.owner, text(fold_begin_), text(fold_end_)),
+                         "give two points of the fold itself");
+    }
+
+    // Sides: points are where they are; their names may have to change.
+    const auto all_wrong = [&] {
+        bool any = false;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const PointInfo& info = element.info->points[i];
+            if (info.page == PointPage::extra || info.side == '-') continue;
+            any = true;
+            const bool left = info.side == 'L';
+            if (site.seam) {
+                if (points_[i].page != (left ? site.right_page : site.left_page)) return false;
+            } else if (element.on[index_on(i)].w > -tolerances.rounding_mm) {
+                return false;
+            }
+        }
+        return any;
+    };
+    if (all_wrong()) {
+        const ElementRow& row = element_row(*element.info);
+        exchange(row.front != nullptr && row.front(element) < 0.0);
+        to_site();
+        element.repaired("sides-exchanged",
+                         "its left points lie right of the parent fold and its right points left of it; they were exchanged",
+                         "left is the left-hand side when looking from the fold's begin to its end");
+    }
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const PointInfo& info = element.info->points[i];
+        if (info.page == PointPage::extra || info.side == '-' || !site.seam) continue;
+        const int page = info.side == 'L' ? site.left_page : site.right_page;
+        if (points_[i].page == page) continue;
+        diagnostics
+            .error("wrong-page", structure_->points[i].place,
+                   fmt::format("point {} of \"{}\" is on page {}, but the {} side of its seam is on page {}", letters_[i], id,
+                               points_[i].page, info.side == 'L' ? "left" : "right", page))
+            .hint(fmt::format("give the point page=\"{}\", in that page's coordinates", page))
+            .about(id);
+        return false;
+    }
+
+    if (!element.info->glued && element.inverted != site.mountain) {
+        element.inverted = site.mountain;
+        element.repaired("wrong-form",
+                         fmt::format("it is a{} {} on a {} fold; its form was corrected", element.info->inverted ? "n inverted" : "",
+                                     element.info->family, site.mountain ? "mountain" : "valley"),
+                         "inverted forms stand on mountain folds, the others on valley folds");
+    }
+    return true;
+}
+
+Element Placing::authored_element() const {
+    Element copy = element;
+    copy.site = authored_site_;
+    copy.repaired = nullptr;
+    copy.failed = nullptr;
+    static const Tolerances kTolerances;
+    copy.tolerances = &kTolerances;
+    for (std::size_t i = 0; i < authored_.size(); ++i) {
+        if (element.info->points[i].page == PointPage::extra) {
+            copy.extra[index_extra(i)] = authored_[i].at;
+        } else {
+            copy.on[index_on(i)] = authored_site_.from_page(side_of(i), authored_[i].at);
+        }
+    }
+    return copy;
+}
+
+std::vector<Placing::PagePoint> Placing::page_points() const {
+    std::vector<PagePoint> now(points_.size());
+    const auto partners = element_row(*element.info).partners;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        // A turned element is written as its author wrote it: the other way round.
+        const std::size_t to = turned ? static_cast<std::size_t>(partners[i]) : i;
+        if (element.info->points[i].page == PointPage::extra) {
+            const Vec2 at = element.extra[index_extra(i)];
+            now[to] = {turned ? mirrored(at) : at, points_[i].page};
+        } else {
+            const Side side = side_of(i);
+            const int page = side == Side::left ? element.site.left_page : element.site.right_page;
+            const Vec2 at = element.site.on_page(side, element.on[index_on(i)]);
+            now[to] = {read_mirrored(page) ? mirrored(at) : at, page};
+        }
+    }
+    return now;
+}
+
+Change Placing::take_change(const Tolerances& tolerances) {
+    repaired_ = true;
+    const auto now = page_points();
+    Change change;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (now[i].page == reported_[i].page && distance(now[i].at, reported_[i].at) <= tolerances.rounding_mm) continue;
+        const std::string_view space = change.before.empty() ? "" : " ";
+        change.before += fmt::format("{}{} {}", space, letters_[i], text(reported_[i].at));
+        change.after += fmt::format("{}{} {}", space, letters_[i], text(now[i].at));
+        reported_[i] = now[i];
+    }
+    if (change.before.empty()) {  // a repair of the form, or of the fold
+        change.before = std::string(element.info->name);
+        const bool inverted = ends_inverted();
+        change.after = std::string(inverted && !element.info->inverted ? "inverted-" : "") +
+                       std::string(inverted == element.info->inverted ? element.info->name : element.info->family);
+        if (change.before == change.after) {
+            change.before = text(structure_->fold.begin.at) + " to " + text(structure_->fold.end.at);
+            change.after = text(fold_begin_) + " to " + text(fold_end_);
+        }
+    }
+    return change;
+}
+
+void Placing::write_back(Structure& structure, const Tolerances& tolerances) const {
+    if (!repaired_) return;
+    const auto now = page_points();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        DesignPoint& point = structure.points[i];
+        const bool extra = element.info->points[i].page == PointPage::extra;
+        const int page = point.page.value_or(structure.fold.page);
+        const bool new_page = !extra && page != now[i].page;
+        if (!new_page && distance(point.at, now[i].at) <= tolerances.rounding_mm) continue;
+        point.at = now[i].at;
+        if (new_page) point.page = now[i].page;
+        point.changed = true;
+    }
+    if (fold_moved_) {
+        for (const auto& [point, internal] : {std::pair{&structure.fold.begin, fold_begin_}, {&structure.fold.end, fold_end_}}) {
+            const Vec2 at = read_mirrored(structure.fold.page) ? mirrored(internal) : internal;
+            if (distance(point->at, at) <= tolerances.rounding_mm) continue;
+            point->at = at;
+            point->changed = true;
+        }
+    }
+    const bool inverted = ends_inverted();
+    if (inverted == element.info->inverted) return;
+    for (const ElementInfo& info : element_table()) {
+        if (info.family == element.info->family && info.inverted == inverted) structure.type = info.name;
+    }
+    structure.type_changed = true;
+}
+
+}  // namespace popup

@@ -1,0 +1,79 @@
+// One structure on its way from the document to its fold: its points on their pages, then in site coordinates.
+#pragma once
+
+#include <vector>
+
+#include "check/fold_index.h"
+#include "mechanism/element.h"
+#include "popup/design.h"
+
+namespace popup {
+
+// Pages that are not read as they are written.
+struct PageTurns {
+    const std::vector<bool>& mirrored;  // read mirrored, written as they were: the piece of a turned element
+    const std::vector<bool>& redrawn;   // mirrored for good: the piece was drawn from its back
+};
+
+struct Placing {
+    Element element;
+    Vec2 begin, end;       // of the parent fold as given (on a page mirrored back: mirrored)
+    bool turned = false;   // the gutter was given downwards: left and right have changed places
+
+    Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
+            const PageTurns& pages);
+
+    // A point in the document's unit: "(1.25, 0.5)".
+    [[nodiscard]] std::string text(Vec2 mm_point) const;
+
+    // The box, on the parent fold's page, of the part of the given line beside which the element's points lie.
+    [[nodiscard]] Box place_on_line() const;
+
+    // Tries a fold: fills element.site and the points' site coordinates from it. Nothing is reported.
+    void look_along(const FoldMatch& match, const Fold& fold);
+    // The same along the line as given, when no fold was found.
+    void look_along_given_line();
+    // The stretch (on the fold's own direction) that is still there.
+    void stand_between(std::pair<double, double> alive, double fold_length);
+
+    // Decides orientation, sides and form, and reports: fold-turned, fold-snapped, moved-with-fold, sides-exchanged,
+    // wrong-form, wrong-page. False when the structure cannot go on.
+    bool settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances, Diagnostics& diagnostics);
+
+    // The element as its author drew it, before anything was moved: where its folds were meant to be.
+    [[nodiscard]] Element authored_element() const;
+
+    // What has moved since the last call, in words.
+    Change take_change(const Tolerances& tolerances);
+    // Writes moved points and a changed form into the document's structure.
+    void write_back(Structure& structure, const Tolerances& tolerances) const;
+
+   private:
+    struct PagePoint {
+        Vec2 at;
+        int page = 0;
+    };
+    [[nodiscard]] std::vector<PagePoint> page_points() const;
+    [[nodiscard]] Side side_of(std::size_t point) const;
+    void exchange(bool extra_too);
+    void to_site();
+    [[nodiscard]] std::size_t index_on(std::size_t point) const;
+    [[nodiscard]] std::size_t index_extra(std::size_t point) const;
+
+    [[nodiscard]] bool read_mirrored(int page) const;
+    [[nodiscard]] bool ends_inverted() const;
+
+    const Structure* structure_;
+    PageTurns pages_;
+    double unit_mm_;
+    std::vector<PagePoint> points_;     // the author's, on their pages; moved with their fold once it is known
+    std::vector<PagePoint> authored_;   // the author's, never moved
+    std::vector<PagePoint> reported_;   // as of the last take_change()
+    std::vector<std::string_view> letters_;
+    Site authored_site_;
+    Vec2 fold_begin_, fold_end_;        // the parent fold's ends as they should be written
+    bool fold_moved_ = false;
+    bool repaired_ = false;
+};
+
+}  // namespace popup

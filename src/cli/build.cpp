@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/inputs.h"
+#include "cli/outputs.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+
+namespace popup::cli {
+namespace {
+
+void add_output_options(CLI::App& verb, Options& options) {
+    BuildOptions& build = options.build;
+    verb.add_option("-o,--output", build.outputs, "write this file; its suffix picks the format. Repeatable")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->group("Output");
+    verb.add_option("--to", build.format, "format of standard output (\"-o -\"), such as svg")
+        ->type_name("FORMAT")
+        ->group("Output");
+    verb.add_option_function<std::string>(
+            "--emit",
+            [&build](const std::string& text) {
+                static constexpr std::pair<std::string_view, Stage> kStages[] = {
+                    {"design", Stage::design},
+                    {"assembly", Stage::assembly},
+                    {"motion", Stage::motion},
+                    {"pattern", Stage::pattern},
+                    {"layout", Stage::layout}};
+                for (const auto& [name, stage] : kStages) {
+                    if (name == text) build.emit = stage;
+                }
+                if (!build.emit) {
+                    throw UsageError(fmt::format(
+                        "--emit takes design, assembly, motion, pattern or layout, not \"{}\"", text));
+                }
+            },
+            "print design, assembly, motion, pattern or layout as JSON")
+        ->type_name("STAGE")
+        ->group("Output");
+    verb.add_flag("--if-changed", build.if_changed, "leave files alone that hold the same bytes already")
+        ->group("Output");
+    const auto number = [&verb](const std::string& name, const std::string& about, double& target,
+                                double least) {
+        verb.add_option_function<std::string>(
+                name,
+                [name, &target, least](const std::string& text) {
+                    target = number_option(name, text, least, 1000.0);
+                },
+                about)
+            ->type_name("N")
+            ->group("Motion");
+    };
+    number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
+    number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
+           0.001);
+    verb.add_option_function<std::string>(
+            "--profile",
+            [](const std::string& text) {
+                if (text != "workshop") {
+                    throw UsageError(fmt::format("there is no profile \"{}\"", text), {"profiles: workshop"});
+                }
+            },
+            "notation of lines: workshop (default)")
+        ->type_name("NAME")
+        ->group("Output");
+}
+
+void tell(const Options& options, const Compilation& compilation, const std::vector<PendingFile>& files) {
+    if (!options.messages.verbose) return;
+    if (compilation.layout) {
+        const Layout& layout = *compilation.layout;
+        say(options.messages,
+            fmt::format("{} sheet{} of {:.1f} x {:.1f} mm, {} piece{}", layout.sheets,
+                        layout.sheets == 1 ? "" : "s", layout.width_mm, layout.height_mm,
+                        layout.placements.size(), layout.placements.size() == 1 ? "" : "s"));
+    }
+    for (const PendingFile& file : files) {
+        say(options.messages,
+            fmt::format("wrote {} ({} bytes)", file.path == "-" ? "standard output" : file.path,
+                        file.bytes.size()));
+    }
+}
+
+}  // namespace
+
+CLI::App* add_build(CLI::App& app, Options& options) {
+    CLI::App* verb = app.add_subcommand("build", "Compile documents into sheets, models and reports");
+    add_input_options(*verb, options);
+    add_output_options(*verb, options);
+    add_check_options(*verb, options);
+    add_sheet_options(*verb, options);
+    add_motion_options(*verb, options);
+    add_message_options(*verb, options);
+    add_policy_options(*verb, options);
+    add_thread_option(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc build castle.xml -o castle.pdf -o castle.glb\n"
+        "  popupc build *.xml --copies 4 --sheet a3 -o run.svg\n"
+        "  popupc build castle.xml --to svg -o - | lp -o scaling=100\n"
+        "  popupc build castle.xml --emit motion --angles 0:180:1\n"
+        "\nNothing is written when anything is wrong: exit status 1, or 2 for wrong usage.");
+    return verb;
+}
+
+int run_build(const Options& options) {
+    const std::vector<PlannedOutput> planned = plan_outputs(options);
+    Run run = run_inputs(options, needed_stage(planned, options.build.emit));
+    Compilation& compilation = run.compilation;
+    bool written = true;
+    if (run.usable() && !compilation.has_errors()) {
+        const auto files = make_files(planned, options, compilation);
+        if (files && !compilation.has_errors()) {
+            written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
+            if (written) tell(options, compilation, *files);
+        } else {
+            written = !output_refused(compilation.run_diagnostics);
+        }
+    }
+    if (!written && reader_has_gone()) return exit_unusable;
+    const bool told = report(options.messages, run.findings(), compilation.run_diagnostics);
+    if (!run.usable() || !written || !told) return exit_unusable;
+    return compilation.has_errors() ? exit_findings : exit_done;
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/line_diff.h"
+#include "cli/inputs.h"
+#include "cli/outputs.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+
+namespace popup::cli {
+namespace {
+
+constexpr int kMostRounds = 8;
+
+void check_usage(const Options& options) {
+    const std::vector<std::string>& inputs = options.inputs.names;
+    const FixOptions& fix = options.fix;
+    if (fix.in_place) {
+        for (const std::string& name : inputs) {
+            if (name == "-") throw UsageError("standard input cannot be mended in place", {"use -o FILE"});
+        }
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (same_place(inputs[i], inputs[j])) throw UsageError(inputs[i] + " is named twice");
+            }
+        }
+        return;
+    }
+    const bool to_standard_output = fix.diff || fix.output.empty() || fix.output == "-";
+    if (to_standard_output && options.messages.use_standard_output()) {
+        throw UsageError("standard output has two users: the document and the diagnostics",
+                         {"--diagnostics FILE and -o FILE take files"});
+    }
+    if (!options.messages.file.empty() && same_place(options.messages.file, fix.output)) {
+        throw UsageError(fix.output + " is named twice as an output");
+    }
+    if (!fix.diff && inputs.size() > 1) {
+        throw UsageError("several inputs make several documents", {"use --in-place or --diff"});
+    }
+    if (!fix.output.empty() && fix.output != "-" && find_format(fix.output) != nullptr) {
+        const Format* format = find_format(fix.output);
+        if (!std::holds_alternative<DocumentWriter>(format->write)) {
+            throw UsageError(
+                fmt::format("{} is a {} file, and fix writes documents", fix.output, format->suffix),
+                {"popupc build writes it"});
+        }
+    }
+}
+
+// The document with its repairs, and those of what the repairs uncover, until nothing is left to repair; so a
+// second `fix` finds nothing to do. nullopt when that does not come to an end: a finding is added.
+std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
+    std::string text = one.source.text;
+    const Language& language = language_of(options.inputs, one.source.name);
+    CompileOptions again = options.compile;
+    again.read.language = language.name;
+    again.until = Stage::motion;
+    again.threads = 1;
+    again.progress = {};
+    const CompiledDesign* latest = &one;
+    Compilation next;
+    for (int round = 0; round < kMostRounds; ++round) {
+        std::string patched = language.patch(latest->source, latest->checked->design());
+        if (patched == text) return text;
+        text = patched;
+        next = compile({Source{one.source.name, std::move(patched)}}, again, {});
+        if (next.has_errors()) break;
+        latest = &next.designs.front();
+    }
+    one.diagnostics.error("fix-unsettled", {}, "the repairs do not settle: mending one thing breaks another")
+        .hint("mend what the first warnings name by hand, then run fix again");
+    return std::nullopt;
+}
+
+}  // namespace
+
+CLI::App* add_fix(CLI::App& app, Options& options) {
+    CLI::App* verb = app.add_subcommand("fix", "Write the repaired document; comments and layout stay");
+    FixOptions& fix = options.fix;
+    add_input_options(*verb, options);
+    CLI::Option* diff =
+        verb->add_flag("--diff", fix.diff, "print what would change as a unified diff; write nothing")
+            ->group("Output");
+    CLI::Option* in_place =
+        verb->add_flag("--in-place", fix.in_place, "write each document over its input")->group("Output");
+    CLI::Option* output =
+        verb->add_option("-o,--output", fix.output, "write the document here (default: standard output)")
+            ->type_name("FILE")
+            ->group("Output");
+    diff->excludes(in_place)->excludes(output);
+    in_place->excludes(output);
+    verb->add_flag("--drop", options.compile.check.drop,
+                   "take out elements that are too small to make, and what stands on them")
+        ->group("Output");
+    add_message_options(*verb, options);
+    add_thread_option(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc fix --diff castle.xml\n"
+        "  popupc fix --in-place designs/*.xml\n"
+        "  popupc fix castle.xml -o castle-fixed.xml\n"
+        "\nExit status 0 when what was written is right; 1 when something could not be repaired (nothing is\n"
+        "written), or, with --diff, when there is something to change.");
+    return verb;
+}
+
+int run_fix(const Options& options) {
+    check_usage(options);
+    Run run = run_inputs(options, Stage::motion);
+    Compilation& compilation = run.compilation;
+    bool written = true;
+    bool changed = false;
+    if (run.usable() && !compilation.has_errors()) {
+        std::string diff;
+        std::vector<PendingFile> files;
+        for (CompiledDesign& one : compilation.designs) {
+            std::optional<std::string> text = mended(options, one);
+            if (!text) continue;
+            if (*text != one.source.text) changed = true;
+            if (options.fix.diff) {
+                diff += unified_diff(one.source.name, one.source.text, *text);
+            } else if (options.fix.in_place) {
+                files.push_back({one.source.name, std::move(*text)});
+            } else {
+                files.push_back({options.fix.output.empty() ? "-" : options.fix.output, std::move(*text)});
+            }
+        }
+        if (options.fix.diff && !diff.empty()) files.push_back({"-", std::move(diff)});
+        if (!compilation.has_errors()) {
+            written = write_all(files, options.fix.in_place, compilation.run_diagnostics);
+        }
+    }
+    if (!written && reader_has_gone()) return exit_unusable;
+    const bool told = report(options.messages, run.findings(), compilation.run_diagnostics);
+    if (!run.usable() || !written || !told) return exit_unusable;
+    return compilation.has_errors() || (options.fix.diff && changed) ? exit_findings : exit_done;
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,226 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <thread>
+#include <utility>
+
+namespace popup::cli {
+namespace {
+
+// The value that `text` names, out of a closed list; else a UsageError that gives the list.
+template <typename Value>
+Value choose(std::string_view option, std::string_view text,
+             std::initializer_list<std::pair<std::string_view, Value>> choices) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : choices) {
+        if (name == text) return value;
+        names.push_back(name);
+    }
+    throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, fmt::join(names, ", "), text),
+                     did_you_mean(text, names));
+}
+
+// A value option whose text `use` reads. The text given last counts.
+template <typename Use>
+CLI::Option* value(CLI::App& verb, const std::string& names, const std::string& type,
+                   const std::string& about, const std::string& group, Use use) {
+    return verb
+        .add_option_function<std::string>(
+            names, [use](const std::string& text) { use(std::string_view(text)); }, about)
+        ->type_name(type)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->group(group);
+}
+
+Length length_option(std::string_view option, std::string_view text, double least_mm) {
+    const std::optional<Length> length = parse_length(text);
+    if (!length || length->mm < least_mm || length->mm > 1e6) {
+        throw UsageError(fmt::format("{} takes a length {}, not \"{}\"", option,
+                                     least_mm > 0.0 ? "above zero" : "of zero or more", text),
+                         {"write 5, 5mm, 0.5cm, 0.2in or 14pt"});
+    }
+    return *length;
+}
+
+void add_codes(CLI::App& verb, const std::string& name, const std::string& about,
+               std::set<std::string, std::less<>>& codes) {
+    verb.add_option_function<std::vector<std::string>>(
+            name,
+            [name, &codes](const std::vector<std::string>& given) {
+                for (const std::string& code : given) {
+                    if (find_code(code) == nullptr) {
+                        std::vector<std::string_view> known;
+                        for (const CodeInfo& row : code_table()) known.push_back(row.code);
+                        auto hints = did_you_mean(code, known);
+                        hints.emplace_back("\"popupc list codes\" lists all");
+                        throw UsageError(fmt::format("{}: there is no diagnostic \"{}\"", name, code), hints);
+                    }
+                    codes.insert(code);
+                }
+            },
+            about)
+        ->type_name("CODE")
+        ->allow_extra_args(false)
+        ->group("Diagnostics");
+}
+
+}  // namespace
+
+bool MessageOptions::use_standard_output() const {
+    return file == "-" || (file.empty() && format == MessageFormat::json);
+}
+
+void add_input_options(CLI::App& verb, Options& options) {
+    verb.add_option("INPUT", options.inputs.names, "documents to read; \"-\" is standard input")
+        ->required()
+        ->type_name("");
+    value(verb, "--from", "LANGUAGE", "the inputs' language, where a suffix does not tell", "Input",
+          [&options](std::string_view text) {
+              std::vector<std::string_view> known;
+              for (const Language& row : language_table()) known.push_back(row.name);
+              for (const Language& row : language_table()) {
+                  if (row.name != text && (row.suffix.empty() || row.suffix.substr(1) != text)) continue;
+                  options.inputs.language = row.name;
+                  return;
+              }
+              throw UsageError(
+                  fmt::format("--from takes a language ({}), not \"{}\"", fmt::join(known, ", "), text));
+          });
+    verb.add_flag("--strict", options.compile.read.strict, "unknown markup is an error, not a warning")
+        ->group("Input");
+}
+
+void add_message_options(CLI::App& verb, Options& options) {
+    MessageOptions& messages = options.messages;
+    value(verb, "--message-format", "FORMAT", "text (default), short, or json: one object a line",
+          "Diagnostics", [&messages](std::string_view text) {
+              messages.format = choose<MessageFormat>("--message-format", text,
+                                                      {{"text", MessageFormat::text},
+                                                       {"short", MessageFormat::brief},
+                                                       {"json", MessageFormat::json}});
+          });
+    value(verb, "--diagnostics", "FILE", "write diagnostics to FILE", "Diagnostics",
+          [&messages](std::string_view text) {
+              if (text.empty()) throw UsageError("--diagnostics takes the name of a file");
+              messages.file = text;
+          });
+    const auto when = [](std::string_view option, std::string_view text) {
+        return choose<When>(option, text,
+                            {{"auto", When::automatic}, {"always", When::always}, {"never", When::never}});
+    };
+    value(verb, "--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured", "Diagnostics",
+          [&messages, when](std::string_view text) { messages.color = when("--color", text); });
+    value(verb, "--progress", "WHEN", "auto (default: on a terminal), always or never", "Diagnostics",
+          [&messages, when](std::string_view text) { messages.progress = when("--progress", text); });
+    CLI::Option* quiet =
+        verb.add_flag("-q,--quiet", messages.quiet, "no remarks, no summary")->group("Diagnostics");
+    verb.add_flag("-v,--verbose", messages.verbose, "say what was done")
+        ->group("Diagnostics")
+        ->excludes(quiet);
+}
+
+void add_policy_options(CLI::App& verb, Options& options) {
+    add_codes(verb, "--deny", "make this diagnostic an error", options.policy.deny);
+    add_codes(verb, "--allow", "drop this diagnostic, unless it is an error", options.policy.allow);
+    verb.add_flag("--werror", options.policy.warnings_are_errors, "make all warnings errors")
+        ->group("Diagnostics");
+}
+
+void add_check_options(CLI::App& verb, Options& options) {
+    value(
+        verb, "--repair", "WHEN", "auto (default) mends what can be mended; never: it is an error", "Input",
+        [&options](std::string_view text) {
+            options.compile.check.repair = choose<bool>("--repair", text, {{"auto", true}, {"never", false}});
+        });
+    value(verb, "--tab-depth", "LENGTH", "depth of glue tabs (default 10mm)", "Pattern",
+          [&options](std::string_view text) {
+              options.compile.pattern.tab_depth = length_option("--tab-depth", text, 1e-3);
+          });
+}
+
+void add_sheet_options(CLI::App& verb, Options& options) {
+    LayoutOptions& layout = options.compile.layout;
+    bool& given = options.sheet_given;
+    value(verb, "--sheet", "SIZE", "auto (default), a name of \"popupc list sheets\", or WxH with mm or in",
+          "Sheet", [&layout, &given](std::string_view text) {
+              const std::optional<SheetChoice> sheet = parse_sheet(text);
+              if (!sheet) {
+                  std::vector<std::string_view> names{"auto"};
+                  for (const Paper& paper : paper_table()) names.push_back(paper.name);
+                  throw UsageError(
+                      fmt::format("--sheet takes {}, or a size, not \"{}\"", fmt::join(names, ", "), text),
+                      {"write a size as 300x200, 300x200mm or 12x8.5in"});
+              }
+              layout.sheet = *sheet;
+              given = true;
+          });
+    value(verb, "--margin", "LENGTH", "free edge of the sheet (default 5mm)", "Sheet",
+          [&layout, &given](std::string_view text) {
+              layout.margin = length_option("--margin", text, 0.0);
+              given = true;
+          });
+    value(verb, "--spacing", "LENGTH", "free space between pieces (default 2mm)", "Sheet",
+          [&layout, &given](std::string_view text) {
+              layout.spacing = length_option("--spacing", text, 0.0);
+              given = true;
+          });
+    value(verb, "--rotate", "TURNS", "turns of pieces: none, 180, 90 (default), any, or N in a circle",
+          "Sheet", [&layout, &given](std::string_view text) {
+              const std::optional<Rotation> rotation = parse_rotation(text);
+              if (!rotation) {
+                  throw UsageError(
+                      fmt::format("--rotate takes none, 180, 90, any, or a count of turns in a circle, "
+                                  "not \"{}\"",
+                                  text));
+              }
+              layout.rotation = *rotation;
+              given = true;
+          });
+    value(verb, "--scale", "FACTOR", "size of everything (default 1)", "Sheet",
+          [&layout, &given](std::string_view text) {
+              layout.scale = number_option("--scale", text, 0.001, 1000.0);
+              given = true;
+          });
+    value(verb, "--copies", "N", "how often each input is wanted (default 1)", "Sheet",
+          [&layout, &given](std::string_view text) {
+              const double count = number_option("--copies", text, 1.0, 10000.0);
+              layout.copies = static_cast<int>(count);
+              if (layout.copies != count)
+                  throw UsageError(fmt::format("--copies takes a whole number, not \"{}\"", text));
+              given = true;
+          });
+}
+
+void add_motion_options(CLI::App& verb, Options& options) {
+    value(verb, "--angles", "ANGLES", "degrees, FIRST:LAST:STEP or a list A,B,C (default 0:180:5)", "Motion",
+          [&options](std::string_view text) {
+              auto angles = parse_angles(text);
+              if (!angles) {
+                  throw UsageError(fmt::format("--angles takes degrees from 0 to 180, not \"{}\"", text),
+                                   {"write FIRST:LAST:STEP, such as 0:180:5, or a list, such as 0,45,90"});
+              }
+              options.compile.motion.angles = std::move(*angles);
+          });
+    value(verb, "--solver", "NAME",
+          "closed-form (default), or iterative: Hendrix's own, slow, for comparison", "Motion",
+          [&options](std::string_view text) {
+              options.compile.motion.solver = choose<Solver>(
+                  "--solver", text, {{"closed-form", Solver::closed_form}, {"iterative", Solver::iterative}});
+          });
+}
+
+void add_thread_option(CLI::App& verb, Options& options) {
+    options.compile.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    value(verb, "-j,--jobs", "N", "threads (default: one a processor); results do not depend on it", "Other",
+          [&options](std::string_view text) {
+              const double count = number_option("-j", text, 1.0, 1024.0);
+              options.compile.threads = static_cast<int>(count);
+              if (options.compile.threads != count) {
+                  throw UsageError(fmt::format("-j takes a whole number, not \"{}\"", text));
+              }
+          });
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,107 @@
+// What the command line asks for, and how it is read. Options that verbs share are declared here once.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/compile.h"
+#include "popup/diagnostics.h"
+
+namespace CLI {
+class App;
+}
+
+namespace popup::cli {
+
+// The three exit codes; CLI.md's contract with makefiles.
+enum ExitCode : int { exit_done = 0, exit_findings = 1, exit_unusable = 2 };
+
+// Wrong usage: what is wrong, and what would be right. Thrown while options are read, caught by main().
+class UsageError : public std::runtime_error {
+ public:
+    explicit UsageError(const std::string& message, std::vector<std::string> hints = {})
+        : std::runtime_error(message), hints_(std::move(hints)) {}
+    [[nodiscard]] const std::vector<std::string>& hints() const { return hints_; }
+
+ private:
+    std::vector<std::string> hints_;
+};
+
+enum class When { automatic, always, never };
+enum class MessageFormat { text, brief, json };
+
+// How findings are told.
+struct MessageOptions {
+    MessageFormat format = MessageFormat::text;
+    std::string file;  // --diagnostics; empty: standard error, for machine formats standard output
+    When color = When::automatic;
+    When progress = When::automatic;
+    bool quiet = false;
+    bool verbose = false;
+    // Machine formats without a file go to standard output, which then has its one user.
+    [[nodiscard]] bool use_standard_output() const;
+};
+
+struct InputOptions {
+    std::vector<std::string> names;
+    std::string language;  // --from; empty: by suffix
+};
+
+struct BuildOptions {
+    std::vector<std::string> outputs;
+    std::string format;  // --to, for standard output and suffixes that say nothing
+    std::optional<Stage> emit;
+    bool if_changed = false;
+};
+
+struct FixOptions {
+    bool diff = false;
+    bool in_place = false;
+    std::string output;  // empty: standard output
+};
+
+struct ListOptions {
+    std::string what;
+    bool json = false;
+};
+
+// Everything of one run. A verb fills what it offers.
+struct Options {
+    InputOptions inputs;
+    MessageOptions messages;
+    DiagnosticPolicy policy;
+    CompileOptions compile;
+    bool sheet_given = false;  // any option about the sheet
+    BuildOptions build;
+    FixOptions fix;
+    std::string code;  // of `explain`
+    ListOptions list;
+};
+
+// Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
+void add_input_options(CLI::App& verb, Options& options);
+void add_message_options(CLI::App& verb, Options& options);
+void add_policy_options(CLI::App& verb, Options& options);
+void add_check_options(CLI::App& verb, Options& options);
+void add_sheet_options(CLI::App& verb, Options& options);
+void add_motion_options(CLI::App& verb, Options& options);
+void add_thread_option(CLI::App& verb, Options& options);
+
+// `text` as a finite decimal number, whole text, whatever the locale.
+std::optional<double> parse_number(std::string_view text);
+// A number with an optional unit (mm, cm, in, pt); without one millimetres.
+std::optional<Length> parse_length(std::string_view text);
+// "FIRST:LAST:STEP" or "A,B,C", in degrees, each in [0, 180]; sorted, without doubles. nullopt when it is
+// neither.
+std::optional<std::vector<Angle>> parse_angles(std::string_view text);
+
+// The number of `text` for `option`, within [least, most]; else a UsageError that says what was wanted.
+double number_option(std::string_view option, std::string_view text, double least, double most);
+
+// "did you mean …" for `word`; empty when nothing is like it.
+std::vector<std::string> did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace popup::cli

@@ -1,0 +1,245 @@
+#include "cli/outputs.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "output/emit.h"
+
+namespace popup::cli {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+bool is_standard_output(const std::string& path) {
+    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+std::vector<std::string_view> format_names() {
+    std::vector<std::string_view> names;
+    for (const Format& row : format_table()) names.push_back(row.suffix);
+    return names;
+}
+
+const Format& format_of(const std::string& path, const BuildOptions& options) {
+    if (path != "-") {
+        if (const Format* format = find_format(path)) return *format;
+    }
+    if (!options.format.empty()) {
+        if (const Format* format = find_format(options.format)) return *format;
+    }
+    const std::string formats = fmt::format("formats: {}", fmt::join(format_names(), " "));
+    if (path == "-") {
+        throw UsageError("the format of standard output is not known", {"name it with --to FORMAT", formats});
+    }
+    throw UsageError(fmt::format("{}: the suffix names no format", path), {formats});
+}
+
+void check_format_option(const std::vector<std::string>& outputs, const std::string& format) {
+    if (format.empty()) return;
+    if (find_format(format) == nullptr) {
+        throw UsageError(fmt::format("--to: there is no format \"{}\"", format),
+                         {fmt::format("formats: {}", fmt::join(format_names(), " "))});
+    }
+    for (const std::string& path : outputs) {
+        if (path == "-" || find_format(path) == nullptr) return;
+    }
+    throw UsageError("--to names the format of standard output, and nothing goes there", {"add \"-o -\""});
+}
+
+std::string canonical(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path, error);
+    if (error) return path;
+    const std::filesystem::path result = std::filesystem::weakly_canonical(whole, error);
+    return error ? path : result.string();
+}
+
+// "card.svg", 2 → "card-2.svg". The first sheet keeps the name.
+std::string sheet_name(const std::string& path, const Format& format, std::size_t number) {
+    if (number == 1) return path;
+    std::size_t stem = path.size();
+    if (find_format(path) == &format && path.size() > format.suffix.size()) stem -= format.suffix.size();
+    return fmt::format("{}-{}{}", path.substr(0, stem), number, path.substr(stem));
+}
+
+std::string emitted(Stage stage, const Compilation& compilation) {
+    if (stage == Stage::layout) return emit_layout(*compilation.layout);
+    const auto one = [stage](const CompiledDesign& design) {
+        switch (stage) {
+            case Stage::design:
+                return emit_design(*design.design);
+            case Stage::assembly:
+                return emit_assembly(*design.assembly);
+            case Stage::motion:
+                return emit_motion(*design.assembly, *design.motion);
+            case Stage::pattern:
+                return emit_pattern(*design.pattern);
+            case Stage::check:
+            case Stage::layout:
+                break;
+        }
+        broken_invariant("only stages with a document of their own are emitted", __FILE__, __LINE__);
+    };
+    if (compilation.designs.size() == 1) return one(compilation.designs.front());
+    std::string text = "[\n";
+    for (const CompiledDesign& design : compilation.designs) {
+        std::string part = one(design);
+        while (part.ends_with('\n')) part.pop_back();
+        if (text.size() > 2) text += ",\n";
+        text += part;
+    }
+    return text + "\n]\n";
+}
+
+std::vector<SceneCard> scene_of(const Compilation& compilation) {
+    std::vector<SceneCard> cards;
+    const bool several = compilation.designs.size() > 1;
+    for (const CompiledDesign& one : compilation.designs) {
+        cards.push_back({&*one.assembly, &*one.motion, several ? one.stem + ":" : std::string()});
+    }
+    return cards;
+}
+
+// The bytes of one output: one string, or one a sheet.
+std::optional<std::vector<std::string>> write_format(const Format& format, const OutputOptions& options,
+                                                     Compilation& compilation) {
+    Diagnostics& diagnostics = compilation.run_diagnostics;
+    const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<std::string>> {
+        if (!bytes) return std::nullopt;
+        std::vector<std::string> all;
+        all.push_back(std::move(*bytes));
+        return all;
+    };
+    return std::visit(
+        Overloaded{
+            [&](SheetWriter write) { return write(*compilation.layout, options, diagnostics); },
+            [&](SceneWriter write) { return single(write(scene_of(compilation), options, diagnostics)); },
+            [&](DocumentWriter write) {
+                return single(write(*compilation.designs.front().checked, options, diagnostics));
+            },
+            [&](ReportWriter write) { return single(write(compilation, options, diagnostics)); },
+        },
+        format.write);
+}
+
+}  // namespace
+
+bool same_place(const std::string& a, const std::string& b) {
+    if (a == b || (is_standard_output(a) && is_standard_output(b))) return true;
+    if (a == "-" || b == "-") return false;
+    struct stat one {};
+    struct stat two {};
+    if (::stat(a.c_str(), &one) == 0 && ::stat(b.c_str(), &two) == 0) {
+        return one.st_dev == two.st_dev && one.st_ino == two.st_ino;
+    }
+    return canonical(a) == canonical(b);
+}
+
+bool overwrites(const std::string& output, const std::string& input) {
+    if (input == "-" || is_standard_output(output)) return false;
+    struct stat status {};
+    // A device, such as a terminal, may well be both.
+    if (::stat(input.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+    return same_place(output, input);
+}
+
+std::vector<PlannedOutput> plan_outputs(const Options& options) {
+    const BuildOptions& build = options.build;
+    if (build.outputs.empty() && !build.emit) {
+        throw UsageError("nothing to build: name an output with -o",
+                         {"the suffix picks the format: -o card.pdf",
+                          fmt::format("formats: {}", fmt::join(format_names(), " "))});
+    }
+    std::vector<PlannedOutput> planned;
+    std::vector<std::string> standard;
+    if (build.emit) standard.emplace_back("--emit");
+    if (options.messages.use_standard_output()) standard.emplace_back("the diagnostics");
+    for (const std::string& path : build.outputs) {
+        if (path.empty()) throw UsageError("-o takes the name of a file");
+        if (is_standard_output(path)) standard.push_back("-o " + path);
+        planned.push_back({path, &format_of(path, build)});
+        const bool is_document = std::holds_alternative<DocumentWriter>(planned.back().format->write);
+        if (is_document && options.inputs.names.size() > 1) {
+            throw UsageError(
+                fmt::format("{} is one document, and there are {} inputs", path, options.inputs.names.size()),
+                {"build each on its own, or use \"popupc fix --in-place\""});
+        }
+    }
+    check_format_option(build.outputs, build.format);
+    if (standard.size() > 1) {
+        throw UsageError(fmt::format("standard output has more than one user: {}", fmt::join(standard, ", ")),
+                         {"--diagnostics FILE and -o FILE take files"});
+    }
+    std::vector<std::string> written = build.outputs;
+    if (!options.messages.file.empty()) written.push_back(options.messages.file);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!same_place(written[i], written[j])) continue;
+            throw UsageError(written[i] == written[j]
+                                 ? fmt::format("{} is named twice as an output", written[i])
+                                 : fmt::format("{} and {} are the same output", written[j], written[i]));
+        }
+        for (const std::string& input : options.inputs.names) {
+            if (!overwrites(written[i], input)) continue;
+            throw UsageError(
+                fmt::format("{} is an input; a build does not overwrite it", written[i]),
+                {"to write the repaired document over the old one use \"popupc fix --in-place\""});
+        }
+    }
+    return planned;
+}
+
+bool output_refused(const Diagnostics& diagnostics) {
+    const std::vector<Diagnostic> all = diagnostics.sorted();
+    return std::any_of(all.begin(), all.end(),
+                       [](const Diagnostic& one) { return one.code == "unwritable-output"; });
+}
+
+Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Stage>& emit) {
+    // Whatever is written has been looked at whole: a sheet of a card that does not close would be a wrong
+    // one.
+    return outputs.empty() && emit ? *emit : Stage::layout;
+}
+
+std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
+                                                   const Options& options, Compilation& compilation) {
+    std::vector<PendingFile> files;
+    bool good = true;
+    for (const PlannedOutput& output : outputs) {
+        auto parts = write_format(*output.format, options.compile.output, compilation);
+        if (!parts) {
+            // A writer that fails must have said why: no result is ever silently missing.
+            POPUP_INVARIANT(compilation.run_diagnostics.has_errors());
+            good = false;
+            continue;
+        }
+        if (parts->size() > 1 && is_standard_output(output.path)) {
+            compilation.run_diagnostics
+                .error("unwritable-output", {},
+                       fmt::format("standard output takes one file, and there are {} sheets", parts->size()))
+                .hint(
+                    "write to a file, choose a larger --sheet, or a format that holds several sheets (--to "
+                    "pdf)");
+            good = false;
+            continue;
+        }
+        for (std::size_t i = 0; i < parts->size(); ++i) {
+            files.push_back({sheet_name(output.path, *output.format, i + 1), std::move((*parts)[i])});
+        }
+    }
+    if (options.build.emit) files.push_back({"-", emitted(*options.build.emit, compilation)});
+    if (!good) return std::nullopt;
+    return files;
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,41 @@
+// The outputs of a build: what they are, whether they can be, and their bytes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "popup/compile.h"
+#include "popup/output.h"
+
+namespace popup::cli {
+
+struct PlannedOutput {
+    std::string path;
+    const Format* format = nullptr;
+};
+
+// Finds the format of every output. UsageError on an unknown one, on two users of standard output, on an
+// output that is named twice or is an input, and on one document for several inputs.
+std::vector<PlannedOutput> plan_outputs(const Options& options);
+
+// True when both names are the same file now, or would be once written.
+bool same_place(const std::string& a, const std::string& b);
+
+// True when writing `output` would replace the file `input`.
+bool overwrites(const std::string& output, const std::string& input);
+
+// The last stage that these outputs, and --emit, need.
+Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Stage>& emit);
+
+// True when the findings say that an output could not be written, rather than that a design is wrong.
+bool output_refused(const Diagnostics& diagnostics);
+
+// Every file of the run with its bytes, the --emit document included; sheets after the first as "card-2.svg".
+// nullopt when a writer failed; why stands in the run's diagnostics.
+// Precondition: no design has errors.
+std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
+                                                   const Options& options, Compilation& compilation);
+
+}  // namespace popup::cli

@@ -1,0 +1,42 @@
+// Findings on their way to the user.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cli/options.h"
+#include "popup/compile.h"
+
+namespace popup::cli {
+
+// The findings on one input, and its text for the excerpts (empty where it could not be read).
+struct FileFindings {
+    const Diagnostics* diagnostics = nullptr;
+    std::string_view text;
+};
+
+// Tells all findings in the order given, worst first within each, then those of the run, then (several
+// inputs, not
+// --quiet, not a machine format) one line that counts them.
+// False when they could not be written where the user wants them; that has then been said.
+bool report(const MessageOptions& options, const std::vector<FileFindings>& files, const Diagnostics& run);
+
+// Text for standard output. False when it cannot be written; that has then been said, except when its reader
+// has gone.
+bool print(std::string_view text);
+
+// A line on standard error that --verbose asks for.
+void say(const MessageOptions& options, std::string_view line);
+
+// Shows on standard error how many designs are done, where --progress wants that; otherwise an empty
+// function.
+std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,
+                                                             std::size_t inputs);
+
+// "popupc: error: …" with its hints, on standard error.
+void report_usage(const UsageError& error);
+
+// True when standard output is a pipe that nobody reads any more.
+bool reader_has_gone();
+
+}  // namespace popup::cli

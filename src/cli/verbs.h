@@ -1,0 +1,24 @@
+// The verbs. Each is declared to the parser by its add function and done by its run function, which returns
+// the exit code. The options are those the parser filled.
+#pragma once
+
+#include "cli/options.h"
+
+namespace popup::cli {
+
+CLI::App* add_build(CLI::App& app, Options& options);
+int run_build(const Options& options);
+
+CLI::App* add_check(CLI::App& app, Options& options);
+int run_check(const Options& options);
+
+CLI::App* add_fix(CLI::App& app, Options& options);
+int run_fix(const Options& options);
+
+CLI::App* add_explain(CLI::App& app, Options& options);
+int run_explain(const Options& options);
+
+CLI::App* add_list(CLI::App& app, Options& options);
+int run_list(const Options& options);
+
+}  // namespace popup::cli

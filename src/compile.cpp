@@ -1,0 +1,116 @@
+#include "popup/compile.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace popup {
+namespace {
+
+// The stages of one design, in order.
+void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    one.design = read_design(one.source, options.read, one.diagnostics);
+    if (!one.design) return;
+    one.design->stem = one.stem;
+    if (options.until == Stage::design) return;
+
+    one.checked = check(*one.design, options.check, one.diagnostics);
+    if (!one.checked || options.until == Stage::check) return;
+
+    one.assembly = assemble(*one.checked, AssembleOptions{}, one.diagnostics);
+    if (!one.assembly || options.until == Stage::assembly) return;
+
+    one.motion = simulate(*one.assembly, options.motion, one.diagnostics);
+    if (!one.motion || options.until == Stage::motion) return;
+
+    one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+}
+
+// Equal stems become "castle", "castle~2"; a stem that somebody really has is never given to another.
+void name_stems(std::vector<CompiledDesign>& designs) {
+    std::set<std::string> taken;
+    for (CompiledDesign& one : designs) {
+        one.stem = one.source.stem();
+        taken.insert(one.stem);
+    }
+    std::map<std::string, int> used;  // stem as given → the last number given out for it
+    for (CompiledDesign& one : designs) {
+        int& last = used[one.stem];
+        if (++last == 1) continue;
+        std::string name;
+        for (;; ++last) {
+            name = one.stem + "~" + std::to_string(last);
+            if (taken.insert(name).second) break;
+        }
+        one.stem = std::move(name);
+    }
+}
+
+// Each worker takes the next design that nobody has begun; designs share nothing.
+void compile_designs(std::vector<CompiledDesign>& designs, const CompileOptions& options) {
+    std::atomic<std::size_t> next{0};
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < designs.size(); i = next++) {
+            compile_one(designs[i], options);
+            if (!options.progress) continue;
+            const std::lock_guard lock(telling);
+            options.progress(++done, designs.size());
+        }
+    };
+    const std::size_t threads =
+        std::min(static_cast<std::size_t>(std::max(options.threads, 1)), designs.size());
+    std::vector<std::jthread> others;
+    try {
+        for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system gives no more threads; those there are do the work.
+    }
+    work();
+}
+
+}  // namespace
+
+std::string_view version() { return POPUP_VERSION; }
+
+bool Compilation::has_errors() const {
+    return run_diagnostics.has_errors() ||
+           std::any_of(designs.begin(), designs.end(),
+                       [](const CompiledDesign& one) { return one.diagnostics.has_errors(); });
+}
+
+bool Compilation::has_findings() const {
+    return run_diagnostics.has_findings() ||
+           std::any_of(designs.begin(), designs.end(),
+                       [](const CompiledDesign& one) { return one.diagnostics.has_findings(); });
+}
+
+Compilation compile(std::vector<Source> sources, const CompileOptions& options,
+                    const DiagnosticPolicy& policy) {
+    Compilation run;
+    run.run_diagnostics = Diagnostics({}, policy);
+    run.designs.resize(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        run.designs[i].source = std::move(sources[i]);
+        run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
+    }
+    name_stems(run.designs);
+    compile_designs(run.designs, options);
+
+    if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
+    std::vector<DesignPattern> patterns;
+    patterns.reserve(run.designs.size());
+    for (const CompiledDesign& one : run.designs) {
+        patterns.push_back({one.source.name, one.stem, *one.pattern});
+    }
+    run.layout = lay_out(std::move(patterns), options.layout, run.run_diagnostics);
+    return run;
+}
+
+}  // namespace popup

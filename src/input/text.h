@@ -1,0 +1,20 @@
+// Small questions about words of a document.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace popup {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// Without XML's blanks at either end.
+std::string_view trimmed(std::string_view text);
+
+// With ASCII letters in lower case.
+std::string lower(std::string_view text);
+
+// For messages: at most 40 characters of a text, one line, cut off with "...".
+std::string shown(std::string_view text);
+
+}  // namespace popup

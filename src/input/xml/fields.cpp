@@ -1,0 +1,163 @@
+#include "input/xml/fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/nearest.h"
+#include "input/text.h"
+
+namespace popup::xml {
+namespace {
+
+// Where text has a meaning; elsewhere it is unknown markup.
+bool takes_text(Name context) {
+    switch (context) {
+        case Name::outerpoints:
+        case Name::point:
+        case Name::begin:
+        case Name::end:
+        case Name::drawnline:
+        case Name::value:
+            return true;
+        default:
+            return is_scalar(context);
+    }
+}
+
+// What belongs to XML itself, or to a validator, is of no concern here.
+bool is_foreign(std::string_view attribute) {
+    return attribute == "xmlns" || attribute.starts_with("xmlns:") || attribute.starts_with("xml:") ||
+           attribute.starts_with("xsi:");
+}
+
+// After this many, Diagnostics only counts: then hints need not be looked for.
+constexpr std::size_t kShownUnknowns = 100;
+
+}  // namespace
+
+Diagnostic& Reporter::add(Severity severity, std::string_view code, Place place, std::string message) {
+    Diagnostic& made = diagnostics_.add(severity, code, place, std::move(message));
+    if (structure_ != kNone) about_.emplace_back(&made, structure_);
+    return made;
+}
+
+Diagnostic& Reporter::error(std::string_view code, Place place, std::string message) {
+    return add(Severity::error, code, place, std::move(message));
+}
+
+Diagnostic& Reporter::warning(std::string_view code, Place place, std::string message) {
+    return add(Severity::warning, code, place, std::move(message));
+}
+
+void Reporter::unknown_name(Name context, std::string_view name, Place place, bool attribute) {
+    const Severity severity = strict_ ? Severity::error : Severity::warning;
+    if (++unknown_ > kShownUnknowns) {
+        add(severity, "unknown-markup", place, {});
+        return;
+    }
+    Diagnostic& made = add(severity, "unknown-markup", place,
+                           fmt::format("the {} '{}' is not known in '{}'",
+                                       attribute ? "attribute" : "element", shown(name), canonical(context)));
+    const std::vector<std::string> near = nearest(lower(name), names_in(context), 1);
+    if (!near.empty()) made.hint(fmt::format("perhaps '{}' is meant", near.front()));
+}
+
+void Reporter::unknown_text(Name context, const Text& text) {
+    const Severity severity = strict_ ? Severity::error : Severity::warning;
+    if (++unknown_ > kShownUnknowns) {
+        add(severity, "unknown-markup", text.place, {});
+        return;
+    }
+    add(severity, "unknown-markup", text.place,
+        fmt::format("the text '{}' has no meaning in '{}'", shown(trimmed(text.decoded)),
+                    canonical(context)));
+}
+
+void Reporter::twice(std::string_view name, Place place, Place first) {
+    error("duplicate-value", place,
+          fmt::format("'{}' is given twice; the first is on line {}", shown(name), first.line));
+}
+
+void Reporter::name_structures(const std::vector<Structure>& structures) {
+    for (const auto& [diagnostic, n] : about_) diagnostic->about(structures[n].id);
+}
+
+Fields::Fields(Node node, Name context, Reporter& reporter)
+    : node_(node), context_(context), reporter_(reporter) {
+    for (const Attribute& attribute : node.attributes()) {
+        const Name name = find_name(context, attribute.name);
+        if (name == Name::unknown || repeats(context, name)) {
+            if (!is_foreign(attribute.name))
+                reporter.unknown_name(context, attribute.name, attribute.place, true);
+        } else if (const Field* first = find(name)) {
+            reporter.twice(attribute.name, attribute.place, first->place);
+        } else {
+            fields_.push_back({name, attribute.place, attribute.value, {}});
+        }
+    }
+    for (Node child = node.first_child(); child; child = child.next_sibling()) {
+        if (wants(child.name(), child.place())) add(child);
+    }
+    texts_ = node.texts();
+    if (!takes_text(context)) refuse_text();
+}
+
+bool Fields::wants(std::string_view spelling, Place place) {
+    const Name name = find_name(context_, spelling);
+    if (name == Name::unknown) {
+        reporter_.unknown_name(context_, spelling, place, false);
+        return false;
+    }
+    if (const Field* first = find(name)) {
+        reporter_.twice(spelling, place, first->place);
+        return false;
+    }
+    return true;
+}
+
+void Fields::add(Node child) {
+    const Name name = find_name(context_, child.name());
+    if (repeats(context_, name)) {
+        repeated_.push_back(child);
+    } else {
+        fields_.push_back({name, child.place(), {}, child});
+    }
+}
+
+const Field* Fields::find(Name name) const {
+    const auto found =
+        std::find_if(fields_.begin(), fields_.end(), [&](const Field& field) { return field.name == name; });
+    return found == fields_.end() ? nullptr : &*found;
+}
+
+void Fields::refuse_text() {
+    for (const Text& text : texts_) reporter_.unknown_text(context_, text);
+    texts_.clear();
+}
+
+std::optional<Text> value_of(const Field& field, Reporter& reporter) {
+    Text text = field.text;
+    if (field.node) {
+        const Fields inner(field.node, field.name, reporter);
+        std::vector<Text> values(inner.texts().begin(), inner.texts().end());
+        // <x value="1"/>, or even <x><value>1</value></x>; `value` holds no further fields, so this ends.
+        if (const Field* value = inner.find(Name::value)) {
+            const std::optional<Text> nested = value_of(*value, reporter);
+            if (!nested) return std::nullopt;
+            values.push_back(*nested);
+        }
+        if (values.size() > 1) {
+            reporter.twice(canonical(field.name), values[1].place, values[0].place);
+            return std::nullopt;
+        }
+        text = values.empty() ? Text{} : values.front();
+    }
+    if (trimmed(text.decoded).empty()) {
+        reporter.error("missing-value", field.place, fmt::format("'{}' is empty", canonical(field.name)));
+        return std::nullopt;
+    }
+    return text;
+}
+
+}  // namespace popup::xml

@@ -1,0 +1,73 @@
+// Where everything of an XML text stands: tinyxml2 knows lines only, and no bytes.
+//
+// One pass over the text finds the start tags in document order, the attributes in each, the pieces of text
+// and the ends. Elements, attributes and texts come in the very order in which tinyxml2 has them, so that the
+// two can be paired one to one. What tinyxml2 lets pass although it is not XML is an error here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "popup/diagnostics.h"
+
+namespace popup::xml {
+
+// Offsets are 32 bits wide, because there is one of these for every word of a large document.
+using Offset = std::uint32_t;
+
+struct LocatedAttribute {
+    Offset name = 0, name_length = 0;
+    Offset value = 0, value_length = 0;  // between the quotes
+    Place place;                         // of the name
+};
+
+// A piece of text that is not all blank, or a CDATA section.
+struct LocatedText {
+    Offset begin = 0, end = 0;  // of a CDATA section: its content
+    Place place;                // of the first character that is not blank
+    bool cdata = false;
+};
+
+struct LocatedElement {
+    Offset begin = 0;            // its "<"
+    Offset tag_end = 0;          // after the ">" of its start tag
+    Offset end = 0;              // after its end tag
+    Offset after = 0;            // index of the first element behind it that is not inside it
+    Offset first_attribute = 0;  // index into attributes; they end where those of the next element begin
+    Offset first_text = 0;       // index of the first text behind its start tag
+    Place place;                 // of its "<"
+};
+
+struct Instruction {
+    Offset begin = 0, end = 0;
+};
+
+struct Located {
+    std::string_view text;
+    std::vector<LocatedElement> elements;  // in document order; the first is the root
+    std::vector<LocatedAttribute> attributes;
+    std::vector<LocatedText> texts;
+    std::vector<Instruction> instructions;  // processing instructions, the XML declaration not among them
+
+    [[nodiscard]] std::string_view name(Offset element) const;
+};
+
+// Tags nested deeper than this are refused, as tinyxml2 does.
+inline constexpr int kDepthLimit = 100;
+// Documents with more elements, attributes and texts than this are refused, to bound the memory.
+inline constexpr std::size_t kMarkupLimit = 8'000'000;
+
+// Preconditions: check_encoding() is true of `text`, which must outlive the result.
+// Errors, located, each the last thing looked at: `xml-syntax`, `doctype`, `encoding` (a declaration that
+// names another), `bad-character` (a reference to one that XML forbids), `document-too-large`. Cost: linear
+// in bytes, but for tags with many attributes (n log n). No recursion.
+std::optional<Located> locate(std::string_view text, Diagnostics& diagnostics);
+
+// The bytes that each byte of decoded text comes from: `raw` with line ends made "\n" and, where `references`
+// are read (not in CDATA), these resolved. Returns one offset into `raw` a decoded byte, and raw.size()
+// behind them. Precondition: references in `raw` are well formed.
+std::vector<Offset> decoded_offsets(std::string_view raw, bool references);
+
+}  // namespace popup::xml

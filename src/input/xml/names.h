@@ -1,0 +1,60 @@
+// The words of the popup document: how each is written, what else it has been called, and where it may stand.
+// A spelling met in a real file costs a row, or a word in one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace popup::xml {
+
+enum class Name : std::uint8_t {
+    unknown,
+    document,  // what stands around the root
+    popup,
+    version,
+    units,
+    mainpage,
+    width,
+    height,
+    leftcolor,
+    rightcolor,
+    lefttabcolor,
+    righttabcolor,
+    structurelist,
+    structure,
+    type,
+    id,
+    outerpoints,
+    point,
+    x,
+    y,
+    page,
+    parentfold,
+    begin,
+    end,
+    drawnlinelist,
+    drawnline,
+    thickness,
+    color,
+    value,  // of anything that is a single value: <leftcolor value="red"/>
+};
+
+// The name that `spelling` has inside `context`, as attribute or child element; `unknown` when it has none
+// there. Case, "_" and "-" are disregarded.
+Name find_name(Name context, std::string_view spelling);
+
+// How the canonical document writes it.
+std::string_view canonical(Name name);
+
+// True for names that may stand several times in `context` (structures, points, drawn lines).
+bool repeats(Name context, Name name);
+
+// True for names that hold one value and no structure of their own.
+bool is_scalar(Name name);
+
+// The canonical spellings of everything known in `context`, for hints.
+std::vector<std::string_view> names_in(Name context);
+
+}  // namespace popup::xml

@@ -1,0 +1,137 @@
+// Repairs written over the author's own text.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/text.h"
+#include "input/xml/number.h"
+#include "input/xml/read.h"
+#include "popup/mechanism.h"
+
+namespace popup::xml {
+namespace {
+
+class Patch {
+ public:
+    Patch(std::string_view text, const Design& design) : text_(text), design_(design) {}
+
+    std::string run() {
+        for (const Structure& structure : design_.structures) {
+            if (structure.dropped) {
+                remove(structure.tag_text);
+            } else {
+                structure_edits(structure);
+            }
+        }
+        for (const DrawnLine& line : design_.lines) {
+            if (line.dropped) {
+                remove(line.tag_text);
+                continue;
+            }
+            if (line.page_changed) number(line.page_text, line.page);
+            for (const DesignPoint& point : line.points) point_edits(point, line.page);
+        }
+        std::sort(edits_.begin(), edits_.end(),
+                  [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+        std::string out;
+        out.reserve(text_.size() + edits_.size() * 8);
+        std::size_t at = 0;
+        for (const Edit& edit : edits_) {
+            POPUP_INVARIANT(edit.begin >= at && edit.end >= edit.begin && edit.end <= text_.size());
+            out += text_.substr(at, edit.begin - at);
+            out += edit.text;
+            at = edit.end;
+        }
+        out += text_.substr(at);
+        return out;
+    }
+
+ private:
+    struct Edit {
+        std::size_t begin;
+        std::size_t end;
+        std::string text;
+    };
+
+    void structure_edits(const Structure& structure) {
+        if (structure.type_changed) type(structure);
+        for (const DesignPoint& point : structure.points) point_edits(point, structure.fold.page);
+        const ParentFold& fold = structure.fold;
+        if (fold.page_changed) page(fold.page_text, fold.tag_text, fold.page);
+        for (const DesignPoint* end : {&fold.begin, &fold.end}) {
+            // Where an end of the fold names the page as well, the two must go on agreeing.
+            if (fold.page_changed) number(end->page_text, fold.page);
+            if (end->changed) coordinates(*end);
+        }
+    }
+
+    void point_edits(const DesignPoint& point, int default_page) {
+        if (!point.changed) return;
+        coordinates(point);
+        if (point.page || point.page_text.present()) {
+            page(point.page_text, point.tag_text, point.page.value_or(default_page));
+        }
+    }
+
+    void coordinates(const DesignPoint& point) {
+        number(point.x_text, point.at.x / design_.unit.mm);
+        number(point.y_text, point.at.y / design_.unit.mm);
+    }
+
+    // A number that is the same as written keeps its digits.
+    void number(TextRange at, double value) {
+        if (!at.present()) return;
+        const ParsedNumber old = parse_number(text_.substr(at.offset, at.length));
+        std::string text = format_number(value);
+        if (old.fault == NumberFault::none && format_number(old.value) == text) return;
+        edits_.push_back({at.offset, at.offset + at.length, std::move(text)});
+    }
+
+    // A page that was not written becomes the last attribute of the start tag.
+    void page(TextRange at, TextRange start_tag, int value) {
+        if (at.present()) return number(at, value);
+        if (!start_tag.present()) return;
+        const std::string_view tag = text_.substr(start_tag.offset, start_tag.length);
+        std::size_t end = tag.size() - 1;
+        while (end > 0 && (is_blank(tag[end - 1]) || tag[end - 1] == '/')) --end;
+        const std::size_t offset = start_tag.offset + end;
+        edits_.push_back({offset, offset, " page=\"" + std::to_string(value) + "\""});
+    }
+
+    // By code where the author wrote a code, else by name.
+    void type(const Structure& structure) {
+        const TextRange at = structure.type_text;
+        const ElementInfo* info = find_element(structure.type);
+        POPUP_INVARIANT(at.present() && info != nullptr);
+        const std::string_view old = text_.substr(at.offset, at.length);
+        const bool by_code = parse_number(old).fault == NumberFault::none && info->code >= 0;
+        edits_.push_back({at.offset, at.offset + at.length,
+                          by_code ? std::to_string(info->code) : std::string(info->name)});
+    }
+
+    // An element that has its lines to itself takes them with it.
+    void remove(TextRange at) {
+        POPUP_INVARIANT(at.present());
+        std::size_t begin = at.offset;
+        std::size_t end = at.offset + at.length;
+        while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
+        while (end < text_.size() && (text_[end] == ' ' || text_[end] == '\t' || text_[end] == '\r')) ++end;
+        const bool alone = begin > 0 && text_[begin - 1] == '\n' && end < text_.size() && text_[end] == '\n';
+        if (alone) {
+            edits_.push_back({begin, end + 1, {}});
+        } else {
+            edits_.push_back({at.offset, at.offset + at.length, {}});
+        }
+    }
+
+    std::string_view text_;
+    const Design& design_;
+    std::vector<Edit> edits_;
+};
+
+}  // namespace
+
+std::string patch(const Source& source, const Design& design) { return Patch(source.text, design).run(); }
+
+}  // namespace popup::xml

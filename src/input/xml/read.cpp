@@ -1,0 +1,370 @@
+#include "input/xml/read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/nearest.h"
+#include "input/text.h"
+#include "input/xml/encoding.h"
+#include "input/xml/fields.h"
+#include "input/xml/locate.h"
+#include "input/xml/number.h"
+#include "input/xml/tree.h"
+#include "input/xml/units.h"
+#include "input/xml/values.h"
+#include "popup/mechanism.h"
+
+namespace popup::xml {
+namespace {
+
+constexpr std::array<std::string_view, 2> kVersions{"2.0", "3.0"};
+
+// [A-Za-z_][A-Za-z0-9_.-]*
+bool is_id(std::string_view text) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    const auto more = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '-'; };
+    return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), more);
+}
+
+class DocumentReader {
+ public:
+    DocumentReader(const Source& source, const Located& located, const ReadOptions& options,
+                   Diagnostics& diagnostics)
+        : located_(located), reporter_(diagnostics, options.strict), values_(source.text, {}, reporter_) {
+        design_.file = source.name;
+        design_.stem = source.stem();
+    }
+
+    // The design as far as it could be read; it is whole when no error was added.
+    Design run() {
+        if (!read_root()) return std::move(design_);
+        reporter_.set_structure(Reporter::kNone);
+        name_structures();
+        reporter_.name_structures(design_.structures);
+        return std::move(design_);
+    }
+
+ private:
+    using Item = void (DocumentReader::*)(Node);
+
+    bool read_root() {
+        const Place place = located_.elements[0].place;
+        const std::string_view name = located_.name(0);
+        if (find_name(Name::document, name) != Name::popup) {
+            reporter_.error("wrong-root", place,
+                            fmt::format("the root element is <{}>, not <popup>", shown(name)));
+            return false;
+        }
+        const auto shell = Tree::parse(located_, 0, Tree::Extent::shell, reporter_.diagnostics());
+        if (!shell) return false;
+        design_.page_place = place;
+
+        // Lists are not parsed whole: their items are, one at a time.
+        Fields fields(shell->root(), Name::popup, reporter_);
+        std::deque<Tree> trees;
+        Offset structures = 0;
+        Offset lines = 0;
+        for (Offset child = 1; child < located_.elements[0].after; child = located_.elements[child].after) {
+            if (!fields.wants(located_.name(child), located_.elements[child].place)) continue;
+            const Name found = find_name(Name::popup, located_.name(child));
+            const bool list = found == Name::structurelist || found == Name::drawnlinelist;
+            auto tree = Tree::parse(located_, child, list ? Tree::Extent::shell : Tree::Extent::whole,
+                                    reporter_.diagnostics());
+            if (!tree) return false;
+            trees.push_back(std::move(*tree));
+            fields.add(trees.back().root());
+            if (found == Name::structurelist) structures = child;
+            if (found == Name::drawnlinelist) lines = child;
+        }
+
+        read_version(fields.find(Name::version));
+        read_units(fields.find(Name::units));
+        if (const Field* field = element_field(fields, Name::mainpage)) read_mainpage(field->node);
+        if (const Field* field = element_field(fields, Name::structurelist)) {
+            if (!read_list(structures, field->node, Name::structurelist, &DocumentReader::read_structure))
+                return false;
+        }
+        if (const Field* field = element_field(fields, Name::drawnlinelist)) {
+            if (!read_list(lines, field->node, Name::drawnlinelist, &DocumentReader::read_line)) return false;
+        }
+        return true;
+    }
+
+    // A field that has fields of its own and so cannot be an attribute.
+    const Field* element_field(const Fields& fields, Name name) {
+        const Field* field = fields.find(name);
+        if (!field || field->node) return field;
+        reporter_.unknown_name(fields.context(), canonical(name), field->place, true);
+        return nullptr;
+    }
+
+    bool read_list(Offset list, Node shell, Name name, Item read_item) {
+        Fields fields(shell, name, reporter_);
+        const Offset end = located_.elements[list].after;
+        for (Offset child = list + 1; child < end; child = located_.elements[child].after) {
+            if (!fields.wants(located_.name(child), located_.elements[child].place)) continue;
+            const auto tree = Tree::parse(located_, child, Tree::Extent::whole, reporter_.diagnostics());
+            if (!tree) return false;
+            (this->*read_item)(tree->root());
+        }
+        return true;
+    }
+
+    void read_version(const Field* field) {
+        if (!field) return;
+        const auto text = value_of(*field, reporter_);
+        if (!text) return;
+        std::string version(trimmed(text->decoded));
+        if (version == "2" || version == "3") version += ".0";
+        if (std::find(kVersions.begin(), kVersions.end(), version) != kVersions.end()) {
+            design_.version = version;
+            return;
+        }
+        reporter_.warning("unknown-version", text->place,
+                          fmt::format("version '{}' is not known; the document is read as {}", shown(version),
+                                      design_.version));
+    }
+
+    void read_units(const Field* field) {
+        if (!field) return;
+        const auto text = value_of(*field, reporter_);
+        if (!text) return;
+        if (const Unit* unit = find_unit(trimmed(text->decoded))) {
+            design_.unit = *unit;
+            values_.set_unit(*unit);
+            return;
+        }
+        std::string known;
+        for (const UnitRow& row : unit_table())
+            known += (known.empty() ? "" : ", ") + std::string(row.unit.name);
+        reporter_
+            .error("bad-unit", text->place,
+                   fmt::format("the unit '{}' is not known", shown(trimmed(text->decoded))))
+            .hint("known units are " + known);
+    }
+
+    void read_mainpage(Node node) {
+        const Fields fields(node, Name::mainpage, reporter_);
+        design_.page_place = node.place();
+        design_.left = values_.color(fields.find(Name::leftcolor));
+        design_.right = values_.color(fields.find(Name::rightcolor));
+        read_page_size(fields.find(Name::width), design_.width_mm);
+        read_page_size(fields.find(Name::height), design_.height_mm);
+    }
+
+    void read_page_size(const Field* field, double& size) {
+        if (!field) return;
+        const auto mm = values_.length(*field);
+        if (!mm) return;
+        if (*mm >= kSmallestPage && *mm <= kLargestPage) {
+            size = *mm;
+            return;
+        }
+        reporter_.error(
+            "page-size", field->place,
+            fmt::format("the page's {} is {} mm, and must be from {} to {} mm", canonical(field->name),
+                        format_number(*mm), format_number(kSmallestPage), format_number(kLargestPage)));
+    }
+
+    void read_structure(Node node) {
+        const std::size_t n = design_.structures.size();
+        reporter_.set_structure(n);
+        const Fields fields(node, Name::structure, reporter_);
+        Structure& made = design_.structures.emplace_back();
+        made.place = node.place();
+        made.tag_text = node.whole();
+        read_id(fields.find(Name::id), made);
+        const ElementInfo* info = read_type(fields.find(Name::type), made);
+        read_outer_points(fields, made, info);
+        made.left = values_.color(fields.find(Name::leftcolor));
+        made.right = values_.color(fields.find(Name::rightcolor));
+        made.left_tab = values_.color(fields.find(Name::lefttabcolor));
+        made.right_tab = values_.color(fields.find(Name::righttabcolor));
+        if (const Field* fold = element_field(fields, Name::parentfold)) {
+            read_fold(fold->node, made.fold);
+        } else {
+            reporter_.error("missing-value", made.place, "this structure has no parentfold")
+                .hint("for the gutter write <parentfold page=\"0\"> with its begin and end");
+        }
+        reporter_.set_structure(Reporter::kNone);
+    }
+
+    void read_id(const Field* field, Structure& made) {
+        if (!field) return;
+        const auto text = value_of(*field, reporter_);
+        if (!text) return;
+        const std::string id(trimmed(text->decoded));
+        if (!is_id(id)) {
+            reporter_.error("bad-id", text->place, fmt::format("'{}' cannot be an id", shown(id)))
+                .hint(
+                    "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and "
+                    "\"-\"");
+            return;
+        }
+        if (id == "page") {
+            reporter_.error("bad-id", text->place, "the id 'page' is kept for the base page");
+            return;
+        }
+        const auto [known, fresh] = ids_.emplace(id, text->place);
+        if (!fresh) {
+            reporter_.error("duplicate-id", text->place,
+                            fmt::format("the id '{}' is given twice; the first is on line {}", shown(id),
+                                        known->second.line));
+        }
+        made.id = id;
+        made.id_given = true;
+    }
+
+    const ElementInfo* read_type(const Field* field, Structure& made) {
+        made.type_place = made.place;
+        if (!field) {
+            reporter_.error("missing-value", made.place, "this structure has no type")
+                .hint("`popupc list elements` shows all types");
+        }
+        const auto text = field ? value_of(*field, reporter_) : std::nullopt;
+        if (!text) return nullptr;
+        made.type_place = text->place;
+        made.type_text = values_.tight(*text);
+        const std::string_view name = trimmed(text->decoded);
+        const ElementInfo* info = find_element(name);
+        if (!info) {
+            Diagnostic& error = reporter_.error("unknown-type", text->place,
+                                                fmt::format("the type '{}' is not known", shown(name)));
+            std::vector<std::string_view> names;
+            for (const ElementInfo& row : element_table()) names.push_back(row.name);
+            const std::vector<std::string> near = nearest(lower(name), names, 1);
+            error.hint(near.empty() ? "`popupc list elements` shows all types"
+                                    : fmt::format("perhaps '{}' is meant", near.front()));
+            return nullptr;
+        }
+        made.type = info->name;
+        if (info->code < 0 && design_.version == "2.0") {
+            reporter_
+                .warning("newer-element", text->place,
+                         fmt::format("'{}' is not an element of version 2.0", info->name))
+                .hint("write version=\"3.0\"");
+        }
+        return info;
+    }
+
+    void read_outer_points(const Fields& fields, Structure& made, const ElementInfo* info) {
+        Place place = made.place;
+        if (const Field* field = fields.find(Name::outerpoints)) {
+            place = field->place;
+            if (field->node) {
+                values_.points(Fields(field->node, Name::outerpoints, reporter_), made.points);
+            } else {
+                values_.points(field->text, made.points);
+            }
+            if (!fields.repeated().empty())
+                reporter_.twice("outerpoints", fields.repeated()[0].place(), place);
+        } else {
+            values_.points(fields, made.points);
+        }
+        if (!info || info->points.size() == made.points.size()) return;
+        std::string letters;
+        for (const PointInfo& point : info->points)
+            letters += (letters.empty() ? "" : " ") + std::string(point.letter);
+        const std::size_t given = made.points.size();
+        reporter_.error("point-count", place,
+                        fmt::format("'{}' has {} outer points ({}), and {} {} given", info->name,
+                                    info->points.size(), letters, given, given == 1 ? "is" : "are"));
+    }
+
+    void read_fold(Node node, ParentFold& fold) {
+        const Fields fields(node, Name::parentfold, reporter_);
+        fold.place = node.place();
+        fold.tag_text = node.start_tag();
+        read_end(fields, Name::begin, fold.begin);
+        read_end(fields, Name::end, fold.end);
+        // The fold lies on one page, wherever that is written.
+        std::optional<int> page = values_.page(fields.find(Name::page), &fold.page_text);
+        for (const DesignPoint* end : {&fold.begin, &fold.end}) {
+            if (!end->page) continue;
+            if (page && *page != *end->page) {
+                reporter_.error(
+                    "bad-page", end->place,
+                    fmt::format("the parent fold is on page {} and on page {}", *page, *end->page));
+            }
+            page = page.value_or(*end->page);
+        }
+        fold.page = page.value_or(0);
+    }
+
+    void read_end(const Fields& fields, Name name, DesignPoint& end) {
+        if (const Field* field = fields.find(name)) {
+            if (const auto point = values_.point(*field)) end = *point;
+            return;
+        }
+        reporter_.error("missing-value", fields.node().place(),
+                        fmt::format("this parentfold has no {}", canonical(name)));
+    }
+
+    void read_line(Node node) {
+        const Fields fields(node, Name::drawnline, reporter_);
+        DrawnLine& made = design_.lines.emplace_back();
+        made.place = node.place();
+        made.tag_text = node.whole();
+        made.page = values_.page(fields.find(Name::page), &made.page_text).value_or(0);
+        made.color = values_.color(fields.find(Name::color)).value_or(made.color);
+        if (const Field* field = fields.find(Name::thickness)) {
+            const auto thickness = values_.number(*field);
+            if (thickness && (*thickness < 0 || *thickness > kThickestLine)) {
+                reporter_.error("bad-number", field->place,
+                                fmt::format("thickness is {} pt, and must be from 0 to {} pt",
+                                            format_number(*thickness), format_number(kThickestLine)));
+            }
+            made.thickness_pt = thickness.value_or(made.thickness_pt);
+        }
+        values_.points(fields, made.points);
+        if (made.points.size() < 2) {
+            reporter_.error("point-count", made.place,
+                            fmt::format("a drawn line has at least 2 points, and {} {} given",
+                                        made.points.size(), made.points.size() == 1 ? "is" : "are"));
+        }
+        for (const DesignPoint& point : made.points) {
+            if (!point.page || *point.page == made.page) continue;
+            reporter_.error(
+                "bad-page", point.place,
+                fmt::format("this point is on page {}, its line on page {}", *point.page, made.page));
+        }
+    }
+
+    // The n-th structure without an id becomes e<n>; where an author has taken that name, the next free
+    // number behind all structures, so that the others keep theirs.
+    void name_structures() {
+        std::size_t spare = design_.structures.size();
+        for (std::size_t n = 0; n < design_.structures.size(); ++n) {
+            Structure& structure = design_.structures[n];
+            if (!structure.id.empty()) continue;
+            structure.id = fmt::format("e{}", n + 1);
+            while (ids_.contains(structure.id)) structure.id = fmt::format("e{}", ++spare);
+        }
+    }
+
+    const Located& located_;
+    Reporter reporter_;
+    Values values_;
+    Design design_;
+    std::unordered_map<std::string, Place> ids_;  // given ids; only looked up, never walked
+};
+
+}  // namespace
+
+std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    if (!check_encoding(source.text, diagnostics)) return std::nullopt;
+    const auto located = locate(source.text, diagnostics);
+    if (!located) return std::nullopt;
+    Design design = DocumentReader(source, *located, options, diagnostics).run();
+    if (diagnostics.has_errors()) return std::nullopt;
+    return design;
+}
+
+}  // namespace popup::xml

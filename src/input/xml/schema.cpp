@@ -1,0 +1,240 @@
+#include "input/xml/schema.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "input/xml/number.h"
+#include "input/xml/read.h"
+#include "input/xml/units.h"
+#include "input/xml/values.h"
+#include "popup/mechanism.h"
+
+namespace popup::xml {
+namespace {
+
+constexpr std::string_view kHead = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
+<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" version="3.0">
+  <xs:annotation>
+    <xs:documentation>
+      The popup XML document in its canonical spelling: what popupc writes. It reads more generous spellings, too.
+      Lengths are in the document's units. The origin is the centre of the page, x points right, y up.
+      Page 0 is the base page; each glued element of the list adds one page for its piece, numbered from 1.
+      What this schema cannot say: the number of outer points depends on the type, as the types tell; a parent fold
+      must be there when its structure is reached; the id "page" is kept.
+    </xs:documentation>
+  </xs:annotation>
+
+  <xs:element name="popup">
+    <xs:complexType>
+      <xs:sequence>
+        <xs:element name="mainpage" type="mainpage" minOccurs="0"/>
+        <xs:element name="structurelist" minOccurs="0">
+          <xs:complexType>
+            <xs:sequence>
+              <xs:element name="structure" type="structure" minOccurs="0" maxOccurs="unbounded"/>
+            </xs:sequence>
+          </xs:complexType>
+          <xs:unique name="ids">
+            <xs:selector xpath="structure"/>
+            <xs:field xpath="@id"/>
+          </xs:unique>
+        </xs:element>
+        <xs:element name="drawnlinelist" minOccurs="0">
+          <xs:complexType>
+            <xs:sequence>
+              <xs:element name="drawnline" type="drawnline" minOccurs="0" maxOccurs="unbounded"/>
+            </xs:sequence>
+          </xs:complexType>
+        </xs:element>
+      </xs:sequence>
+      <xs:attribute name="version" default="2.0">
+        <xs:simpleType>
+          <xs:restriction base="xs:string">
+            <xs:enumeration value="2.0"/>
+            <xs:enumeration value="3.0"/>
+          </xs:restriction>
+        </xs:simpleType>
+      </xs:attribute>
+)xsd";
+
+constexpr std::string_view kStructure = R"xsd(
+  <xs:complexType name="structure">
+    <xs:sequence>
+      <xs:element name="outerpoints">
+        <xs:complexType>
+          <xs:sequence>
+            <xs:element name="point" type="pagepoint" minOccurs="{}" maxOccurs="{}"/>
+          </xs:sequence>
+        </xs:complexType>
+      </xs:element>
+      <xs:element name="leftcolor" type="color" minOccurs="0"/>
+      <xs:element name="rightcolor" type="color" minOccurs="0"/>
+      <xs:element name="lefttabcolor" type="color" minOccurs="0"/>
+      <xs:element name="righttabcolor" type="color" minOccurs="0"/>
+      <xs:element name="parentfold">
+        <xs:annotation>
+          <xs:documentation>Two points of the fold or seam. Left is the left-hand side, seen from begin to end.</xs:documentation>
+        </xs:annotation>
+        <xs:complexType>
+          <xs:sequence>
+            <xs:element name="begin" type="point"/>
+            <xs:element name="end" type="point"/>
+          </xs:sequence>
+          <xs:attribute name="page" type="page" default="0"/>
+        </xs:complexType>
+      </xs:element>
+    </xs:sequence>
+    <xs:attribute name="type" type="type" use="required"/>
+    <xs:attribute name="id" type="id"/>
+  </xs:complexType>
+
+  <xs:complexType name="drawnline">
+    <xs:sequence>
+      <xs:element name="point" type="point" minOccurs="2" maxOccurs="unbounded"/>
+    </xs:sequence>
+    <xs:attribute name="page" type="page" default="0"/>
+    <xs:attribute name="thickness" default="1">
+      <xs:annotation>
+        <xs:documentation>In points of 1/72 inch, whatever the units of the document.</xs:documentation>
+      </xs:annotation>
+      <xs:simpleType>
+        <xs:restriction base="number">
+          <xs:minInclusive value="0"/>
+          <xs:maxInclusive value="{}"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
+    <xs:attribute name="color" type="color" default="#000000"/>
+  </xs:complexType>
+
+  <xs:complexType name="mainpage">
+    <xs:sequence>
+      <xs:element name="leftcolor" type="color" minOccurs="0"/>
+      <xs:element name="rightcolor" type="color" minOccurs="0"/>
+    </xs:sequence>
+    <xs:attribute name="width" type="size"/>
+    <xs:attribute name="height" type="size"/>
+  </xs:complexType>
+
+  <xs:complexType name="point">
+    <xs:attribute name="x" type="number" use="required"/>
+    <xs:attribute name="y" type="number" use="required"/>
+  </xs:complexType>
+
+  <xs:complexType name="pagepoint">
+    <xs:complexContent>
+      <xs:extension base="point">
+        <xs:attribute name="page" type="page">
+          <xs:annotation>
+            <xs:documentation>Where the point does not lie on the page of the parent fold.</xs:documentation>
+          </xs:annotation>
+        </xs:attribute>
+      </xs:extension>
+    </xs:complexContent>
+  </xs:complexType>
+
+  <xs:simpleType name="number">
+    <xs:annotation>
+      <xs:documentation>Decimal, with an optional exponent; neither INF nor NaN.</xs:documentation>
+    </xs:annotation>
+    <xs:restriction base="xs:double">
+      <xs:pattern value="[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?"/>
+    </xs:restriction>
+  </xs:simpleType>
+
+  <xs:simpleType name="size">
+    <xs:restriction base="number">
+      <xs:minExclusive value="0"/>
+    </xs:restriction>
+  </xs:simpleType>
+
+  <xs:simpleType name="page">
+    <xs:restriction base="xs:nonNegativeInteger">
+      <xs:maxInclusive value="{}"/>
+    </xs:restriction>
+  </xs:simpleType>
+
+  <xs:simpleType name="color">
+    <xs:restriction base="xs:string">
+      <xs:pattern value="#[0-9a-fA-F]{{6}}"/>
+    </xs:restriction>
+  </xs:simpleType>
+
+  <xs:simpleType name="id">
+    <xs:restriction base="xs:string">
+      <xs:pattern value="[A-Za-z_][A-Za-z0-9_.\-]*"/>
+    </xs:restriction>
+  </xs:simpleType>
+</xs:schema>
+)xsd";
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') {
+            out += "&amp;";
+        } else if (c == '<') {
+            out += "&lt;";
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
+// "A B (left), C (right); on the page of its piece: …": an element's points in order.
+std::string points_of(const ElementInfo& info) {
+    std::string text;
+    PointPage page = PointPage::fold;
+    for (const PointInfo& point : info.points) {
+        if (point.page != page) text += ", on its own page:";
+        page = point.page;
+        const std::string_view side = point.side == 'L' ? " (left)" : point.side == 'R' ? " (right)" : "";
+        text += fmt::format("{}{}{}", text.empty() ? "" : " ", point.letter, side);
+    }
+    return text;
+}
+
+// Both the name and the number that Popup Workshop wrote.
+std::string types() {
+    std::string out = "\n  <xs:simpleType name=\"type\">\n    <xs:restriction base=\"xs:string\">\n";
+    for (const ElementInfo& info : element_table()) {
+        out += fmt::format(
+            "      <xs:enumeration value=\"{}\">\n        <xs:annotation>\n"
+            "          <xs:documentation>{}. {} outer points: {}.</xs:documentation>\n"
+            "        </xs:annotation>\n      </xs:enumeration>\n",
+            info.name, escaped(info.about), info.points.size(), points_of(info));
+    }
+    for (const ElementInfo& info : element_table()) {
+        if (info.code >= 0) out += fmt::format("      <xs:enumeration value=\"{}\"/>\n", info.code);
+    }
+    return out + "    </xs:restriction>\n  </xs:simpleType>\n";
+}
+
+std::string units() {
+    std::string out = fmt::format(
+        "      <xs:attribute name=\"units\" default=\"{}\">\n        <xs:simpleType>\n"
+        "          <xs:restriction base=\"xs:string\">\n",
+        unit_table().front().unit.name);
+    for (const UnitRow& row : unit_table()) {
+        out += fmt::format("            <xs:enumeration value=\"{}\"/>\n", row.unit.name);
+    }
+    return out +
+           "          </xs:restriction>\n        </xs:simpleType>\n      </xs:attribute>\n"
+           "    </xs:complexType>\n  </xs:element>\n";
+}
+
+}  // namespace
+
+std::string render_schema() {
+    const auto [fewest, most] = std::minmax_element(
+        element_table().begin(), element_table().end(),
+        [](const ElementInfo& a, const ElementInfo& b) { return a.points.size() < b.points.size(); });
+    return std::string(kHead) + units() + types() +
+           fmt::format(kStructure, fewest->points.size(), most->points.size(), format_number(kThickestLine),
+                       kPageLimit);
+}
+
+}  // namespace popup::xml

@@ -1,0 +1,42 @@
+#include "input/xml/units.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "input/text.h"
+
+namespace popup::xml {
+namespace {
+
+constexpr double kInch = 25.4;
+constexpr std::array kUnits = std::to_array<UnitRow>({
+    {{"in", kInch}, "inch inches"},
+    {{"mm", 1.0}, "millimetre millimetres millimeter millimeters"},
+    {{"cm", 10.0}, "centimetre centimetres centimeter centimeters"},
+    {{"pt", kInch / 72.0}, "point points"},
+    {{"px", kInch / 72.0}, "pixel pixels"},  // Java's user space: 72 an inch
+});
+
+bool has_word(std::string_view words, std::string_view word) {
+    while (!words.empty()) {
+        const std::size_t blank = std::min(words.find(' '), words.size());
+        if (words.substr(0, blank) == word) return true;
+        words.remove_prefix(std::min(blank + 1, words.size()));
+    }
+    return false;
+}
+
+}  // namespace
+
+std::span<const UnitRow> unit_table() { return kUnits; }
+
+const Unit* find_unit(std::string_view name) {
+    const std::string word = lower(name);
+    for (const UnitRow& row : kUnits) {
+        if (word == row.unit.name || has_word(row.others, word)) return &row.unit;
+    }
+    return nullptr;
+}
+
+}  // namespace popup::xml

@@ -1,0 +1,60 @@
+// Typed values out of fields: numbers, lengths, colours, pages, points.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "input/xml/fields.h"
+#include "popup/design.h"
+
+namespace popup::xml {
+
+// Coordinates further out than this, in mm, are mistakes.
+inline constexpr double kCoordinateLimit = 1e6;
+// Pages beyond this are mistakes.
+inline constexpr int kPageLimit = 1'000'000;
+
+// Reads values of one document. Whatever is wrong is an error, and the value nullopt.
+class Values {
+ public:
+    Values(std::string_view source, Unit unit, Reporter& reporter)
+        : source_(source), unit_(unit), reporter_(reporter) {}
+
+    void set_unit(Unit unit) { unit_ = unit; }
+    // The bytes of a value, without blanks around.
+    [[nodiscard]] TextRange tight(const Text& text) const;
+    // A length in document units, as mm; at most kCoordinateLimit away from 0.
+    std::optional<double> length(const Field& field);
+    // A plain number.
+    std::optional<double> number(const Field& field);
+    std::optional<Color> color(const Field* field);
+    // A whole number from 0 to kPageLimit; `range` (if given) is where it stands.
+    std::optional<int> page(const Field* field, TextRange* range = nullptr);
+    // One point, of <point>, <begin> or <end>, or of an attribute.
+    std::optional<DesignPoint> point(const Field& field);
+    // Appends the points of a list: <point> elements, text, or both forms of `fields`. A point that cannot be
+    // read is an error and still takes its place in the list, so that a count of points stays right.
+    void points(const Fields& fields, std::vector<DesignPoint>& out);
+    void points(const Text& text, std::vector<DesignPoint>& out);
+
+ private:
+    // A word of a text that lists numbers.
+    struct Token {
+        std::string_view decoded;
+        TextRange raw;
+        Place place;
+    };
+    std::optional<double> number(std::string_view text, std::string_view what, Place place);
+    std::optional<double> length(std::string_view text, std::string_view what, Place place);
+    [[nodiscard]] std::vector<Token> tokens(const Text& text) const;
+    DesignPoint point_of(const Token& x, const Token& y);
+    DesignPoint point(Node node, Name context);
+    std::optional<DesignPoint> point_of(const Text& text, std::string_view what);
+
+    std::string_view source_;
+    Unit unit_;
+    Reporter& reporter_;
+};
+
+}  // namespace popup::xml

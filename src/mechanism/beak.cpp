@@ -1,0 +1,98 @@
+// The beak: one cut across the fold; two side folds and the centre fold meet in the apex on it (thesis 5.4.3.2).
+//
+// Points A (apex), B left, E right; B–E is the cut. With a and b the angles of the side folds to the parent fold, the
+// centre fold leaves the left side fold at the angle b (so the right one at a), which makes every angle foldable.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mechanism/angled.h"
+#include "mechanism/rows.h"
+#include "mechanism/shapes.h"
+
+namespace popup {
+namespace {
+
+constexpr std::array<PointInfo, 3> kPoints{
+    {{"A", PointPage::fold, '-'}, {"B", PointPage::fold, 'L'}, {"E", PointPage::fold, 'R'}}};
+constexpr std::array<int, 3> kPartners{0, 2, 1};
+enum : std::size_t { A, B, E };
+
+int direction(const Element& e) {
+    return angle_at(e.on[A].s, 1, e.on[B]) + angle_at(e.on[A].s, 1, e.on[E]) <= std::numbers::pi ? 1 : -1;
+}
+
+std::pair<double, double> span(const Element& e) { return std::minmax(e.on[A].s, crossing(e.on[B], e.on[E])); }
+
+Ring half(const Element& e, Side side, double beyond) {
+    const SitePoint near = e.on[side == Side::left ? B : E];
+    const SitePoint far = e.on[side == Side::left ? E : B];
+    const Vec2 apex = e.site.on_page(side, e.on[A]);
+    Ring ring{apex, e.site.on_page(side, near), e.site.on_page(side, along_cut(near, far, -beyond))};
+    if (beyond > 0.0) ring.push_back(e.site.on_page(side, {e.on[A].s, -beyond}));
+    return ring;
+}
+
+bool constrain(Element& e) {
+    const Tolerances& tol = *e.tolerances;
+    if (!put_apex_on_fold(e, A, "A")) return false;
+    for (const std::size_t i : {B, E}) {
+        const double reach = std::hypot(e.on[i].s - e.on[A].s, e.on[i].w);
+        const double angle = angle_at(e.on[A].s, direction(e), e.on[i]);
+        if (reach < tol.min_length_mm || angle < tol.min_angle_deg * kDegree || e.on[i].w < tol.min_length_mm) {
+            return angled_degenerate(e, i == B ? "A–B" : "A–E", reach, angle);
+        }
+    }
+    const int dir = direction(e);
+    if (!close_opening(e, e.on[A].s, dir, {B}, {E}, 175.0)) return false;
+    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, e.on[A].s});
+}
+
+FoldLines fold_lines(const Element& e) {
+    const int dir = direction(e);
+    const Vec2 a = e.site.on_page(Side::left, e.on[A]);
+    const Vec2 b = e.site.on_page(Side::left, e.on[B]);
+    const Vec2 end = e.site.on_page(Side::right, e.on[E]);
+    const SlitCentre centre = slit_centre(e.site, e.on[A].s, dir, e.on[B], e.on[E]);
+    const Vec2 c = centre.meet(b, end).value_or(lerp(b, end, 0.5));
+    const auto line = [&](Vec2 tip) {
+        const Segment s = dir > 0 ? Segment{a, tip} : Segment{tip, a};
+        return FoldLine{s, s};
+    };
+    FoldLines folds;
+    folds[kLeftFold] = line(b);
+    folds[kCentreFold] = line(c);
+    folds[kRightFold] = line(end);
+    return folds;
+}
+
+void lower(const Element& e, Builder& builder) {
+    const int dir = direction(e);
+    const FoldLines folds = fold_lines(e);
+    const Vec2 a = e.site.on_page(Side::left, e.on[A]);
+    const Vec2 b = e.site.on_page(Side::left, e.on[B]);
+    const Vec2 end = e.site.on_page(Side::right, e.on[E]);
+    const Segment centre = folds[kCentreFold].on_left;
+    const Vec2 c = dir > 0 ? centre.b : centre.a;
+    SlitShape shape;
+    shape.left = {a, b, c};
+    shape.right = {a, c, end};
+    shape.gone_left = half(e, Side::left, 0.5);
+    shape.gone_right = half(e, Side::right, 0.5);
+    shape.cuts = {{b, end}};
+    shape.span = span(e);
+    shape.left_bar = angled_bar(e.site, Side::left, e.on[A].s, dir, e.on[B], a, b, c);
+    shape.right_bar = angled_bar(e.site, Side::right, e.on[A].s, dir, e.on[E], a, end, c);
+    lower_slit(e, builder, folds, std::move(shape));
+}
+
+constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
+    return {{name, code, "beak", inverted, false, about, kPoints}, kPartners, span, constrain, fold_lines, nullptr, lower};
+}
+
+}  // namespace
+
+const ElementRow kBeak = row("beak", 2, false, "one cut across a valley fold; a mouth whose folds meet in a point");
+const ElementRow kInvertedBeak = row("inverted-beak", 3, true, "a beak on a mountain fold; it sinks behind it");
+
+}  // namespace popup

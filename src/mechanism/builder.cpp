@@ -1,0 +1,113 @@
+#include "mechanism/builder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace popup {
+
+const CutSpan* Fold::cut_within(double lo, double hi) const {
+    auto next = gone.lower_bound(lo);
+    if (next != gone.begin()) {
+        const auto before = std::prev(next);
+        if (before->second.end > lo) return &before->second;
+    }
+    return next != gone.end() && next->first < hi ? &next->second : nullptr;
+}
+
+std::optional<std::pair<double, double>> Fold::alive_around(double s) const {
+    double lo = 0.0;
+    double hi = length();
+    const auto next = gone.upper_bound(s);
+    if (next != gone.end()) hi = next->first;
+    if (next != gone.begin()) {
+        const auto before = std::prev(next);
+        if (before->second.end > s) return std::nullopt;
+        lo = before->second.end;
+    }
+    return std::pair{lo, hi};
+}
+
+void Builder::add_base_page(double width_mm, double height_mm, std::optional<Color> left,
+                            std::optional<Color> right) {
+    const double w = 0.5 * width_mm;
+    const double h = 0.5 * height_mm;
+    const int piece = add_piece("page");
+    skeleton_.page_mirrored.push_back(false);
+    const int left_plate = add_plate("page/left", piece, 0, {{-w, -h}, {0, -h}, {0, h}, {-w, h}}, left);
+    const int right_plate = add_plate("page/right", piece, 0, {{0, -h}, {w, -h}, {w, h}, {0, h}}, right);
+    const Ring corners{{-w, -h}, {w, -h}, {w, h}, {-w, h}};
+    for (std::size_t i = 0; i < 4; ++i) add_cut(piece, {corners[i], corners[(i + 1) % 4]});
+
+    Fold gutter;
+    gutter.left_plate = left_plate;
+    gutter.right_plate = right_plate;
+    gutter.on_left = gutter.on_right = {{0, -h}, {0, h}};
+    gutter.owner = "page";
+    add_fold(std::move(gutter));
+
+    for (const auto& [plate, turn] : {std::pair{left_plate, -1.0}, std::pair{right_plate, 1.0}}) {
+        Joint drive;
+        drive.kind = JointKind::drive;
+        drive.name = "page";
+        drive.left.plate = plate;
+        drive.left.fold_at = {0, -h};
+        drive.left.fold_dir = {0, 1};
+        drive.left.near = turn;
+        add_joint(std::move(drive));
+        skeleton_.draft.plates[static_cast<std::size_t>(plate)].pivot = {0, -h};
+    }
+}
+
+int Builder::add_piece(const std::string& name) {
+    skeleton_.draft.pieces.push_back({name, {}});
+    return static_cast<int>(skeleton_.draft.pieces.size()) - 1;
+}
+
+int Builder::add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill) {
+    const int index = static_cast<int>(skeleton_.draft.plates.size());
+    if (signed_area(outline) < 0.0) std::reverse(outline.begin(), outline.end());
+    Plate plate;
+    plate.name = name;
+    plate.piece = piece;
+    plate.outline.outer = std::move(outline);
+    plate.fill = fill;
+    skeleton_.draft.plates.push_back(std::move(plate));
+    skeleton_.draft.pieces[static_cast<std::size_t>(piece)].plates.push_back(index);
+    skeleton_.plate_page.push_back(page);
+    skeleton_.cut_outs.emplace_back();
+    return index;
+}
+
+void Builder::add_cut(int piece, Segment at) {
+    skeleton_.draft.lines.push_back({LineKind::cut, at, piece, -1, -1});
+}
+
+int Builder::add_fold(Fold fold) {
+    skeleton_.draft.hinges.push_back(
+        {fold.left_plate, fold.right_plate, fold.on_left, fold.on_right, fold.seam});
+    skeleton_.folds.push_back(std::move(fold));
+    return static_cast<int>(skeleton_.folds.size()) - 1;
+}
+
+void Builder::add_glue(Glue glue) { skeleton_.draft.glue.push_back(std::move(glue)); }
+
+void Builder::add_cut_out(int plate, Ring region) {
+    if (signed_area(region) < 0.0) std::reverse(region.begin(), region.end());
+    skeleton_.cut_outs[static_cast<std::size_t>(plate)].push_back(std::move(region));
+}
+
+void Builder::add_gone(int fold, double lo, double hi, const std::string& by) {
+    skeleton_.folds[static_cast<std::size_t>(fold)].gone.emplace(lo, CutSpan{hi, by});
+}
+
+void Builder::add_joint(Joint joint) {
+    for (const Bar* bar : {&joint.left, &joint.right}) {
+        if (bar->plate < 0 || joint.kind == JointKind::drive) continue;
+        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(bar->plate)];
+        plate.parent = bar->drive;
+        plate.pivot = bar->own_at;
+    }
+    skeleton_.draft.joints.push_back(std::move(joint));
+}
+
+}  // namespace popup

@@ -1,0 +1,87 @@
+// The Skeleton: what elements lower themselves into, before cut-outs are made and decoration is spread.
+//
+// check() builds it element by element; assemble() finishes it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanism/site.h"
+#include "popup/assembly.h"
+#include "popup/design.h"
+
+namespace popup {
+
+// A stretch of a fold that a cut took away.
+struct CutSpan {
+    double end = 0.0;
+    std::string by;  // id of the element that cut it
+};
+
+// A fold or seam that elements can stand on. `left` lies on its left, seen from begin to end on the left page.
+struct Fold {
+    int left_plate = -1, right_plate = -1;
+    int left_page = 0, right_page = 0;
+    Segment on_left, on_right;      // begin → end on each page; one and the same segment unless it is a seam
+    int closed_deg = 0;             // dihedral angle on the front side at the closed card: 0, 180 or 360
+    bool seam = false;
+    std::string owner;              // element's id, or "page"
+    std::map<double, CutSpan> gone; // by begin, mm along the fold, disjoint
+
+    [[nodiscard]] double length() const { return distance(on_left.a, on_left.b); }
+    // The cut that takes away some of [lo, hi], if any.
+    [[nodiscard]] const CutSpan* cut_within(double lo, double hi) const;
+    // The stretch that is still there around s; nullopt where it is cut away.
+    [[nodiscard]] std::optional<std::pair<double, double>> alive_around(double s) const;
+};
+
+// Geometry only: one fold an element makes, as `fold_lines` of its row derives it from its points.
+struct FoldLine {
+    Segment on_left, on_right;
+};
+// An element's three folds, in this order everywhere.
+enum FoldRole { kLeftFold, kCentreFold, kRightFold, kFoldRoles };
+using FoldLines = std::array<FoldLine, kFoldRoles>;
+
+struct Skeleton {
+    Assembly draft;                             // plates with raw outlines; lines: cuts only
+    std::vector<Fold> folds;
+    std::vector<int> plate_page;                // of each plate
+    std::vector<std::vector<Ring>> cut_outs;    // of each plate: what 90° elements take away
+    std::vector<bool> page_mirrored;            // of each page: the author drew it mirrored
+};
+
+// The names and colours of the two plates an element makes.
+struct ElementPaint {
+    std::string id;
+    Place place;
+    std::optional<Color> left, right, left_tab, right_tab;
+};
+
+// Adds plates, lines and joints to a skeleton. All coordinates are page coordinates.
+class Builder {
+   public:
+    explicit Builder(Skeleton& skeleton) : skeleton_(skeleton) {}
+
+    // The base page: its two plates, its edge as cuts, its gutter as fold 0.
+    void add_base_page(double width_mm, double height_mm, std::optional<Color> left, std::optional<Color> right);
+    int add_piece(const std::string& name);
+    // Adds a plate; its outline is made counter-clockwise.
+    int add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill);
+    void add_cut(int piece, Segment at);
+    // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
+    int add_fold(Fold fold);
+    void add_glue(Glue glue);
+    void add_cut_out(int plate, Ring region);
+    void add_gone(int fold, double lo, double hi, const std::string& by);
+    void add_joint(Joint joint);
+
+    [[nodiscard]] Skeleton& skeleton() { return skeleton_; }
+
+   private:
+    Skeleton& skeleton_;
+};
+
+}  // namespace popup

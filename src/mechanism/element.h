@@ -1,0 +1,69 @@
+// What an element row must provide, and the value that check() hands it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mechanism/builder.h"
+#include "mechanism/site.h"
+#include "popup/diagnostics.h"
+#include "popup/mechanism.h"
+
+namespace popup {
+
+// Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far.
+struct PaperQuery {
+    // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the parent
+    // fold, and no earlier seam under it.
+    std::function<bool(Side, const Ring&)> may_cut;
+    // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
+    std::function<bool(Side, const Segment&)> may_glue;
+};
+
+// An element on its site. `constrain` moves its points until all constraints hold and reports what moved.
+struct Element {
+    const ElementInfo* info = nullptr;
+    ElementPaint paint;
+    Site site;
+    double alive_lo = 0.0, alive_hi = 0.0;  // the stretch of the fold it stands on
+    int extra_page = -1;                    // of its own piece
+    double page_height = 0.0;
+    std::string label;                      // number of its tabs: "1"
+    std::vector<SitePoint> on;              // the points of the fold's page, in the row's order
+    std::vector<Vec2> extra;                // the points of the extra page, in the row's order
+    bool inverted = false;                  // the form it turned out to be; constrain() may correct it
+    bool piece_mirrored = false;            // constrain() has mirrored the extra points (x to -x)
+
+    // Services of check().
+    const Tolerances* tolerances = nullptr;
+    const PaperQuery* paper = nullptr;
+    // Reports a repair, after it was made: `what` says what was wrong, with its numbers. check() adds where the
+    // points stood before and stand now.
+    std::function<void(std::string_view code, std::string what, std::string hint)> repaired;
+    // Reports what cannot be repaired. The element is then left out.
+    std::function<void(std::string_view code, std::string what, std::string hint)> failed;
+};
+
+// One row: facts and functions. Adding an element is one file and one such row.
+struct ElementRow {
+    ElementInfo info;
+    // For each point its partner on the other side, by index into info.points.
+    std::span<const int> partners;
+    // The stretch [lo, hi] of the parent fold that must still be there, from unrepaired points.
+    std::pair<double, double> (*stands_on)(const Element&);
+    // Repairs; false after failed().
+    bool (*constrain)(Element&);
+    // The three folds the element makes, from its points as they are (repaired or not).
+    FoldLines (*fold_lines)(const Element&);
+    // Glued elements: positive when the piece is drawn from its front; null for cut ones.
+    double (*front)(const Element&);
+    // Plates, lines, joints. Precondition: constrain() returned true.
+    void (*lower)(const Element&, Builder&);
+};
+
+// All rows, in the order of element_table().
+std::span<const ElementRow> element_rows();
+const ElementRow& element_row(const ElementInfo& info);
+
+}  // namespace popup

@@ -1,0 +1,51 @@
+// Where an element stands: a fold, seen along its direction, with a plate on each side.
+//
+// Elements reason in site coordinates: `s` along the fold from its begin, `w` away from it, positive on the side
+// that is meant. A seam has its two sides on two pages; in site coordinates that makes no difference.
+#pragma once
+
+#include "popup/geometry.h"
+
+namespace popup {
+
+// A straight line on a page, with a direction.
+struct DirectedLine {
+    Vec2 at;   // its begin
+    Vec2 dir;  // unit
+};
+
+struct SitePoint {
+    double s = 0.0;
+    double w = 0.0;
+};
+
+enum class Side { left, right };
+
+struct Site {
+    DirectedLine left, right;         // the same line of paper on the left plate's page and on the right plate's
+    int left_page = 0, right_page = 0;
+    int left_plate = -1, right_plate = -1;
+    int fold = -1;                    // index into Skeleton::folds
+    double length = 0.0;              // of the fold, mm
+    bool mountain = false;            // closed dihedral 360° (else 0°)
+    bool seam = false;
+    bool reversed = false;            // looked along against the fold's own direction
+
+    // Page coordinates of a point given in site coordinates, on the page of that side.
+    [[nodiscard]] Vec2 on_page(Side side, SitePoint p) const {
+        const DirectedLine& line = side == Side::left ? left : right;
+        const Vec2 out = side == Side::left ? left_of(line.dir) : right_of(line.dir);
+        return line.at + p.s * line.dir + p.w * out;
+    }
+    // The inverse: w is positive on that side of the line.
+    [[nodiscard]] SitePoint from_page(Side side, Vec2 p) const {
+        const DirectedLine& line = side == Side::left ? left : right;
+        const double off = cross(line.dir, p - line.at);
+        return {dot(line.dir, p - line.at), side == Side::left ? off : -off};
+    }
+    [[nodiscard]] Segment segment(Side side, SitePoint a, SitePoint b) const {
+        return {on_page(side, a), on_page(side, b)};
+    }
+};
+
+}  // namespace popup

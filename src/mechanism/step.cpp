@@ -1,0 +1,118 @@
+// The step: two cuts across the fold, two side folds and a centre fold, all parallel (thesis 5.4.3.1).
+//
+// Points A B on the left side fold, G H on the right one; A–G and B–H are the cuts. With p and q the distances of the
+// side folds from the parent fold, the centre fold lies q from the left one and p from the right one, so that the
+// four folds are a parallelogram's corners at every angle.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mechanism/rows.h"
+#include "mechanism/shapes.h"
+
+namespace popup {
+namespace {
+
+constexpr std::array<PointInfo, 4> kPoints{{{"A", PointPage::fold, 'L'},
+                                            {"B", PointPage::fold, 'L'},
+                                            {"G", PointPage::fold, 'R'},
+                                            {"H", PointPage::fold, 'R'}}};
+constexpr std::array<int, 4> kPartners{2, 3, 0, 1};
+enum : std::size_t { A, B, G, H };
+
+std::pair<double, double> span(const Element& e) {
+    return std::minmax({crossing(e.on[A], e.on[G]), crossing(e.on[B], e.on[H])});
+}
+
+// The half of the element on one side, between its cuts; `beyond` mm over the fold, so that nothing of the plate is
+// left there when it is cut away.
+Ring half(const Element& e, Side side, double beyond) {
+    const bool left = side == Side::left;
+    const SitePoint a = e.on[left ? A : G];
+    const SitePoint b = e.on[left ? B : H];
+    const SitePoint ga = along_cut(a, e.on[left ? G : A], -beyond);
+    const SitePoint gb = along_cut(b, e.on[left ? H : B], -beyond);
+    return {e.site.on_page(side, a), e.site.on_page(side, b), e.site.on_page(side, gb), e.site.on_page(side, ga)};
+}
+
+bool constrain(Element& e) {
+    const double least = e.tolerances->min_length_mm;
+    if ((e.on[A].s - e.on[B].s) * (e.on[G].s - e.on[H].s) < 0.0) {
+        const Segment ag{e.site.on_page(Side::left, e.on[A]), e.site.on_page(Side::right, e.on[G])};
+        const Segment bh{e.site.on_page(Side::left, e.on[B]), e.site.on_page(Side::right, e.on[H])};
+        const Vec2 at = proper_crossing(ag, bh).value_or(0.5 * (ag.a + ag.b));
+        e.failed("outline-crosses",
+                 fmt::format("the cuts A–G and B–H cross at ({:.2f}, {:.2f}) mm", at.x, at.y),
+                 "exchange G and H, so that A and G are ends of one cut, B and H of the other");
+        return false;
+    }
+    make_parallel(e, A, B, "the left fold A–B");
+    make_parallel(e, G, H, "the right fold G–H");
+    const double p = e.on[A].w;
+    const double q = e.on[G].w;
+    const double left_length = std::abs(e.on[A].s - e.on[B].s);
+    const double right_length = std::abs(e.on[G].s - e.on[H].s);
+    if (std::min({p, q, left_length, right_length}) < least) {
+        e.failed("degenerate",
+                 fmt::format("the step is too small to fold: side folds {} and {} long, {} and {} from the parent "
+                             "fold, where {} is the least",
+                             mm(left_length), mm(right_length), mm(p), mm(q), mm(least)),
+                 "put A, B left and G, H right of the fold, each side fold at least 1 mm long and 1 mm away from it");
+        return false;
+    }
+    const auto [lo, hi] = span(e);
+    const double middle = std::clamp(0.5 * (lo + hi), std::min(e.alive_lo + 1.0, e.alive_hi), e.alive_hi);
+    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, middle});
+}
+
+FoldLines fold_lines(const Element& e) {
+    const bool up = e.on[B].s >= e.on[A].s;
+    const auto line = [&](Vec2 a, Vec2 b) {
+        const Segment s = up ? Segment{a, b} : Segment{b, a};
+        return FoldLine{s, s};
+    };
+    const Vec2 a = e.site.on_page(Side::left, e.on[A]);
+    const Vec2 b = e.site.on_page(Side::left, e.on[B]);
+    const Vec2 g = e.site.on_page(Side::right, e.on[G]);
+    const Vec2 h = e.site.on_page(Side::right, e.on[H]);
+    const double p = 0.5 * (e.on[A].w + e.on[B].w);
+    const double q = 0.5 * (e.on[G].w + e.on[H].w);
+    const double t = std::abs(p + q) > 1e-9 ? q / (p + q) : 0.5;
+    FoldLines folds;
+    folds[kLeftFold] = line(a, b);
+    folds[kCentreFold] = line(lerp(a, g, t), lerp(b, h, t));
+    folds[kRightFold] = line(g, h);
+    return folds;
+}
+
+void lower(const Element& e, Builder& builder) {
+    const FoldLines folds = fold_lines(e);
+    const Segment l = folds[kLeftFold].on_left;
+    const Segment c = folds[kCentreFold].on_left;
+    const Segment r = folds[kRightFold].on_left;
+    SlitShape shape;
+    shape.left = {l.a, l.b, c.b, c.a};
+    shape.right = {c.a, c.b, r.b, r.a};
+    shape.gone_left = half(e, Side::left, 0.5);
+    shape.gone_right = half(e, Side::right, 0.5);
+    shape.cuts = {{l.a, r.a}, {l.b, r.b}};
+    shape.span = span(e);
+    shape.parallel = true;
+    const Vec2 along = e.site.left.dir;
+    shape.left_bar = parallel_bar(e.site, Side::left, e.on[A], e.site.on_page(Side::left, e.on[A]), along,
+                                  right_of(along), e.on[G].w);
+    shape.right_bar = parallel_bar(e.site, Side::right, e.on[G], e.site.on_page(Side::right, e.on[G]), along,
+                                   left_of(along), e.on[A].w);
+    lower_slit(e, builder, folds, std::move(shape));
+}
+
+constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
+    return {{name, code, "step", inverted, false, about, kPoints}, kPartners, span, constrain, fold_lines, nullptr, lower};
+}
+
+}  // namespace
+
+const ElementRow kStep = row("step", 0, false, "two cuts across a valley fold; a box that stands out of the page");
+const ElementRow kInvertedStep = row("inverted-step", 1, true, "a step on a mountain fold; it sinks behind it");
+
+}  // namespace popup

@@ -1,0 +1,258 @@
+// The v-fold: a piece of its own, glued along a V whose apex is on the parent fold (thesis 5.4.3.4).
+//
+// On the fold's page A B C: seams A–B and B–C, B the apex. On the extra page G E H J I: seams G–E and E–H, the piece's
+// outline G E H J I. The author chooses the piece's angle at E; where its centre fold E–F runs follows from folding
+// flat: on a valley fold a + g = b + h, on a mountain fold g − a = h − b (a, b the V's halves, g, h the piece's).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mechanism/angled.h"
+#include "mechanism/rows.h"
+#include "mechanism/shapes.h"
+
+namespace popup {
+namespace {
+
+constexpr std::array<PointInfo, 8> kPoints{{{"A", PointPage::fold, 'L'},
+                                            {"B", PointPage::fold, '-'},
+                                            {"C", PointPage::fold, 'R'},
+                                            {"G", PointPage::extra, 'L'},
+                                            {"E", PointPage::extra, '-'},
+                                            {"H", PointPage::extra, 'R'},
+                                            {"J", PointPage::extra, 'R'},
+                                            {"I", PointPage::extra, 'L'}}};
+constexpr std::array<int, 8> kPartners{2, 1, 0, 5, 4, 3, 7, 6};
+constexpr std::array<std::string_view, 5> kRing{"G", "E", "H", "J", "I"};
+enum : std::size_t { A, B, C };
+enum : std::size_t { G, E, H, J, I };
+
+constexpr double kWidestV = 170.0;      // degrees: above, the V hardly moves (thesis)
+constexpr double kLeastSurplus = 10.0;  // the piece's angle less the V's (thesis)
+constexpr double kMostInAll = 350.0;    // the piece's angle and the V's: above 360° it locks before the card opens
+
+double v_angle(const Element& e, int dir) {
+    return angle_at(e.on[B].s, dir, e.on[A]) + angle_at(e.on[B].s, dir, e.on[C]);
+}
+
+// Towards which end of the fold the V opens.
+int direction(const Element& e) {
+    const double sum = v_angle(e, 1);
+    if (std::abs(sum - std::numbers::pi) < e.tolerances->rounding_deg * kDegree) return e.inverted ? -1 : 1;
+    return sum < std::numbers::pi ? 1 : -1;
+}
+
+std::pair<double, double> stands_on(const Element& e) { return {e.on[B].s, e.on[B].s}; }
+
+double front(const Element& e) { return signed_area(e.extra); }
+
+// The piece's angle at E, through the paper (the ring runs counter-clockwise): in (0, 2π).
+double piece_angle(const Element& e) {
+    const Vec2 to_g = e.extra[G] - e.extra[E];
+    const Vec2 to_h = e.extra[H] - e.extra[E];
+    const double angle = std::atan2(cross(to_h, to_g), dot(to_h, to_g));
+    return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
+}
+
+// g: from the left seam to the centre fold.
+double left_far(const Element& e, int dir) {
+    const double a = angle_at(e.on[B].s, dir, e.on[A]);
+    const double b = angle_at(e.on[B].s, dir, e.on[C]);
+    const double lean = e.site.mountain ? a - b : b - a;
+    return 0.5 * (piece_angle(e) + lean);
+}
+
+// Which edge of the piece the centre fold ends on.
+enum class TopEdge { left, top, right };  // I–G, I–J, J–H
+struct CentreEnd {
+    Vec2 at;
+    TopEdge edge = TopEdge::top;
+};
+std::optional<CentreEnd> centre_end(const Element& e) {
+    const Vec2 from = e.extra[E];
+    const Vec2 dir = rotated(unit(e.extra[G] - from), -left_far(e, direction(e)));
+    std::optional<CentreEnd> best;
+    double best_reach = HUGE_VAL;
+    const auto look = [&](Vec2 p, Vec2 q, TopEdge edge) {
+        const Vec2 along = q - p;
+        const double d = cross(dir, along);
+        if (d == 0.0) return;
+        const double t = cross(p - from, dir) / d;
+        const double reach = cross(p - from, along) / d;
+        if (t < 0.0 || t > 1.0 || reach <= 1e-9 || reach >= best_reach) return;
+        best_reach = reach;
+        best = CentreEnd{p + t * along, edge};
+    };
+    look(e.extra[I], e.extra[J], TopEdge::top);
+    look(e.extra[G], e.extra[I], TopEdge::left);
+    look(e.extra[J], e.extra[H], TopEdge::right);
+    return best;
+}
+
+bool constrain_v(Element& e) {
+    const Tolerances& tol = *e.tolerances;
+    if (!put_apex_on_fold(e, B, "B")) return false;
+    int dir = direction(e);
+    for (const std::size_t i : {A, C}) {
+        const double seam = std::hypot(e.on[i].s - e.on[B].s, e.on[i].w);
+        const double angle = angle_at(e.on[B].s, dir, e.on[i]);
+        if (seam < tol.min_length_mm || angle < tol.min_angle_deg * kDegree) {
+            return angled_degenerate(e, i == A ? "A–B" : "B–C", seam, angle);
+        }
+    }
+    if (e.inverted != (dir < 0)) {
+        e.inverted = dir < 0;
+        e.repaired("wrong-form",
+                   fmt::format("its V opens towards the {} of the parent fold, so it is {} v-fold",
+                               dir < 0 ? "begin" : "end", dir < 0 ? "an inverted" : "a"),
+                   "change the type, or exchange the ends of the parent fold");
+    }
+    if (!close_opening(e, e.on[B].s, dir, {A}, {C}, kWidestV)) return false;
+
+    for (const auto& [side, i] : {std::pair{Side::left, A}, std::pair{Side::right, C}}) {
+        const SitePoint apex = e.on[B];
+        const SitePoint whole = e.on[i];
+        const auto at = [&](double t) {
+            return SitePoint{apex.s + t * (whole.s - apex.s), t * whole.w};
+        };
+        const double t = largest_that_fits(
+            [&](double u) { return e.paper->may_glue(side, e.site.segment(side, apex, at(u))); });
+        if (t == 1.0) continue;
+        const double seam = std::hypot(whole.s - apex.s, whole.w);
+        const std::string_view name = i == A ? "A–B" : "B–C";
+        if (t * seam < tol.min_length_mm) {
+            e.failed("does-not-fit", fmt::format("there is no paper under the seam {}", name),
+                     "move the apex, or what has been cut out beside it");
+            return false;
+        }
+        e.on[i] = at(t);
+        e.repaired("does-not-fit",
+                   fmt::format("the seam {} leaves the plane it is glued to; it was shortened from {} to {}", name,
+                               mm(seam), mm(t * seam)),
+                   "make the V smaller, or the paper under it larger");
+    }
+    return true;
+}
+
+bool constrain_piece(Element& e) {
+    const Tolerances& tol = *e.tolerances;
+    if (front(e) < 0.0) {
+        for (Vec2& p : e.extra) p.x = -p.x;
+        e.piece_mirrored = true;
+        e.repaired("piece-mirrored", "its piece G E H J I was drawn from the back (clockwise); it was mirrored",
+                   "draw the printed side: G on the left, H on the right, the seams below");
+    }
+    if (const std::string what = self_crossing(e.extra, kRing); !what.empty()) {
+        e.failed("outline-crosses", "the outline of its piece crosses itself: " + what, "draw G E H J I in this order round the piece");
+        return false;
+    }
+    for (const std::size_t i : {G, H}) {
+        const double seam = distance(e.extra[i], e.extra[E]);
+        if (seam < tol.min_length_mm) return angled_degenerate(e, i == G ? "G–E" : "E–H", seam, 0.0);
+    }
+    const int dir = direction(e);
+    const double v = v_angle(e, dir);
+    const double piece = piece_angle(e);
+    const double least = v + kLeastSurplus * kDegree;
+    const double most = kMostInAll * kDegree - v;
+    const double wanted = std::clamp(piece, std::min(least, most), most);
+    if (std::abs(wanted - piece) > tol.rounding_deg * kDegree) {
+        const double half = 0.5 * (wanted - piece);
+        e.extra[G] = e.extra[E] + rotated(e.extra[G] - e.extra[E], half);
+        e.extra[H] = e.extra[E] + rotated(e.extra[H] - e.extra[E], -half);
+        if (wanted > piece) {
+            e.repaired("piece-too-narrow",
+                       fmt::format("the piece's angle at E is {} and the V's {}: it must be at least {:.0f}° more to "
+                                   "stand; it was widened to {}",
+                                   degrees(piece), degrees(v), kLeastSurplus, degrees(wanted)),
+                       "close the V, or spread G and H");
+        } else {
+            e.repaired("piece-too-wide",
+                       fmt::format("the piece's angle at E ({}) and the V's ({}) are {} together, and more than {:.0f}° "
+                                   "lock before the card is open; it was narrowed to {}",
+                                   degrees(piece), degrees(v), degrees(piece + v), kMostInAll, degrees(wanted)),
+                       "close the V, or bring G and H together");
+        }
+    }
+    double worst = 0.0;
+    for (const auto& [i, on] : {std::pair{G, A}, std::pair{H, C}}) {
+        const double seam = std::hypot(e.on[on].s - e.on[B].s, e.on[on].w);
+        const Vec2 old = e.extra[i];
+        e.extra[i] = e.extra[E] + seam * unit(old - e.extra[E]);
+        worst = std::max(worst, distance(old, e.extra[i]));
+    }
+    if (worst > tol.rounding_mm) {
+        e.repaired("seam-length",
+                   fmt::format("the piece's seams differ from the page's by up to {}; G and H were moved along them",
+                               mm(worst)),
+                   "make G–E as long as A–B, and E–H as long as B–C");
+    }
+    if (const std::string what = self_crossing(e.extra, kRing); !what.empty()) {
+        e.failed("outline-crosses", "with seams that fit, the outline of its piece crosses itself: " + what,
+                 "move J and I further from the seams");
+        return false;
+    }
+    const double far = left_far(e, dir);
+    if (std::min(far, piece_angle(e) - far) < tol.min_angle_deg * kDegree || !centre_end(e)) {
+        e.failed("degenerate",
+                 fmt::format("its centre fold would run {} from the left seam of a piece of {}, beside the paper",
+                             degrees(far), degrees(piece_angle(e))),
+                 "make the V more even, or the piece wider");
+        return false;
+    }
+    return true;
+}
+
+bool constrain(Element& e) { return constrain_v(e) && constrain_piece(e); }
+
+FoldLines fold_lines(const Element& e) {
+    const Vec2 from = e.extra[E];
+    const auto end = centre_end(e);
+    const Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
+    FoldLines folds;
+    folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}};
+    folds[kCentreFold] = {{from, f}, {from, f}};
+    folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C])};
+    return folds;
+}
+
+void lower(const Element& e, Builder& builder) {
+    const int dir = direction(e);
+    const CentreEnd end = centre_end(e).value();
+    const Vec2 f = end.at;
+    const auto& x = e.extra;
+    GluedShape shape;
+    switch (end.edge) {
+        case TopEdge::left:
+            shape.left = {x[G], x[E], f};
+            shape.right = {x[E], x[H], x[J], x[I], f};
+            break;
+        case TopEdge::top:
+            shape.left = {x[G], x[E], f, x[I]};
+            shape.right = {x[E], x[H], x[J], f};
+            break;
+        case TopEdge::right:
+            shape.left = {x[G], x[E], f, x[J], x[I]};
+            shape.right = {x[E], x[H], f};
+            break;
+    }
+    shape.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
+    shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
+    shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
+    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an inverted one's.
+    shape.centre_closed_deg = e.inverted ? 0 : 360;
+    shape.seam_closed_deg = e.inverted == e.site.mountain ? 0 : 180;
+    lower_glued(e, builder, fold_lines(e), std::move(shape));
+}
+
+constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
+    return {{name, code, "v-fold", inverted, true, about, kPoints}, kPartners, stands_on, constrain, fold_lines, front, lower};
+}
+
+}  // namespace
+
+const ElementRow kVFold = row("v-fold", 6, false, "a piece glued along a V that opens towards the fold's end");
+const ElementRow kInvertedVFold =
+    row("inverted-v-fold", 7, true, "a piece glued along a V that opens towards the fold's begin");
+
+}  // namespace popup

@@ -1,0 +1,46 @@
+// The formats: one row each. What `popupc list formats` and `-o` know of them follows from the rows.
+#include <algorithm>
+#include <array>
+
+#include "output/gltf.h"
+#include "output/pdf.h"
+#include "output/report.h"
+#include "output/svg.h"
+#include "output/xml.h"
+#include "popup/output.h"
+
+namespace popup {
+namespace {
+
+const std::array kFormats{
+    Format{".svg", "cut sheets, one file a sheet, with a layer for each kind of line",
+           SheetWriter{write_svg}},
+    Format{".pdf", "cut sheets in true size, a page a sheet", SheetWriter{write_pdf}},
+    Format{".glb", "the moving model, in one binary glTF file", SceneWriter{write_glb}},
+    Format{".gltf", "the moving model, as glTF text", SceneWriter{write_gltf}},
+    Format{".xml", "the popup document, with what was repaired", DocumentWriter{write_xml}},
+    Format{".json", "the report: repairs, findings, motion and layout", ReportWriter{write_report}},
+};
+
+// Of ASCII letters only, whatever the locale.
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return lower(x) == lower(y); });
+}
+
+}  // namespace
+
+std::span<const Format> format_table() { return kFormats; }
+
+const Format* find_format(std::string_view path) {
+    for (const Format& row : kFormats) {
+        if (same_letters(path, row.suffix.substr(1))) return &row;
+        if (path.size() < row.suffix.size()) continue;
+        if (same_letters(path.substr(path.size() - row.suffix.size()), row.suffix)) return &row;
+    }
+    return nullptr;
+}
+
+}  // namespace popup

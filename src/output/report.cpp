@@ -1,0 +1,111 @@
+#include "output/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/render_diagnostics.h"
+#include "output/json_text.h"
+#include "output/numbers.h"
+#include "popup/compile.h"
+
+namespace popup {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kLength = 6;   // decimals of a millimetre
+constexpr int kAngle = 7;    // of a degree
+constexpr int kClosure = 9;  // of a millimetre
+constexpr int kShare = 6;
+
+Json repairs(const Diagnostics& diagnostics) {
+    Json rows = Json::array();
+    for (const Diagnostic& one : diagnostics.repairs()) {
+        rows.push_back({{"code", one.code},
+                        {"element", one.element.empty() ? Json() : Json(one.element)},
+                        {"line", one.place.line},
+                        {"column", one.place.column},
+                        {"before", one.change->before},
+                        {"after", one.change->after}});
+    }
+    return rows;
+}
+
+Json findings(const Diagnostics& diagnostics) {
+    Json rows = Json::array();
+    for (const Diagnostic& one : diagnostics.sorted()) rows.push_back(to_json(one));
+    return rows;
+}
+
+Json motion(const Motion& motion) {
+    Json angles = Json::array();
+    for (const Angle angle : motion.angles) angles.push_back(rounded(angle.deg, kAngle));
+    return {{"angles", std::move(angles)},
+            {"max_closure_error_mm", rounded(motion.max_closure_mm, kClosure)},
+            {"flat_closed", motion.flat_closed},
+            {"flat_error_deg", rounded(motion.flat_error_deg, kAngle)},
+            // Not examined.
+            {"collisions", nullptr},
+            {"undecided_below_deg", nullptr},
+            {"protrusion_mm", nullptr},
+            {"max_layers", nullptr}};
+}
+
+Json input(const CompiledDesign& one) {
+    Json elements;
+    if (one.design) {
+        const auto& all = one.checked ? one.checked->design().structures : one.design->structures;
+        elements = std::count_if(all.begin(), all.end(), [](const Structure& s) { return !s.dropped; });
+    }
+    return {{"file", one.source.name},
+            {"elements", std::move(elements)},
+            {"plates", one.assembly ? Json(one.assembly->plates.size()) : Json()},
+            {"pieces", one.assembly ? Json(one.assembly->pieces.size()) : Json()},
+            {"repairs", repairs(one.diagnostics)},
+            {"diagnostics", findings(one.diagnostics)},
+            {"motion", one.motion ? motion(*one.motion) : Json()}};
+}
+
+Json point(Vec2 p) { return Json::array({rounded(p.x, kLength), rounded(p.y, kLength)}); }
+
+Json layout(const Layout& layout) {
+    Json utilisation = Json::array();
+    for (const double share : layout.utilisation) utilisation.push_back(rounded(share, kShare));
+    Json used = Json::array();
+    for (const Vec2 size : layout.used_mm) used.push_back(point(size));
+    const bool copies = std::any_of(layout.placements.begin(), layout.placements.end(),
+                                    [](const Placement& p) { return p.copy > 0; });
+    Json placements = Json::array();
+    for (const Placement& one : layout.placements) {
+        Json row{{"piece", layout.piece_name(one)},
+                 {"design", layout.designs.at(static_cast<std::size_t>(one.design)).stem}};
+        if (copies) row["copy"] = one.copy + 1;
+        row["sheet"] = one.sheet + 1;
+        row["x_mm"] = rounded(one.offset.x, kLength);
+        row["y_mm"] = rounded(one.offset.y, kLength);
+        row["rotation_deg"] = rounded(one.angle.deg, kAngle);
+        placements.push_back(std::move(row));
+    }
+    return {{"sheet_mm", point({layout.width_mm, layout.height_mm})},
+            {"sheets", layout.sheets},
+            {"utilisation", std::move(utilisation)},
+            {"used_mm", std::move(used)},
+            {"placements", std::move(placements)}};
+}
+
+}  // namespace
+
+std::optional<std::string> write_report(const Compilation& run, const OutputOptions& options,
+                                        Diagnostics& /*diagnostics*/) {
+    Json inputs = Json::array();
+    for (const CompiledDesign& one : run.designs) inputs.push_back(input(one));
+    Json report{{"version", version()},
+                {"inputs", std::move(inputs)},
+                {"layout", run.layout ? layout(*run.layout) : Json()}};
+    if (!options.files.empty()) report["outputs"] = options.files;
+    Json whole_run = findings(run.run_diagnostics);
+    if (!whole_run.empty()) report["diagnostics"] = std::move(whole_run);
+    return json_text(report);
+}
+
+}  // namespace popup

@@ -1,0 +1,20 @@
+// The report of a run: what was read, repaired, found, simulated and laid out, as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "popup/output.h"
+
+namespace popup {
+
+// The report's structure:
+//   version, inputs: [{file, elements, plates, pieces, repairs, diagnostics, motion}], layout
+// and, only where there are any, `outputs` (names of the files of the run) and `diagnostics` (of the run as a
+// whole). What was not examined, or not reached, is null. Diagnostics are the objects of to_json(Diagnostic).
+// Sheets and copies count from 1. Lengths are rounded to 1e-6 mm, angles to 1e-7°, the closure error to 1e-9
+// mm.
+std::optional<std::string> write_report(const Compilation& run, const OutputOptions& options,
+                                        Diagnostics& diagnostics);
+
+}  // namespace popup

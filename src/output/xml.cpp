@@ -1,0 +1,117 @@
+#include "output/xml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "input/xml/number.h"
+#include "popup/mechanism.h"
+
+namespace popup {
+namespace {
+
+class DocumentText {
+ public:
+    explicit DocumentText(const Design& design) : design_(design) {}
+
+    std::string run() {
+        line(0, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+        line(0, "<popup version=\"{}\" units=\"{}\">", version(), design_.unit.name);
+        line(1, "<mainpage width=\"{}\" height=\"{}\"{}", length(design_.width_mm), length(design_.height_mm),
+             design_.left || design_.right ? ">" : "/>");
+        if (design_.left || design_.right) {
+            color(2, "leftcolor", design_.left);
+            color(2, "rightcolor", design_.right);
+            line(1, "</mainpage>");
+        }
+        structures();
+        drawn_lines();
+        line(0, "</popup>");
+        return fmt::to_string(out_);
+    }
+
+ private:
+    template <class... Arguments>
+    void line(int depth, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+        for (int i = 0; i < depth; ++i) out_.append(std::string_view("  "));
+        fmt::format_to(std::back_inserter(out_), text, std::forward<Arguments>(arguments)...);
+        out_.push_back('\n');
+    }
+
+    [[nodiscard]] std::string length(double mm) const { return xml::format_number(mm / design_.unit.mm); }
+
+    // Elements that Popup Workshop did not have need the newer version.
+    [[nodiscard]] std::string_view version() const {
+        const bool newer =
+            std::any_of(design_.structures.begin(), design_.structures.end(), [](const Structure& s) {
+                const ElementInfo* info = find_element(s.type);
+                POPUP_INVARIANT(info != nullptr);
+                return !s.dropped && info->code < 0;
+            });
+        return newer ? std::string_view("3.0") : std::string_view(design_.version);
+    }
+
+    void color(int depth, std::string_view name, const std::optional<Color>& value) {
+        if (value) line(depth, "<{0}>{1}</{0}>", name, to_string(*value));
+    }
+
+    void point(int depth, std::string_view name, const DesignPoint& p, bool with_page) {
+        const std::string page = with_page && p.page ? fmt::format(" page=\"{}\"", *p.page) : std::string();
+        line(depth, "<{} x=\"{}\" y=\"{}\"{}/>", name, length(p.at.x), length(p.at.y), page);
+    }
+
+    void structures() {
+        line(1, "<structurelist>");
+        std::size_t number = 0;
+        for (const Structure& s : design_.structures) {
+            if (s.dropped) continue;
+            // An automatic id is left to the reader, unless it would now give another.
+            ++number;
+            const bool automatic = !s.id_given && s.id == fmt::format("e{}", number);
+            const std::string id = automatic ? std::string() : fmt::format(" id=\"{}\"", s.id);
+            line(2, "<structure type=\"{}\"{}>", s.type, id);
+            line(3, "<outerpoints>");
+            for (const DesignPoint& p : s.points) point(4, "point", p, true);
+            line(3, "</outerpoints>");
+            color(3, "leftcolor", s.left);
+            color(3, "rightcolor", s.right);
+            color(3, "lefttabcolor", s.left_tab);
+            color(3, "righttabcolor", s.right_tab);
+            line(3, "<parentfold page=\"{}\">", s.fold.page);
+            point(4, "begin", s.fold.begin, false);
+            point(4, "end", s.fold.end, false);
+            line(3, "</parentfold>");
+            line(2, "</structure>");
+        }
+        line(1, "</structurelist>");
+    }
+
+    void drawn_lines() {
+        const auto kept = [](const DrawnLine& l) { return !l.dropped; };
+        if (std::none_of(design_.lines.begin(), design_.lines.end(), kept)) return;
+        line(1, "<drawnlinelist>");
+        for (const DrawnLine& l : design_.lines) {
+            if (l.dropped) continue;
+            line(2, "<drawnline page=\"{}\" thickness=\"{}\" color=\"{}\">", l.page,
+                 xml::format_number(l.thickness_pt), to_string(l.color));
+            for (const DesignPoint& p : l.points) point(3, "point", p, false);
+            line(2, "</drawnline>");
+        }
+        line(1, "</drawnlinelist>");
+    }
+
+    const Design& design_;
+    fmt::memory_buffer out_;
+};
+
+}  // namespace
+
+std::string write_document(const Design& design) { return DocumentText(design).run(); }
+
+std::optional<std::string> write_xml(const CheckedDesign& design, const OutputOptions&, Diagnostics&) {
+    return write_document(design.design());
+}
+
+}  // namespace popup

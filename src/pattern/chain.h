@@ -1,0 +1,37 @@
+// Lines of a pattern made tidy: nothing drawn twice, cuts joined into paths, inner paths before outer ones.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "popup/geometry.h"
+#include "popup/pattern.h"
+
+namespace popup {
+
+// Points and lines closer than this are the same, in mm: far above rounding, far below any blade.
+inline constexpr double kSameMm = 1e-5;
+
+// A segment and whose it is: any number; only equality counts.
+struct TaggedSegment {
+    Segment at;
+    int tag = -1;
+};
+
+// The same set of points with every part of it once: doubled segments and overlapping collinear ones become
+// one, which keeps the tag of the longest. Segments that only meet end to end and in line become one if their
+// tags are equal. Keeps the order of what remains. Segments shorter than kSameMm are dropped. Cost: near
+// linear.
+std::vector<TaggedSegment> merged(std::vector<TaggedSegment> segments);
+
+// `segments` without what lies on any of `taken` (collinear overlaps only). Cost: near linear.
+std::vector<TaggedSegment> without(std::vector<TaggedSegment> segments, std::span<const Segment> taken);
+
+// Joins merged segments into as few paths as possible in which every loop is a closed contour of its own and
+// no path passes a point twice; where more than two meet, the straightest continue. Each segment is used
+// exactly once. Outer contours run counter-clockwise, those inside them clockwise, and so on inwards; inner
+// ones come first, then the lower, then the more to the left; closed contours start at their leftmost, then
+// lowest, corner. Cost: near linear.
+std::vector<Contour> chained(const std::vector<TaggedSegment>& segments);
+
+}  // namespace popup

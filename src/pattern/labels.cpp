@@ -1,0 +1,125 @@
+#include "pattern/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "pattern/tabs.h"
+
+namespace popup {
+namespace {
+
+constexpr std::array kHeights{4.0, 3.5, 3.0, 2.5, 2.0, 1.5};
+constexpr double kTabPadMm = 0.4;
+constexpr double kPlatePadMm = 1.0;
+
+// Whether a segment comes into the box about the origin that reaches `half` to each side.
+bool meets_box(const Segment& s, Vec2 half) {
+    double from = 0.0;
+    double to = 1.0;
+    const Vec2 along = s.b - s.a;
+    const auto narrow = [&](double start, double step, double reach) {
+        if (step == 0.0) return std::abs(start) <= reach;
+        const double t0 = (-reach - start) / step;
+        const double t1 = (reach - start) / step;
+        from = std::max(from, std::min(t0, t1));
+        to = std::min(to, std::max(t0, t1));
+        return from <= to;
+    };
+    return narrow(s.a.x, along.x, half.x) && narrow(s.a.y, along.y, half.y);
+}
+
+}  // namespace
+
+double text_width(std::string_view text, double cap_height) {
+    double width = 0.0;  // in heights of capitals
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte & 0xC0U) == 0x80U) continue;  // not the first byte of a character
+        const bool wide =
+            byte >= 0x80U || c == 'm' || c == 'w' || c == 'M' || c == 'W' || c == '@' || c == '%';
+        const bool narrow = c == 'i' || c == 'j' || c == 'l' || c == 'I' || c == '.' || c == ':' || c == '\'';
+        width += wide ? 1.4 : narrow ? 0.5 : 0.95;
+    }
+    return width * cap_height;
+}
+
+std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text) {
+    constexpr int kPlaces = 16;
+    std::optional<TextSpot> best;
+    double best_room = -1.0;
+    for (const double height : kHeights) {
+        const double half = 0.5 * text_width(text, height) + kTabPadMm;
+        for (const Ring& part : parts) {
+            const Box box = bounds(part);
+            for (int i = 1; i < kPlaces; ++i) {
+                const double at = box.min.x + box.width() * i / kPlaces;
+                // Ties go to the middle.
+                const double depth = least_depth(part, at - half, at + half);
+                const double room = depth - 1e-3 * std::abs(i - kPlaces / 2);
+                if (room > best_room) {
+                    best_room = room;
+                    best = TextSpot{{at, 0.5 * depth}, height};
+                }
+            }
+        }
+        if (best && best_room >= height + 2.0 * kTabPadMm - 0.01) return best;
+        best_room = -1.0;
+    }
+    if (best && best->at.y > 0.0) return best;
+    // No room at all: the smallest text, in the middle of the largest part.
+    double largest = 0.0;
+    for (const Ring& part : parts) {
+        if (signed_area(part) <= largest) continue;
+        largest = signed_area(part);
+        Vec2 sum{};
+        for (const Vec2 p : part) sum = sum + p;
+        best = TextSpot{(1.0 / static_cast<double>(part.size())) * sum, kHeights.back()};
+    }
+    return best;
+}
+
+std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds, std::string_view text) {
+    constexpr int kGrid = 9;
+    constexpr std::size_t kTried = 27;
+    struct Candidate {
+        double room;
+        Vec2 at;
+    };
+    std::vector<Candidate> candidates;
+    const double limit = 0.5 * std::max(bounds.width(), bounds.height());
+    for (int row = 0; row < kGrid; ++row) {
+        for (int column = 0; column < kGrid; ++column) {
+            const Vec2 at{bounds.min.x + bounds.width() * (column + 0.5) / kGrid,
+                          bounds.min.y + bounds.height() * (row + 0.5) / kGrid};
+            if (plate.winding(at) != 1) continue;
+            candidates.push_back({std::round(1e3 * plate.clearance(at, limit)), at});
+        }
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.room > b.room; });
+    if (candidates.size() > kTried) candidates.resize(kTried);
+    std::vector<int> found;
+    const auto is_free = [&](Vec2 at, Vec2 half) {
+        plate.query({at - half, at + half}, found);
+        return std::none_of(found.begin(), found.end(), [&](int i) {
+            return meets_box({plate[i].a - at, plate[i].b - at}, half);
+        });
+    };
+    for (const double height : kHeights) {
+        const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
+        for (const Candidate& candidate : candidates) {
+            if (is_free(candidate.at, half)) return TextSpot{candidate.at, height, 0.0};
+        }
+        for (const Candidate& candidate : candidates) {
+            if (is_free(candidate.at, {half.y, half.x})) {
+                return TextSpot{candidate.at, height, 0.5 * std::numbers::pi};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace popup

@@ -1,0 +1,33 @@
+// Where text goes: numbers into tabs, names into pieces.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "base/edge_index.h"
+#include "popup/geometry.h"
+
+namespace popup {
+
+// Width of a line of text in DejaVu Sans whose capitals are `cap_height` high; never too small.
+double text_width(std::string_view text, double cap_height);
+
+// Text of this size, its middle at `at`.
+struct TextSpot {
+    Vec2 at;
+    double height;
+    double angle = 0.0;
+};
+
+// The largest text, 1.5 to 4 mm high, that fits into one of a tab's parts, in seam coordinates (text along
+// the seam). Where even the smallest does not fit it is given at the best place all the same: joints must
+// have their numbers. Nothing only when there are no parts.
+std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text);
+
+// The largest text, 1.5 to 4 mm high, that fits on a plate clear of all its edges, and of other lines and
+// rings in the index (rings that text is to avoid are put in clockwise); the place with most room around it.
+// Nothing when no place will do. Cost: a bounded number of questions to the index.
+std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds, std::string_view text);
+
+}  // namespace popup

@@ -1,0 +1,26 @@
+# Installs into an empty directory, then builds and runs a project that knows nothing but that directory.
+# cmake -D BUILD=… -D SCRATCH=… -D SOURCE=… -D COMPILER=… -P run.cmake
+file(REMOVE_RECURSE ${SCRATCH})
+set(prefix ${SCRATCH}/prefix)
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "failed (${result}): ${command}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+foreach(file bin/popupc include/popup/compile.h share/man/man1/popupc.1 share/man/man5/popup.5 share/popupc/popup.xsd)
+  if(NOT EXISTS ${prefix}/${file})
+    message(FATAL_ERROR "not installed: ${file}")
+  endif()
+endforeach()
+run(${prefix}/bin/popupc --version)
+# Moved after installing: nothing in the package may remember where it was built.
+file(RENAME ${prefix} ${SCRATCH}/elsewhere)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH}/build -DCMAKE_PREFIX_PATH=${SCRATCH}/elsewhere
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+run(${SCRATCH}/build/consumer)

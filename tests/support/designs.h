@@ -1,0 +1,37 @@
+// Designs made in code, for tests: lengths in millimetres, page 0 unless said otherwise.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "popup/check.h"
+#include "popup/design.h"
+#include "popup/motion.h"
+
+namespace popup::test {
+
+// An empty card.
+Design card(double width_mm = 279.4, double height_mm = 215.9);
+
+// Adds a structure; points as in POPUP_XML's order, the fold from begin to end on `page`. Returns it.
+Structure& add(Design& design, const std::string& type, const std::vector<Vec2>& points, Vec2 begin, Vec2 end,
+               int page = 0);
+// The same on the gutter.
+Structure& add(Design& design, const std::string& type, const std::vector<Vec2>& points);
+
+// Checks and assembles; fails the running test, with all findings in its message, when that is not possible.
+struct Built {
+    std::optional<CheckedDesign> checked;
+    std::optional<Assembly> assembly;
+    Diagnostics diagnostics;
+};
+Built build(const Design& design, const CheckOptions& options = {});
+// All findings as lines "severity code: message".
+std::string findings(const Diagnostics& diagnostics);
+
+// A random design of `elements` elements of all kinds on all kinds of folds, that needs no repair. Equal
+// seeds give equal designs on every machine. Elements that find no room are left out, so it may have fewer.
+Design generate(std::uint64_t seed, int elements, double width_mm = 279.4, double height_mm = 215.9);
+
+}  // namespace popup::test

@@ -1,0 +1,642 @@
+#include "popup/pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "pattern/chain.h"
+#include "pattern/labels.h"
+#include "pattern/tabs.h"
+
+namespace popup {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double number(std::mt19937& random, double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967295.0);
+}
+
+// ---- designs made by hand
+// -------------------------------------------------------------------------------------
+
+struct Card {
+    Assembly assembly;
+
+    // A base page of two plates, 200 × 160 mm, with the gutter as its only fold.
+    Card() {
+        assembly.file = "card.xml";
+        assembly.pieces.push_back({"page", {0, 1}});
+        Plate left;
+        left.name = "page/left";
+        left.outline.outer = {{-100, -80}, {0, -80}, {0, 80}, {-100, 80}};
+        Plate right;
+        right.name = "page/right";
+        right.outline.outer = {{0, -80}, {100, -80}, {100, 80}, {0, 80}};
+        assembly.plates = {left, right};
+        const Ring corners{{-100, -80}, {100, -80}, {100, 80}, {-100, 80}};
+        for (std::size_t i = 0; i < 4; ++i) cut(0, {corners[i], corners[(i + 1) % 4]});
+        assembly.lines.push_back({LineKind::valley, {{0, -80}, {0, 80}}, 0, 0, 1});
+    }
+
+    void cut(int piece, Segment at) { assembly.lines.push_back({LineKind::cut, at, piece, -1, -1}); }
+
+    // A symmetric v-fold: apex on the gutter, seams of this length at angle `a` from it, the piece's halves
+    // `g` wide.
+    void v_fold(double apex_y, double seam, double a, double g, double height) {
+        const int piece = static_cast<int>(assembly.pieces.size());
+        const int plate = static_cast<int>(assembly.plates.size());
+        const std::string id = "v" + std::to_string(piece);
+        const Vec2 apex{0, apex_y};
+        const Vec2 end_left = apex + seam * Vec2{-std::sin(a), std::cos(a)};
+        const Vec2 end_right = apex + seam * Vec2{std::sin(a), std::cos(a)};
+        const Vec2 e{0, 0};
+        const Vec2 g_at = seam * Vec2{-std::sin(g), std::cos(g)};
+        const Vec2 h_at = seam * Vec2{std::sin(g), std::cos(g)};
+        const double top = std::max(0.0, g_at.y) + height;
+        const Vec2 i_at{g_at.x, top};
+        const Vec2 j_at{h_at.x, top};
+        const Vec2 f{0, top};
+        assembly.pieces.push_back({id, {plate, plate + 1}});
+        Plate left;
+        left.name = id + "/left";
+        left.piece = piece;
+        left.outline.outer = {g_at, e, f, i_at};
+        left.fill = Color{255, 0, 0};
+        Plate right;
+        right.name = id + "/right";
+        right.piece = piece;
+        right.outline.outer = {e, h_at, j_at, f};
+        assembly.plates.push_back(left);
+        assembly.plates.push_back(right);
+        cut(piece, {h_at, j_at});
+        cut(piece, {j_at, f});
+        cut(piece, {f, i_at});
+        cut(piece, {i_at, g_at});
+        // The waist may call a glued edge a seam; the pattern then draws it once.
+        assembly.lines.push_back({LineKind::seam, {g_at, e}, piece, plate, -1});
+        assembly.lines.push_back({LineKind::mountain, {e, f}, piece, plate, plate + 1});
+        const std::string label = std::to_string(piece);
+        assembly.glue.push_back(
+            {plate, 0, {e, g_at}, {apex, end_left}, label + "L", Color{1, 2, 3}, id, {7, 3}});
+        assembly.glue.push_back({plate + 1, 1, {h_at, e}, {end_right, apex}, label + "R", {}, id, {7, 3}});
+    }
+
+    Pattern pattern(const PatternOptions& options = {}) {
+        diagnostics = Diagnostics("card.xml");
+        auto result = make_pattern(assembly, options, diagnostics);
+        EXPECT_TRUE(result.has_value());
+        return result.value_or(Pattern{});
+    }
+    Diagnostics diagnostics;
+};
+
+// ---- checks that use nothing of the code under test
+// -------------------------------------------------------------
+
+std::vector<Segment> edges(const Ring& ring) {
+    std::vector<Segment> result;
+    for (std::size_t i = 0; i < ring.size(); ++i) result.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    return result;
+}
+
+std::vector<Segment> edges(const Contour& contour) {
+    auto result = edges(contour.points);
+    if (!contour.closed) result.pop_back();
+    return result;
+}
+
+double ring_distance(const Ring& a, const Ring& b) {
+    if (contains({a, {}}, b[0]) || contains({b, {}}, a[0])) return 0.0;
+    double best = HUGE_VAL;
+    for (const Segment& s : edges(a)) {
+        for (const Segment& t : edges(b)) best = std::min(best, distance(s, t));
+    }
+    return best;
+}
+
+bool strictly_crosses(const Segment& s, const Segment& t) {
+    const auto side = [](const Segment& line, Vec2 p) {
+        return cross(line.b - line.a, p - line.a) / distance(line.a, line.b);
+    };
+    constexpr double kFar = 1e-5;
+    const double a = side(s, t.a);
+    const double b = side(s, t.b);
+    const double c = side(t, s.a);
+    const double d = side(t, s.b);
+    return ((a > kFar && b < -kFar) || (a < -kFar && b > kFar)) &&
+           ((c > kFar && d < -kFar) || (c < -kFar && d > kFar));
+}
+
+bool is_simple(const Ring& ring) {
+    const auto all = edges(ring);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t j = i + 2; j < all.size(); ++j) {
+            if (i == 0 && j + 1 == all.size()) continue;
+            if (distance(all[i], all[j]) < 1e-6) return false;
+        }
+    }
+    return ring.size() >= 3 && std::abs(signed_area(ring)) > 0.01;
+}
+
+bool overlap(const Ring& a, const Ring& b) {
+    for (const Segment& s : edges(a)) {
+        for (const Segment& t : edges(b)) {
+            if (strictly_crosses(s, t)) return true;
+        }
+    }
+    const auto inside = [](const Ring& ring, Vec2 p) {
+        double off = HUGE_VAL;
+        for (const Segment& s : edges(ring)) off = std::min(off, distance(p, s));
+        return contains({ring, {}}, p) && off > 1e-4;
+    };
+    return std::any_of(a.begin(), a.end(), [&](Vec2 p) { return inside(b, p); }) ||
+           std::any_of(b.begin(), b.end(), [&](Vec2 p) { return inside(a, p); });
+}
+
+// The part of an edge on the tab's side of its seam: what lies behind the seam is no concern of the tab's.
+std::optional<Segment> beside(const Segment& edge, const Segment& seam) {
+    const Vec2 out = right_of(unit(seam.b - seam.a));
+    Segment s = edge;
+    double a = dot(s.a - seam.a, out);
+    double b = dot(s.b - seam.a, out);
+    if (std::max(a, b) < 2e-3) return std::nullopt;
+    if (a < 0) s.a = lerp(s.a, s.b, a / (a - b));
+    if (b < 0) s.b = lerp(s.b, s.a, b / (b - a));
+    return s;
+}
+
+std::map<std::string, std::vector<const GlueTarget*>> targets_by_plate(const Pattern& pattern) {
+    std::map<std::string, std::vector<const GlueTarget*>> result;
+    for (const PatternPiece& piece : pattern.pieces) {
+        for (const GlueTarget& target : piece.targets) {
+            result[pattern.plate_names.at(static_cast<std::size_t>(target.plate))].push_back(&target);
+        }
+    }
+    return result;
+}
+
+// Which glue a target belongs to: the one whose seam it stands on.
+const Glue* glue_of(const Assembly& assembly, const GlueTarget& target) {
+    for (const Glue& glue : assembly.glue) {
+        if (glue.base_plate != target.plate) continue;
+        int touching = 0;
+        for (const Vec2 p : target.outline) touching += distance(p, glue.on_base) < 1e-5 ? 1 : 0;
+        if (touching >= 2) return &glue;
+    }
+    return nullptr;
+}
+
+void expect_targets_in_order(const Assembly& assembly, const Pattern& pattern) {
+    for (const auto& [name, targets] : targets_by_plate(pattern)) {
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            const Ring& ring = targets[i]->outline;
+            EXPECT_TRUE(is_simple(ring));
+            EXPECT_GT(signed_area(ring), 0.0);
+            const Polygon& plate = assembly.plates[static_cast<std::size_t>(targets[i]->plate)].outline;
+            for (const Vec2 p : ring) EXPECT_TRUE(contains(plate, p)) << name << " " << p.x << " " << p.y;
+            const Glue* glue = glue_of(assembly, *targets[i]);
+            ASSERT_NE(glue, nullptr);
+            std::vector<Segment> all = edges(plate.outer);
+            for (const Ring& hole : plate.holes) {
+                const auto more = edges(hole);
+                all.insert(all.end(), more.begin(), more.end());
+            }
+            for (const Segment& edge : all) {
+                const auto near = beside(edge, glue->on_base);
+                if (!near) continue;
+                for (const Segment& own : edges(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
+            }
+            for (std::size_t j = 0; j < i; ++j) {
+                EXPECT_FALSE(overlap(ring, targets[j]->outline)) << name;
+                for (const Segment& edge : edges(targets[j]->outline)) {
+                    const auto near = beside(edge, glue->on_base);
+                    if (!near) continue;
+                    for (const Segment& own : edges(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
+                }
+            }
+        }
+    }
+}
+
+void expect_tabs_clear_of_paper(const Assembly& assembly, const Pattern& pattern) {
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const PatternPiece& piece = pattern.pieces[i];
+        // All cuts and seams of a piece, two by two: none crosses another.
+        std::vector<Segment> all;
+        for (const Contour& contour : piece.cuts) {
+            const auto own = edges(contour);
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        for (const PatternLine& line : piece.lines) all.push_back(line.at);
+        for (std::size_t a = 0; a < all.size(); ++a) {
+            for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(strictly_crosses(all[a], all[b])) << piece.name;
+        }
+        if (assembly.pieces[i].plates.size() != 2 || i == 0) continue;
+        // The cut outline holds exactly the plates and the tabs.
+        double paper = 0.0;
+        for (const int plate : assembly.pieces[i].plates) {
+            paper += area(assembly.plates[static_cast<std::size_t>(plate)].outline);
+        }
+        for (const PatternPiece& other : pattern.pieces) {
+            for (const GlueTarget& target : other.targets) {
+                const Glue* glue = glue_of(assembly, target);
+                const auto plate = static_cast<std::size_t>(glue->piece_plate);
+                if (assembly.plates[plate].piece == static_cast<int>(i)) paper += signed_area(target.outline);
+            }
+        }
+        ASSERT_EQ(piece.cuts.size(), 1U) << piece.name;
+        EXPECT_TRUE(piece.cuts[0].closed);
+        EXPECT_NEAR(signed_area(piece.cuts[0].points), paper, 1e-4) << piece.name;
+        ASSERT_EQ(piece.silhouette.size(), 1U);
+        EXPECT_NEAR(area(piece.silhouette[0]), paper, 1e-2) << piece.name;
+    }
+}
+
+// ---- tabs
+// -------------------------------------------------------------------------------------------------------
+
+TEST(Pattern, AVFoldHasOneClosedOutlineWithTabsAndNumberedTargets) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    const Pattern pattern = card.pattern();
+    EXPECT_FALSE(card.diagnostics.has_findings());
+    ASSERT_EQ(pattern.pieces.size(), 2U);
+    ASSERT_EQ(pattern.pieces[0].cuts.size(), 1U);
+    EXPECT_EQ(pattern.pieces[0].cuts[0].points.size(), 4U);
+    ASSERT_EQ(pattern.pieces[1].cuts.size(), 1U);
+    expect_targets_in_order(card.assembly, pattern);
+    expect_tabs_clear_of_paper(card.assembly, pattern);
+
+    std::multiset<std::string> on_tabs;
+    std::multiset<std::string> on_targets;
+    for (const PatternPiece& piece : pattern.pieces) {
+        for (const Label& label : piece.labels) {
+            if (label.kind == LabelKind::tab) on_tabs.insert(label.text);
+            if (label.kind == LabelKind::target) on_targets.insert(label.text);
+            EXPECT_GE(label.height_mm, 1.5);
+            EXPECT_LE(label.height_mm, 5.0);
+            EXPECT_GT(label.angle, -kPi / 2 - 1e-9);
+            EXPECT_LE(label.angle, kPi / 2 + 1e-9);
+        }
+    }
+    EXPECT_EQ(on_tabs, (std::multiset<std::string>{"1L", "1R"}));
+    EXPECT_EQ(on_targets, on_tabs);
+}
+
+TEST(Pattern, TheTargetIsTheTabMirrored) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    const Pattern pattern = card.pattern();
+    for (const GlueTarget& target : pattern.pieces[0].targets) {
+        const Glue* glue = glue_of(card.assembly, target);
+        ASSERT_NE(glue, nullptr);
+        // A mirrored point keeps its distances to the seam's ends; each must be a corner of the piece's
+        // outline.
+        for (const Vec2 p : target.outline) {
+            bool found = false;
+            for (const Vec2 q : pattern.pieces[1].cuts[0].points) {
+                found =
+                    found || (std::abs(distance(p, glue->on_base.a) - distance(q, glue->on_piece.a)) < 1e-5 &&
+                              std::abs(distance(p, glue->on_base.b) - distance(q, glue->on_piece.b)) < 1e-5);
+            }
+            EXPECT_TRUE(found) << p.x << " " << p.y;
+        }
+    }
+}
+
+TEST(Pattern, AnUntrimmedTabIsTenDeepWithEndsOffBy30Degrees) {
+    const double taper = 30 * kPi / 180;
+    const auto parts = trimmed_tab(50, {10, taper, 1}, {}, {});
+    ASSERT_EQ(parts.size(), 1U);
+    ASSERT_EQ(parts[0].size(), 4U);
+    const double inset = 10 * std::tan(taper);
+    const Ring expected{{0, 0}, {50, 0}, {50 - inset, 10}, {inset, 10}};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(distance(parts[0][i], expected[i]), 1e-9);
+}
+
+TEST(Pattern, AShortSeamHasAProperTabThatIsLessDeep) {
+    for (const double seam : {1.5, 3.0, 6.0, 11.0}) {
+        const auto parts = trimmed_tab(seam, {10, 30 * kPi / 180, 1}, {}, {});
+        ASSERT_EQ(parts.size(), 1U) << seam;
+        EXPECT_TRUE(is_simple(parts[0]));
+        EXPECT_GT(bounds(parts[0]).height(), 0.3 * seam);
+        EXPECT_LE(bounds(parts[0]).width(), seam + 1e-9);
+    }
+}
+
+TEST(Pattern, SeamsAreDrawnOnceAndAreNoCuts) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    const Pattern pattern = card.pattern();
+    double seams = 0.0;
+    for (const PatternLine& line : pattern.pieces[1].lines) {
+        if (line.kind != LineKind::seam) continue;
+        seams += distance(line.at.a, line.at.b);
+        for (const Segment& cut : edges(pattern.pieces[1].cuts[0])) {
+            // The middle of a seam is never on a cut.
+            EXPECT_GT(distance(lerp(line.at.a, line.at.b, 0.5), cut), 0.1);
+        }
+    }
+    // Each tab keeps 1 mm off the gutter, measured across the fold; that much of the seam is a cut instead.
+    EXPECT_NEAR(seams, 2 * (60 - 1 / std::sin(50 * kPi / 180)), 0.05);
+}
+
+TEST(Pattern, TabsOfRandomDesignsCrossNothing) {
+    std::mt19937 random(42);
+    int trimmed = 0;
+    for (int round = 0; round < 60; ++round) {
+        Card card;
+        const int holes = static_cast<int>(random() % 4);
+        for (int i = 0; i < holes; ++i) {
+            const bool right = random() % 2 == 0;
+            const double x = (right ? 1 : -1) * number(random, 10, 80);
+            const double y = number(random, -60, 60);
+            const double w = number(random, 1, 8);
+            const double h = number(random, 1, 8);
+            card.assembly.plates[right ? 1 : 0].outline.holes.push_back(
+                {{x - w, y - h}, {x - w, y + h}, {x + w, y + h}, {x + w, y - h}});
+            if (i > 0) card.assembly.plates[right ? 1 : 0].outline.holes.pop_back();  // they must not overlap
+        }
+        const int count = 1 + static_cast<int>(random() % 5);
+        for (int i = 0; i < count; ++i) {
+            card.v_fold(number(random, -70, 20), number(random, 8, 55), number(random, 15, 80) * kPi / 180,
+                        number(random, 85, 150) * kPi / 180, number(random, 10, 60));
+        }
+        const Pattern pattern = card.pattern();
+        expect_targets_in_order(card.assembly, pattern);
+        expect_tabs_clear_of_paper(card.assembly, pattern);
+        trimmed += static_cast<int>(card.diagnostics.has_findings());
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+    EXPECT_GT(trimmed, 5);
+}
+
+TEST(Pattern, ATabWithTooLittleLeftIsAWarningThatNamesIt) {
+    Card card;
+    card.v_fold(-30, 60, 4 * kPi / 180, 70 * kPi / 180, 40);  // so close to the gutter that no depth is left
+    const Pattern pattern = card.pattern();
+    const auto found = card.diagnostics.sorted();
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].code, "tab-too-small");
+    EXPECT_EQ(found[0].severity, Severity::warning);
+    EXPECT_EQ(found[0].element, "v1");
+    EXPECT_EQ(found[0].place, (Place{7, 3}));
+    EXPECT_NE(found[0].message.find("1L"), std::string::npos);
+    EXPECT_NE(found[0].message.find("60.00 mm"), std::string::npos);
+    EXPECT_FALSE(found[0].hints.empty());
+    expect_tabs_clear_of_paper(card.assembly, pattern);
+}
+
+TEST(Pattern, ATabIsNotGluedWhereThereIsNoPaper) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    // The left plate ends at the seam, and lies on its other side.
+    const Segment seam = card.assembly.glue[0].on_base;
+    card.assembly.plates[0].outline.outer = {{-100, -80}, {0, -80}, seam.a, seam.b, {-100, 80}};
+    const Pattern pattern = card.pattern();
+    for (const GlueTarget& target : pattern.pieces[0].targets) EXPECT_EQ(target.plate, 1);
+    EXPECT_TRUE(card.diagnostics.has_findings());
+}
+
+TEST(Pattern, ATabOnTheEdgeOfItsPlateKeepsItsSeam) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    const Segment seam = card.assembly.glue[0].on_base;
+    // The plate begins at the seam and lies on the tab's side.
+    card.assembly.plates[0].outline.outer = {seam.a, {0, 80}, {-100, 80}, seam.b};
+    const Pattern pattern = card.pattern();
+    EXPECT_FALSE(card.diagnostics.has_findings());
+    EXPECT_EQ(pattern.pieces[0].targets.size(), 2U);
+    expect_targets_in_order(card.assembly, pattern);
+}
+
+TEST(Pattern, AnObstacleUnderTheMiddleSplitsATab) {
+    const std::vector<Segment> post{{{25, -2}, {25, 5}}};
+    const auto parts = trimmed_tab(50, {10, 0.5, 1}, post, {});
+    ASSERT_EQ(parts.size(), 2U);
+    for (const Ring& part : parts) {
+        EXPECT_TRUE(is_simple(part));
+        for (const Segment& edge : edges(part)) EXPECT_GE(distance(edge, post[0]), 0.999);
+    }
+    EXPECT_NEAR(seam_stretches(parts)[0].to, 24.0, 1e-3);
+    EXPECT_NEAR(seam_stretches(parts)[1].from, 26.0, 1e-3);
+    EXPECT_NEAR(length_with_depth(parts, 3.0), 50 - 2 - 2 * 3 * std::tan(0.5), 1e-3);
+}
+
+TEST(Pattern, WhatLiesBehindTheSeamTrimsNothing) {
+    const std::vector<Segment> behind{{{-10, -0.3}, {60, -0.3}}, {{0, 0}, {50, 0}}, {{10, 0}, {10, -5}}};
+    const auto parts = trimmed_tab(50, {10, 0.5, 1}, behind, behind);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].size(), 4U);
+}
+
+TEST(Pattern, LabelsOfTabsFitIntoThem) {
+    const auto parts = trimmed_tab(40, {10, 0.5, 1}, std::vector<Segment>{{{12, 6}, {70, 6}}}, {});
+    const auto spot = place_in_tab(parts, "12L");
+    ASSERT_TRUE(spot.has_value());
+    const Vec2 half{0.5 * text_width("12L", spot->height), 0.5 * spot->height};
+    for (const Vec2 corner : {half, -half, Vec2{half.x, -half.y}, Vec2{-half.x, half.y}}) {
+        EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const Ring& part) {
+            return contains({part, {}}, spot->at + corner);
+        }));
+    }
+    EXPECT_GE(spot->height, 2.0);
+}
+
+TEST(Pattern, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    const Pattern pattern = card.pattern();
+    for (const PatternPiece& piece : pattern.pieces) {
+        const auto label = std::find_if(piece.labels.begin(), piece.labels.end(),
+                                        [](const Label& l) { return l.kind == LabelKind::piece; });
+        ASSERT_NE(label, piece.labels.end());
+        EXPECT_EQ(label->text, piece.name);
+        const double c = std::cos(label->angle);
+        const double s = std::sin(label->angle);
+        const Vec2 x = 0.5 * text_width(label->text, label->height_mm) * Vec2{c, s};
+        const Vec2 y = 0.5 * label->height_mm * Vec2{-s, c};
+        const Ring box{label->at - x - y, label->at + x - y, label->at + x + y, label->at - x + y};
+        EXPECT_TRUE(contains({piece.silhouette[0].outer, {}}, label->at));
+        for (const GlueTarget& target : piece.targets) EXPECT_GT(ring_distance(box, target.outline), 0.0);
+        for (const Segment& side : edges(box)) {
+            for (const PatternLine& line : piece.lines) EXPECT_GT(distance(side, line.at), 0.5);
+            for (const Contour& contour : piece.cuts) {
+                for (const Segment& cut : edges(contour)) EXPECT_GT(distance(side, cut), 0.5);
+            }
+        }
+    }
+}
+
+TEST(Pattern, FillsStrokesAndPlateNamesAreCarried) {
+    Card card;
+    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
+    card.assembly.plates[2].strokes.push_back({{{0, 1}, {1, 2}}, 0.5, {}});
+    const Pattern pattern = card.pattern();
+    EXPECT_EQ(pattern.plate_names,
+              (std::vector<std::string>{"page/left", "page/right", "v1/left", "v1/right"}));
+    const PatternPiece& piece = pattern.pieces[1];
+    ASSERT_EQ(piece.fills.size(), 2U);  // one plate, one tab
+    EXPECT_EQ(piece.fills[0].plate, 2);
+    EXPECT_EQ(piece.fills[1].plate, -1);
+    EXPECT_EQ(piece.fills[1].color, (Color{1, 2, 3}));
+    ASSERT_EQ(piece.strokes.size(), 1U);
+    EXPECT_EQ(piece.strokes[0].plate, 2);
+}
+
+TEST(Pattern, BoundsAreThoseOfTheBarePage) {
+    Card card;
+    const Pattern pattern = card.pattern();
+    EXPECT_EQ(pattern.pieces[0].bounds.min, (Vec2{-100, -80}));
+    EXPECT_EQ(pattern.pieces[0].bounds.max, (Vec2{100, 80}));
+    ASSERT_EQ(pattern.pieces[0].silhouette.size(), 1U);
+    EXPECT_EQ(pattern.pieces[0].silhouette[0].outer.size(), 4U);  // the gutter is not part of it
+}
+
+// ---- chains
+// -----------------------------------------------------------------------------------------------------
+
+using Unit = std::tuple<int, int, int>;  // a unit edge of the square grid: x, y, 0 right or 1 up
+
+void count_units(const Segment& s, std::map<Unit, int>& units) {
+    const Vec2 step = unit(s.b - s.a);
+    const int steps = static_cast<int>(std::lround(distance(s.a, s.b)));
+    for (int k = 0; k < steps; ++k) {
+        const Vec2 low = s.a + (k + 0.5) * step;
+        const bool right = std::abs(step.x) > 0.5;
+        const double x = right ? std::floor(low.x) : std::round(low.x);
+        const double y = right ? std::round(low.y) : std::floor(low.y);
+        ++units[{static_cast<int>(x), static_cast<int>(y), right ? 0 : 1}];
+    }
+}
+
+TEST(Pattern, ChainsUseEveryStretchOfCutExactlyOnceHoweverItWasDoubled) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<TaggedSegment> segments;
+        std::map<Unit, int> wanted;
+        for (int i = 0; i < 40; ++i) {
+            const Vec2 a{static_cast<double>(random() % 12), static_cast<double>(random() % 12)};
+            const double size = 1 + static_cast<double>(random() % 5);
+            Segment s{a, a + (random() % 2 == 0 ? Vec2{size, 0} : Vec2{0, size})};
+            if (random() % 2 == 0) std::swap(s.a, s.b);
+            const Vec2 noise{number(random, -1e-7, 1e-7), number(random, -1e-7, 1e-7)};
+            segments.push_back({{s.a + noise, s.b - noise}, 0});
+            count_units(s, wanted);
+        }
+        for (auto& [key, count] : wanted) count = 1;
+        std::map<Unit, int> got;
+        for (const Contour& contour : chained(merged(segments))) {
+            for (const Segment& s : edges(contour)) count_units(s, got);
+        }
+        EXPECT_EQ(got, wanted);
+    }
+}
+
+TEST(Pattern, ChainsAreAsFewAsTheLooseEndsAllow) {
+    std::mt19937 random(9);
+    for (int round = 0; round < 100; ++round) {
+        // Random segments between random points: nothing is in line, so every point keeps its ends.
+        std::vector<Vec2> points;
+        for (int i = 0; i < 12; ++i) points.push_back({number(random, 0, 100), number(random, 0, 100)});
+        std::set<std::pair<int, int>> pairs;
+        for (int i = 0; i < 20; ++i) {
+            const int a = static_cast<int>(random() % 12);
+            const int b = static_cast<int>(random() % 12);
+            if (a != b) pairs.insert({std::min(a, b), std::max(a, b)});
+        }
+        std::vector<TaggedSegment> segments;
+        std::vector<int> degree(12, 0);
+        for (const auto& [a, b] : pairs) {
+            segments.push_back(
+                {{points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)]}, 0});
+            ++degree[static_cast<std::size_t>(a)];
+            ++degree[static_cast<std::size_t>(b)];
+        }
+        const auto odd = std::count_if(degree.begin(), degree.end(), [](int d) { return d % 2 == 1; });
+        std::size_t open = 0;
+        std::size_t used = 0;
+        for (const Contour& contour : chained(segments)) {
+            open += contour.closed ? 0 : 1;
+            used += edges(contour).size();
+            // No path passes a point twice.
+            std::set<std::pair<double, double>> seen;
+            for (const Vec2 p : contour.points) EXPECT_TRUE(seen.insert({p.x, p.y}).second);
+        }
+        EXPECT_LE(open, static_cast<std::size_t>(odd / 2));
+        EXPECT_EQ(used, segments.size());
+    }
+}
+
+TEST(Pattern, SquaresThatTouchStayContoursOfTheirOwn) {
+    std::vector<TaggedSegment> segments;
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{10, 10}}) {
+        const Ring ring{corner, corner + Vec2{10, 0}, corner + Vec2{10, 10}, corner + Vec2{0, 10}};
+        for (const Segment& s : edges(ring)) segments.push_back({s, 0});
+    }
+    const auto contours = chained(segments);
+    ASSERT_EQ(contours.size(), 2U);
+    for (const Contour& contour : contours) {
+        EXPECT_TRUE(contour.closed);
+        EXPECT_DOUBLE_EQ(std::abs(signed_area(contour.points)), 100.0);
+    }
+}
+
+TEST(Pattern, InnerContoursComeBeforeTheOnesAroundThem) {
+    std::mt19937 random(2);
+    std::vector<TaggedSegment> segments;
+    for (int i = 0; i < 5; ++i) {
+        const double r = 50 - 8 * i;
+        for (const Segment& s : edges(Ring{{-r, -r}, {r, -r}, {r, r}, {-r, r}})) segments.push_back({s, 0});
+    }
+    segments.push_back({{{-1, 0}, {1, 0}}, 0});   // a slit in the middle
+    segments.push_back({{{46, 0}, {46, 5}}, 0});  // and one between the outer two
+    std::shuffle(segments.begin(), segments.end(), random);
+    const auto contours = chained(merged(segments));
+    ASSERT_EQ(contours.size(), 7U);
+    std::vector<double> sizes;
+    for (const Contour& contour : contours) sizes.push_back(bounds(contour.points).width());
+    EXPECT_EQ(sizes.front(), 2.0);
+    EXPECT_TRUE(std::is_sorted(sizes.begin() + 1, sizes.begin() + 4));
+    EXPECT_EQ(sizes[6], 100.0);
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        for (std::size_t j = i + 1; j < contours.size(); ++j) {
+            if (!contours[i].closed) continue;
+            EXPECT_FALSE(contains({contours[i].points, {}}, contours[j].points[0]));
+        }
+    }
+    EXPECT_GT(signed_area(contours[6].points), 0.0);
+    EXPECT_LT(signed_area(contours[5].points), 0.0);
+}
+
+TEST(Pattern, LinesOfOneKindAreDrawnOnce) {
+    Card card;
+    card.assembly.lines.push_back({LineKind::valley, {{0, 80}, {0, -80}}, 0, 1, 0});
+    card.assembly.lines.push_back({LineKind::valley, {{0, 10}, {0, 90}}, 0, 1, 0});
+    card.assembly.lines.push_back({LineKind::mountain, {{5, 0}, {5, 9}}, 0, 1, 1});
+    const Pattern pattern = card.pattern();
+    ASSERT_EQ(pattern.pieces[0].lines.size(), 2U);
+    double valley = 0.0;
+    for (const PatternLine& line : pattern.pieces[0].lines) {
+        if (line.kind == LineKind::valley) valley += distance(line.at.a, line.at.b);
+    }
+    EXPECT_DOUBLE_EQ(valley, 170.0);
+}
+
+TEST(Pattern, WithoutLeavesWhatIsNotCovered) {
+    const auto left = without({{{{0, 0}, {10, 0}}, 1}, {{{0, 1}, {10, 1}}, 2}},
+                              std::vector<Segment>{{{7, 0}, {3, 0}}, {{9, 0}, {12, 0}}, {{5, -1}, {5, 3}}});
+    ASSERT_EQ(left.size(), 3U);
+    EXPECT_EQ(left[0].tag, 2);
+    std::multiset<double> sizes;
+    for (const TaggedSegment& s : left) sizes.insert(distance(s.at.a, s.at.b));
+    EXPECT_EQ(sizes, (std::multiset<double>{2, 3, 10}));
+}
+
+}  // namespace
+}  // namespace popup
