@@ -59,9 +59,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "and entities that a DTD defines can be made to unfold into gigabytes or to read other files, so none"
      " is ever processed. Take the declaration out and write what its entities stand for."},
     {"document-too-large", Severity::error, "more markup than is read",
-     "The document has more elements, attributes and texts than any design that could be made of paper: "
-     "over eight million altogether, or over a million in a single structure or line. The limit keeps "
-     "hostile documents from filling the memory. Split the design into several documents."},
+     "The document has more markup than any design that could be made of paper: over 300 000 structures or "
+     "lines, a million points, a million elements, attributes and texts in a single structure or line, or "
+     "eight million altogether. The limits keep hostile documents from filling the memory. Split the design "
+     "into several documents."},
     {"does-not-fit", Severity::warning, "an element is larger than the paper it stands on",
      "Each half of a cut element must lie wholly in its own plane, with 1 mm of paper left around it and "
      "no earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "

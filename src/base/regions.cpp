@@ -143,15 +143,16 @@ std::vector<Polygon> to_polygons(Paths paths) {
     return polygons;
 }
 
-std::vector<Polygon> combine(ClipperLib::ClipType type, const std::vector<Polygon>& a,
-                             const std::vector<Polygon>& b) {
+// The paths of a boolean. The library calls nothing-to-do a failure; that is sorted out first.
+Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
     ClipperLib::Clipper clipper;
-    clipper.AddPaths(to_paths(a), ClipperLib::ptSubject, true);
-    clipper.AddPaths(to_paths(b), ClipperLib::ptClip, true);
+    const bool any_a = clipper.AddPaths(to_paths(a), ClipperLib::ptSubject, true);
+    const bool any_b = clipper.AddPaths(to_paths(b), ClipperLib::ptClip, true);
     Paths result;
+    if (!any_a && !any_b) return result;
     const bool done = clipper.Execute(type, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
     POPUP_INVARIANT(done);
-    return to_polygons(std::move(result));
+    return result;
 }
 
 }  // namespace
@@ -159,25 +160,21 @@ std::vector<Polygon> combine(ClipperLib::ClipType type, const std::vector<Polygo
 Vec2 on_grid(Vec2 p) { return to_mm(to_int(p)); }
 
 std::vector<Polygon> unite(const std::vector<Polygon>& regions) {
-    return combine(ClipperLib::ctUnion, regions, {});
+    return to_polygons(run(ClipperLib::ctUnion, regions, {}));
 }
 
 std::vector<Polygon> subtract(const std::vector<Polygon>& from, const std::vector<Polygon>& what) {
-    return combine(ClipperLib::ctDifference, from, what);
+    return to_polygons(run(ClipperLib::ctDifference, from, what));
 }
 
 std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
-    return combine(ClipperLib::ctIntersection, a, b);
+    return to_polygons(run(ClipperLib::ctIntersection, a, b));
 }
 
 std::vector<Polygon> offset(const std::vector<Polygon>& regions, double delta, Corners corners) {
     // One outline first: overlapping rings would each be offset on their own.
-    ClipperLib::Clipper clipper;
-    clipper.AddPaths(to_paths(regions), ClipperLib::ptSubject, true);
-    Paths united;
-    const bool done =
-        clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-    POPUP_INVARIANT(done);
+    const Paths united = run(ClipperLib::ctUnion, regions, {});
+    if (united.empty()) return {};
     ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcMm * kPerMm);
     offsetter.AddPaths(united, corners == Corners::sharp ? ClipperLib::jtMiter : ClipperLib::jtRound,
                        ClipperLib::etClosedPolygon);

@@ -35,6 +35,26 @@ Ring half(const Element& e, Side side, double beyond) {
     return {e.site.on_page(side, a), e.site.on_page(side, b), e.site.on_page(side, gb), e.site.on_page(side, ga)};
 }
 
+// Clips what overflows the fold's ends: a cut that crosses the fold too far out moves along it, both ends alike.
+void clip_along(Element& e) {
+    const double lo = e.alive_lo + e.tolerances->paper_mm;
+    const double hi = e.alive_hi - e.tolerances->paper_mm;
+    double most = 0.0;
+    for (const auto& [l, r] : {std::pair{A, G}, std::pair{B, H}}) {
+        const double at = crossing(e.on[l], e.on[r]);
+        const double move = std::clamp(at, std::min(lo, hi), hi) - at;
+        if (std::abs(move) <= e.tolerances->rounding_mm) continue;
+        e.on[l].s += move;
+        e.on[r].s += move;
+        most = std::max(most, std::abs(move));
+    }
+    if (most == 0.0) return;
+    e.repaired("does-not-fit",
+               fmt::format("the step reaches {} over the end of its fold (with {} of paper left around it); it was clipped", mm(most),
+                           mm(e.tolerances->paper_mm)),
+               "make it shorter along the fold");
+}
+
 bool constrain(Element& e) {
     const double least = e.tolerances->min_length_mm;
     if ((e.on[A].s - e.on[B].s) * (e.on[G].s - e.on[H].s) < 0.0) {
@@ -60,9 +80,13 @@ bool constrain(Element& e) {
                  "put A, B left and G, H right of the fold, each side fold at least 1 mm long and 1 mm away from it");
         return false;
     }
+    clip_along(e);
+    if (std::abs(e.on[A].s - e.on[B].s) < least || std::abs(e.on[G].s - e.on[H].s) < least) {
+        e.failed("does-not-fit", "too little of the fold is left where the step stands", "move it along the fold");
+        return false;
+    }
     const auto [lo, hi] = span(e);
-    const double middle = std::clamp(0.5 * (lo + hi), std::min(e.alive_lo + 1.0, e.alive_hi), e.alive_hi);
-    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, middle});
+    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, 0.5 * (lo + hi)});
 }
 
 FoldLines fold_lines(const Element& e) {

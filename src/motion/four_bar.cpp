@@ -48,7 +48,9 @@ std::optional<Vec3> angled_centre(const Joint& joint, const FoldFrame& fold) {
     const double room = (l.sin_far * r.sin_far - near) / near + c * c;
     if (room < -kStuck) return std::nullopt;
     const double root = std::sqrt(std::max(room, 0.0));
-    const double v = sin_sigma * sin_sigma / (k2 * sin_sigma - c * c * cos_sigma + fold.c * root);
+    // Nought over nought only where the piece is straight (σ = 180°) on the open card: it lies along the fold.
+    const double below = k2 * sin_sigma - c * c * cos_sigma + fold.c * root;
+    const double v = below == 0.0 ? 0.0 : sin_sigma * sin_sigma / below;
     const double x = cos_sigma + s * s * v;
     const double z = e * k1 * s * v;
     double y = 0.0;

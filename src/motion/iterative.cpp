@@ -56,9 +56,15 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
         const Frame& right = frames[static_cast<std::size_t>(r.drive)];
         const Vec3 fold = left.point(l.fold_at);
         const Vec3 along = left.direction(l.fold_dir);
-        const Vec3 front = unit(left.normal() + right.normal() +
-                                1e-3 * (joint.kind == JointKind::outside ? -1.0 : 1.0) *
-                                    (left.direction(l.fold_out) + right.direction(r.fold_out)));
+        // The heuristic guess: straight out of the fold, as far as the element reaches when the card is closed. Cut
+        // elements stand where their planes lean, glued ones in front.
+        const Vec3 lean = left.direction(l.fold_out) + right.direction(r.fold_out);
+        Vec3 front = left.normal() + right.normal();
+        if (joint.kind == JointKind::half_turn ? length(lean) > 1e-6 : length(front) < 1e-6) {
+            front = (joint.kind == JointKind::outside ? -1.0 : 1.0) * lean;
+        }
+        front = unit(front);
+        const double reach = joint.kind == JointKind::outside ? l.far - l.near : l.far + l.near;
         auto& centres = centres_[i];
         Vec3 seam_l;
         Vec3 seam_r;
@@ -68,7 +74,7 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
             // Two points of the centre fold, one arm apart, each from its own seam points and the other end's.
             const Vec3 at_l = fold + l.near * left.direction(l.fold_out);
             const Vec3 at_r = fold + r.near * right.direction(r.fold_out);
-            if (!started_) centres = {fold + l.far * front, fold + l.far * front + kArm * along};
+            if (!started_) centres = {fold + reach * front, fold + reach * front + kArm * along};
             const double diagonal = std::hypot(l.far, kArm);
             centres[0] = approach(centres[0], {{at_l, at_r, at_l + kArm * along}, {l.far, r.far, diagonal}}, repeats_,
                                   precision_);
@@ -83,7 +89,7 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
             seam_l = left.direction(l.seam_dir);
             seam_r = right.direction(r.seam_dir);
             const auto chord = [](double angle) { return 2.0 * kArm * std::sin(0.5 * angle); };
-            if (!started_) centres[0] = fold + kArm * unit(front + 0.5 * along);
+            if (!started_) centres[0] = fold + kArm * (std::sin(reach) * front + std::cos(reach) * along);
             centres[0] = approach(centres[0],
                                   {{fold, fold + kArm * seam_l, fold + kArm * seam_r}, {kArm, chord(l.far), chord(r.far)}},
                                   repeats_, precision_);

@@ -18,7 +18,7 @@ namespace popup {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kLargestPage = 14400.0;  // points; ISO 32000-1, annex C.2
+constexpr double kLargestPageMm = 5080.0;  // 14400 points; ISO 32000-1, annex C.2
 
 template <auto release>
 struct Release {
@@ -194,7 +194,7 @@ cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std:
 std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout,
                                                             const std::string& font_file,
                                                             Diagnostics& diagnostics) {
-    if (std::max(layout.width_mm, layout.height_mm) * kPointsPerMm > kLargestPage) {
+    if (std::max(layout.width_mm, layout.height_mm) > kLargestPageMm) {
         diagnostics
             .error("pdf-page-size", {},
                    fmt::format("a sheet of {:.1f} × {:.1f} mm is too large for a PDF page, which has at most "

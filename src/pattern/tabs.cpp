@@ -15,9 +15,11 @@ namespace {
 constexpr double kTouchMm = 1e-3;
 // Corners closer than this to a straight line are no corners.
 constexpr double kTidyMm = 1e-4;
-// Nothing thinner than this is left of a tab, and no part stands on less than kLeastSeamMm of seam.
+// Nothing thinner than this is left of a tab, and no part that holds nothing: one that stands on less than
+// this much of seam, or is less deep.
 constexpr double kSliverMm = 0.5;
-constexpr double kLeastSeamMm = 1.0;
+constexpr double kLeastSeamMm = 2.0;
+constexpr double kLeastDepthMm = 1.0;
 // The wedge beside paper that starts at a seam's end.
 constexpr double kWedge = 10.0 * std::numbers::pi / 180.0;
 
@@ -156,7 +158,9 @@ std::vector<Ring> trimmed_tab(double seam_length, const TabRules& rules, std::sp
         const Ring ring = snapped(part.outer, seam_length);
         double standing = 0.0;
         for (const Stretch& s : seam_stretches({&ring, 1})) standing += s.to - s.from;
-        if (standing >= std::min(kLeastSeamMm, 0.5 * seam_length)) rings.push_back(ring);
+        if (standing < std::min(kLeastSeamMm, 0.5 * seam_length)) continue;
+        if (bounds(ring).height() < std::min(kLeastDepthMm, 0.5 * depth)) continue;
+        rings.push_back(ring);
     }
     return rings;
 }

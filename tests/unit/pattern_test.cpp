@@ -213,6 +213,7 @@ void expect_targets_in_order(const Assembly& assembly, const Pattern& pattern) {
             }
             for (std::size_t j = 0; j < i; ++j) {
                 EXPECT_FALSE(overlap(ring, targets[j]->outline)) << name;
+                if (glue_of(assembly, *targets[j]) == glue) continue;  // parts of one tab
                 for (const Segment& edge : edges(targets[j]->outline)) {
                     const auto near = beside(edge, glue->on_base);
                     if (!near) continue;
@@ -611,7 +612,7 @@ TEST(Pattern, InnerContoursComeBeforeTheOnesAroundThem) {
         }
     }
     EXPECT_GT(signed_area(contours[6].points), 0.0);
-    EXPECT_LT(signed_area(contours[5].points), 0.0);
+    EXPECT_LT(signed_area(contours[4].points), 0.0);
 }
 
 TEST(Pattern, LinesOfOneKindAreDrawnOnce) {

@@ -118,6 +118,14 @@ TEST(Regions, SharedEdgesVanishInAUnion) {
     EXPECT_EQ(whole[0].outer[0], (Vec2{0, 0}));
 }
 
+TEST(Regions, NothingStaysNothing) {
+    EXPECT_TRUE(unite({}).empty());
+    EXPECT_TRUE(subtract({}, {box(0, 0, 1, 1)}).empty());
+    EXPECT_TRUE(intersect({box(0, 0, 1, 1)}, {}).empty());
+    EXPECT_TRUE(offset({}, 1.0, Corners::sharp).empty());
+    EXPECT_TRUE(unite({{{{0, 0}, {1, 0}, {2, 0}}, {}}}).empty());  // a line has no area
+}
+
 TEST(Regions, OffsetKeepsItsDistance) {
     const auto grown = offset({box(0, 0, 10, 10)}, 2.0, Corners::rounded);
     ASSERT_EQ(grown.size(), 1U);

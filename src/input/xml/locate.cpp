@@ -64,7 +64,7 @@ class Scanner {
         if (next > at_) return piece_of_text(next);
         const std::string_view rest = text_.substr(at_);
         if (rest.starts_with("</")) return end_tag();
-        if (rest.starts_with("<!--")) return skip_to("-->", 4, "comment");
+        if (rest.starts_with("<!--")) return skip_to("-->", 4, "comment") && count_aside();
         if (rest.starts_with("<![CDATA[")) return cdata();
         if (rest.starts_with("<!")) {
             error(at_, "doctype",
@@ -127,7 +127,7 @@ class Scanner {
         const bool declaration = content.starts_with("xml") && (content.size() == 3 || is_blank(content[3]));
         if (!declaration) {
             out_.instructions.push_back({static_cast<Offset>(begin), static_cast<Offset>(at_)});
-            return true;
+            return count_aside();
         }
         if (begin == start_) return check_declared_encoding(content, begin);
         error(begin, "xml-syntax", "an XML declaration may stand only at the very start of the document");
@@ -173,6 +173,7 @@ class Scanner {
         element.begin = static_cast<Offset>(begin);
         element.first_attribute = static_cast<Offset>(out_.attributes.size());
         element.first_text = static_cast<Offset>(out_.texts.size());
+        element.asides_before = out_.asides;
         element.place = place;
         element.after = index + 1;
         at_ = skip_name(begin + 1);
@@ -332,10 +333,16 @@ class Scanner {
         return true;
     }
 
+    bool count_aside() {
+        ++out_.asides;
+        return count_one();
+    }
+
     bool count_one() {
         if (++counted_ <= kMarkupLimit) return true;
         error(at_, "document-too-large",
-              fmt::format("the document has more than {} elements, attributes and texts", kMarkupLimit));
+              fmt::format("the document has more than {} elements, attributes, texts and comments",
+                          kMarkupLimit));
         return false;
     }
 

@@ -37,6 +37,7 @@ struct LocatedElement {
     Offset after = 0;            // index of the first element behind it that is not inside it
     Offset first_attribute = 0;  // index into attributes; they end where those of the next element begin
     Offset first_text = 0;       // index of the first text behind its start tag
+    Offset asides_before = 0;    // number of comments and instructions before it
     Place place;                 // of its "<"
 };
 
@@ -50,13 +51,14 @@ struct Located {
     std::vector<LocatedAttribute> attributes;
     std::vector<LocatedText> texts;
     std::vector<Instruction> instructions;  // processing instructions, the XML declaration not among them
+    Offset asides = 0;                      // number of comments and instructions
 
     [[nodiscard]] std::string_view name(Offset element) const;
 };
 
 // Tags nested deeper than this are refused, as tinyxml2 does.
 inline constexpr int kDepthLimit = 100;
-// Documents with more elements, attributes and texts than this are refused, to bound the memory.
+// Documents with more elements, attributes, texts and comments than this are refused, to bound the memory.
 inline constexpr std::size_t kMarkupLimit = 8'000'000;
 
 // Preconditions: check_encoding() is true of `text`, which must outlive the result.

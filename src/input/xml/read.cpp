@@ -24,6 +24,9 @@
 namespace popup::xml {
 namespace {
 
+// Longer lists than this are refused, to bound the memory.
+constexpr std::size_t kItemsLimit = 300'000;
+
 constexpr std::array<std::string_view, 2> kVersions{"2.0", "3.0"};
 
 // [A-Za-z_][A-Za-z0-9_.-]*
@@ -108,8 +111,14 @@ class DocumentReader {
     bool read_list(Offset list, Node shell, Name name, Item read_item) {
         Fields fields(shell, name, reporter_);
         const Offset end = located_.elements[list].after;
+        std::size_t items = 0;
         for (Offset child = list + 1; child < end; child = located_.elements[child].after) {
             if (!fields.wants(located_.name(child), located_.elements[child].place)) continue;
+            if (++items > kItemsLimit) {
+                reporter_.error("document-too-large", located_.elements[child].place,
+                                fmt::format("'{}' has more than {} entries", canonical(name), kItemsLimit));
+                return false;
+            }
             const auto tree = Tree::parse(located_, child, Tree::Extent::whole, reporter_.diagnostics());
             if (!tree) return false;
             (this->*read_item)(tree->root());

@@ -27,22 +27,6 @@ void append_source(std::string& out, const Located& located, std::size_t begin, 
     out += located.text.substr(begin, end - begin);
 }
 
-// The element without the elements inside it.
-std::string shell_of(const Located& located, Offset index) {
-    const LocatedElement& element = located.elements[index];
-    std::string out;
-    std::size_t at = element.begin;
-    for (Offset child = index + 1; child < element.after; child = located.elements[child].after) {
-        const std::size_t before = out.size();
-        append_source(out, located, at, located.elements[child].begin);
-        // What stands before and behind a child stays two texts.
-        if (out.find_first_not_of(" \t\r\n", before) != std::string::npos) out += "<!---->";
-        at = located.elements[child].end;
-    }
-    append_source(out, located, at, element.end);
-    return out;
-}
-
 // The texts directly in the element, not in elements inside it.
 std::vector<Offset> own_texts(const Located& located, Offset index) {
     const LocatedElement& element = located.elements[index];
@@ -59,9 +43,38 @@ std::vector<Offset> own_texts(const Located& located, Offset index) {
     return out;
 }
 
+// The element's start tag and these of its texts; nothing else of what it holds.
+std::string shell_of(const Located& located, Offset index, const std::vector<Offset>& texts) {
+    const LocatedElement& element = located.elements[index];
+    std::string out(located.text.substr(element.begin, element.tag_end - element.begin));
+    if (element.end == element.tag_end) return out;
+    for (const Offset i : texts) {
+        const LocatedText& text = located.texts[i];
+        const std::string_view raw = located.text.substr(text.begin, text.end - text.begin);
+        // Comments keep the texts apart.
+        out += text.cdata ? "<![CDATA[" : "<!---->";
+        out += raw;
+        if (text.cdata) out += "]]>";
+    }
+    out += "</";
+    out += located.name(index);
+    return out + ">";
+}
+
 Offset end_of(const std::vector<LocatedElement>& elements, Offset index, Offset LocatedElement::*member,
               std::size_t total) {
     return index < elements.size() ? elements[index].*member : static_cast<Offset>(total);
+}
+
+// How many nodes and attributes the tree of the whole element will have.
+std::size_t parts_of(const Located& located, Offset index) {
+    const LocatedElement& first = located.elements[index];
+    const auto count = [&](Offset LocatedElement::*member, std::size_t total) {
+        return std::size_t{end_of(located.elements, first.after, member, total)} - first.*member;
+    };
+    return first.after - index + count(&LocatedElement::first_attribute, located.attributes.size()) +
+           count(&LocatedElement::first_text, located.texts.size()) +
+           count(&LocatedElement::asides_before, located.asides);
 }
 
 }  // namespace
@@ -92,32 +105,27 @@ std::vector<Text> Node::texts() const {
 std::optional<Tree> Tree::parse(const Located& located, Offset element, Extent extent,
                                 Diagnostics& diagnostics) {
     const LocatedElement& root = located.elements[element];
-    if (extent == Extent::whole) {
-        const Offset attributes = end_of(located.elements, root.after, &LocatedElement::first_attribute,
-                                         located.attributes.size()) -
-                                  root.first_attribute;
-        const Offset texts =
-            end_of(located.elements, root.after, &LocatedElement::first_text, located.texts.size()) -
-            root.first_text;
-        const std::size_t parts = std::size_t{root.after} - element + attributes + texts;
-        if (parts > kPartsLimit) {
-            diagnostics.error("document-too-large", root.place,
-                              fmt::format("this element has {} parts, more than {}", parts, kPartsLimit));
-            return std::nullopt;
-        }
+    const bool shell = extent == Extent::shell;
+    const std::vector<Offset> own = shell ? own_texts(located, element) : std::vector<Offset>{};
+    const std::size_t parts = shell ? own.size() : parts_of(located, element);
+    if (parts > kPartsLimit) {
+        diagnostics.error("document-too-large", root.place,
+                          fmt::format("this element has {} parts, more than {}", parts, kPartsLimit));
+        return std::nullopt;
     }
 
     Tree tree;
     tree.located_ = &located;
     tree.dom_ = std::make_unique<tinyxml2::XMLDocument>();
-    if (extent == Extent::shell) {
-        const std::string text = shell_of(located, element);
-        tree.dom_->Parse(text.data(), text.size());
-    } else if (located.instructions.empty()) {
+    if (!shell && located.instructions.empty()) {
         tree.dom_->Parse(located.text.data() + root.begin, root.end - root.begin);
     } else {
         std::string text;
-        append_source(text, located, root.begin, root.end);
+        if (shell) {
+            text = shell_of(located, element, own);
+        } else {
+            append_source(text, located, root.begin, root.end);
+        }
         tree.dom_->Parse(text.data(), text.size());
     }
     if (tree.dom_->Error()) {
@@ -126,7 +134,7 @@ std::optional<Tree> Tree::parse(const Located& located, Offset element, Extent e
                           fmt::format("this is not well-formed XML ({})", tree.dom_->ErrorName()));
         return std::nullopt;
     }
-    if (!tree.pair_with_places(element, extent)) {
+    if (!tree.pair_with_places(element, own, shell)) {
         diagnostics.error("xml-syntax", root.place, "this element is not well-formed XML");
         return std::nullopt;
     }
@@ -135,11 +143,9 @@ std::optional<Tree> Tree::parse(const Located& located, Offset element, Extent e
 
 // Walks the tree and the located text side by side. False when they differ, which well-formed XML never does:
 // then tinyxml2 has understood something else than the places say, and nothing may be made of it.
-bool Tree::pair_with_places(Offset element, Extent extent) {
+bool Tree::pair_with_places(Offset element, const std::vector<Offset>& own, bool shell) {
     const auto& elements = located_->elements;
     const auto& texts = located_->texts;
-    const bool shell = extent == Extent::shell;
-    const std::vector<Offset> own = shell ? own_texts(*located_, element) : std::vector<Offset>{};
     const Offset first_text = elements[element].first_text;
     const std::size_t text_count = shell ? own.size() : texts.size() - first_text;
     std::size_t next_text = 0;

@@ -73,7 +73,7 @@ class Tree {
     [[nodiscard]] Node root() const { return {dom_->RootElement(), located_}; }
 
  private:
-    bool pair_with_places(Offset element, Extent extent);
+    bool pair_with_places(Offset element, const std::vector<Offset>& own, bool shell);
     std::unique_ptr<tinyxml2::XMLDocument> dom_;
     const Located* located_ = nullptr;
 };

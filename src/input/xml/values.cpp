@@ -108,7 +108,7 @@ std::optional<int> Values::page(const Field* field, TextRange* range) {
     return page;
 }
 
-std::vector<Values::Token> Values::tokens(const Text& text) const {
+std::vector<Values::Token> Values::tokens(const Text& text, std::size_t most) const {
     const std::string_view decoded = text.decoded;
     const std::string_view raw = source_.substr(text.raw.offset, text.raw.length);
     // As long as nothing was decoded, every byte stands for itself.
@@ -120,7 +120,7 @@ std::vector<Values::Token> Values::tokens(const Text& text) const {
     PlaceCounter counter(raw.substr(std::min(raw.find_first_not_of(" \t\r\n"), raw.size())));
     const std::size_t counted_from = raw.size() - counter.size();
     std::vector<Token> out;
-    for (std::size_t at = 0; at < decoded.size();) {
+    for (std::size_t at = 0; at < decoded.size() && out.size() <= most;) {
         if (parts_numbers(decoded[at])) {
             ++at;
             continue;
@@ -151,7 +151,8 @@ DesignPoint Values::point_of(const Token& x, const Token& y) {
 }
 
 std::optional<DesignPoint> Values::point_of(const Text& text, std::string_view what) {
-    const std::vector<Token> numbers = tokens(text);
+    constexpr std::size_t kMost = 9;
+    const std::vector<Token> numbers = tokens(text, kMost);
     if (numbers.size() == 2) return point_of(numbers[0], numbers[1]);
     Diagnostic& error = reporter_.error(
         "bad-point", text.place,
@@ -214,19 +215,32 @@ std::optional<DesignPoint> Values::point(const Field& field) {
     return point_of(field.text, canonical(field.name));
 }
 
+bool Values::count_point(Place place) {
+    if (++points_ <= kPointsLimit) return true;
+    if (points_ == kPointsLimit + 1) {
+        reporter_.error("document-too-large", place,
+                        fmt::format("the document has more than {} points", kPointsLimit));
+    }
+    return false;
+}
+
 void Values::points(const Text& text, std::vector<DesignPoint>& out) {
-    const std::vector<Token> numbers = tokens(text);
-    if (numbers.size() % 2 != 0) {
+    const std::vector<Token> numbers = tokens(text, 2 * kPointsLimit);
+    if (numbers.size() % 2 != 0 && numbers.size() < 2 * kPointsLimit) {
         reporter_.error(
             "bad-point", text.place,
             fmt::format("this list of points has {} numbers, and each point takes two", numbers.size()));
     }
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+    for (std::size_t i = 0; i + 1 < numbers.size() && count_point(numbers[i].place); i += 2) {
         out.push_back(point_of(numbers[i], numbers[i + 1]));
+    }
 }
 
 void Values::points(const Fields& fields, std::vector<DesignPoint>& out) {
-    for (const Node& node : fields.repeated()) out.push_back(point(node, Name::point));
+    for (const Node& node : fields.repeated()) {
+        if (!count_point(node.place())) return;
+        out.push_back(point(node, Name::point));
+    }
     for (const Text& text : fields.texts()) {
         // Words between elements are a slip, not a list.
         if (fields.repeated().empty()) {

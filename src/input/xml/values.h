@@ -12,6 +12,8 @@ namespace popup::xml {
 
 // Coordinates further out than this, in mm, are mistakes.
 inline constexpr double kCoordinateLimit = 1e6;
+// More points than this in one document are refused, to bound the memory.
+inline constexpr std::size_t kPointsLimit = 1'000'000;
 // Pages beyond this are mistakes.
 inline constexpr int kPageLimit = 1'000'000;
 
@@ -47,7 +49,9 @@ class Values {
     };
     std::optional<double> number(std::string_view text, std::string_view what, Place place);
     std::optional<double> length(std::string_view text, std::string_view what, Place place);
-    [[nodiscard]] std::vector<Token> tokens(const Text& text) const;
+    // At most `most` of them, and one more where there are more.
+    [[nodiscard]] std::vector<Token> tokens(const Text& text, std::size_t most) const;
+    bool count_point(Place place);
     DesignPoint point_of(const Token& x, const Token& y);
     DesignPoint point(Node node, Name context);
     std::optional<DesignPoint> point_of(const Text& text, std::string_view what);
@@ -55,6 +59,7 @@ class Values {
     std::string_view source_;
     Unit unit_;
     Reporter& reporter_;
+    std::size_t points_ = 0;  // read so far
 };
 
 }  // namespace popup::xml

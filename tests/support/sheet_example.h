@@ -1,0 +1,74 @@
+// A small Layout made by hand, with something in every layer, for tests of the sheet writers.
+#pragma once
+
+#include <numbers>
+#include <string>
+
+#include "popup/layout.h"
+
+namespace popup::test {
+
+inline Ring rectangle(double left, double low, double right, double high) {
+    return {{left, low}, {right, low}, {right, high}, {left, high}};
+}
+
+// "page": 200 × 160 mm with two slits, folds, a drawn line, fills (one with a hole), and a target.
+// "house": a gabled piece with a tab. Origins in the middle of the page, at the foot of the house.
+inline Pattern example_pattern() {
+    constexpr double kQuarter = std::numbers::pi / 2;
+    Pattern pattern;
+    pattern.plate_names = {"page/left", "page/right", "house/left", "house/right"};
+
+    PatternPiece page;
+    page.name = "page";
+    page.cuts = {{{{-20, -10}, {25, -10}}, false},
+                 {{{-20, 20}, {25, 20}}, false},
+                 {rectangle(-100, -80, 100, 80), true}};
+    page.lines = {{LineKind::valley, {{0, -80}, {0, -10}}, 0},
+                  {LineKind::valley, {{0, 20}, {0, 80}}, 0},
+                  {LineKind::mountain, {{5, -10}, {5, 20}}, 1},
+                  {LineKind::valley, {{60, 0}, {61, 0.5}}, 1},
+                  {LineKind::mark, {{-50, -70}, {-50, -60}}, 0}};
+    Fill yellow{{rectangle(-20, -10, 5, 20), {}}, {0xff, 0xcc, 0x00}, 0};
+    // The hole runs the same way as the outline: filled by even-odd it is a hole all the same.
+    Fill brown{{rectangle(5, -10, 25, 20), {rectangle(10, 0, 15, 5)}}, {0xcc, 0x66, 0x00}, 1};
+    page.fills = {yellow, brown};
+    page.strokes = {{{{{-90, -60}, {-70, -40}, {-50, -65}}, 0.7, {0x00, 0x99, 0x33}}, 0}};
+    page.targets = {{{{40, -60}, {50, -56}, {50, -24}, {40, -20}}, 1}};
+    page.labels = {{LabelKind::piece, "page", {-80, 70}, 4.0, 0.0},
+                   {LabelKind::target, "1R", {45, -40}, 3.2, -kQuarter}};
+    page.silhouette = {{rectangle(-100, -80, 100, 80), {}}};
+    page.bounds = {{-100, -80}, {100, 80}};
+
+    PatternPiece house;
+    house.name = "house";
+    house.cuts = {{{{0, 0}, {5, -10}, {35, -10}, {40, 0}, {40, 60}, {0, 75}, {-40, 60}, {-40, 0}}, true}};
+    house.lines = {{LineKind::mountain, {{0, 0}, {0, 75}}, 2}, {LineKind::seam, {{0, 0}, {40, 0}}, 3}};
+    house.fills = {{{{{-40, 0}, {0, 0}, {0, 75}, {-40, 60}}, {}}, {0xd0, 0xe8, 0xff}, 2},
+                   {{{{0, 0}, {5, -10}, {35, -10}, {40, 0}}, {}}, {0xa0, 0xc8, 0xf0}, -1}};
+    house.labels = {{LabelKind::piece, "house", {-20, 30}, 4.0, 0.0},
+                    {LabelKind::tab, "1R", {20, -5}, 3.2, 0.0}};
+    house.silhouette = {{house.cuts[0].points, {}}};
+    house.bounds = {{-40, -10}, {40, 75}};
+
+    pattern.pieces = {page, house};
+    return pattern;
+}
+
+// Two A4 sheets: the page on the first; on the second the house as it is and, a second copy, turned by 90°.
+inline Layout example_layout(const std::string& stem = "castle") {
+    Layout layout;
+    layout.width_mm = 297;
+    layout.height_mm = 210;
+    layout.margin_mm = 5;
+    layout.sheets = 2;
+    layout.designs = {{stem + ".xml", stem, example_pattern()}};
+    layout.placements = {{0, 0, 0, 0, {148.5, 105}, Angle::degrees(0)},
+                         {0, 1, 0, 1, {60.25, 40.125}, Angle::degrees(0)},
+                         {0, 1, 1, 1, {200, 100}, Angle::degrees(90)}};
+    layout.utilisation = {0.5562, 0.2};
+    layout.used_mm = {{200, 160}, {180, 110}};
+    return layout;
+}
+
+}  // namespace popup::test
