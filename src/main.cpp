@@ -67,7 +67,8 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace popup::cli
 
-int main(int argc, char** argv) {
+// Any other exception is a mistake of ours and ends the program as loudly as a broken invariant.
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
     using namespace popup::cli;
     settle_process();
     try {

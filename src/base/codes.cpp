@@ -59,7 +59,7 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "and entities that a DTD defines can be made to unfold into gigabytes or to read other files, so none"
      " is ever processed. Take the declaration out and write what its entities stand for."},
     {"document-too-large", Severity::error, "more markup than is read",
-     "The document has more markup than any design that could be made of paper: over 300 000 structures or "
+     "The document has more markup than any design that could be made of paper: over 250 000 structures or "
      "lines, a million points, a million elements, attributes and texts in a single structure or line, or "
      "eight million altogether. The limits keep hostile documents from filling the memory. Split the design "
      "into several documents."},
@@ -132,6 +132,15 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs"
      " x and y; and a field that is written must not be empty. What is optional (ids, colours, the base "
      "page) may be left out altogether. Write the value, or take the empty field out."},
+    {"model-coarse", Severity::warning, "the model's animation has fewer keys than it needs",
+     "Between two keys of the animation a viewer turns every plate on its own, and keys are added until no "
+     "fold visibly opens on the way. Here the file would have grown beyond half a gigabyte first. The model "
+     "is right at every key and a little open between some. Write fewer designs into one model; pages many "
+     "metres wide also cause this, so check the document's units."},
+    {"model-too-large", Severity::error, "the model has more data than its file format holds",
+     "Every plate has a turn at every key of the animation, and together with the shapes they must stay "
+     "below two gigabytes. Ask for fewer angles or fewer keys a second, or write the designs into several "
+     "models."},
     {"moved-with-fold", Severity::warning, "an element moved because its fold was repaired",
      "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the "
      "element was moved, or turned, with it. Mending the element below makes this repair unnecessary."},

@@ -27,8 +27,10 @@ struct EdgeIndex::Tree {
     bg::index::rtree<Entry, bg::index::quadratic<16>> entries;
 };
 
-EdgeIndex::EdgeIndex(std::vector<Segment> segments)
-    : segments_(std::move(segments)), state_(segments_.size(), State::boundary) {
+EdgeIndex::EdgeIndex(std::vector<Segment> boundary, std::span<const Segment> lines)
+    : segments_(std::move(boundary)), state_(segments_.size(), State::boundary) {
+    segments_.insert(segments_.end(), lines.begin(), lines.end());
+    state_.resize(segments_.size(), State::line);
     for (const Segment& s : segments_) {
         box_.extend(s.a);
         box_.extend(s.b);

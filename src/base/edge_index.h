@@ -13,8 +13,8 @@ namespace popup {
 // order and do not depend on how the index is built. Movable, not copyable.
 class EdgeIndex {
  public:
-    // These segments all count as boundary: edges of closed rings.
-    explicit EdgeIndex(std::vector<Segment> segments = {});
+    // `boundary` are edges of closed rings, which count for winding(); `lines`, numbered after them, are not.
+    explicit EdgeIndex(std::vector<Segment> boundary = {}, std::span<const Segment> lines = {});
     EdgeIndex(EdgeIndex&&) noexcept;
     EdgeIndex& operator=(EdgeIndex&&) noexcept;
     ~EdgeIndex();

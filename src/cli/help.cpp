@@ -45,7 +45,7 @@ class HelpFormatter : public CLI::FormatterBase {
             for (const CLI::Option* option : app->get_options()) {
                 if (option->get_group() == group && option->nonpositional()) lines += line(*option);
             }
-            if (!lines.empty()) text += "\n" + group + ":\n" + lines;
+            if (!lines.empty()) text += fmt::format("\n{}:\n{}", group, lines);
         }
         return text + "\n" + app->get_footer() + "\n";
     }

@@ -82,8 +82,8 @@ std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_vi
 }
 
 std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds, std::string_view text) {
-    constexpr int kGrid = 9;
-    constexpr std::size_t kTried = 27;
+    constexpr int kGrid = 7;
+    constexpr std::size_t kTried = 12;
     struct Candidate {
         double room;
         Vec2 at;

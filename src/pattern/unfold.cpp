@@ -112,8 +112,9 @@ class Unfolder {
     EdgeIndex& on_plate(int plate) {
         std::optional<EdgeIndex>& index = plates_[at(plate)];
         if (!index) {
-            index.emplace(edges_of(in_.plates[at(plate)].outline));
-            for (const int line : lines_on_[at(plate)]) index->insert(in_.lines[at(line)].at, false);
+            std::vector<Segment> lines;
+            for (const int line : lines_on_[at(plate)]) lines.push_back(in_.lines[at(line)].at);
+            index.emplace(edges_of(in_.plates[at(plate)].outline), lines);
         }
         return *index;
     }

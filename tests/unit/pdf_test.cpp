@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "output/svg.h"
 #include "support/run_program.h"
 #include "support/sheet_example.h"
 
@@ -31,11 +31,15 @@ std::string written(const Layout& layout) {
     return documents->front();
 }
 
-std::vector<std::vector<double>> media_boxes(const std::string& pdf) {
-    static const std::regex kBox("/MediaBox \\[ ?([0-9.]+) ([0-9.]+) ([0-9.]+) ([0-9.]+) ?\\]");
-    std::vector<std::vector<double>> boxes;
-    for (std::sregex_iterator it(pdf.begin(), pdf.end(), kBox), end; it != end; ++it) {
-        boxes.push_back({std::stod((*it)[1]), std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[4])});
+std::vector<std::array<double, 4>> media_boxes(const std::string& pdf) {
+    std::vector<std::array<double, 4>> boxes;
+    const std::string key = "/MediaBox [";
+    for (std::size_t at = 0; (at = pdf.find(key, at)) != std::string::npos;) {
+        at += key.size();
+        std::istringstream numbers(pdf.substr(at, 100));
+        std::array<double, 4> box{};
+        for (double& one : box) numbers >> one;
+        boxes.push_back(box);
     }
     return boxes;
 }

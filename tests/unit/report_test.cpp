@@ -149,7 +149,9 @@ TEST(Report, WhatWasNotExaminedIsNull) {
 TEST(Report, PlacementsCarryTheirCopyOnlyWhereThereAreCopies) {
     Compilation run = example_run();
     run.layout->placements.pop_back();
-    for (const Json& one : Json::parse(text_of(run))["layout"]["placements"]) {
+    const Json report = Json::parse(text_of(run));
+    ASSERT_EQ(report["layout"]["placements"].size(), 2U);
+    for (const Json& one : report["layout"]["placements"]) {
         EXPECT_FALSE(one.contains("copy"));
     }
 }

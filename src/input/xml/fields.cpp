@@ -85,6 +85,7 @@ void Reporter::name_structures(const std::vector<Structure>& structures) {
 
 Fields::Fields(Node node, Name context, Reporter& reporter)
     : node_(node), context_(context), reporter_(reporter) {
+    fields_.reserve(6);  // what a structure has
     for (const Attribute& attribute : node.attributes()) {
         const Name name = find_name(context, attribute.name);
         if (name == Name::unknown || repeats(context, name)) {
@@ -97,27 +98,27 @@ Fields::Fields(Node node, Name context, Reporter& reporter)
         }
     }
     for (Node child = node.first_child(); child; child = child.next_sibling()) {
-        if (wants(child.name(), child.place())) add(child);
+        const Name name = wants(child.name(), child.place());
+        if (name != Name::unknown) add(name, child);
     }
     texts_ = node.texts();
     if (!takes_text(context)) refuse_text();
 }
 
-bool Fields::wants(std::string_view spelling, Place place) {
+Name Fields::wants(std::string_view spelling, Place place) {
     const Name name = find_name(context_, spelling);
     if (name == Name::unknown) {
         reporter_.unknown_name(context_, spelling, place, false);
-        return false;
+        return Name::unknown;
     }
     if (const Field* first = find(name)) {
         reporter_.twice(spelling, place, first->place);
-        return false;
+        return Name::unknown;
     }
-    return true;
+    return name;
 }
 
-void Fields::add(Node child) {
-    const Name name = find_name(context_, child.name());
+void Fields::add(Name name, Node child) {
     if (repeats(context_, name)) {
         repeated_.push_back(child);
     } else {

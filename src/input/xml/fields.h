@@ -59,10 +59,10 @@ class Fields {
     // Takes in all attributes, child elements and texts of `node`.
     Fields(Node node, Name context, Reporter& reporter);
 
-    // Takes in a child that is not in the node's tree. False when it is not wanted: unknown, or there
-    // already.
-    bool wants(std::string_view name, Place place);
-    void add(Node child);
+    // For children that are not in the node's tree. The name of one that is wanted; `unknown`, and a finding,
+    // when it is not known or there already.
+    Name wants(std::string_view spelling, Place place);
+    void add(Name name, Node child);
 
     // The field, or null.
     [[nodiscard]] const Field* find(Name name) const;

@@ -211,6 +211,13 @@ class Scanner {
                 error(at_, "xml-syntax", "a blank is missing between two attributes");
                 return false;
             }
+            // tinyxml2 compares each attribute with all before it.
+            if (out_.attributes.size() - element.first_attribute >= kAttributesLimit) {
+                error(at_, "document-too-large",
+                      fmt::format("the tag <{}> has more than {} attributes", tag_name(element),
+                                  kAttributesLimit));
+                return false;
+            }
             if (!attribute(element)) return false;
         }
     }
@@ -261,7 +268,7 @@ class Scanner {
         return false;
     }
 
-    // XML forbids the same attribute twice in a tag; tinyxml2 does not mind.
+    // XML forbids the same attribute twice in a tag.
     bool unique_attributes(std::size_t first) {
         const std::size_t count = out_.attributes.size() - first;
         if (count < 2) return true;

@@ -58,6 +58,8 @@ struct Located {
 
 // Tags nested deeper than this are refused, as tinyxml2 does.
 inline constexpr int kDepthLimit = 100;
+// Tags with more attributes than this are refused.
+inline constexpr std::size_t kAttributesLimit = 1000;
 // Documents with more elements, attributes, texts and comments than this are refused, to bound the memory.
 inline constexpr std::size_t kMarkupLimit = 8'000'000;
 

@@ -25,7 +25,7 @@ namespace popup::xml {
 namespace {
 
 // Longer lists than this are refused, to bound the memory.
-constexpr std::size_t kItemsLimit = 300'000;
+constexpr std::size_t kItemsLimit = 250'000;
 
 constexpr std::array<std::string_view, 2> kVersions{"2.0", "3.0"};
 
@@ -75,14 +75,14 @@ class DocumentReader {
         Offset structures = 0;
         Offset lines = 0;
         for (Offset child = 1; child < located_.elements[0].after; child = located_.elements[child].after) {
-            if (!fields.wants(located_.name(child), located_.elements[child].place)) continue;
-            const Name found = find_name(Name::popup, located_.name(child));
+            const Name found = fields.wants(located_.name(child), located_.elements[child].place);
+            if (found == Name::unknown) continue;
             const bool list = found == Name::structurelist || found == Name::drawnlinelist;
             auto tree = Tree::parse(located_, child, list ? Tree::Extent::shell : Tree::Extent::whole,
                                     reporter_.diagnostics());
             if (!tree) return false;
             trees.push_back(std::move(*tree));
-            fields.add(trees.back().root());
+            fields.add(found, trees.back().root());
             if (found == Name::structurelist) structures = child;
             if (found == Name::drawnlinelist) lines = child;
         }
@@ -113,7 +113,7 @@ class DocumentReader {
         const Offset end = located_.elements[list].after;
         std::size_t items = 0;
         for (Offset child = list + 1; child < end; child = located_.elements[child].after) {
-            if (!fields.wants(located_.name(child), located_.elements[child].place)) continue;
+            if (fields.wants(located_.name(child), located_.elements[child].place) == Name::unknown) continue;
             if (++items > kItemsLimit) {
                 reporter_.error("document-too-large", located_.elements[child].place,
                                 fmt::format("'{}' has more than {} entries", canonical(name), kItemsLimit));

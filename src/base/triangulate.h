@@ -1,0 +1,26 @@
+// Polygons as triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "popup/geometry.h"
+
+namespace popup {
+
+struct Triangulation {
+    std::vector<Vec2> points;  // each point of the plane once
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// Triangles that cover the polygon exactly: their union is the polygon, no two overlap, each runs
+// counter-clockwise and has an area. All corners of the polygon are corners of triangles, but for those in
+// the middle of a straight edge, and there are no others, except in a polygon of many hundred corners: that
+// is first cut into parts along upright and level lines, with the corners of the cuts on a grid of 1e-6 mm.
+// The answer depends on the polygon alone. Empty when the polygon has no area.
+// Preconditions: finite coordinates within ±1e9 mm; rings do not cross themselves or each other, but may
+// touch. Cost: near linear.
+Triangulation triangulate(const Polygon& polygon);
+
+}  // namespace popup

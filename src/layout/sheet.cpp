@@ -1,0 +1,72 @@
+// Papers, and what the command line says of sheets and turns.
+#include <charconv>
+#include <cmath>
+
+#include "popup/layout.h"
+
+namespace popup {
+namespace {
+
+bool same_word(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const char c = a[i] >= 'A' && a[i] <= 'Z' ? static_cast<char>(a[i] - 'A' + 'a') : a[i];
+        if (c != b[i]) return false;
+    }
+    return true;
+}
+
+// Takes a positive number off the front of the text.
+bool take_number(std::string_view& text, double& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || !std::isfinite(value) || value <= 0.0) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+}  // namespace
+
+std::vector<Paper> const& paper_table() {
+    static const std::vector<Paper> papers{
+        {"letter", 215.9, 279.4}, {"a4", 210.0, 297.0}, {"tabloid", 279.4, 431.8}, {"a3", 297.0, 420.0},
+        {"a2", 420.0, 594.0},     {"a1", 594.0, 841.0}, {"a0", 841.0, 1189.0},
+    };
+    return papers;
+}
+
+std::optional<SheetChoice> parse_sheet(std::string_view text) {
+    if (same_word(text, "auto")) return SheetChoice{};
+    for (const Paper& paper : paper_table()) {
+        if (same_word(text, paper.name))
+            return SheetChoice{std::string(paper.name), paper.width_mm, paper.height_mm};
+    }
+    constexpr double kLongestMm = 1e6;
+    SheetChoice choice{"", 0.0, 0.0};
+    if (!take_number(text, choice.width_mm)) return std::nullopt;
+    if (text.empty() || (text[0] != 'x' && text[0] != 'X')) return std::nullopt;
+    text.remove_prefix(1);
+    if (!take_number(text, choice.height_mm)) return std::nullopt;
+    double unit = 1.0;
+    if (same_word(text, "in")) {
+        unit = 25.4;
+    } else if (!text.empty() && !same_word(text, "mm")) {
+        return std::nullopt;
+    }
+    choice.width_mm *= unit;
+    choice.height_mm *= unit;
+    if (choice.width_mm > kLongestMm || choice.height_mm > kLongestMm) return std::nullopt;
+    return choice;
+}
+
+std::optional<Rotation> parse_rotation(std::string_view text) {
+    if (same_word(text, "none")) return Rotation{1};
+    if (same_word(text, "180")) return Rotation{2};
+    if (same_word(text, "90")) return Rotation{4};
+    if (same_word(text, "any")) return Rotation{0};
+    int count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc{} || end != text.data() + text.size() || count < 1) return std::nullopt;
+    return Rotation{count};
+}
+
+}  // namespace popup

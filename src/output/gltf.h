@@ -1,0 +1,28 @@
+// The moving model as glTF 2.0.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "popup/output.h"
+
+namespace popup {
+
+// One scene of all cards: metres, +Y up, (x, y, z) mm at (x, y, z)/1000, so that an open card faces +Z with
+// its gutter along Y. A card is a node, its plates are nodes below it in the hinge tree: a plate's node has
+// its origin at the plate's pivot, so opening only turns it. Names and extras as the command line's
+// documentation says. At rest the cards stand open at 90°. The animation `open` runs from closed to open in
+// options.duration_s, the angle growing evenly; its extras.angles_deg lists the opening angle of every key.
+// Keys are chosen so that between them, too, no fold opens by more than 0.05 mm (see keys.h). Several cards
+// stand side by side along +X, 20 mm apart at their widest. Drawn lines are parts of a plate's mesh, 0.02 mm
+// before its front. Lengths are rounded to 1e-6 mm and turns to 1e-9 before they become 32-bit numbers, so
+// that the bytes do not depend on the processor. Errors: those of choose_keys(), and `model-too-large` for
+// more than 2 GiB. Precondition: at least one card; assemblies and motions are present. Cost: plates × keys.
+std::optional<std::string> write_glb(std::span<const SceneCard> cards, const OutputOptions& options,
+                                     Diagnostics& diagnostics);
+// The same as text, with the numbers in a data URI.
+std::optional<std::string> write_gltf(std::span<const SceneCard> cards, const OutputOptions& options,
+                                      Diagnostics& diagnostics);
+
+}  // namespace popup

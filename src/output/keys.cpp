@@ -1,0 +1,311 @@
+#include "output/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/numbers.h"
+
+namespace popup {
+namespace {
+
+// Halving goes on until hinges stay this close at the angles looked at: less than what is promised for all.
+constexpr double kAimMm = 0.4 * kMostOpeningMm;
+// Keys nearer than this could fall on one 32-bit time.
+constexpr double kLeastStepDeg = 180.0 / (1 << 21);
+constexpr int kAngleDecimals = 7;
+// An interval shorter than this is looked at in its middle only, where a smooth motion strays most.
+constexpr double kShortDeg = 3.0;
+// A turn takes 16 bytes of the file, which may not reach 2 GiB.
+constexpr double kMostTurns = 1 << 26;
+constexpr double kMostTurnsRefined = 1 << 25;
+constexpr double kMostKeys = 1 << 20;
+
+struct Pose {
+    double angle_deg = 0.0;
+    std::vector<Quaternion> turns;
+};
+
+void record(const Pose& pose, Track& track) {
+    const std::size_t before = track.turns.size();
+    const std::size_t count = pose.turns.size();
+    track.angles_deg.push_back(pose.angle_deg);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Quaternion& q = pose.turns[i];
+        double product = 1.0;
+        if (before > 0) {
+            const auto& last = track.turns[before - count + i];
+            product = last[0] * q[0] + last[1] * q[1] + last[2] * q[2] + last[3] * q[3];
+        }
+        std::array<float, 4> turn{};
+        // 0.0 - x, not -x: a zero stays without a sign.
+        for (std::size_t k = 0; k < 4; ++k) {
+            turn.at(k) = static_cast<float>(product < 0.0 ? 0.0 - q.at(k) : q.at(k));
+        }
+        track.turns.push_back(turn);
+    }
+}
+
+// One card's poses by the closed form, and how it looks between them.
+class CardPoses {
+ public:
+    CardPoses(const Assembly& assembly, Diagnostics& diagnostics)
+        : assembly_(assembly), diagnostics_(diagnostics), frames_(assembly.plates.size()) {}
+
+    // False, with an error, when the card does not get to 90°.
+    bool start() {
+        if (!place_at(90.0)) return false;
+        tree_ = hinge_tree(assembly_, frames_);
+        for (const Hinge& hinge : assembly_.hinges) {
+            // Where one plate hangs on the other's hinge there is nothing to open.
+            const bool in_tree = assembly_.plates[static_cast<std::size_t>(hinge.a)].parent == hinge.b ||
+                                 assembly_.plates[static_cast<std::size_t>(hinge.b)].parent == hinge.a;
+            if (!in_tree) loops_.push_back(&hinge);
+        }
+        return true;
+    }
+
+    bool pose_at(double angle_deg, Pose& pose) {
+        if (!place_at(angle_deg)) return false;
+        pose.angle_deg = angle_deg;
+        pose.turns.resize(frames_.size());
+        local_turns(assembly_, frames_, pose.turns);
+        return true;
+    }
+
+    // Whether some hinge opens further than we aim at when a viewer goes from one pose to the other.
+    bool opens_between(const Pose& from, const Pose& to) {
+        if (loops_.empty()) return false;
+        interpolate(from.turns, to.turns, middle_);
+        if (opens(middle_)) return true;
+        if (to.angle_deg - from.angle_deg < kShortDeg) return false;
+        interpolate(from.turns, middle_, quarter_);
+        if (opens(quarter_)) return true;
+        interpolate(middle_, to.turns, quarter_);
+        return opens(quarter_);
+    }
+
+    [[nodiscard]] const HingeTree& tree() const { return tree_; }
+
+ private:
+    bool place_at(double angle_deg) {
+        int stuck = 0;
+        if (place(assembly_, Angle::degrees(angle_deg), frames_, &stuck)) return true;
+        const Joint& joint = assembly_.joints[static_cast<std::size_t>(stuck)];
+        diagnostics_
+            .error("locks", joint.place,
+                   fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name,
+                               angle_deg))
+            .hint("make its piece wider than the place it is glued to, or close its V")
+            .about(joint.name);
+        return false;
+    }
+
+    static void interpolate(std::span<const Quaternion> a, std::span<const Quaternion> b,
+                            std::vector<Quaternion>& result) {
+        result.resize(a.size());
+        for (std::size_t i = 0; i < a.size(); ++i) result[i] = halfway(a[i], b[i]);
+    }
+
+    bool opens(std::span<const Quaternion> turns) {
+        compose(assembly_, tree_, turns, frames_);
+        const auto apart = [this](const Hinge& hinge, Vec2 a, Vec2 b) {
+            const Vec3 gap = frames_[static_cast<std::size_t>(hinge.a)].point(a) -
+                             frames_[static_cast<std::size_t>(hinge.b)].point(b);
+            return dot(gap, gap) > kAimMm * kAimMm;
+        };
+        for (const Hinge* hinge : loops_) {
+            if (apart(*hinge, hinge->a_line.a, hinge->b_line.a) ||
+                apart(*hinge, hinge->a_line.b, hinge->b_line.b)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const Assembly& assembly_;
+    Diagnostics& diagnostics_;
+    std::vector<Frame> frames_;
+    std::vector<Quaternion> middle_, quarter_;
+    std::vector<const Hinge*> loops_;
+    HingeTree tree_;
+};
+
+// Adds the angles of `more` (ascending) that are not next to one already there.
+void merge(std::vector<double>& angles, const std::vector<double>& more) {
+    std::vector<double> added;
+    for (const double angle : more) {
+        const auto above = std::lower_bound(angles.begin(), angles.end(), angle);
+        if (above != angles.end() && *above - angle < kLeastStepDeg) continue;
+        if (above != angles.begin() && angle - *(above - 1) < kLeastStepDeg) continue;
+        if (!added.empty() && angle - added.back() < kLeastStepDeg) continue;
+        added.push_back(angle);
+    }
+    const auto old_size = static_cast<std::ptrdiff_t>(angles.size());
+    angles.insert(angles.end(), added.begin(), added.end());
+    std::inplace_merge(angles.begin(), angles.begin() + old_size, angles.end());
+}
+
+// The angles asked for, before any refinement; nothing when there are too many.
+std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards,
+                                                const OutputOptions& options, double plates,
+                                                Diagnostics& diagnostics) {
+    std::vector<double> angles{0.0, 90.0, 180.0};
+    for (const SceneCard& card : cards) {
+        std::vector<double> sampled;
+        for (const Angle angle : card.motion->angles) sampled.push_back(rounded(angle.deg, kAngleDecimals));
+        merge(angles, sampled);
+    }
+    const double wanted = options.fps > 0.0 ? std::ceil(options.fps * options.duration_s) : 0.0;
+    const double most = std::min(kMostKeys, kMostTurns / std::max(plates, 1.0));
+    const double keys = std::max(wanted, static_cast<double>(angles.size()));
+    if (!(keys <= most)) {
+        diagnostics
+            .error("model-too-large", {},
+                   fmt::format(
+                       "the animation would have {:.0f} keys for {:.0f} plates, {:.0f} keys are the most",
+                       keys, plates, std::floor(most)))
+            .hint("ask for fewer angles or fewer keys a second, or write fewer designs into one model");
+        return std::nullopt;
+    }
+    std::vector<double> grid;
+    for (double i = 1.0; i < wanted; ++i) grid.push_back(rounded(180.0 * i / wanted, kAngleDecimals));
+    merge(angles, grid);
+    return angles;
+}
+
+struct Refined {
+    Track track;
+    bool coarse = false;  // there was no room for all keys
+};
+
+// Halves the intervals of `angles` until nothing opens between. At most `most` keys, or as many as are given.
+std::optional<Refined> refine(CardPoses& card, const std::vector<double>& angles, std::size_t most) {
+    Refined result;
+    Pose here;
+    if (!card.pose_at(angles.front(), here)) return std::nullopt;
+    record(here, result.track);
+    std::vector<Pose> ahead;  // nearest last
+    std::vector<Pose> spare;  // memory to use again
+    const auto push = [&](double angle_deg) {
+        ahead.push_back({});
+        if (!spare.empty()) {
+            std::swap(ahead.back(), spare.back());
+            spare.pop_back();
+        }
+        return card.pose_at(angle_deg, ahead.back());
+    };
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        if (!push(angles[i])) return std::nullopt;
+        while (!ahead.empty()) {
+            const Pose& next = ahead.back();
+            const double step = next.angle_deg - here.angle_deg;
+            const std::size_t keys = result.track.angles_deg.size() + ahead.size() + (angles.size() - 1 - i);
+            if (step >= 2.5 * kLeastStepDeg && card.opens_between(here, next)) {
+                if (keys < most) {
+                    if (!push(rounded(0.5 * (here.angle_deg + next.angle_deg), kAngleDecimals)))
+                        return std::nullopt;
+                    continue;
+                }
+                result.coarse = true;
+            }
+            std::swap(here, ahead.back());
+            spare.push_back(std::move(ahead.back()));
+            ahead.pop_back();
+            record(here, result.track);
+        }
+    }
+    return result;
+}
+
+// The track at all angles, which include its own.
+std::optional<Track> extended(CardPoses& card, Track track, const std::vector<double>& angles) {
+    if (track.angles_deg.size() == angles.size()) return track;
+    const std::size_t plates = track.turns.size() / track.angles_deg.size();
+    Track result;
+    result.turns.reserve(plates * angles.size());
+    Pose pose;
+    pose.turns.resize(plates);
+    std::size_t next = 0;
+    for (const double angle : angles) {
+        if (next < track.angles_deg.size() && track.angles_deg[next] == angle) {
+            pose.angle_deg = angle;
+            for (std::size_t i = 0; i < plates; ++i) {
+                const auto& turn = track.turns[next * plates + i];
+                pose.turns[i] = {turn[0], turn[1], turn[2], turn[3]};
+            }
+            ++next;
+        } else if (!card.pose_at(angle, pose)) {
+            return std::nullopt;
+        }
+        record(pose, result);
+    }
+    return result;
+}
+
+Track iterative_track(const Assembly& assembly, const std::vector<double>& angles) {
+    IterativePlacer placer(assembly);
+    std::vector<Frame> frames(assembly.plates.size());
+    Track track;
+    Pose pose;
+    pose.turns.resize(frames.size());
+    for (const double angle : angles) {
+        placer.place(Angle::degrees(angle), frames);
+        pose.angle_deg = angle;
+        local_turns(assembly, frames, pose.turns);
+        record(pose, track);
+    }
+    return track;
+}
+
+}  // namespace
+
+std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOptions& options,
+                                Diagnostics& diagnostics) {
+    double plates = 0.0;
+    for (const SceneCard& card : cards) plates += static_cast<double>(card.assembly->plates.size());
+    const auto angles = asked_angles(cards, options, plates, diagnostics);
+    if (!angles) return std::nullopt;
+    const auto most =
+        static_cast<std::size_t>(std::min(kMostKeys, kMostTurnsRefined / std::max(plates, 1.0)));
+
+    Keys keys;
+    keys.angles_deg = *angles;
+    std::vector<CardPoses> poses;
+    bool coarse = false;
+    for (const SceneCard& card : cards) {
+        CardPoses& one = poses.emplace_back(*card.assembly, diagnostics);
+        if (!one.start()) return std::nullopt;
+        auto refined = refine(one, *angles, most);
+        if (!refined) return std::nullopt;
+        coarse = coarse || refined->coarse;
+        std::vector<double> all;
+        std::set_union(keys.angles_deg.begin(), keys.angles_deg.end(), refined->track.angles_deg.begin(),
+                       refined->track.angles_deg.end(), std::back_inserter(all));
+        keys.angles_deg = std::move(all);
+        keys.trees.push_back(one.tree());
+        keys.tracks.push_back(std::move(refined->track));
+    }
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        if (cards[i].motion->solver == Solver::iterative) {
+            keys.tracks[i] = iterative_track(*cards[i].assembly, keys.angles_deg);
+            continue;
+        }
+        auto track = extended(poses[i], std::move(keys.tracks[i]), keys.angles_deg);
+        if (!track) return std::nullopt;
+        keys.tracks[i] = std::move(*track);
+    }
+    if (coarse) {
+        diagnostics
+            .warning(
+                "model-coarse", {},
+                fmt::format(
+                    "the animation has {} keys for {:.0f} plates, too few to keep every fold within {} mm",
+                    keys.angles_deg.size(), plates, kMostOpeningMm))
+            .hint("write fewer designs into one model, or check the size of the pages");
+    }
+    return keys;
+}
+
+}  // namespace popup

@@ -1,0 +1,150 @@
+#include "output/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+#include <utility>
+
+#include "base/edge_index.h"
+#include "base/regions.h"
+#include "base/triangulate.h"
+
+namespace popup {
+namespace {
+
+constexpr double kPerMm = 1.0 / kGridMm;
+constexpr double kArcMm = 0.01;             // how far round ends stray from the circle
+constexpr std::size_t kMostCrossings = 50;  // a line, on average
+
+using Region = std::vector<Polygon>;
+
+// All within half the width of the line.
+Region widened(const Stroke& stroke) {
+    ClipperLib::Path path;
+    for (const Vec2 p : stroke.points)
+        path.emplace_back(std::llround(p.x * kPerMm), std::llround(p.y * kPerMm));
+    ClipperLib::ClipperOffset offset(2.0, kArcMm * kPerMm);
+    offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etOpenRound);
+    ClipperLib::Paths rings;
+    offset.Execute(rings, 0.5 * stroke.width_mm * kPerMm);
+    // A line that closes gives an outer ring and holes; which is whose, a union of both kinds sorts out.
+    Region outers;
+    Region holes;
+    for (const ClipperLib::Path& ring : rings) {
+        Polygon polygon;
+        for (const auto& p : ring) {
+            polygon.outer.push_back({static_cast<double>(p.X) / kPerMm, static_cast<double>(p.Y) / kPerMm});
+        }
+        (ClipperLib::Orientation(ring) ? outers : holes).push_back(std::move(polygon));
+    }
+    return holes.empty() ? outers : subtract(outers, holes);
+}
+
+Box box_of(const Region& region) {
+    Box box;
+    for (const Polygon& polygon : region) {
+        for (const Vec2 p : polygon.outer) box.extend(p);
+    }
+    return box;
+}
+
+struct DrawnShape {
+    Color color;
+    Region region;
+    Box box;
+};
+
+// The later lines of other colours that come near each line; empty lists when there are too many to look at.
+std::vector<std::vector<int>> later_neighbours(const std::vector<DrawnShape>& shapes) {
+    std::vector<Segment> diagonals;
+    for (const DrawnShape& shape : shapes) diagonals.push_back({shape.box.min, shape.box.max});
+    const EdgeIndex index(std::move(diagonals));
+    std::vector<std::vector<int>> result(shapes.size());
+    std::vector<int> found;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        index.query(shapes[i].box, found);
+        total += found.size();
+        if (total > kMostCrossings * shapes.size() + kMostCrossings)
+            return std::vector<std::vector<int>>(shapes.size());
+        for (const int other : found) {
+            const auto j = static_cast<std::size_t>(other);
+            if (j > i && !(shapes[j].color == shapes[i].color)) result[i].push_back(other);
+        }
+    }
+    return result;
+}
+
+struct ColorGroup {
+    Color color;
+    Region inside, at_edge;
+};
+
+std::vector<ColorGroup> drawn_groups(const Plate& plate) {
+    std::vector<DrawnShape> shapes;
+    for (const Stroke& stroke : plate.strokes) {
+        if (!(stroke.width_mm > 0.0)) continue;
+        Region region = widened(stroke);
+        if (region.empty()) continue;
+        const Box box = box_of(region);
+        shapes.push_back({stroke.color, std::move(region), box});
+    }
+    if (shapes.empty()) return {};
+    const EdgeIndex outline(edges_of(plate.outline));
+    const auto over = later_neighbours(shapes);
+    std::vector<ColorGroup> groups;
+    std::vector<int> found;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const DrawnShape& shape = shapes[i];
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const ColorGroup& g) { return g.color == shape.color; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {shape.color, {}, {}});
+        Region covering;
+        for (const int j : over[i]) {
+            const Region& other = shapes[static_cast<std::size_t>(j)].region;
+            covering.insert(covering.end(), other.begin(), other.end());
+        }
+        outline.query(shape.box, found);
+        Region& target = found.empty() ? group->inside : group->at_edge;
+        for (Polygon& polygon : covering.empty() ? Region(shape.region) : subtract(shape.region, covering)) {
+            target.push_back(std::move(polygon));
+        }
+    }
+    return groups;
+}
+
+void append(const Polygon& polygon, Vec2 pivot, MeshPart& part) {
+    const Triangulation triangles = triangulate(polygon);
+    const auto first = static_cast<std::uint32_t>(part.points.size());
+    for (const Vec2 p : triangles.points) part.points.push_back(p - pivot);
+    for (const auto& triangle : triangles.triangles) {
+        for (const std::uint32_t corner : triangle) part.indices.push_back(first + corner);
+    }
+}
+
+}  // namespace
+
+std::vector<MeshPart> plate_mesh(const Plate& plate) {
+    std::vector<MeshPart> parts;
+    MeshPart paper;
+    if (plate.fill) paper.color = *plate.fill;
+    append(plate.outline, plate.pivot, paper);
+    if (!paper.indices.empty()) parts.push_back(std::move(paper));
+
+    for (ColorGroup& group : drawn_groups(plate)) {
+        MeshPart part;
+        part.color = group.color;
+        part.drawn = true;
+        Region region = std::move(group.inside);
+        if (!group.at_edge.empty()) {
+            for (Polygon& polygon : intersect(group.at_edge, {plate.outline})) {
+                region.push_back(std::move(polygon));
+            }
+        }
+        for (const Polygon& polygon : unite(region)) append(polygon, plate.pivot, part);
+        if (!part.indices.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+}  // namespace popup
