@@ -33,7 +33,7 @@ struct CompileOptions {
     LayoutOptions layout;
     OutputOptions output;
     Stage until = Stage::layout;
-    int threads = 1;            // ≥ 1; results do not depend on it
+    int threads = 1;  // ≥ 1; results do not depend on it
     // Called after each finished design, one call at a time but from any thread; may be empty.
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
@@ -41,7 +41,7 @@ struct CompileOptions {
 // Everything known of one input. A stage that failed, or was not asked for, is empty.
 struct CompiledDesign {
     Source source;
-    std::string stem;                       // unique in the run
+    std::string stem;  // unique in the run
     Diagnostics diagnostics;
     std::optional<Design> design;
     std::optional<CheckedDesign> checked;
@@ -51,16 +51,17 @@ struct CompiledDesign {
 };
 
 struct Compilation {
-    std::vector<CompiledDesign> designs;    // in argument order
-    std::optional<Layout> layout;           // of all of them; empty when any design has errors
-    Diagnostics run_diagnostics;            // what concerns the run, not one design (layout, outputs)
+    std::vector<CompiledDesign> designs;  // in argument order
+    std::optional<Layout> layout;         // of all of them; empty when any design has errors
+    Diagnostics run_diagnostics;          // what concerns the run, not one design (layout, outputs)
     [[nodiscard]] bool has_errors() const;
     [[nodiscard]] bool has_findings() const;
 };
 
 // Runs the stages on every source, in parallel under options.threads, then lays all patterns out together.
-// A design's stages end with the first that gives nothing; warnings that the policy made errors do not stop it.
-// Never throws for bad input; findings are in the result.
-Compilation compile(std::vector<Source> sources, const CompileOptions& options, const DiagnosticPolicy& policy);
+// A design's stages end with the first that gives nothing; warnings that the policy made errors do not stop
+// it. Never throws for bad input; findings are in the result.
+Compilation compile(std::vector<Source> sources, const CompileOptions& options,
+                    const DiagnosticPolicy& policy);
 
 }  // namespace popup

@@ -24,7 +24,8 @@ struct Color {
 std::string to_string(Color color);
 
 // Where a value stands in the source text, in bytes; length 0 and offset npos when it was not written.
-// Only input/ makes and uses these: with them a repair changes the author's numbers and nothing else of the file.
+// Only input/ makes and uses these: with them a repair changes the author's numbers and nothing else of the
+// file.
 struct TextRange {
     std::size_t offset = std::string::npos;
     std::size_t length = 0;
@@ -37,8 +38,8 @@ struct DesignPoint {
     std::optional<int> page;  // only where the author gave one
     Place place;
     TextRange x_text, y_text, page_text;
-    TextRange tag_text;       // the start tag, where a missing page attribute would go; absent in a list as text
-    bool changed = false;     // true once a repair has moved it: `at` (or page) differs from what is written
+    TextRange tag_text;    // the start tag, where a missing page attribute would go; absent in a list as text
+    bool changed = false;  // true once a repair has moved it: `at` (or page) differs from what is written
 };
 
 struct ParentFold {
@@ -50,15 +51,15 @@ struct ParentFold {
 };
 
 struct Structure {
-    std::string type;         // canonical name of an element row
-    std::string id;           // never empty: given, or e<n>
+    std::string type;  // canonical name of an element row
+    std::string id;    // never empty: given, or e<n>
     bool id_given = false;
-    Place place;              // of its start tag
+    Place place;  // of its start tag
     Place type_place;
-    TextRange type_text;      // the value of the type, code or name
-    TextRange tag_text;       // the whole element, from "<" to after its end tag: for --drop
+    TextRange type_text;  // the value of the type, code or name
+    TextRange tag_text;   // the whole element, from "<" to after its end tag: for --drop
     bool type_changed = false;
-    bool dropped = false;     // taken out by `fix --drop`
+    bool dropped = false;             // taken out by `fix --drop`
     std::vector<DesignPoint> points;  // in the order of the element's row
     ParentFold fold;
     std::optional<Color> left, right, left_tab, right_tab;
@@ -70,10 +71,10 @@ struct DrawnLine {
     Color color{0, 0, 0};
     std::vector<DesignPoint> points;
     Place place;
-    TextRange page_text;       // the page as written
-    TextRange tag_text;        // the whole element, as of a structure
+    TextRange page_text;  // the page as written
+    TextRange tag_text;   // the whole element, as of a structure
     bool page_changed = false;
-    bool dropped = false;      // its page went with a dropped structure
+    bool dropped = false;  // its page went with a dropped structure
 };
 
 // Length unit of the document. Numbers in the file times `mm` are millimetres.
@@ -83,7 +84,7 @@ struct Unit {
 };
 
 struct Design {
-    std::string file;          // as named on the command line
+    std::string file;  // as named on the command line
     std::string stem;
     std::string version = "2.0";
     Unit unit;
@@ -96,18 +97,19 @@ struct Design {
 };
 
 struct ReadOptions {
-    bool strict = false;       // unknown markup is an error, not a warning
-    std::string language;      // name of a row of language_table(); empty: by the source's suffix
+    bool strict = false;   // unknown markup is an error, not a warning
+    std::string language;  // name of a row of language_table(); empty: by the source's suffix
 };
 
 // One row an input language.
 struct Language {
     std::string_view name;
-    std::string_view suffix;   // ".xml"
+    std::string_view suffix;  // ".xml"
     std::string_view about;
     std::optional<Design> (*read)(const Source&, const ReadOptions&, Diagnostics&);
-    // The source's own text with the design's changed values written over the old ones and what is dropped taken
-    // out; everything else, comments and layout included, stays byte for byte. Precondition: `design` came from read() of this very source.
+    // The source's own text with the design's changed values written over the old ones and what is dropped
+    // taken out; everything else, comments and layout included, stays byte for byte. Precondition: `design`
+    // came from read() of this very source.
     std::string (*patch)(const Source&, const Design&);
 };
 std::vector<Language> const& language_table();

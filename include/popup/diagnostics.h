@@ -1,7 +1,7 @@
 // What the compiler has to say, collected; nothing here prints.
 //
-// A diagnostic has a severity, a stable kebab-case code, a place in a source, one sentence with the numbers in it,
-// and hints that say what would mend it. Stages collect; a stage that must not go on returns nullopt.
+// A diagnostic has a severity, a stable kebab-case code, a place in a source, one sentence with the numbers
+// in it, and hints that say what would mend it. Stages collect; a stage that must not go on returns nullopt.
 #pragma once
 
 #include <cstddef>
@@ -36,13 +36,13 @@ struct Change {
 
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string code;                  // a code of code_table()
-    std::string file;                  // as named on the command line
+    std::string code;  // a code of code_table()
+    std::string file;  // as named on the command line
     Place place;
-    std::string message;               // one sentence, no final full stop, no line break
+    std::string message;  // one sentence, no final full stop, no line break
     std::vector<std::string> hints;
-    std::string element;               // id of the element concerned; empty when there is none
-    std::optional<Change> change;      // present exactly on repairs
+    std::string element;           // id of the element concerned; empty when there is none
+    std::optional<Change> change;  // present exactly on repairs
 
     // Chainable, so that a finding reads as one expression.
     Diagnostic& hint(std::string text);
@@ -57,10 +57,11 @@ struct DiagnosticPolicy {
     bool warnings_are_errors = false;
 };
 
-// The findings on one file, in the order they were found. After 100 findings of one code and severity further ones
-// are only counted, so that a hostile document cannot fill the memory; sorted() adds one line that says how many.
+// The findings on one file, in the order they were found. After 100 findings of one code and severity further
+// ones are only counted, so that a hostile document cannot fill the memory; sorted() adds one line that says
+// how many.
 class Diagnostics {
-   public:
+ public:
     explicit Diagnostics(std::string file = {}, DiagnosticPolicy policy = {});
 
     // Adds a finding. `code` must stand in code_table(); an unknown one is a broken invariant and aborts.
@@ -76,11 +77,11 @@ class Diagnostics {
     [[nodiscard]] const DiagnosticPolicy& policy() const { return policy_; }
     // Everything, worst first; within a severity by place, then as found.
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
-    // All repairs (diagnostics with a change) in the order they were made, allowed ones included: a repair is never
-    // silent, the report names it even where the user does not want to be told.
+    // All repairs (diagnostics with a change) in the order they were made, allowed ones included: a repair is
+    // never silent, the report names it even where the user does not want to be told.
     [[nodiscard]] std::vector<Diagnostic> repairs() const;
 
-   private:
+ private:
     std::string file_;
     DiagnosticPolicy policy_;
     struct Entry {
@@ -97,9 +98,9 @@ class Diagnostics {
 // One row a code: what `popupc explain` and `popupc list codes` say.
 struct CodeInfo {
     std::string_view code;
-    Severity severity;            // as it is first given
-    std::string_view summary;     // half a sentence, for the list
-    std::string_view explanation; // a paragraph: what it means, why it matters, what mends it
+    Severity severity;             // as it is first given
+    std::string_view summary;      // half a sentence, for the list
+    std::string_view explanation;  // a paragraph: what it means, why it matters, what mends it
 };
 // All codes, sorted by name.
 std::span<const CodeInfo> code_table();

@@ -30,10 +30,10 @@ struct PendingFile {
     std::string bytes;
 };
 
-// Writes all of them, or none: each goes to a temporary file in its own directory, is flushed, and only when all
-// are safely there are they renamed into place. On failure an `unwritable-output` error is added, no old file has
-// changed, and no temporary file is left. Signals that end the process also leave no litter.
-// Devices and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
+// Writes all of them, or none: each goes to a temporary file in its own directory, is flushed, and only when
+// all are safely there are they renamed into place. On failure an `unwritable-output` error is added, no old
+// file has changed, and no temporary file is left. Signals that end the process also leave no litter. Devices
+// and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
 // With `keep_identical`, a file that already holds these bytes is left alone, modification time included.
 bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics);
 

@@ -1,7 +1,7 @@
 // Points, polygons and rigid frames: the few shapes every stage speaks.
 //
-// Unless said otherwise lengths are millimetres and angles radians. A pattern page has x right and y up; its front
-// faces the viewer (+z).
+// Unless said otherwise lengths are millimetres and angles radians. A pattern page has x right and y up; its
+// front faces the viewer (+z).
 #pragma once
 
 #include <array>
@@ -106,8 +106,9 @@ InnerPoint inner_point(const Polygon& polygon, double precision);
 
 // A rigid pose: x ↦ r x + t, with r a rotation. Maps a plate's page coordinates (z = 0) into the world.
 struct Frame {
-    std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // images of the page's x, y and front
-    Vec3 origin{};                                                         // image of the page's origin
+    std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0},
+                             Vec3{0, 0, 1}};  // images of the page's x, y and front
+    Vec3 origin{};                            // image of the page's origin
 
     [[nodiscard]] Vec3 direction(Vec2 d) const { return d.x * axes[0] + d.y * axes[1]; }
     [[nodiscard]] Vec3 point(Vec2 p) const { return origin + direction(p); }
@@ -119,14 +120,14 @@ std::array<double, 4> quaternion(const Frame& frame);
 
 // The tolerances that decisions use; one set a run, passed on explicitly.
 struct Tolerances {
-    double rounding_mm = 0.02;      // deviations up to this are the rounding of a drawing, mended without a word
-    double rounding_deg = 0.02;     // the same for angles
-    double snap_mm = 5.0;           // how far a named fold may lie from the real one
-    double paper_mm = 1.0;          // paper that must remain around a cut
-    double min_length_mm = 1.0;     // seams and widths below are degenerate
-    double min_angle_deg = 1.0;     // angles below are degenerate
-    double closure_mm = 1e-6;       // a seam that opens further than this does not close
-    double flat_deg = 1e-3;         // normals further apart than this at 0° are not flat
+    double rounding_mm = 0.02;   // deviations up to this are the rounding of a drawing, mended without a word
+    double rounding_deg = 0.02;  // the same for angles
+    double snap_mm = 5.0;        // how far a named fold may lie from the real one
+    double paper_mm = 1.0;       // paper that must remain around a cut
+    double min_length_mm = 1.0;  // seams and widths below are degenerate
+    double min_angle_deg = 1.0;  // angles below are degenerate
+    double closure_mm = 1e-6;    // a seam that opens further than this does not close
+    double flat_deg = 1e-3;      // normals further apart than this at 0° are not flat
 };
 
 }  // namespace popup

@@ -1,4 +1,5 @@
-// The elements: one row each, and everything that documents, schema and help say of them follows from the row.
+// The elements: one row each, and everything that documents, schema and help say of them follows from the
+// row.
 #pragma once
 
 #include <span>
@@ -13,19 +14,19 @@ enum class PointPage {
 };
 
 struct PointInfo {
-    std::string_view letter;   // the thesis's letter
+    std::string_view letter;  // the thesis's letter
     PointPage page = PointPage::fold;
-    char side = '-';           // 'L', 'R', or '-' for points of the fold or of both
+    char side = '-';  // 'L', 'R', or '-' for points of the fold or of both
 };
 
 // One row an element name; a form and its inverse are two rows with one family.
 struct ElementInfo {
-    std::string_view name;           // "inverted-v-fold"
-    int code;                        // Popup Workshop's number; -1: none
-    std::string_view family;         // "v-fold"
+    std::string_view name;    // "inverted-v-fold"
+    int code;                 // Popup Workshop's number; -1: none
+    std::string_view family;  // "v-fold"
     bool inverted;
-    bool glued;                      // 180°: brings a piece and a page of its own; else cut from the page
-    std::string_view about;          // one line
+    bool glued;              // 180°: brings a piece and a page of its own; else cut from the page
+    std::string_view about;  // one line
     std::span<const PointInfo> points;
 };
 

@@ -19,13 +19,13 @@ struct Contour {
 struct PatternLine {
     LineKind kind = LineKind::valley;  // mountain, valley, seam or mark; cuts are contours
     Segment at;
-    int plate = -1;                    // index into Pattern::plate_names, -1: none
+    int plate = -1;  // index into Pattern::plate_names, -1: none
 };
 
 struct Fill {
     Polygon area;
     Color color;
-    int plate = -1;                    // -1: a tab's
+    int plate = -1;  // -1: a tab's
 };
 
 struct PatternStroke {
@@ -46,20 +46,21 @@ struct Label {
     LabelKind kind = LabelKind::piece;
     std::string text;
     Vec2 at;
-    double height_mm = 4.0;            // of the capitals
-    double angle = 0.0;                // radians, counter-clockwise
+    double height_mm = 4.0;  // of the capitals
+    double angle = 0.0;      // radians, counter-clockwise
 };
 
 struct PatternPiece {
     std::string name;
-    std::vector<Contour> cuts;         // inner before outer
-    std::vector<PatternLine> lines;    // folds and seams
+    std::vector<Contour> cuts;       // inner before outer
+    std::vector<PatternLine> lines;  // folds and seams
     std::vector<Fill> fills;
     std::vector<PatternStroke> strokes;
     std::vector<GlueTarget> targets;
     std::vector<Label> labels;
-    std::vector<Polygon> silhouette;   // the piece's paper, tabs included, slits ignored; what layout must keep apart
-    Box bounds;                        // of the silhouette
+    std::vector<Polygon>
+        silhouette;  // the piece's paper, tabs included, slits ignored; what layout must keep apart
+    Box bounds;      // of the silhouette
 };
 
 struct Pattern {
@@ -73,11 +74,10 @@ struct PatternOptions {
     Tolerances tolerances;
 };
 
-// Unfolds the assembly. Tabs are trimmed so that none crosses another, a fold, a cut-out or an edge; what is left of
-// each is drawn, as its target, with the same number on the plate it is glued to. `tab-too-small` warns of a tab
-// that has under 3 mm of depth along half its seam or more.
-// Guarantees: cuts chained into as few paths as possible; no segment twice; every target inside its plate.
-// Cost: near linear in lines.
+// Unfolds the assembly. Tabs are trimmed so that none crosses another, a fold, a cut-out or an edge; what is
+// left of each is drawn, as its target, with the same number on the plate it is glued to. `tab-too-small`
+// warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees: cuts chained into as
+// few paths as possible; no segment twice; every target inside its plate. Cost: near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 

@@ -94,7 +94,8 @@ bool contains(const Polygon& polygon, Vec2 p) {
                         [p](const Ring& hole) { return locate(hole, p) == Where::inside; });
 }
 
-// Quadtree search: a cell is worth splitting only while the best point it could hold beats the best one found.
+// Quadtree search: a cell is worth splitting only while the best point it could hold beats the best one
+// found.
 InnerPoint inner_point(const Polygon& polygon, double precision) {
     struct Cell {
         Vec2 centre;
@@ -121,7 +122,8 @@ InnerPoint inner_point(const Polygon& polygon, double precision) {
     const double cell_half = std::max({half, 0.5 * step_x, 0.5 * step_y});
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            cells.push(make({box.min.x + (column + 0.5) * step_x, box.min.y + (row + 0.5) * step_y}, cell_half));
+            cells.push(
+                make({box.min.x + (column + 0.5) * step_x, box.min.y + (row + 0.5) * step_y}, cell_half));
         }
     }
     Cell best = make(box.centre(), 0.0);

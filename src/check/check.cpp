@@ -22,16 +22,18 @@ struct Checker {
     Builder builder{*skeleton};
     FoldIndex index;
     Paper paper;
-    std::vector<Fold> ghosts;    // folds of elements that could not be made, so that what stands on them is left in peace
-    int pages = 1;               // pages that exist so far
-    std::vector<bool> redrawn{false};  // of each page: its piece was drawn mirrored, and the document is mended
+    std::vector<Fold>
+        ghosts;     // folds of elements that could not be made, so that what stands on them is left in peace
+    int pages = 1;  // pages that exist so far
+    std::vector<bool> redrawn{
+        false};  // of each page: its piece was drawn mirrored, and the document is mended
 
     Checker(const Design& input, const CheckOptions& opts, Diagnostics& diags)
         : authored(input), options(opts), diagnostics(diags), design(input), paper(opts.tolerances) {}
 
     std::optional<CheckedDesign> run();
 
-   private:
+ private:
     void check_structure(std::size_t number);
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
@@ -59,8 +61,8 @@ bool finite(const FoldLines& lines) {
 }  // namespace
 
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
-    const auto matches = index.matches(structure.fold.page, placing.begin, placing.end, placing.place_on_line(),
-                                       options.tolerances.snap_mm);
+    const auto matches = index.matches(structure.fold.page, placing.begin, placing.end,
+                                       placing.place_on_line(), options.tolerances.snap_mm);
     const FoldMatch* dead = nullptr;
     for (const FoldMatch& match : matches) {
         const Fold& fold = fold_of(match);
@@ -95,8 +97,8 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
         const CutSpan* cut = fold.cut_within(middle - 1e-6, middle + 1e-6);
         diagnostics
             .error("fold-cut-away", structure.fold.place,
-                   fmt::format("where \"{}\" stands, its parent fold has been cut away by \"{}\"", structure.id,
-                               cut != nullptr ? cut->by : fold.owner))
+                   fmt::format("where \"{}\" stands, its parent fold has been cut away by \"{}\"",
+                               structure.id, cut != nullptr ? cut->by : fold.owner))
             .hint(fmt::format("stand it on a fold of \"{}\", or move it along the fold",
                               cut != nullptr ? cut->by : fold.owner))
             .about(structure.id);
@@ -106,12 +108,13 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
     if (const auto near = index.nearest(structure.fold.page, placing.begin, placing.end, 500.0)) {
         const Fold& fold = near->ghost ? ghosts[static_cast<std::size_t>(near->fold)]
                                        : skeleton->folds[static_cast<std::size_t>(near->fold)];
-        nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold", fold.owner,
-                              mm(near->distance));
+        nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold",
+                              fold.owner, mm(near->distance));
     }
     diagnostics
         .error("fold-not-found", structure.fold.place,
-               fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line from {} to {}; {}",
+               fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line "
+                           "from {} to {}; {}",
                            structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
                            placing.text(placing.begin), placing.text(placing.end), nearest))
         .hint("give two points of a fold or seam that an earlier structure, or the page, makes")
@@ -133,10 +136,13 @@ bool Checker::may_stand(const Structure& structure, const Placing& placing) {
     if (fold.closed_deg == 180) {
         diagnostics
             .error("seam-stays-flat", structure.place,
-                   fmt::format("\"{}\" stands on a seam of \"{}\" that is flat (180°) when the card is closed, so nothing "
+                   fmt::format("\"{}\" stands on a seam of \"{}\" that is flat (180°) when the card is "
+                               "closed, so nothing "
                                "on it can fold",
                                structure.id, fold.owner))
-            .hint("only seams of v-folds and tents on valley folds, and of inverted v-folds on mountain folds, open and close")
+            .hint(
+                "only seams of v-folds and tents on valley folds, and of inverted v-folds on mountain folds, "
+                "open and close")
             .about(structure.id);
         return false;
     }
@@ -162,14 +168,17 @@ void Checker::keep_ghost(const Placing& placing, const Element& before) {
         ghost.right_page = page_of(role, true);
         ghost.seam = extra >= 0 && role != kCentreFold;
         ghosts.push_back(ghost);
-        index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[role], true, options.tolerances.rounding_mm);
+        index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[role], true,
+                  options.tolerances.rounding_mm);
     }
 }
 
 void Checker::drop(Structure& structure) {
     structure.dropped = true;
     diagnostics
-        .warning("dropped", structure.place, fmt::format("\"{}\" cannot fold, or stands on something that cannot; it was taken out", structure.id))
+        .warning("dropped", structure.place,
+                 fmt::format("\"{}\" cannot fold, or stands on something that cannot; it was taken out",
+                             structure.id))
         .about(structure.id)
         .changed(structure.id, "");
 }
@@ -189,8 +198,8 @@ void Checker::check_structure(std::size_t number) {
     if (structure.fold.page < 0 || structure.fold.page >= pages - (info->glued ? 1 : 0)) {
         diagnostics
             .error("page-not-there", structure.fold.place,
-                   fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only", structure.id,
-                               structure.fold.page, pages - (info->glued ? 2 : 1)))
+                   fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only",
+                               structure.id, structure.fold.page, pages - (info->glued ? 2 : 1)))
             .hint("list the structure whose piece is that page first: every v-fold and tent adds one page")
             .about(structure.id);
         return;
@@ -217,17 +226,18 @@ void Checker::check_structure(std::size_t number) {
     bool broken = false;
     Element& element = placing.element;
     element.tolerances = &options.tolerances;
-    const PaperQuery query{
-        [&](Side side, const Ring& ring) {
-            const Site& s = element.site;
-            return side == Side::left ? paper.may_cut(s.left_plate, s.left_page, s.left, ring)
-                                      : paper.may_cut(s.right_plate, s.right_page, s.right, ring);
-        },
-        [&](Side side, const Segment& seam) {
-            const Site& s = element.site;
-            return side == Side::left ? paper.may_glue(s.left_plate, s.left_page, s.left, seam)
-                                      : paper.may_glue(s.right_plate, s.right_page, s.right, seam);
-        }};
+    const PaperQuery query{[&](Side side, const Ring& ring) {
+                               const Site& s = element.site;
+                               return side == Side::left
+                                          ? paper.may_cut(s.left_plate, s.left_page, s.left, ring)
+                                          : paper.may_cut(s.right_plate, s.right_page, s.right, ring);
+                           },
+                           [&](Side side, const Segment& seam) {
+                               const Site& s = element.site;
+                               return side == Side::left
+                                          ? paper.may_glue(s.left_plate, s.left_page, s.left, seam)
+                                          : paper.may_glue(s.right_plate, s.right_page, s.right, seam);
+                           }};
     element.paper = &query;
     bool degenerate = false;
     element.failed = [&](std::string_view code, std::string what, std::string hint) {
@@ -246,7 +256,8 @@ void Checker::check_structure(std::size_t number) {
             .changed(change.before, change.after);
     };
 
-    broken = !placing.settle(*match, skeleton->folds[static_cast<std::size_t>(match->fold)], options.tolerances, diagnostics) ||
+    broken = !placing.settle(*match, skeleton->folds[static_cast<std::size_t>(match->fold)],
+                             options.tolerances, diagnostics) ||
              !may_stand(structure, placing);
     const Element before = placing.authored_element();
     broken = broken || !row.constrain(element);
@@ -268,7 +279,8 @@ void Checker::check_structure(std::size_t number) {
     for (std::size_t role = 0; role < kFoldRoles; ++role) {
         const Fold& fold = skeleton->folds[first_fold + role];
         const FoldLine authored_line = finite(was) ? was[role] : FoldLine{fold.on_left, fold.on_right};
-        index.add(static_cast<int>(first_fold + role), fold, authored_line, false, options.tolerances.rounding_mm);
+        index.add(static_cast<int>(first_fold + role), fold, authored_line, false,
+                  options.tolerances.rounding_mm);
     }
 }
 
@@ -281,7 +293,9 @@ void Checker::renumber_pages() {
         if (!find_element(structure.type)->glued) continue;
         renamed[page++] = structure.dropped ? -1 : next++;
     }
-    const auto rename = [&](int old) { return old >= 0 && old < pages ? renamed[static_cast<std::size_t>(old)] : old; };
+    const auto rename = [&](int old) {
+        return old >= 0 && old < pages ? renamed[static_cast<std::size_t>(old)] : old;
+    };
     for (Structure& structure : design.structures) {
         if (structure.dropped) continue;
         if (const int to = rename(structure.fold.page); to != structure.fold.page) {
@@ -316,7 +330,8 @@ std::optional<CheckedDesign> Checker::run() {
         if (line.page < 0 || line.page >= pages) {
             diagnostics
                 .error("page-not-there", line.place,
-                       fmt::format("a line is drawn on page {}, but there are pages 0 to {} only", line.page, pages - 1))
+                       fmt::format("a line is drawn on page {}, but there are pages 0 to {} only", line.page,
+                                   pages - 1))
                 .hint("page 0 is the base page; every v-fold and tent adds one page");
             continue;
         }
@@ -331,7 +346,8 @@ std::optional<CheckedDesign> Checker::run() {
     return CheckedDesign(std::move(design), std::move(skeleton));
 }
 
-std::optional<CheckedDesign> check(const Design& design, const CheckOptions& options, Diagnostics& diagnostics) {
+std::optional<CheckedDesign> check(const Design& design, const CheckOptions& options,
+                                   Diagnostics& diagnostics) {
     return Checker(design, options, diagnostics).run();
 }
 

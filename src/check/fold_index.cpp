@@ -34,8 +34,8 @@ void FoldIndex::add(int fold, const Fold& exact, const FoldLine& authored, bool 
     const auto moved = [](const Segment& a, const Segment& b) {
         return std::max(distance(a.a, b.a), distance(a.b, b.b));
     };
-    const bool has_moved =
-        std::max(moved(authored.on_left, exact.on_left), moved(authored.on_right, exact.on_right)) > rounding_mm;
+    const bool has_moved = std::max(moved(authored.on_left, exact.on_left),
+                                    moved(authored.on_right, exact.on_right)) > rounding_mm;
     const auto put = [&](const FoldLine& line, const RigidMove& left, const RigidMove& right) {
         insert(exact.left_page, line.on_left, {fold, ghost, false, left, right});
         if (exact.seam) insert(exact.right_page, line.on_right, {fold, ghost, true, left, right});
@@ -46,7 +46,8 @@ void FoldIndex::add(int fold, const Fold& exact, const FoldLine& authored, bool 
     }
 }
 
-std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const Box& place, double reach) const {
+std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const Box& place,
+                                          double reach) const {
     std::vector<FoldMatch> result;
     if (page < 0 || static_cast<std::size_t>(page) >= pages_.size()) return result;
     const PageFolds& folds = pages_[static_cast<std::size_t>(page)];
@@ -80,7 +81,8 @@ std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const 
         match.right = entry.right;
         result.push_back(match);
     }
-    // An author's own place of a fold counts before the one a repair gave it; of equals the youngest lies on top.
+    // An author's own place of a fold counts before the one a repair gave it; of equals the youngest lies on
+    // top.
     std::reverse(result.begin(), result.end());
     std::stable_sort(result.begin(), result.end(), [](const FoldMatch& a, const FoldMatch& b) {
         const auto step = [](double off) { return std::floor(off / 0.02); };

@@ -12,7 +12,7 @@ namespace popup {
 // Moves a page's points with a fold that moved: a turn and a shift. Identity unless the fold moved.
 struct RigidMove {
     bool identity = true;
-    Vec2 from, to;        // the fold's begin, before and after
+    Vec2 from, to;  // the fold's begin, before and after
     double c = 1.0, s = 0.0;
     [[nodiscard]] Vec2 apply(Vec2 p) const;
 };
@@ -20,22 +20,24 @@ RigidMove move_of(const Segment& before, const Segment& after);
 
 // A fold that a given line may mean.
 struct FoldMatch {
-    int fold = -1;          // index into Skeleton::folds, or of the ghost
-    bool ghost = false;     // the fold of an element that could not be made
-    bool right_page = false;// the line was given on the fold's right page
-    bool reversed = false;  // against the fold's own direction
-    double off = 0.0;       // mm between the line given and the fold
-    RigidMove left, right;  // of points on the left and on the right page
+    int fold = -1;            // index into Skeleton::folds, or of the ghost
+    bool ghost = false;       // the fold of an element that could not be made
+    bool right_page = false;  // the line was given on the fold's right page
+    bool reversed = false;    // against the fold's own direction
+    double off = 0.0;         // mm between the line given and the fold
+    RigidMove left, right;    // of points on the left and on the right page
 };
 
 class FoldIndex {
-   public:
-    // `authored`: where the author's document has it; the same as the fold's own lines unless a repair moved it.
+ public:
+    // `authored`: where the author's document has it; the same as the fold's own lines unless a repair moved
+    // it.
     void add(int fold, const Fold& exact, const FoldLine& authored, bool ghost, double rounding_mm);
 
-    // All folds on `page` whose line lies within `reach` mm of begin–end, of those near `place`; nearest first,
-    // younger before older where they are equally near.
-    [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place, double reach) const;
+    // All folds on `page` whose line lies within `reach` mm of begin–end, of those near `place`; nearest
+    // first, younger before older where they are equally near.
+    [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place,
+                                                 double reach) const;
     // Distance to the nearest fold on the page from the middle of begin–end, and that fold; within `limit`.
     struct Nearest {
         int fold;
@@ -44,7 +46,7 @@ class FoldIndex {
     };
     [[nodiscard]] std::optional<Nearest> nearest(int page, Vec2 begin, Vec2 end, double limit) const;
 
-   private:
+ private:
     struct Entry {
         int fold;
         bool ghost, right_page;

@@ -10,7 +10,8 @@ namespace {
 constexpr double kOnLine = 1e-6;  // mm: edges this close to the fold's line lie along it
 
 bool along_line(const DirectedLine& line, const Segment& s) {
-    return std::abs(cross(line.dir, s.a - line.at)) < kOnLine && std::abs(cross(line.dir, s.b - line.at)) < kOnLine;
+    return std::abs(cross(line.dir, s.a - line.at)) < kOnLine &&
+           std::abs(cross(line.dir, s.b - line.at)) < kOnLine;
 }
 
 Box box_around(const Ring& points, double margin) {
@@ -67,8 +68,9 @@ void Paper::update(const Skeleton& skeleton) {
     for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
         const Fold& fold = skeleton.folds[folds_seen_];
         // Only the plates that lost paper or got a seam have changed: those on either side of a new fold.
-        for (const auto& [plate, number, at] : {std::tuple{fold.left_plate, fold.left_page, fold.on_left},
-                                                std::tuple{fold.right_plate, fold.right_page, fold.on_right}}) {
+        for (const auto& [plate, number, at] :
+             {std::tuple{fold.left_plate, fold.left_page, fold.on_left},
+              std::tuple{fold.right_plate, fold.right_page, fold.on_right}}) {
             const auto index = static_cast<std::size_t>(plate);
             if (fold.seam) add(number, at, plate, true);
             for (std::size_t& seen = cuts_seen_[index]; seen < skeleton.cut_outs[index].size(); ++seen) {
@@ -86,7 +88,8 @@ void Paper::update(const Skeleton& skeleton) {
 bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
-    if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); })) return false;
+    if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
+        return false;
     const double around = tolerances_.paper_mm - tolerances_.rounding_mm;
     std::vector<int> found;
     page_edges.edges.query(box_around(footprint, tolerances_.paper_mm), found);

@@ -9,10 +9,10 @@
 
 namespace popup {
 
-// Grows with the skeleton; each question looks only at what lies near. Cost a question: logarithmic in the page's
-// edges, linear in those near.
+// Grows with the skeleton; each question looks only at what lies near. Cost a question: logarithmic in the
+// page's edges, linear in those near.
 class Paper {
-   public:
+ public:
     explicit Paper(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
     // Takes in the plates, cut-outs and seams that were added to the skeleton since the last call.
@@ -22,7 +22,7 @@ class Paper {
     [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint) const;
     [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine& line, const Segment& seam) const;
 
-   private:
+ private:
     struct Obstacle {
         int plate;
         bool seam;

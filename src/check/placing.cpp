@@ -37,7 +37,7 @@ Placing::Placing(const Design& design, const Structure& structure, const Element
                  const PageTurns& pages)
     : structure_(&structure), pages_(pages), unit_mm_(design.unit.mm) {
     element.info = &info;
-    element.paint = {structure.id,   structure.place,    structure.left,
+    element.paint = {structure.id,    structure.place,    structure.left,
                      structure.right, structure.left_tab, structure.right_tab};
     element.extra_page = extra_page;
     element.page_height = design.height_mm;
@@ -55,8 +55,10 @@ Placing::Placing(const Design& design, const Structure& structure, const Element
         points_.push_back({on_page(point.at, page), page});
         reported_.push_back({point.at, page});
         letters_.push_back(info.points[i].letter);
-        if (extra) element.extra.push_back(point.at);
-        else element.on.push_back({});
+        if (extra)
+            element.extra.push_back(point.at);
+        else
+            element.on.push_back({});
     }
     authored_ = points_;
     begin = on_page(structure.fold.begin.at, structure.fold.page);
@@ -89,7 +91,8 @@ Box Placing::place_on_line() const {
     const Vec2 dir = unit(end - begin);
     Box box;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->fold.page) continue;
+        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->fold.page)
+            continue;
         box.extend(begin + dot(dir, points_[i].at - begin) * dir);
     }
     if (box.empty()) {
@@ -100,18 +103,21 @@ Box Placing::place_on_line() const {
 }
 
 std::size_t Placing::index_on(std::size_t point) const {
-    return static_cast<std::size_t>(
-        std::count_if(element.info->points.begin(), element.info->points.begin() + static_cast<std::ptrdiff_t>(point),
-                      [](const PointInfo& p) { return p.page == PointPage::fold; }));
+    return static_cast<std::size_t>(std::count_if(
+        element.info->points.begin(), element.info->points.begin() + static_cast<std::ptrdiff_t>(point),
+        [](const PointInfo& p) { return p.page == PointPage::fold; }));
 }
 
 std::size_t Placing::index_extra(std::size_t point) const { return point - index_on(point); }
 
 Side Placing::side_of(std::size_t point) const {
     switch (element.info->points[point].side) {
-        case 'L': return Side::left;
-        case 'R': return Side::right;
-        default: return points_[point].page == element.site.left_page ? Side::left : Side::right;
+        case 'L':
+            return Side::left;
+        case 'R':
+            return Side::right;
+        default:
+            return points_[point].page == element.site.left_page ? Side::left : Side::right;
     }
 }
 
@@ -175,17 +181,20 @@ void Placing::exchange(bool extra_too) {
     }
 }
 
-bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances, Diagnostics& diagnostics) {
+bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances,
+                     Diagnostics& diagnostics) {
     const Site& site = element.site;
     const std::string& id = structure_->id;
     // Every point of the fold's page must lie on one of the pages that meet there.
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const int page = points_[i].page;
-        if (element.info->points[i].page == PointPage::extra || page == site.left_page || page == site.right_page) continue;
+        if (element.info->points[i].page == PointPage::extra || page == site.left_page ||
+            page == site.right_page)
+            continue;
         diagnostics
             .error("wrong-page", structure_->points[i].place,
-                   fmt::format("point {} of \"{}\" is on page {}, but its parent fold is on page{} {}", letters_[i], id, page,
-                               site.seam ? "s" : "",
+                   fmt::format("point {} of \"{}\" is on page {}, but its parent fold is on page{} {}",
+                               letters_[i], id, page, site.seam ? "s" : "",
                                site.seam ? fmt::format("{} and {}", site.left_page, site.right_page)
                                          : fmt::format("{}", site.left_page)))
             .hint("leave out the point's page, or give the page its plane is drawn on")
@@ -204,15 +213,21 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
         std::swap(element.paint.left_tab, element.paint.right_tab);
         if (element.info->glued && has_inverse(*element.info)) element.inverted = !element.inverted;
         diagnostics
-            .remark("fold-turned", structure_->fold.place,
-                    fmt::format("\"{}\" gives the gutter downwards; it is read upwards, with left and right exchanged", id))
+            .remark(
+                "fold-turned", structure_->fold.place,
+                fmt::format(
+                    "\"{}\" gives the gutter downwards; it is read upwards, with left and right exchanged",
+                    id))
             .about(id);
     }
 
     // What stands on a fold that a repair has moved moves with it.
-    const auto move_for = [&](int page) -> const RigidMove& { return page == fold.left_page ? match.left : match.right; };
+    const auto move_for = [&](int page) -> const RigidMove& {
+        return page == fold.left_page ? match.left : match.right;
+    };
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (element.info->points[i].page == PointPage::fold) points_[i].at = move_for(points_[i].page).apply(points_[i].at);
+        if (element.info->points[i].page == PointPage::fold)
+            points_[i].at = move_for(points_[i].page).apply(points_[i].at);
     }
     const RigidMove& fold_move = match.right_page ? match.right : match.left;
     fold_begin_ = fold_move.apply(fold_begin_);
@@ -228,13 +243,16 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
         return false;
     };
     if (moved()) {
-        element.repaired("moved-with-fold",
-                         fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it", fold.owner),
-                         fmt::format("mend \"{}\" first", fold.owner));
+        element.repaired(
+            "moved-with-fold",
+            fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it",
+                        fold.owner),
+            fmt::format("mend \"{}\" first", fold.owner));
     }
 
     if (match.off > tolerances.rounding_mm) {
-        const bool given_left = structure_->fold.page == site.left_page && !(site.seam && match.right_page != site.reversed);
+        const bool given_left =
+            structure_->fold.page == site.left_page && !(site.seam && match.right_page != site.reversed);
         const Side side = given_left ? Side::left : Side::right;
         const auto onto = [&](Vec2 p) {
             const SitePoint at = site.from_page(side, p);
@@ -244,10 +262,12 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
         fold_begin_ = onto(fold_begin_);
         fold_end_ = onto(fold_end_);
         fold_moved_ = true;
-        element.repaired("fold-snapped",
-                         fmt::format("its parent fold was given as {}, {} off the {} of \"{}\"; it now runs from {} to {}", before,
-                                     mm(match.off), fold.seam ? "seam" : "fold", fold.owner, text(fold_begin_), text(fold_end_)),
-                         "give two points of the fold itself");
+        element.repaired(
+            "fold-snapped",
+            fmt::format("its parent fold was given as {}, {} off the {} of \"{}\"; it now runs from {} to {}",
+                        before, mm(match.off), fold.seam ? "seam" : "fold", fold.owner, text(fold_begin_),
+                        text(fold_end_)),
+            "give two points of the fold itself");
     }
 
     // Sides: points are where they are; their names may have to change.
@@ -271,7 +291,8 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
         exchange(row.front != nullptr && row.front(element) < 0.0);
         to_site();
         element.repaired("sides-exchanged",
-                         "its left points lie right of the parent fold and its right points left of it; they were exchanged",
+                         "its left points lie right of the parent fold and its right points left of it; they "
+                         "were exchanged",
                          "left is the left-hand side when looking from the fold's begin to its end");
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -281,8 +302,8 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
         if (points_[i].page == page) continue;
         diagnostics
             .error("wrong-page", structure_->points[i].place,
-                   fmt::format("point {} of \"{}\" is on page {}, but the {} side of its seam is on page {}", letters_[i], id,
-                               points_[i].page, info.side == 'L' ? "left" : "right", page))
+                   fmt::format("point {} of \"{}\" is on page {}, but the {} side of its seam is on page {}",
+                               letters_[i], id, points_[i].page, info.side == 'L' ? "left" : "right", page))
             .hint(fmt::format("give the point page=\"{}\", in that page's coordinates", page))
             .about(id);
         return false;
@@ -291,8 +312,9 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
     if (!element.info->glued && element.inverted != site.mountain) {
         element.inverted = site.mountain;
         element.repaired("wrong-form",
-                         fmt::format("it is a{} {} on a {} fold; its form was corrected", element.info->inverted ? "n inverted" : "",
-                                     element.info->family, site.mountain ? "mountain" : "valley"),
+                         fmt::format("it is a{} {} on a {} fold; its form was corrected",
+                                     element.info->inverted ? "n inverted" : "", element.info->family,
+                                     site.mountain ? "mountain" : "valley"),
                          "inverted forms stand on mountain folds, the others on valley folds");
     }
     return true;
@@ -339,7 +361,9 @@ Change Placing::take_change(const Tolerances& tolerances) {
     const auto now = page_points();
     Change change;
     for (std::size_t i = 0; i < now.size(); ++i) {
-        if (now[i].page == reported_[i].page && distance(now[i].at, reported_[i].at) <= tolerances.rounding_mm) continue;
+        if (now[i].page == reported_[i].page &&
+            distance(now[i].at, reported_[i].at) <= tolerances.rounding_mm)
+            continue;
         const std::string_view space = change.before.empty() ? "" : " ";
         change.before += fmt::format("{}{} {}", space, letters_[i], text(reported_[i].at));
         change.after += fmt::format("{}{} {}", space, letters_[i], text(now[i].at));
@@ -348,8 +372,9 @@ Change Placing::take_change(const Tolerances& tolerances) {
     if (change.before.empty()) {  // a repair of the form, or of the fold
         change.before = std::string(element.info->name);
         const bool inverted = ends_inverted();
-        change.after = std::string(inverted && !element.info->inverted ? "inverted-" : "") +
-                       std::string(inverted == element.info->inverted ? element.info->name : element.info->family);
+        change.after =
+            std::string(inverted && !element.info->inverted ? "inverted-" : "") +
+            std::string(inverted == element.info->inverted ? element.info->name : element.info->family);
         if (change.before == change.after) {
             change.before = text(structure_->fold.begin.at) + " to " + text(structure_->fold.end.at);
             change.after = text(fold_begin_) + " to " + text(fold_end_);
@@ -372,7 +397,8 @@ void Placing::write_back(Structure& structure, const Tolerances& tolerances) con
         point.changed = true;
     }
     if (fold_moved_) {
-        for (const auto& [point, internal] : {std::pair{&structure.fold.begin, fold_begin_}, {&structure.fold.end, fold_end_}}) {
+        for (const auto& [point, internal] :
+             {std::pair{&structure.fold.begin, fold_begin_}, {&structure.fold.end, fold_end_}}) {
             const Vec2 at = read_mirrored(structure.fold.page) ? mirrored(internal) : internal;
             if (distance(point->at, at) <= tolerances.rounding_mm) continue;
             point->at = at;

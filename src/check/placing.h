@@ -1,4 +1,5 @@
-// One structure on its way from the document to its fold: its points on their pages, then in site coordinates.
+// One structure on its way from the document to its fold: its points on their pages, then in site
+// coordinates.
 #pragma once
 
 #include <vector>
@@ -17,8 +18,8 @@ struct PageTurns {
 
 struct Placing {
     Element element;
-    Vec2 begin, end;       // of the parent fold as given (on a page mirrored back: mirrored)
-    bool turned = false;   // the gutter was given downwards: left and right have changed places
+    Vec2 begin, end;      // of the parent fold as given (on a page mirrored back: mirrored)
+    bool turned = false;  // the gutter was given downwards: left and right have changed places
 
     Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
             const PageTurns& pages);
@@ -26,7 +27,8 @@ struct Placing {
     // A point in the document's unit: "(1.25, 0.5)".
     [[nodiscard]] std::string text(Vec2 mm_point) const;
 
-    // The box, on the parent fold's page, of the part of the given line beside which the element's points lie.
+    // The box, on the parent fold's page, of the part of the given line beside which the element's points
+    // lie.
     [[nodiscard]] Box place_on_line() const;
 
     // Tries a fold: fills element.site and the points' site coordinates from it. Nothing is reported.
@@ -36,9 +38,10 @@ struct Placing {
     // The stretch (on the fold's own direction) that is still there.
     void stand_between(std::pair<double, double> alive, double fold_length);
 
-    // Decides orientation, sides and form, and reports: fold-turned, fold-snapped, moved-with-fold, sides-exchanged,
-    // wrong-form, wrong-page. False when the structure cannot go on.
-    bool settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances, Diagnostics& diagnostics);
+    // Decides orientation, sides and form, and reports: fold-turned, fold-snapped, moved-with-fold,
+    // sides-exchanged, wrong-form, wrong-page. False when the structure cannot go on.
+    bool settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances,
+                Diagnostics& diagnostics);
 
     // The element as its author drew it, before anything was moved: where its folds were meant to be.
     [[nodiscard]] Element authored_element() const;
@@ -48,7 +51,7 @@ struct Placing {
     // Writes moved points and a changed form into the document's structure.
     void write_back(Structure& structure, const Tolerances& tolerances) const;
 
-   private:
+ private:
     struct PagePoint {
         Vec2 at;
         int page = 0;
@@ -66,12 +69,12 @@ struct Placing {
     const Structure* structure_;
     PageTurns pages_;
     double unit_mm_;
-    std::vector<PagePoint> points_;     // the author's, on their pages; moved with their fold once it is known
-    std::vector<PagePoint> authored_;   // the author's, never moved
-    std::vector<PagePoint> reported_;   // as of the last take_change()
+    std::vector<PagePoint> points_;    // the author's, on their pages; moved with their fold once it is known
+    std::vector<PagePoint> authored_;  // the author's, never moved
+    std::vector<PagePoint> reported_;  // as of the last take_change()
     std::vector<std::string_view> letters_;
     Site authored_site_;
-    Vec2 fold_begin_, fold_end_;        // the parent fold's ends as they should be written
+    Vec2 fold_begin_, fold_end_;  // the parent fold's ends as they should be written
     bool fold_moved_ = false;
     bool repaired_ = false;
 };

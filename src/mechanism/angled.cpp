@@ -11,9 +11,10 @@ bool put_apex_on_fold(Element& e, std::size_t point, std::string_view letter) {
     const double off = std::abs(apex.w);
     apex.w = 0.0;
     if (off > e.tolerances->rounding_mm) {
-        e.repaired("apex-off-fold",
-                   fmt::format("the apex {} lies {} beside the parent fold; it was moved onto it", letter, mm(off)),
-                   fmt::format("choose {} on the fold", letter));
+        e.repaired(
+            "apex-off-fold",
+            fmt::format("the apex {} lies {} beside the parent fold; it was moved onto it", letter, mm(off)),
+            fmt::format("choose {} on the fold", letter));
     }
     if (apex.s < e.alive_lo - e.tolerances->rounding_mm || apex.s > e.alive_hi + e.tolerances->rounding_mm) {
         e.failed("fold-too-short",
@@ -26,12 +27,14 @@ bool put_apex_on_fold(Element& e, std::size_t point, std::string_view letter) {
 }
 
 bool angled_degenerate(Element& e, std::string_view line, double size, double angle) {
-    e.failed("degenerate",
-             fmt::format("the {} is too small to fold: {} is {} long, at {} to the fold; the least is {} and {:.0f}°, "
-                         "and {} between its ends and the fold",
-                         e.info->name, line, mm(size), degrees(angle), mm(e.tolerances->min_length_mm),
-                         e.tolerances->min_angle_deg, mm(e.tolerances->min_length_mm)),
-             "put the left points left and the right points right of the fold, further away from it");
+    e.failed(
+        "degenerate",
+        fmt::format(
+            "the {} is too small to fold: {} is {} long, at {} to the fold; the least is {} and {:.0f}°, "
+            "and {} between its ends and the fold",
+            e.info->name, line, mm(size), degrees(angle), mm(e.tolerances->min_length_mm),
+            e.tolerances->min_angle_deg, mm(e.tolerances->min_length_mm)),
+        "put the left points left and the right points right of the fold, further away from it");
     return false;
 }
 
@@ -48,11 +51,13 @@ bool close_opening(Element& e, double apex_s, int dir, std::initializer_list<std
     }
     for (const std::size_t i : left) e.on[i] = at_angle(apex_s, dir, e.on[i], a - half);
     for (const std::size_t i : right) e.on[i] = at_angle(apex_s, dir, e.on[i], b - half);
-    e.repaired("opening-too-wide",
-               fmt::format("its sides open by {} about the apex, {:.0f}° is the most that folds; both were turned in by "
-                           "{}",
-                           degrees(a + b), limit_deg, degrees(half)),
-               "choose the outer points nearer to the fold");
+    e.repaired(
+        "opening-too-wide",
+        fmt::format(
+            "its sides open by {} about the apex, {:.0f}° is the most that folds; both were turned in by "
+            "{}",
+            degrees(a + b), limit_deg, degrees(half)),
+        "choose the outer points nearer to the fold");
     return true;
 }
 
@@ -66,7 +71,8 @@ std::optional<Vec2> SlitCentre::meet(Vec2 p, Vec2 q) const {
 }
 
 SlitCentre slit_centre(const Site& site, double apex_s, int dir, SitePoint left, SitePoint right) {
-    // Turned from the fold towards the left by a - b: g = b away from the left side, h = a from the right one.
+    // Turned from the fold towards the left by a - b: g = b away from the left side, h = a from the right
+    // one.
     const double turn = angle_at(apex_s, dir, left) - angle_at(apex_s, dir, right);
     const Vec2 along = static_cast<double>(dir) * site.left.dir;
     return {site.on_page(Side::left, {apex_s, 0.0}),

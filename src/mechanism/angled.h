@@ -1,4 +1,5 @@
-// What the angled elements (beak, angled step, v-fold) share: an apex on the fold and two sides that open from it.
+// What the angled elements (beak, angled step, v-fold) share: an apex on the fold and two sides that open
+// from it.
 #pragma once
 
 #include <initializer_list>
@@ -9,15 +10,15 @@
 
 namespace popup {
 
-// Projects the apex onto the fold; a repair where it was off by more than rounding. False, after failed(), when the
-// fold is not there.
+// Projects the apex onto the fold; a repair where it was off by more than rounding. False, after failed(),
+// when the fold is not there.
 bool put_apex_on_fold(Element& element, std::size_t point, std::string_view letter);
 
 // Reports that a side is too short or too flat. Always false.
 bool angled_degenerate(Element& element, std::string_view line, double size, double angle);
 
-// Turns the sides in alike until they open by at most `limit_deg` about the apex; a repair. The last index of each
-// list gives the side's angle. False after failed().
+// Turns the sides in alike until they open by at most `limit_deg` about the apex; a repair. The last index of
+// each list gives the side's angle. False after failed().
 bool close_opening(Element& element, double apex_s, int dir, std::initializer_list<std::size_t> left,
                    std::initializer_list<std::size_t> right, double limit_deg);
 

@@ -1,7 +1,7 @@
 // The angled step: a beak without its tip (thesis 5.4.3.3).
 //
-// Points B C on the left side fold and G F on the right one, B and G nearer the apex A, where both side folds meet the
-// parent fold; B–G and C–F are the cuts. The centre fold is the beak's.
+// Points B C on the left side fold and G F on the right one, B and G nearer the apex A, where both side folds
+// meet the parent fold; B–G and C–F are the cuts. The centre fold is the beak's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,8 +55,8 @@ Ring half(const Element& e, Side side, double beyond) {
             e.site.on_page(side, along_cut(inner, e.on[left ? G : B], -beyond))};
 }
 
-// Puts the inner point on the line from the apex to the outer one, at the same distance from the outer one; how far
-// it moved.
+// Puts the inner point on the line from the apex to the outer one, at the same distance from the outer one;
+// how far it moved.
 double align(SitePoint& inner, SitePoint outer, double apex_s) {
     const double size = std::hypot(inner.s - outer.s, inner.w - outer.w);
     const double reach = std::hypot(apex_s - outer.s, outer.w);
@@ -80,13 +80,15 @@ bool constrain(Element& e) {
     if (left_swapped && right_swapped) {
         std::swap(e.on[B], e.on[C]);
         std::swap(e.on[G], e.on[F]);
-        e.repaired("points-reordered", "B and G must be nearer to the apex than C and F; they were exchanged with them",
+        e.repaired("points-reordered",
+                   "B and G must be nearer to the apex than C and F; they were exchanged with them",
                    "give B before C and G before F, the inner point first");
     } else if (left_swapped != right_swapped && e.on[B].w != e.on[C].w && e.on[G].w != e.on[F].w) {
         const Segment bg{e.site.on_page(Side::left, e.on[B]), e.site.on_page(Side::right, e.on[G])};
         const Segment cf{e.site.on_page(Side::left, e.on[C]), e.site.on_page(Side::right, e.on[F])};
         const Vec2 at = proper_crossing(bg, cf).value_or(0.5 * (bg.a + bg.b));
-        e.failed("outline-crosses", fmt::format("the cuts B–G and C–F cross at ({:.2f}, {:.2f}) mm", at.x, at.y),
+        e.failed("outline-crosses",
+                 fmt::format("the cuts B–G and C–F cross at ({:.2f}, {:.2f}) mm", at.x, at.y),
                  "exchange G and F, so that B and G are the inner points and C and F the outer ones");
         return false;
     }
@@ -113,7 +115,8 @@ bool constrain(Element& e) {
     for (const auto& [inner, outer] : {std::pair{B, C}, std::pair{G, F}}) {
         const double size = std::hypot(e.on[outer].s - e.on[inner].s, e.on[outer].w - e.on[inner].w);
         const double angle = angle_at(mean, dir, e.on[outer]);
-        if (size < tol.min_length_mm || angle < tol.min_angle_deg * kDegree || e.on[inner].w < tol.min_length_mm) {
+        if (size < tol.min_length_mm || angle < tol.min_angle_deg * kDegree ||
+            e.on[inner].w < tol.min_length_mm) {
             return angled_degenerate(e, inner == B ? "B–C" : "G–F", size, angle);
         }
     }
@@ -134,7 +137,8 @@ FoldLines fold_lines(const Element& e) {
     };
     FoldLines folds;
     folds[kLeftFold] = line(b, c);
-    folds[kCentreFold] = line(centre.meet(b, g).value_or(lerp(b, g, 0.5)), centre.meet(c, f).value_or(lerp(c, f, 0.5)));
+    folds[kCentreFold] =
+        line(centre.meet(b, g).value_or(lerp(b, g, 0.5)), centre.meet(c, f).value_or(lerp(c, f, 0.5)));
     folds[kRightFold] = line(g, f);
     return folds;
 }
@@ -162,12 +166,20 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "angled-step", inverted, false, about, kPoints}, kPartners, span, constrain, fold_lines, nullptr, lower};
+    return {{name, code, "angled-step", inverted, false, about, kPoints},
+            kPartners,
+            span,
+            constrain,
+            fold_lines,
+            nullptr,
+            lower};
 }
 
 }  // namespace
 
-const ElementRow kAngledStep = row("angled-step", 4, false, "two cuts across a valley fold; a beak without its tip");
-const ElementRow kInvertedAngledStep = row("inverted-angled-step", 5, true, "an angled step on a mountain fold");
+const ElementRow kAngledStep =
+    row("angled-step", 4, false, "two cuts across a valley fold; a beak without its tip");
+const ElementRow kInvertedAngledStep =
+    row("inverted-angled-step", 5, true, "an angled step on a mountain fold");
 
 }  // namespace popup

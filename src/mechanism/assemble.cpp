@@ -1,4 +1,5 @@
-// The skeleton finished: cut-outs taken away, folds interrupted, drawn lines spread over the plates they lie on.
+// The skeleton finished: cut-outs taken away, folds interrupted, drawn lines spread over the plates they lie
+// on.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,8 +30,9 @@ bool cut_out(const Skeleton& skeleton, Assembly& assembly, Diagnostics& diagnost
         if (left.size() != 1) {
             diagnostics
                 .error("plane-falls-apart", {},
-                       fmt::format("what is cut from {} leaves {} parts of it, where one piece of paper must remain", plate.name,
-                                   left.size()))
+                       fmt::format(
+                           "what is cut from {} leaves {} parts of it, where one piece of paper must remain",
+                           plate.name, left.size()))
                 .hint("leave paper between the elements that stand on it");
             ok = false;
             continue;
@@ -44,8 +46,10 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
     const auto piece_of = [&](int plate) { return assembly.plates[static_cast<std::size_t>(plate)].piece; };
     for (const Fold& fold : skeleton.folds) {
         if (fold.seam) {
-            assembly.lines.push_back({LineKind::seam, fold.on_left, piece_of(fold.left_plate), fold.left_plate, -1});
-            assembly.lines.push_back({LineKind::seam, fold.on_right, piece_of(fold.right_plate), fold.right_plate, -1});
+            assembly.lines.push_back(
+                {LineKind::seam, fold.on_left, piece_of(fold.left_plate), fold.left_plate, -1});
+            assembly.lines.push_back(
+                {LineKind::seam, fold.on_right, piece_of(fold.right_plate), fold.right_plate, -1});
             continue;
         }
         const LineKind kind = fold.closed_deg == 360 ? LineKind::mountain : LineKind::valley;
@@ -54,7 +58,8 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
             if (hi - lo < kGridMm) return;
             const Segment at{lo <= 0.0 ? fold.on_left.a : lerp(fold.on_left.a, fold.on_left.b, lo / size),
                              hi >= size ? fold.on_left.b : lerp(fold.on_left.a, fold.on_left.b, hi / size)};
-            assembly.lines.push_back({kind, at, piece_of(fold.left_plate), fold.left_plate, fold.right_plate});
+            assembly.lines.push_back(
+                {kind, at, piece_of(fold.left_plate), fold.left_plate, fold.right_plate});
         };
         double from = 0.0;
         for (const auto& [begin, span] : fold.gone) {
@@ -112,11 +117,16 @@ void spread_lines(const Skeleton& skeleton, const Design& design, Assembly& asse
 
 std::string_view to_string(LineKind kind) {
     switch (kind) {
-        case LineKind::cut: return "cut";
-        case LineKind::mountain: return "mountain";
-        case LineKind::valley: return "valley";
-        case LineKind::seam: return "seam";
-        case LineKind::mark: return "mark";
+        case LineKind::cut:
+            return "cut";
+        case LineKind::mountain:
+            return "mountain";
+        case LineKind::valley:
+            return "valley";
+        case LineKind::seam:
+            return "seam";
+        case LineKind::mark:
+            return "mark";
     }
     return "";
 }

@@ -1,7 +1,9 @@
-// The beak: one cut across the fold; two side folds and the centre fold meet in the apex on it (thesis 5.4.3.2).
+// The beak: one cut across the fold; two side folds and the centre fold meet in the apex on it
+// (thesis 5.4.3.2).
 //
-// Points A (apex), B left, E right; B–E is the cut. With a and b the angles of the side folds to the parent fold, the
-// centre fold leaves the left side fold at the angle b (so the right one at a), which makes every angle foldable.
+// Points A (apex), B left, E right; B–E is the cut. With a and b the angles of the side folds to the parent
+// fold, the centre fold leaves the left side fold at the angle b (so the right one at a), which makes every
+// angle foldable.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +24,9 @@ int direction(const Element& e) {
     return angle_at(e.on[A].s, 1, e.on[B]) + angle_at(e.on[A].s, 1, e.on[E]) <= std::numbers::pi ? 1 : -1;
 }
 
-std::pair<double, double> span(const Element& e) { return std::minmax(e.on[A].s, crossing(e.on[B], e.on[E])); }
+std::pair<double, double> span(const Element& e) {
+    return std::minmax(e.on[A].s, crossing(e.on[B], e.on[E]));
+}
 
 Ring half(const Element& e, Side side, double beyond) {
     const SitePoint near = e.on[side == Side::left ? B : E];
@@ -39,7 +43,8 @@ bool constrain(Element& e) {
     for (const std::size_t i : {B, E}) {
         const double reach = std::hypot(e.on[i].s - e.on[A].s, e.on[i].w);
         const double angle = angle_at(e.on[A].s, direction(e), e.on[i]);
-        if (reach < tol.min_length_mm || angle < tol.min_angle_deg * kDegree || e.on[i].w < tol.min_length_mm) {
+        if (reach < tol.min_length_mm || angle < tol.min_angle_deg * kDegree ||
+            e.on[i].w < tol.min_length_mm) {
             return angled_degenerate(e, i == B ? "A–B" : "A–E", reach, angle);
         }
     }
@@ -87,12 +92,20 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "beak", inverted, false, about, kPoints}, kPartners, span, constrain, fold_lines, nullptr, lower};
+    return {{name, code, "beak", inverted, false, about, kPoints},
+            kPartners,
+            span,
+            constrain,
+            fold_lines,
+            nullptr,
+            lower};
 }
 
 }  // namespace
 
-const ElementRow kBeak = row("beak", 2, false, "one cut across a valley fold; a mouth whose folds meet in a point");
-const ElementRow kInvertedBeak = row("inverted-beak", 3, true, "a beak on a mountain fold; it sinks behind it");
+const ElementRow kBeak =
+    row("beak", 2, false, "one cut across a valley fold; a mouth whose folds meet in a point");
+const ElementRow kInvertedBeak =
+    row("inverted-beak", 3, true, "a beak on a mountain fold; it sinks behind it");
 
 }  // namespace popup

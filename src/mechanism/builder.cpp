@@ -63,7 +63,8 @@ int Builder::add_piece(const std::string& name) {
     return static_cast<int>(skeleton_.draft.pieces.size()) - 1;
 }
 
-int Builder::add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill) {
+int Builder::add_plate(const std::string& name, int piece, int page, Ring outline,
+                       std::optional<Color> fill) {
     const int index = static_cast<int>(skeleton_.draft.plates.size());
     if (signed_area(outline) < 0.0) std::reverse(outline.begin(), outline.end());
     Plate plate;

@@ -20,15 +20,16 @@ struct CutSpan {
     std::string by;  // id of the element that cut it
 };
 
-// A fold or seam that elements can stand on. `left` lies on its left, seen from begin to end on the left page.
+// A fold or seam that elements can stand on. `left` lies on its left, seen from begin to end on the left
+// page.
 struct Fold {
     int left_plate = -1, right_plate = -1;
     int left_page = 0, right_page = 0;
-    Segment on_left, on_right;      // begin → end on each page; one and the same segment unless it is a seam
-    int closed_deg = 0;             // dihedral angle on the front side at the closed card: 0, 180 or 360
+    Segment on_left, on_right;  // begin → end on each page; one and the same segment unless it is a seam
+    int closed_deg = 0;         // dihedral angle on the front side at the closed card: 0, 180 or 360
     bool seam = false;
-    std::string owner;              // element's id, or "page"
-    std::map<double, CutSpan> gone; // by begin, mm along the fold, disjoint
+    std::string owner;               // element's id, or "page"
+    std::map<double, CutSpan> gone;  // by begin, mm along the fold, disjoint
 
     [[nodiscard]] double length() const { return distance(on_left.a, on_left.b); }
     // The cut that takes away some of [lo, hi], if any.
@@ -46,11 +47,11 @@ enum FoldRole { kLeftFold, kCentreFold, kRightFold, kFoldRoles };
 using FoldLines = std::array<FoldLine, kFoldRoles>;
 
 struct Skeleton {
-    Assembly draft;                             // plates with raw outlines; lines: cuts only
+    Assembly draft;  // plates with raw outlines; lines: cuts only
     std::vector<Fold> folds;
-    std::vector<int> plate_page;                // of each plate
-    std::vector<std::vector<Ring>> cut_outs;    // of each plate: what 90° elements take away
-    std::vector<bool> page_mirrored;            // of each page: the author drew it mirrored
+    std::vector<int> plate_page;              // of each plate
+    std::vector<std::vector<Ring>> cut_outs;  // of each plate: what 90° elements take away
+    std::vector<bool> page_mirrored;          // of each page: the author drew it mirrored
 };
 
 // The names and colours of the two plates an element makes.
@@ -62,11 +63,12 @@ struct ElementPaint {
 
 // Adds plates, lines and joints to a skeleton. All coordinates are page coordinates.
 class Builder {
-   public:
+ public:
     explicit Builder(Skeleton& skeleton) : skeleton_(skeleton) {}
 
     // The base page: its two plates, its edge as cuts, its gutter as fold 0.
-    void add_base_page(double width_mm, double height_mm, std::optional<Color> left, std::optional<Color> right);
+    void add_base_page(double width_mm, double height_mm, std::optional<Color> left,
+                       std::optional<Color> right);
     int add_piece(const std::string& name);
     // Adds a plate; its outline is made counter-clockwise.
     int add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill);
@@ -80,7 +82,7 @@ class Builder {
 
     [[nodiscard]] Skeleton& skeleton() { return skeleton_; }
 
-   private:
+ private:
     Skeleton& skeleton_;
 };
 

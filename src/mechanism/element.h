@@ -14,8 +14,8 @@ namespace popup {
 
 // Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far.
 struct PaperQuery {
-    // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the parent
-    // fold, and no earlier seam under it.
+    // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
+    // parent fold, and no earlier seam under it.
     std::function<bool(Side, const Ring&)> may_cut;
     // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
     std::function<bool(Side, const Segment&)> may_glue;
@@ -29,17 +29,17 @@ struct Element {
     double alive_lo = 0.0, alive_hi = 0.0;  // the stretch of the fold it stands on
     int extra_page = -1;                    // of its own piece
     double page_height = 0.0;
-    std::string label;                      // number of its tabs: "1"
-    std::vector<SitePoint> on;              // the points of the fold's page, in the row's order
-    std::vector<Vec2> extra;                // the points of the extra page, in the row's order
-    bool inverted = false;                  // the form it turned out to be; constrain() may correct it
-    bool piece_mirrored = false;            // constrain() has mirrored the extra points (x to -x)
+    std::string label;            // number of its tabs: "1"
+    std::vector<SitePoint> on;    // the points of the fold's page, in the row's order
+    std::vector<Vec2> extra;      // the points of the extra page, in the row's order
+    bool inverted = false;        // the form it turned out to be; constrain() may correct it
+    bool piece_mirrored = false;  // constrain() has mirrored the extra points (x to -x)
 
     // Services of check().
     const Tolerances* tolerances = nullptr;
     const PaperQuery* paper = nullptr;
-    // Reports a repair, after it was made: `what` says what was wrong, with its numbers. check() adds where the
-    // points stood before and stand now.
+    // Reports a repair, after it was made: `what` says what was wrong, with its numbers. check() adds where
+    // the points stood before and stand now.
     std::function<void(std::string_view code, std::string what, std::string hint)> repaired;
     // Reports what cannot be repaired. The element is then left out.
     std::function<void(std::string_view code, std::string what, std::string hint)> failed;

@@ -31,8 +31,9 @@ const std::vector<ElementInfo>& infos() {
 }  // namespace
 
 std::span<const ElementRow> element_rows() {
-    static const std::array<ElementRow, 9> rows{kStep,       kInvertedStep,       kBeak,  kInvertedBeak, kAngledStep,
-                                                kInvertedAngledStep, kVFold, kInvertedVFold, kTent};
+    static const std::array<ElementRow, 9> rows{kStep,         kInvertedStep,  kBeak,
+                                                kInvertedBeak, kAngledStep,    kInvertedAngledStep,
+                                                kVFold,        kInvertedVFold, kTent};
     return rows;
 }
 
@@ -52,7 +53,8 @@ const ElementInfo* find_element(std::string_view name_or_code) {
 
 const ElementRow& element_row(const ElementInfo& info) {
     const auto rows = element_rows();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const ElementRow& r) { return r.info.name == info.name; });
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const ElementRow& r) { return r.info.name == info.name; });
     POPUP_INVARIANT(row != rows.end());
     return *row;
 }

@@ -56,7 +56,8 @@ void make_parallel(Element& element, std::size_t a, std::size_t b, std::string_v
     const double tilt = std::atan2(std::abs(q.w - p.w), std::abs(q.s - p.s));
     const double off = 0.5 * std::abs(q.w - p.w);
     const double half = 0.5 * std::hypot(q.s - p.s, q.w - p.w);
-    const bool rounding = off <= element.tolerances->rounding_mm || tilt <= element.tolerances->rounding_deg * kDegree;
+    const bool rounding =
+        off <= element.tolerances->rounding_mm || tilt <= element.tolerances->rounding_deg * kDegree;
     const double mid_s = 0.5 * (p.s + q.s);
     const double w = 0.5 * (p.w + q.w);
     const double sign = q.s < p.s ? -1.0 : 1.0;
@@ -66,15 +67,17 @@ void make_parallel(Element& element, std::size_t a, std::size_t b, std::string_v
     }
     p = {mid_s - sign * half, w};
     q = {mid_s + sign * half, w};
-    element.repaired("not-parallel",
-                     fmt::format("{} is {} off the direction of its parent fold; it was turned about its midpoint",
-                                 name, degrees(tilt)),
-                     fmt::format("give both ends of {} the same distance from the fold", name));
+    element.repaired(
+        "not-parallel",
+        fmt::format("{} is {} off the direction of its parent fold; it was turned about its midpoint", name,
+                    degrees(tilt)),
+        fmt::format("give both ends of {} the same distance from the fold", name));
 }
 
 double largest_that_fits(const std::function<bool(double)>& ok) {
     if (ok(1.0)) return 1.0;
-    // A coarse walk finds a place that fits even where the paper has holes further in; then bisection refines it.
+    // A coarse walk finds a place that fits even where the paper has holes further in; then bisection refines
+    // it.
     double bad = 1.0;
     double good = 0.0;
     for (double t = 0.95; t > 0.02; t -= 0.05) {
@@ -118,7 +121,9 @@ bool fit_cut(Element& element, const Footprint& footprint) {
         const auto [lo, hi] = footprint.span(e);
         return lo >= e.alive_lo + paper - slack && hi <= e.alive_hi - paper + slack;
     };
-    const auto side_ok = [&](const Element& e, Side side) { return e.paper->may_cut(side, footprint.half(e, side)); };
+    const auto side_ok = [&](const Element& e, Side side) {
+        return e.paper->may_cut(side, footprint.half(e, side));
+    };
     const auto ok = [&](const Element& e) {
         return along_ok(e) && side_ok(e, Side::left) && side_ok(e, Side::right);
     };
@@ -145,17 +150,19 @@ bool fit_cut(Element& element, const Footprint& footprint) {
     done = done || attempt("LR", false, true, "it was shortened along the fold");
     done = done || attempt("LR", true, true, "it was made smaller");
     if (!done) {
-        element.failed("does-not-fit",
-                       fmt::format("there is no room for the {} here: {} of paper must remain around it, and no seam "
-                                   "may lie under it",
-                                   element.info->name, mm(paper)),
-                       "move it along the fold, or make what stands beside it smaller");
+        element.failed(
+            "does-not-fit",
+            fmt::format("there is no room for the {} here: {} of paper must remain around it, and no seam "
+                        "may lie under it",
+                        element.info->name, mm(paper)),
+            "move it along the fold, or make what stands beside it smaller");
         return false;
     }
-    element.repaired("does-not-fit",
-                     fmt::format("the {} is larger than the planes it stands on (with {} of paper left around it); {}",
-                                 element.info->name, mm(paper), how),
-                     "make it smaller, or the paper around it larger");
+    element.repaired(
+        "does-not-fit",
+        fmt::format("the {} is larger than the planes it stands on (with {} of paper left around it); {}",
+                    element.info->name, mm(paper), how),
+        "make it smaller, or the paper around it larger");
     return true;
 }
 
@@ -198,21 +205,23 @@ Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_poi
 void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
     const Site& site = element.site;
     const int page = site.left_page;
-    const int piece =
-        builder.skeleton().draft.plates[static_cast<std::size_t>(site.left_plate)].piece;
+    const int piece = builder.skeleton().draft.plates[static_cast<std::size_t>(site.left_plate)].piece;
     const std::string& id = element.paint.id;
     const int left = builder.add_plate(id + "/left", piece, page, std::move(shape.left), element.paint.left);
-    const int right = builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
+    const int right =
+        builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
     builder.add_cut_out(site.left_plate, std::move(shape.gone_left));
     builder.add_cut_out(site.right_plate, std::move(shape.gone_right));
     for (const Segment& cut : shape.cuts) builder.add_cut(piece, cut);
     const auto [lo, hi] = shape.span;
-    builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi, id);
+    builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi,
+                     id);
 
     const int like = site.mountain ? 360 : 0;
     const auto fold = [&](FoldRole role, int left_plate, int right_plate, int closed_deg) {
         const FoldLine& line = folds[static_cast<std::size_t>(role)];
-        builder.add_fold({left_plate, right_plate, page, page, line.on_left, line.on_right, closed_deg, false, id, {}});
+        builder.add_fold(
+            {left_plate, right_plate, page, page, line.on_left, line.on_right, closed_deg, false, id, {}});
     };
     fold(kLeftFold, site.left_plate, left, like);
     fold(kCentreFold, left, right, 360 - like);
@@ -236,23 +245,41 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const int page = element.extra_page;
     const int piece = builder.add_piece(id);
     const int left = builder.add_plate(id + "/left", piece, page, std::move(shape.left), element.paint.left);
-    const int right = builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
+    const int right =
+        builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
     for (const Segment& edge : shape.edges) builder.add_cut(piece, edge);
 
     const FoldLine& l = folds[kLeftFold];
     const FoldLine& c = folds[kCentreFold];
     const FoldLine& r = folds[kRightFold];
-    builder.add_fold({site.left_plate, left, site.left_page, page, l.on_left, l.on_right, shape.seam_closed_deg,
-                      true, id, {}});
-    builder.add_fold({left, right, page, page, c.on_left, c.on_right, shape.centre_closed_deg, false, id, {}});
-    builder.add_fold({right, site.right_plate, page, site.right_page, r.on_left, r.on_right,
-                      shape.seam_closed_deg, true, id, {}});
+    builder.add_fold({site.left_plate,
+                      left,
+                      site.left_page,
+                      page,
+                      l.on_left,
+                      l.on_right,
+                      shape.seam_closed_deg,
+                      true,
+                      id,
+                      {}});
+    builder.add_fold(
+        {left, right, page, page, c.on_left, c.on_right, shape.centre_closed_deg, false, id, {}});
+    builder.add_fold({right,
+                      site.right_plate,
+                      page,
+                      site.right_page,
+                      r.on_left,
+                      r.on_right,
+                      shape.seam_closed_deg,
+                      true,
+                      id,
+                      {}});
 
-    // Glue looks along the seam with the piece on its right: the tab then lies on the left of it on the piece's page,
-    // and covers the right of it on the base.
+    // Glue looks along the seam with the piece on its right: the tab then lies on the left of it on the
+    // piece's page, and covers the right of it on the base.
     const auto turned = [](const Segment& s) { return Segment{s.b, s.a}; };
-    builder.add_glue({left, site.left_plate, l.on_right, l.on_left, element.label + "L", element.paint.left_tab, id,
-                      element.paint.place});
+    builder.add_glue({left, site.left_plate, l.on_right, l.on_left, element.label + "L",
+                      element.paint.left_tab, id, element.paint.place});
     builder.add_glue({right, site.right_plate, turned(r.on_left), turned(r.on_right), element.label + "R",
                       element.paint.right_tab, id, element.paint.place});
 

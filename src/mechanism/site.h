@@ -1,7 +1,7 @@
 // Where an element stands: a fold, seen along its direction, with a plate on each side.
 //
-// Elements reason in site coordinates: `s` along the fold from its begin, `w` away from it, positive on the side
-// that is meant. A seam has its two sides on two pages; in site coordinates that makes no difference.
+// Elements reason in site coordinates: `s` along the fold from its begin, `w` away from it, positive on the
+// side that is meant. A seam has its two sides on two pages; in site coordinates that makes no difference.
 #pragma once
 
 #include "popup/geometry.h"
@@ -22,14 +22,14 @@ struct SitePoint {
 enum class Side { left, right };
 
 struct Site {
-    DirectedLine left, right;         // the same line of paper on the left plate's page and on the right plate's
+    DirectedLine left, right;  // the same line of paper on the left plate's page and on the right plate's
     int left_page = 0, right_page = 0;
     int left_plate = -1, right_plate = -1;
-    int fold = -1;                    // index into Skeleton::folds
-    double length = 0.0;              // of the fold, mm
-    bool mountain = false;            // closed dihedral 360° (else 0°)
+    int fold = -1;          // index into Skeleton::folds
+    double length = 0.0;    // of the fold, mm
+    bool mountain = false;  // closed dihedral 360° (else 0°)
     bool seam = false;
-    bool reversed = false;            // looked along against the fold's own direction
+    bool reversed = false;  // looked along against the fold's own direction
 
     // Page coordinates of a point given in site coordinates, on the page of that side.
     [[nodiscard]] Vec2 on_page(Side side, SitePoint p) const {

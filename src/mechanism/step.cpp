@@ -1,8 +1,8 @@
 // The step: two cuts across the fold, two side folds and a centre fold, all parallel (thesis 5.4.3.1).
 //
-// Points A B on the left side fold, G H on the right one; A–G and B–H are the cuts. With p and q the distances of the
-// side folds from the parent fold, the centre fold lies q from the left one and p from the right one, so that the
-// four folds are a parallelogram's corners at every angle.
+// Points A B on the left side fold, G H on the right one; A–G and B–H are the cuts. With p and q the
+// distances of the side folds from the parent fold, the centre fold lies q from the left one and p from the
+// right one, so that the four folds are a parallelogram's corners at every angle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,18 +24,20 @@ std::pair<double, double> span(const Element& e) {
     return std::minmax({crossing(e.on[A], e.on[G]), crossing(e.on[B], e.on[H])});
 }
 
-// The half of the element on one side, between its cuts; `beyond` mm over the fold, so that nothing of the plate is
-// left there when it is cut away.
+// The half of the element on one side, between its cuts; `beyond` mm over the fold, so that nothing of the
+// plate is left there when it is cut away.
 Ring half(const Element& e, Side side, double beyond) {
     const bool left = side == Side::left;
     const SitePoint a = e.on[left ? A : G];
     const SitePoint b = e.on[left ? B : H];
     const SitePoint ga = along_cut(a, e.on[left ? G : A], -beyond);
     const SitePoint gb = along_cut(b, e.on[left ? H : B], -beyond);
-    return {e.site.on_page(side, a), e.site.on_page(side, b), e.site.on_page(side, gb), e.site.on_page(side, ga)};
+    return {e.site.on_page(side, a), e.site.on_page(side, b), e.site.on_page(side, gb),
+            e.site.on_page(side, ga)};
 }
 
-// Clips what overflows the fold's ends: a cut that crosses the fold too far out moves along it, both ends alike.
+// Clips what overflows the fold's ends: a cut that crosses the fold too far out moves along it, both ends
+// alike.
 void clip_along(Element& e) {
     const double lo = e.alive_lo + e.tolerances->paper_mm;
     const double hi = e.alive_hi - e.tolerances->paper_mm;
@@ -49,10 +51,12 @@ void clip_along(Element& e) {
         most = std::max(most, std::abs(move));
     }
     if (most == 0.0) return;
-    e.repaired("does-not-fit",
-               fmt::format("the step reaches {} over the end of its fold (with {} of paper left around it); it was clipped", mm(most),
-                           mm(e.tolerances->paper_mm)),
-               "make it shorter along the fold");
+    e.repaired(
+        "does-not-fit",
+        fmt::format(
+            "the step reaches {} over the end of its fold (with {} of paper left around it); it was clipped",
+            mm(most), mm(e.tolerances->paper_mm)),
+        "make it shorter along the fold");
 }
 
 bool constrain(Element& e) {
@@ -73,20 +77,24 @@ bool constrain(Element& e) {
     const double left_length = std::abs(e.on[A].s - e.on[B].s);
     const double right_length = std::abs(e.on[G].s - e.on[H].s);
     if (std::min({p, q, left_length, right_length}) < least) {
-        e.failed("degenerate",
-                 fmt::format("the step is too small to fold: side folds {} and {} long, {} and {} from the parent "
-                             "fold, where {} is the least",
-                             mm(left_length), mm(right_length), mm(p), mm(q), mm(least)),
-                 "put A, B left and G, H right of the fold, each side fold at least 1 mm long and 1 mm away from it");
+        e.failed(
+            "degenerate",
+            fmt::format("the step is too small to fold: side folds {} and {} long, {} and {} from the parent "
+                        "fold, where {} is the least",
+                        mm(left_length), mm(right_length), mm(p), mm(q), mm(least)),
+            "put A, B left and G, H right of the fold, each side fold at least 1 mm long and 1 mm away from "
+            "it");
         return false;
     }
     clip_along(e);
     if (std::abs(e.on[A].s - e.on[B].s) < least || std::abs(e.on[G].s - e.on[H].s) < least) {
-        e.failed("does-not-fit", "too little of the fold is left where the step stands", "move it along the fold");
+        e.failed("does-not-fit", "too little of the fold is left where the step stands",
+                 "move it along the fold");
         return false;
     }
     const auto [lo, hi] = span(e);
-    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, 0.5 * (lo + hi)});
+    return fit_cut(e,
+                   {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, 0.5 * (lo + hi)});
 }
 
 FoldLines fold_lines(const Element& e) {
@@ -131,12 +139,20 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "step", inverted, false, about, kPoints}, kPartners, span, constrain, fold_lines, nullptr, lower};
+    return {{name, code, "step", inverted, false, about, kPoints},
+            kPartners,
+            span,
+            constrain,
+            fold_lines,
+            nullptr,
+            lower};
 }
 
 }  // namespace
 
-const ElementRow kStep = row("step", 0, false, "two cuts across a valley fold; a box that stands out of the page");
-const ElementRow kInvertedStep = row("inverted-step", 1, true, "a step on a mountain fold; it sinks behind it");
+const ElementRow kStep =
+    row("step", 0, false, "two cuts across a valley fold; a box that stands out of the page");
+const ElementRow kInvertedStep =
+    row("inverted-step", 1, true, "a step on a mountain fold; it sinks behind it");
 
 }  // namespace popup

@@ -1,8 +1,9 @@
 // The tent: a piece of its own, glued along two seams parallel to the fold (thesis 5.4.3.5).
 //
-// On the fold's page A B (left seam) and E F (right seam); on the extra page G H (glued to A B) and K L (glued to E F),
-// outline G K L H. With p, q the seams' distances from the fold, the piece's width is the author's, and its centre
-// fold I–J follows from folding flat: on a valley fold p + s1 = q + s2, on a mountain fold s1 − p = s2 − q.
+// On the fold's page A B (left seam) and E F (right seam); on the extra page G H (glued to A B) and K L
+// (glued to E F), outline G K L H. With p, q the seams' distances from the fold, the piece's width is the
+// author's, and its centre fold I–J follows from folding flat: on a valley fold p + s1 = q + s2, on a
+// mountain fold s1 − p = s2 − q.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +35,8 @@ std::pair<double, double> stands_on(const Element& e) {
 // +1 when A–B runs along the fold, -1 when against it.
 double heading(const Element& e) { return e.on[B].s >= e.on[A].s ? 1.0 : -1.0; }
 
-// Along the piece's seams, in the direction of the parent fold; across it, from the left seam towards the right one.
+// Along the piece's seams, in the direction of the parent fold; across it, from the left seam towards the
+// right one.
 struct PieceAxes {
     Vec2 along, across;
 };
@@ -67,14 +69,14 @@ bool fit_seam(Element& e, Side side, std::size_t i, std::size_t j, std::string_v
     const auto on = [](SitePoint a, SitePoint b, double t, double w) {
         return SitePoint{a.s + t * (b.s - a.s), w};
     };
-    const auto ok = [&](SitePoint a, SitePoint b) { return e.paper->may_glue(side, e.site.segment(side, a, b)); };
+    const auto ok = [&](SitePoint a, SitePoint b) {
+        return e.paper->may_glue(side, e.site.segment(side, a, b));
+    };
     if (ok(p, q)) return true;
     // First pull the seam towards the fold until its middle is on paper, then clip its ends.
     const SitePoint mid = on(p, q, 0.5, p.w);
     const SitePoint near_mid = on(p, q, 0.501, p.w);
-    const double t = largest_that_fits([&](double u) {
-        return ok({mid.s, u * p.w}, {near_mid.s, u * p.w});
-    });
+    const double t = largest_that_fits([&](double u) { return ok({mid.s, u * p.w}, {near_mid.s, u * p.w}); });
     const double w = t * p.w;
     if (t == 0.0 || w < e.tolerances->min_length_mm) {
         e.failed("does-not-fit", fmt::format("there is no paper under the seam {}", name),
@@ -91,11 +93,13 @@ bool fit_seam(Element& e, Side side, std::size_t i, std::size_t j, std::string_v
                  "move the tent along the fold, or what has been cut out beside it");
         return false;
     }
-    e.repaired("does-not-fit",
-               fmt::format("the seam {} leaves the plane it is glued to; it is now {} from the fold (was {}) and {} long "
-                           "(was {})",
-                           name, mm(w), mm(p.w), mm(std::abs(e.on[i].s - e.on[j].s)), mm(std::abs(p.s - q.s))),
-               "make the tent smaller, or the paper under it larger");
+    e.repaired(
+        "does-not-fit",
+        fmt::format(
+            "the seam {} leaves the plane it is glued to; it is now {} from the fold (was {}) and {} long "
+            "(was {})",
+            name, mm(w), mm(p.w), mm(std::abs(e.on[i].s - e.on[j].s)), mm(std::abs(p.s - q.s))),
+        "make the tent smaller, or the paper under it larger");
     return true;
 }
 
@@ -110,7 +114,8 @@ bool constrain_page(Element& e) {
                                          mm(e.on[A].w), mm(e.on[E].w)));
     }
     if (heading(e) * (e.on[F].s - e.on[E].s) < 0.0) {
-        e.failed("outline-crosses", "the seams A–B and E–F run in opposite directions, so that the free edges cross",
+        e.failed("outline-crosses",
+                 "the seams A–B and E–F run in opposite directions, so that the free edges cross",
                  "exchange E with F, and K with L");
         return false;
     }
@@ -132,11 +137,12 @@ void make_piece_parallel(Element& e) {
     turn(K, L, -0.5 * between);
     const double off = 0.25 * std::abs(between) * std::max(length(gh), length(kl));
     if (off <= e.tolerances->rounding_mm || std::abs(between) <= e.tolerances->rounding_deg * kDegree) return;
-    e.repaired("not-parallel",
-               fmt::format("the seams G–H and K–L of its piece are {} from parallel; both were turned about their "
-                           "midpoints",
-                           degrees(std::abs(between))),
-               "draw G–H and K–L parallel");
+    e.repaired(
+        "not-parallel",
+        fmt::format("the seams G–H and K–L of its piece are {} from parallel; both were turned about their "
+                    "midpoints",
+                    degrees(std::abs(between))),
+        "draw G–H and K–L parallel");
 }
 
 // Moves the piece's seam ends along the seams until they match the page's, end for end.
@@ -156,21 +162,25 @@ void match_ends(Element& e) {
         worst = std::max(worst, std::abs(common - shift[x]));
     }
     if (worst > e.tolerances->rounding_mm) {
-        e.repaired("seam-length",
-                   fmt::format("the ends of the piece's seams are up to {} off those on the page; they were moved along "
-                               "the seams",
-                               mm(worst)),
-                   "make G–H as long as A–B, K–L as long as E–F, and offset them alike");
+        e.repaired(
+            "seam-length",
+            fmt::format(
+                "the ends of the piece's seams are up to {} off those on the page; they were moved along "
+                "the seams",
+                mm(worst)),
+            "make G–H as long as A–B, K–L as long as E–F, and offset them alike");
     }
 }
 
 bool constrain_piece(Element& e) {
     for (const auto& [i, j] : {std::pair{G, H}, std::pair{K, L}}) {
         const double size = distance(e.extra[i], e.extra[j]);
-        if (size < e.tolerances->min_length_mm) return degenerate(e, fmt::format("a seam of its piece is {} long", mm(size)));
+        if (size < e.tolerances->min_length_mm)
+            return degenerate(e, fmt::format("a seam of its piece is {} long", mm(size)));
     }
     if (dot(e.extra[H] - e.extra[G], e.extra[L] - e.extra[K]) < 0.0) {
-        e.failed("outline-crosses", "the seams G–H and K–L of its piece run in opposite directions, so that G–K and H–L cross",
+        e.failed("outline-crosses",
+                 "the seams G–H and K–L of its piece run in opposite directions, so that G–K and H–L cross",
                  "exchange K and L");
         return false;
     }
@@ -183,8 +193,10 @@ bool constrain_piece(Element& e) {
     }
     make_piece_parallel(e);
     match_ends(e);
-    if (const std::string what = self_crossing({e.extra[G], e.extra[K], e.extra[L], e.extra[H]}, kRing); !what.empty()) {
-        e.failed("outline-crosses", "the outline of its piece crosses itself: " + what, "draw G K L H in this order round the piece");
+    if (const std::string what = self_crossing({e.extra[G], e.extra[K], e.extra[L], e.extra[H]}, kRing);
+        !what.empty()) {
+        e.failed("outline-crosses", "the outline of its piece crosses itself: " + what,
+                 "draw G K L H in this order round the piece");
         return false;
     }
     const double least = e.on[A].w + e.on[E].w;
@@ -196,11 +208,13 @@ bool constrain_piece(Element& e) {
         e.extra[K] = e.extra[K] + out;
         e.extra[L] = e.extra[L] + out;
         if (least - wide > e.tolerances->rounding_mm) {
-            e.repaired("tent-too-narrow",
-                       fmt::format("the piece is {} wide and its seams on the page are {} apart, so it would stop the "
-                                   "card from opening; it was widened to {}",
-                                   mm(wide), mm(least), mm(least)),
-                       "make the piece at least as wide as its seams are apart");
+            e.repaired(
+                "tent-too-narrow",
+                fmt::format(
+                    "the piece is {} wide and its seams on the page are {} apart, so it would stop the "
+                    "card from opening; it was widened to {}",
+                    mm(wide), mm(least), mm(least)),
+                "make the piece at least as wide as its seams are apart");
         }
     }
     return true;
@@ -242,7 +256,13 @@ void lower(const Element& e, Builder& builder) {
 
 }  // namespace
 
-const ElementRow kTent = {{"tent", 8, "tent", false, true, "a piece glued along two seams beside the fold", kPoints},
-                          kPartners, stands_on, constrain, fold_lines, width, lower};
+const ElementRow kTent = {
+    {"tent", 8, "tent", false, true, "a piece glued along two seams beside the fold", kPoints},
+    kPartners,
+    stands_on,
+    constrain,
+    fold_lines,
+    width,
+    lower};
 
 }  // namespace popup

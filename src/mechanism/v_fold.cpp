@@ -1,8 +1,9 @@
 // The v-fold: a piece of its own, glued along a V whose apex is on the parent fold (thesis 5.4.3.4).
 //
-// On the fold's page A B C: seams A–B and B–C, B the apex. On the extra page G E H J I: seams G–E and E–H, the piece's
-// outline G E H J I. The author chooses the piece's angle at E; where its centre fold E–F runs follows from folding
-// flat: on a valley fold a + g = b + h, on a mountain fold g − a = h − b (a, b the V's halves, g, h the piece's).
+// On the fold's page A B C: seams A–B and B–C, B the apex. On the extra page G E H J I: seams G–E and E–H,
+// the piece's outline G E H J I. The author chooses the piece's angle at E; where its centre fold E–F runs
+// follows from folding flat: on a valley fold a + g = b + h, on a mountain fold g − a = h − b (a, b the V's
+// halves, g, h the piece's).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ enum : std::size_t { G, E, H, J, I };
 
 constexpr double kWidestV = 170.0;      // degrees: above, the V hardly moves (thesis)
 constexpr double kLeastSurplus = 10.0;  // the piece's angle less the V's (thesis)
-constexpr double kMostInAll = 350.0;    // the piece's angle and the V's: above 360° it locks before the card opens
+constexpr double kMostInAll =
+    350.0;  // the piece's angle and the V's: above 360° it locks before the card opens
 
 double v_angle(const Element& e, int dir) {
     return angle_at(e.on[B].s, dir, e.on[A]) + angle_at(e.on[B].s, dir, e.on[C]);
@@ -112,9 +114,7 @@ bool constrain_v(Element& e) {
     for (const auto& [side, i] : {std::pair{Side::left, A}, std::pair{Side::right, C}}) {
         const SitePoint apex = e.on[B];
         const SitePoint whole = e.on[i];
-        const auto at = [&](double t) {
-            return SitePoint{apex.s + t * (whole.s - apex.s), t * whole.w};
-        };
+        const auto at = [&](double t) { return SitePoint{apex.s + t * (whole.s - apex.s), t * whole.w}; };
         const double t = largest_that_fits(
             [&](double u) { return e.paper->may_glue(side, e.site.segment(side, apex, at(u))); });
         if (t == 1.0) continue;
@@ -127,8 +127,8 @@ bool constrain_v(Element& e) {
         }
         e.on[i] = at(t);
         e.repaired("does-not-fit",
-                   fmt::format("the seam {} leaves the plane it is glued to; it was shortened from {} to {}", name,
-                               mm(seam), mm(t * seam)),
+                   fmt::format("the seam {} leaves the plane it is glued to; it was shortened from {} to {}",
+                               name, mm(seam), mm(t * seam)),
                    "make the V smaller, or the paper under it larger");
     }
     return true;
@@ -139,11 +139,13 @@ bool constrain_piece(Element& e) {
     if (front(e) < 0.0) {
         for (Vec2& p : e.extra) p.x = -p.x;
         e.piece_mirrored = true;
-        e.repaired("piece-mirrored", "its piece G E H J I was drawn from the back (clockwise); it was mirrored",
+        e.repaired("piece-mirrored",
+                   "its piece G E H J I was drawn from the back (clockwise); it was mirrored",
                    "draw the printed side: G on the left, H on the right, the seams below");
     }
     if (const std::string what = self_crossing(e.extra, kRing); !what.empty()) {
-        e.failed("outline-crosses", "the outline of its piece crosses itself: " + what, "draw G E H J I in this order round the piece");
+        e.failed("outline-crosses", "the outline of its piece crosses itself: " + what,
+                 "draw G E H J I in this order round the piece");
         return false;
     }
     for (const std::size_t i : {G, H}) {
@@ -162,16 +164,19 @@ bool constrain_piece(Element& e) {
         e.extra[H] = e.extra[E] + rotated(e.extra[H] - e.extra[E], -half);
         if (wanted > piece) {
             e.repaired("piece-too-narrow",
-                       fmt::format("the piece's angle at E is {} and the V's {}: it must be at least {:.0f}° more to "
-                                   "stand; it was widened to {}",
-                                   degrees(piece), degrees(v), kLeastSurplus, degrees(wanted)),
+                       fmt::format(
+                           "the piece's angle at E is {} and the V's {}: it must be at least {:.0f}° more to "
+                           "stand; it was widened to {}",
+                           degrees(piece), degrees(v), kLeastSurplus, degrees(wanted)),
                        "close the V, or spread G and H");
         } else {
-            e.repaired("piece-too-wide",
-                       fmt::format("the piece's angle at E ({}) and the V's ({}) are {} together, and more than {:.0f}° "
-                                   "lock before the card is open; it was narrowed to {}",
-                                   degrees(piece), degrees(v), degrees(piece + v), kMostInAll, degrees(wanted)),
-                       "close the V, or bring G and H together");
+            e.repaired(
+                "piece-too-wide",
+                fmt::format(
+                    "the piece's angle at E ({}) and the V's ({}) are {} together, and more than {:.0f}° "
+                    "lock before the card is open; it was narrowed to {}",
+                    degrees(piece), degrees(v), degrees(piece + v), kMostInAll, degrees(wanted)),
+                "close the V, or bring G and H together");
         }
     }
     double worst = 0.0;
@@ -182,10 +187,11 @@ bool constrain_piece(Element& e) {
         worst = std::max(worst, distance(old, e.extra[i]));
     }
     if (worst > tol.rounding_mm) {
-        e.repaired("seam-length",
-                   fmt::format("the piece's seams differ from the page's by up to {}; G and H were moved along them",
-                               mm(worst)),
-                   "make G–E as long as A–B, and E–H as long as B–C");
+        e.repaired(
+            "seam-length",
+            fmt::format("the piece's seams differ from the page's by up to {}; G and H were moved along them",
+                        mm(worst)),
+            "make G–E as long as A–B, and E–H as long as B–C");
     }
     if (const std::string what = self_crossing(e.extra, kRing); !what.empty()) {
         e.failed("outline-crosses", "with seams that fit, the outline of its piece crosses itself: " + what,
@@ -194,10 +200,11 @@ bool constrain_piece(Element& e) {
     }
     const double far = left_far(e, dir);
     if (std::min(far, piece_angle(e) - far) < tol.min_angle_deg * kDegree || !centre_end(e)) {
-        e.failed("degenerate",
-                 fmt::format("its centre fold would run {} from the left seam of a piece of {}, beside the paper",
-                             degrees(far), degrees(piece_angle(e))),
-                 "make the V more even, or the piece wider");
+        e.failed(
+            "degenerate",
+            fmt::format("its centre fold would run {} from the left seam of a piece of {}, beside the paper",
+                        degrees(far), degrees(piece_angle(e))),
+            "make the V more even, or the piece wider");
         return false;
     }
     return true;
@@ -239,19 +246,27 @@ void lower(const Element& e, Builder& builder) {
     shape.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
     shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
-    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an inverted one's.
+    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
+    // inverted one's.
     shape.centre_closed_deg = e.inverted ? 0 : 360;
     shape.seam_closed_deg = e.inverted == e.site.mountain ? 0 : 180;
     lower_glued(e, builder, fold_lines(e), std::move(shape));
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "v-fold", inverted, true, about, kPoints}, kPartners, stands_on, constrain, fold_lines, front, lower};
+    return {{name, code, "v-fold", inverted, true, about, kPoints},
+            kPartners,
+            stands_on,
+            constrain,
+            fold_lines,
+            front,
+            lower};
 }
 
 }  // namespace
 
-const ElementRow kVFold = row("v-fold", 6, false, "a piece glued along a V that opens towards the fold's end");
+const ElementRow kVFold =
+    row("v-fold", 6, false, "a piece glued along a V that opens towards the fold's end");
 const ElementRow kInvertedVFold =
     row("inverted-v-fold", 7, true, "a piece glued along a V that opens towards the fold's begin");
 

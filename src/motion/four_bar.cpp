@@ -28,8 +28,8 @@ struct BarAngles {
     double cos_near, sin_near, cos_far, sin_far;
 };
 BarAngles angles(const Bar& bar) {
-    return {dot(bar.seam_dir, bar.fold_dir), dot(bar.seam_dir, bar.fold_out), dot(bar.own_seam, bar.own_centre),
-            std::abs(cross(bar.own_seam, bar.own_centre))};
+    return {dot(bar.seam_dir, bar.fold_dir), dot(bar.seam_dir, bar.fold_out),
+            dot(bar.own_seam, bar.own_centre), std::abs(cross(bar.own_seam, bar.own_centre))};
 }
 
 std::optional<Vec3> angled_centre(const Joint& joint, const FoldFrame& fold) {
@@ -48,7 +48,8 @@ std::optional<Vec3> angled_centre(const Joint& joint, const FoldFrame& fold) {
     const double room = (l.sin_far * r.sin_far - near) / near + c * c;
     if (room < -kStuck) return std::nullopt;
     const double root = std::sqrt(std::max(room, 0.0));
-    // Nought over nought only where the piece is straight (σ = 180°) on the open card: it lies along the fold.
+    // Nought over nought only where the piece is straight (σ = 180°) on the open card: it lies along the
+    // fold.
     const double below = k2 * sin_sigma - c * c * cos_sigma + fold.c * root;
     const double v = below == 0.0 ? 0.0 : sin_sigma * sin_sigma / below;
     const double x = cos_sigma + s * s * v;
@@ -132,7 +133,8 @@ std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Fram
     Vec3 centre_l;
     Vec3 centre_r;
     switch (joint.kind) {
-        case JointKind::drive: return std::nullopt;
+        case JointKind::drive:
+            return std::nullopt;
         case JointKind::half_turn:
             if (joint.parallel) {
                 // A parallelogram: each side is parallel to the opposite plane.
@@ -177,7 +179,8 @@ Frame drive_frame(const Bar& bar, double theta_deg) {
     const Vec3 front_to{-turn * half.c * across.x, -turn * half.c * across.y, half.s};
     const Vec3 along{bar.fold_dir.x, bar.fold_dir.y, 0.0};
     Frame frame;
-    frame.axes = {across.x * across_to + bar.fold_dir.x * along, across.y * across_to + bar.fold_dir.y * along, front_to};
+    frame.axes = {across.x * across_to + bar.fold_dir.x * along,
+                  across.y * across_to + bar.fold_dir.y * along, front_to};
     frame.origin = Vec3{bar.fold_at.x, bar.fold_at.y, 0.0} - frame.direction(bar.fold_at);
     return frame;
 }

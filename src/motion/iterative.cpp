@@ -1,7 +1,8 @@
-// Hendrix's iterative placement (thesis, figure 5.16): a point with three known distances to three known points is
-// moved to and fro until the worst of them fits.
+// Hendrix's iterative placement (thesis, figure 5.16): a point with three known distances to three known
+// points is moved to and fro until the worst of them fits.
 //
-// Kept as the baseline of the benchmark and as a check of the closed form that shares nothing with it but the input.
+// Kept as the baseline of the benchmark and as a check of the closed form that shares nothing with it but the
+// input.
 #include <array>
 #include <cmath>
 
@@ -30,8 +31,10 @@ Vec3 approach(Vec3 point, const Anchors& anchors, int repeats, double precision)
             }
         }
         if (off_worst <= precision) return point;
-        if (now[worst] < 1e-12) point.z += anchors.distance[worst];  // on the anchor: any way out will do
-        else point = anchors.at[worst] + (anchors.distance[worst] / now[worst]) * (point - anchors.at[worst]);
+        if (now[worst] < 1e-12)
+            point.z += anchors.distance[worst];  // on the anchor: any way out will do
+        else
+            point = anchors.at[worst] + (anchors.distance[worst] / now[worst]) * (point - anchors.at[worst]);
     }
     return point;
 }
@@ -56,8 +59,8 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
         const Frame& right = frames[static_cast<std::size_t>(r.drive)];
         const Vec3 fold = left.point(l.fold_at);
         const Vec3 along = left.direction(l.fold_dir);
-        // The heuristic guess: straight out of the fold, as far as the element reaches when the card is closed. Cut
-        // elements stand where their planes lean, glued ones in front.
+        // The heuristic guess: straight out of the fold, as far as the element reaches when the card is
+        // closed. Cut elements stand where their planes lean, glued ones in front.
         const Vec3 lean = left.direction(l.fold_out) + right.direction(r.fold_out);
         Vec3 front = left.normal() + right.normal();
         if (joint.kind == JointKind::half_turn ? length(lean) > 1e-6 : length(front) < 1e-6) {
@@ -71,15 +74,17 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
         Vec3 to_l;
         Vec3 to_r;
         if (joint.parallel) {
-            // Two points of the centre fold, one arm apart, each from its own seam points and the other end's.
+            // Two points of the centre fold, one arm apart, each from its own seam points and the other
+            // end's.
             const Vec3 at_l = fold + l.near * left.direction(l.fold_out);
             const Vec3 at_r = fold + r.near * right.direction(r.fold_out);
             if (!started_) centres = {fold + reach * front, fold + reach * front + kArm * along};
             const double diagonal = std::hypot(l.far, kArm);
-            centres[0] = approach(centres[0], {{at_l, at_r, at_l + kArm * along}, {l.far, r.far, diagonal}}, repeats_,
-                                  precision_);
-            centres[1] = approach(centres[1], {{at_l + kArm * along, at_r + kArm * along, at_l}, {l.far, r.far, diagonal}},
+            centres[0] = approach(centres[0], {{at_l, at_r, at_l + kArm * along}, {l.far, r.far, diagonal}},
                                   repeats_, precision_);
+            centres[1] = approach(
+                centres[1], {{at_l + kArm * along, at_r + kArm * along, at_l}, {l.far, r.far, diagonal}},
+                repeats_, precision_);
             seam_l = left.direction(l.seam_dir);
             seam_r = right.direction(r.seam_dir);
             to_l = centres[0] - at_l;
@@ -90,9 +95,10 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
             seam_r = right.direction(r.seam_dir);
             const auto chord = [](double angle) { return 2.0 * kArm * std::sin(0.5 * angle); };
             if (!started_) centres[0] = fold + kArm * (std::sin(reach) * front + std::cos(reach) * along);
-            centres[0] = approach(centres[0],
-                                  {{fold, fold + kArm * seam_l, fold + kArm * seam_r}, {kArm, chord(l.far), chord(r.far)}},
-                                  repeats_, precision_);
+            centres[0] = approach(
+                centres[0],
+                {{fold, fold + kArm * seam_l, fold + kArm * seam_r}, {kArm, chord(l.far), chord(r.far)}},
+                repeats_, precision_);
             to_l = to_r = centres[0] - fold;
         }
         frames[static_cast<std::size_t>(l.plate)] = plate_frame(l, seam_l, to_l, left.point(l.seam_at));

@@ -10,9 +10,10 @@
 namespace popup {
 namespace {
 
-constexpr double kStepDeg = 0.1;       // jumps are looked for across steps of this size
-constexpr double kSuspiciousDeg = 5.0; // a plate that turns further than this in one step is looked at closely
-constexpr int kHalvings = 14;          // 0.1° / 2^14: a motion that still turns this far there is a jump
+constexpr double kStepDeg = 0.1;  // jumps are looked for across steps of this size
+constexpr double kSuspiciousDeg =
+    5.0;                       // a plate that turns further than this in one step is looked at closely
+constexpr int kHalvings = 14;  // 0.1° / 2^14: a motion that still turns this far there is a jump
 
 std::vector<Angle> default_angles() {
     std::vector<Angle> angles;
@@ -32,7 +33,8 @@ double turn_between(const Frame& a, const Frame& b) {
 }
 
 // How far a plate turns against the plate it is hinged to, from one set of frames to another.
-double relative_turn(const Assembly& assembly, std::size_t plate, std::span<const Frame> before, std::span<const Frame> after) {
+double relative_turn(const Assembly& assembly, std::size_t plate, std::span<const Frame> before,
+                     std::span<const Frame> after) {
     const int parent = assembly.plates[plate].parent;
     if (parent < 0) return turn_between(before[plate], after[plate]);
     const auto relative = [&](std::span<const Frame> frames) {
@@ -40,7 +42,8 @@ double relative_turn(const Assembly& assembly, std::size_t plate, std::span<cons
         const Frame& own = frames[plate];
         Frame result;
         for (std::size_t i = 0; i < 3; ++i) {
-            result.axes[i] = {dot(base.axes[0], own.axes[i]), dot(base.axes[1], own.axes[i]), dot(base.axes[2], own.axes[i])};
+            result.axes[i] = {dot(base.axes[0], own.axes[i]), dot(base.axes[1], own.axes[i]),
+                              dot(base.axes[2], own.axes[i])};
         }
         return result;
     };
@@ -61,12 +64,19 @@ struct Judge {
     std::vector<Frame> here, there, between;
 
     Judge(const Assembly& a, const Tolerances& t, Diagnostics& d)
-        : assembly(a), tolerances(t), diagnostics(d), here(a.plates.size()), there(a.plates.size()), between(a.plates.size()) {}
+        : assembly(a),
+          tolerances(t),
+          diagnostics(d),
+          here(a.plates.size()),
+          there(a.plates.size()),
+          between(a.plates.size()) {}
 
     void locks(int stuck, Angle at) {
         const Joint& joint = assembly.joints[static_cast<std::size_t>(stuck)];
         diagnostics
-            .error("locks", joint.place, fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name, at.deg))
+            .error("locks", joint.place,
+                   fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name,
+                               at.deg))
             .hint("make its piece wider than the place it is glued to, or close its V")
             .about(joint.name);
     }
@@ -113,7 +123,8 @@ struct Judge {
         const Joint* joint = joint_of(assembly, static_cast<int>(worst));
         diagnostics
             .error("jumps", joint != nullptr ? joint->place : Place{},
-                   fmt::format("\"{}\" jumps by {:.1f}° at an opening of {:.2f}°", assembly.plates[worst].name, turn, lo.deg))
+                   fmt::format("\"{}\" jumps by {:.1f}° at an opening of {:.2f}°",
+                               assembly.plates[worst].name, turn, lo.deg))
             .hint("give its linkage more room: a wider piece, or a narrower V")
             .about(joint != nullptr ? joint->name : "");
         return false;
@@ -129,8 +140,10 @@ struct Judge {
         const Joint* joint = joint_of(assembly, hinge.b);
         diagnostics
             .error("seam-open", joint != nullptr ? joint->place : Place{},
-                   fmt::format("the {} between \"{}\" and \"{}\" opens by {:.2g} mm at {:.2f}°, {:.0e} mm is the most allowed",
-                               hinge.glued ? "seam" : "fold", name(hinge.a), name(hinge.b), open, at.deg, tolerances.closure_mm))
+                   fmt::format("the {} between \"{}\" and \"{}\" opens by {:.2g} mm at {:.2f}°, {:.0e} mm is "
+                               "the most allowed",
+                               hinge.glued ? "seam" : "fold", name(hinge.a), name(hinge.b), open, at.deg,
+                               tolerances.closure_mm))
             .hint("the element is too close to a shape that cannot fold: make its angles or widths larger")
             .about(joint != nullptr ? joint->name : "");
         return false;
@@ -156,8 +169,8 @@ struct Judge {
         const Joint* joint = joint_of(assembly, static_cast<int>(worst));
         diagnostics
             .error("not-flat", joint != nullptr ? joint->place : Place{},
-                   fmt::format("\"{}\" stands {:.3f}° off the closed card, {:.3f}° is the most allowed", assembly.plates[worst].name,
-                               motion.flat_error_deg, tolerances.flat_deg))
+                   fmt::format("\"{}\" stands {:.3f}° off the closed card, {:.3f}° is the most allowed",
+                               assembly.plates[worst].name, motion.flat_error_deg, tolerances.flat_deg))
             .hint("its angles do not fold flat; let popupc repair the element")
             .about(joint != nullptr ? joint->name : "");
         return false;
@@ -166,7 +179,8 @@ struct Judge {
 
 }  // namespace
 
-std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics) {
+std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
+                               Diagnostics& diagnostics) {
     Motion motion;
     motion.angles = options.angles.empty() ? default_angles() : options.angles;
     motion.solver = options.solver;

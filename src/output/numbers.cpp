@@ -44,14 +44,11 @@ void append_number(fmt::memory_buffer& out, double value, int decimals) {
     append(out, std::string_view(fmt::format_int(scaled / power).c_str()));
     std::uint64_t rest = scaled % power;
     if (rest == 0) return;
-    std::array<char, 10> digits{};
-    int last = 0;
-    for (int i = decimals; i-- > 0; rest /= 10) {
-        digits.at(static_cast<std::size_t>(i)) = static_cast<char>('0' + rest % 10);
-        if (last == 0 && rest % 10 != 0) last = i + 1;
-    }
     out.push_back('.');
-    out.append(digits.data(), digits.data() + last);
+    // From the first place down, until nothing is left.
+    for (std::uint64_t place = power / 10; rest != 0; rest %= place, place /= 10) {
+        out.push_back(static_cast<char>('0' + rest / place));
+    }
 }
 
 std::string number_text(double value, int decimals) {

@@ -19,7 +19,9 @@ struct Random {
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
         return z ^ (z >> 31);
     }
-    double uniform(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(next() >> 11) * 0x1p-53; }
+    double uniform(double lo, double hi) {
+        return lo + (hi - lo) * static_cast<double>(next() >> 11) * 0x1p-53;
+    }
     std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
     bool chance(double p) { return uniform(0, 1) < p; }
 };
@@ -62,32 +64,44 @@ Proposal propose(Random& random, const Fold& fold) {
     switch (random.below(fold.seam ? 2 : 5)) {
         case 0: {  // v-fold
             made.type = dir > 0 ? "v-fold" : "inverted-v-fold";
-            made.on = {{Side::left, polar(apex, dir, a, p)}, {Side::left, {apex, 0}}, {Side::right, polar(apex, dir, b, q)}};
+            made.on = {{Side::left, polar(apex, dir, a, p)},
+                       {Side::left, {apex, 0}},
+                       {Side::right, polar(apex, dir, b, q)}};
             const double sum = random.uniform((a + b) / kDeg + 12.0, 348.0 - (a + b) / kDeg) * kDeg;
             const Vec2 e{random.uniform(-20, 20), -30};
             const Vec2 g = e + rotated({0, p}, 0.5 * sum);
             const Vec2 h = e + rotated({0, q}, -0.5 * sum);
-            const double up = random.uniform(0.4, 1.2) * reach + std::max(0.0, std::max(e.y - g.y, e.y - h.y)) + 5.0;
+            const double up =
+                random.uniform(0.4, 1.2) * reach + std::max(0.0, std::max(e.y - g.y, e.y - h.y)) + 5.0;
             made.extra = {g, e, h, h + Vec2{0, up + random.uniform(0, 10)}, g + Vec2{0, up}};
             break;
         }
         case 1: {  // tent
             made.type = "tent";
             const double shift = even ? 0.0 : random.uniform(-0.1, 0.1) * (hi - lo);
-            made.on = {{Side::left, {lo, p}}, {Side::left, {hi, p}}, {Side::right, {lo + shift, q}}, {Side::right, {hi + shift, q}}};
+            made.on = {{Side::left, {lo, p}},
+                       {Side::left, {hi, p}},
+                       {Side::right, {lo + shift, q}},
+                       {Side::right, {hi + shift, q}}};
             const double width = (p + q) * random.uniform(1.0, 1.6);
-            made.extra = {{-0.5 * width, lo}, {-0.5 * width, hi}, {0.5 * width, lo + shift}, {0.5 * width, hi + shift}};
+            made.extra = {
+                {-0.5 * width, lo}, {-0.5 * width, hi}, {0.5 * width, lo + shift}, {0.5 * width, hi + shift}};
             break;
         }
         case 2: {
             made.type = mountain ? "inverted-step" : "step";
             const double tilt = even ? 0.0 : random.uniform(-0.2, 0.2) * (hi - lo);
-            made.on = {{Side::left, {lo, p}}, {Side::left, {hi, p}}, {Side::right, {lo + tilt, q}}, {Side::right, {hi + tilt, q}}};
+            made.on = {{Side::left, {lo, p}},
+                       {Side::left, {hi, p}},
+                       {Side::right, {lo + tilt, q}},
+                       {Side::right, {hi + tilt, q}}};
             break;
         }
         case 3:
             made.type = mountain ? "inverted-beak" : "beak";
-            made.on = {{Side::left, {apex, 0}}, {Side::left, polar(apex, dir, a, p)}, {Side::right, polar(apex, dir, b, q)}};
+            made.on = {{Side::left, {apex, 0}},
+                       {Side::left, polar(apex, dir, a, p)},
+                       {Side::right, polar(apex, dir, b, q)}};
             break;
         default: {
             made.type = mountain ? "inverted-angled-step" : "angled-step";
@@ -122,11 +136,13 @@ Design generate(std::uint64_t seed, int elements, double width_mm, double height
     Design design = card(width_mm, height_mm);
     Diagnostics first;
     auto checked = check(design, {}, first);
-    for (int tries = 60 * elements; tries > 0 && static_cast<int>(design.structures.size()) < elements; --tries) {
+    for (int tries = 60 * elements; tries > 0 && static_cast<int>(design.structures.size()) < elements;
+         --tries) {
         const auto& folds = checked->skeleton().folds;
         // Half of the time a young fold, so that towers grow as well as rows.
-        const std::size_t pick = random.chance(0.5) ? folds.size() - 1 - random.below(std::min<std::size_t>(folds.size(), 6))
-                                                    : random.below(folds.size());
+        const std::size_t pick = random.chance(0.5)
+                                     ? folds.size() - 1 - random.below(std::min<std::size_t>(folds.size(), 6))
+                                     : random.below(folds.size());
         const Fold& fold = folds[pick];
         if (fold.closed_deg == 180 || fold.length() < 14.0) continue;
         Design trial = design;

@@ -1,5 +1,5 @@
-// Guarantees of check and repair: every constraint holds afterwards, every change is said, and a repaired design
-// needs no repair.
+// Guarantees of check and repair: every constraint holds afterwards, every change is said, and a repaired
+// design needs no repair.
 #include "popup/check.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ void expect_settled(const Checked& first) {
     }
     const Checked second = run(again);
     ASSERT_TRUE(second.design) << findings(second.diagnostics);
-    EXPECT_FALSE(second.diagnostics.has_findings()) << findings(second.diagnostics) << "after\n" << findings(first.diagnostics);
+    EXPECT_FALSE(second.diagnostics.has_findings()) << findings(second.diagnostics) << "after\n"
+                                                    << findings(first.diagnostics);
     for (const Structure& structure : second.design->design().structures) {
         for (const DesignPoint& point : structure.points) EXPECT_FALSE(point.changed);
     }
@@ -56,9 +57,17 @@ std::vector<Vec2> v_fold(double a, double b, double sum, double seam = 60.0) {
     const Vec2 e{0, -40};
     const Vec2 g = e + rotated({0, seam}, 0.5 * sum * kDeg);
     const Vec2 h = e + rotated({0, seam}, -0.5 * sum * kDeg);
-    return {rotated({0, seam}, a * kDeg), {0, 0}, rotated({0, seam}, -b * kDeg), g, e, h, h + Vec2{0, 60}, g + Vec2{0, 60}};
+    return {rotated({0, seam}, a * kDeg),
+            {0, 0},
+            rotated({0, seam}, -b * kDeg),
+            g,
+            e,
+            h,
+            h + Vec2{0, 60},
+            g + Vec2{0, 60}};
 }
-const std::vector<Vec2> kTent{{-30, -30}, {-30, 30}, {40, -30}, {40, 30}, {-50, -30}, {-50, 30}, {60, -30}, {60, 30}};
+const std::vector<Vec2> kTent{{-30, -30}, {-30, 30}, {40, -30}, {40, 30},
+                              {-50, -30}, {-50, 30}, {60, -30}, {60, 30}};
 const std::vector<Vec2> kStep{{-40, -30}, {-40, 30}, {40, -30}, {40, 30}};
 
 Checked one(const std::string& type, const std::vector<Vec2>& points) {
@@ -268,13 +277,15 @@ TEST(Check, FoldIsFoundWithinFiveMillimetresAndOtherwiseNamed) {
     design.structures[0].fold.begin.at.x = design.structures[0].fold.end.at.x = 20;
     const Checked far = run(design);
     EXPECT_FALSE(far.design);
-    EXPECT_NE(findings(far.diagnostics).find("the nearest is a fold of \"page\", 20.00 mm away"), std::string::npos)
+    EXPECT_NE(findings(far.diagnostics).find("the nearest is a fold of \"page\", 20.00 mm away"),
+              std::string::npos)
         << findings(far.diagnostics);
 }
 
 TEST(Check, FoldCutAwayIsAnErrorThatNamesTheCutter) {
     Design design = card();
-    add(design, "step", {{-40, -30}, {-40, 30}, {20, -30}, {20, 30}});  // its centre fold is not over the gutter
+    add(design, "step",
+        {{-40, -30}, {-40, 30}, {20, -30}, {20, 30}});  // its centre fold is not over the gutter
     add(design, "tent", {{-8, -10}, {-8, 10}, {8, -10}, {8, 10}, {-12, -10}, {-12, 10}, {12, -10}, {12, 10}});
     const Checked result = run(design);
     EXPECT_FALSE(result.design);
@@ -291,8 +302,10 @@ TEST(Check, OfFoldsOnOneLineTheOneThatIsStillThereCounts) {
     ASSERT_TRUE(result.design) << findings(result.diagnostics);
     EXPECT_FALSE(result.diagnostics.has_findings()) << findings(result.diagnostics);
     const auto& joints = result.design->skeleton().draft.joints;
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[3].left.drive)].name, "e1/left");
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[4].left.drive)].name, "page/left");
+    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[3].left.drive)].name,
+              "e1/left");
+    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[4].left.drive)].name,
+              "page/left");
 }
 
 TEST(Check, ChildrenKeepTheirPlaceOnAFoldThatARepairMoved) {
@@ -301,9 +314,12 @@ TEST(Check, ChildrenKeepTheirPlaceOnAFoldThatARepairMoved) {
     // On the tilted side fold as the author drew it: apex halfway, points square to that fold.
     const Vec2 dir = unit(Vec2{8, 60});
     const Vec2 mid{-40, 0};
-    add(design, "beak", {mid, mid + 12.0 * dir + 10.0 * left_of(dir), mid + 12.0 * dir + 10.0 * right_of(dir)}, {-44, -30}, {-36, 30});
+    add(design, "beak",
+        {mid, mid + 12.0 * dir + 10.0 * left_of(dir), mid + 12.0 * dir + 10.0 * right_of(dir)}, {-44, -30},
+        {-36, 30});
     const Checked result = run(design);
-    EXPECT_EQ(codes(result.diagnostics), (Codes{"not-parallel", "moved-with-fold"})) << findings(result.diagnostics);
+    EXPECT_EQ(codes(result.diagnostics), (Codes{"not-parallel", "moved-with-fold"}))
+        << findings(result.diagnostics);
     ASSERT_TRUE(result.design);
     EXPECT_NEAR(result.point(1, 1).x, -50, 1e-9);
     EXPECT_NEAR(result.point(1, 2).x, -30, 1e-9);
@@ -314,7 +330,8 @@ TEST(Check, ChildrenKeepTheirPlaceOnAFoldThatARepairMoved) {
 TEST(Check, CutElementOnASeamIsAnError) {
     Design design = card();
     add(design, "tent", kTent);
-    Structure& step = add(design, "step", {{-40, -10}, {-40, 10}, {-40, -10}, {-40, 10}}, {-30, -30}, {-30, 30});
+    Structure& step =
+        add(design, "step", {{-40, -10}, {-40, 10}, {-40, -10}, {-40, 10}}, {-30, -30}, {-30, 30});
     step.points[2].page = step.points[3].page = 1;
     EXPECT_EQ(codes(run(design).diagnostics), Codes{"cut-on-seam"});
 }
@@ -374,7 +391,8 @@ TEST(Check, WithoutRepairEveryRepairIsAnError) {
     EXPECT_TRUE(result.diagnostics.has_errors());
 }
 
-// Shake sound designs: whatever comes out is refused, or repaired so that it needs no repair and moves as it must.
+// Shake sound designs: whatever comes out is refused, or repaired so that it needs no repair and moves as it
+// must.
 TEST(Check, ShakenDesignsAreRefusedOrRepairedForGood) {
     int repaired = 0;
     int refused = 0;

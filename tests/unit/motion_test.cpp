@@ -1,5 +1,5 @@
-// Guarantees of the motion: rigid plates, closed seams, flat when closed, no jumps, and the same result as a solver
-// that shares nothing with the closed form.
+// Guarantees of the motion: rigid plates, closed seams, flat when closed, no jumps, and the same result as a
+// solver that shares nothing with the closed form.
 #include "popup/motion.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,14 @@ std::vector<Vec2> v_fold(double a, double b, double sum, double seam = 60.0) {
     const Vec2 e{0, -40};
     const Vec2 g = e + rotated({0, seam}, 0.5 * sum * kDeg);
     const Vec2 h = e + rotated({0, seam}, -0.5 * sum * kDeg);
-    return {rotated({0, seam}, a * kDeg), {0, 0}, rotated({0, seam}, -b * kDeg), g, e, h, h + Vec2{0, 60}, g + Vec2{0, 60}};
+    return {rotated({0, seam}, a * kDeg),
+            {0, 0},
+            rotated({0, seam}, -b * kDeg),
+            g,
+            e,
+            h,
+            h + Vec2{0, 60},
+            g + Vec2{0, 60}};
 }
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) / kDeg; }
@@ -102,7 +109,8 @@ TEST(Motion, OpenCardOfCutElementsIsTheFlatPattern) {
     }
 }
 
-// The pair of GEOMETRY: a = 60, b = 50 and a piece of 150. On a valley fold only g = 70, h = 80 lies flat inside.
+// The pair of GEOMETRY: a = 60, b = 50 and a piece of 150. On a valley fold only g = 70, h = 80 lies flat
+// inside.
 TEST(Motion, AsymmetricVFoldOnAValleyClosesInsideTheCard) {
     Design design = card();
     add(design, "v-fold", v_fold(60, 50, 150));
@@ -195,15 +203,18 @@ TEST(Motion, TooWideAPieceLocksAndSaysSo) {
     built.assembly->hinges.clear();  // they still tell of the narrower piece
     Diagnostics diagnostics;
     EXPECT_FALSE(simulate(*built.assembly, {}, diagnostics));
-    EXPECT_NE(findings(diagnostics).find("error locks: \"e1\" locks"), std::string::npos) << findings(diagnostics);
+    EXPECT_NE(findings(diagnostics).find("error locks: \"e1\" locks"), std::string::npos)
+        << findings(diagnostics);
 }
 
 TEST(Motion, TightTentLiesFlatOnTheOpenCard) {
     Design design = card();
-    add(design, "tent", {{-30, -30}, {-30, 30}, {40, -30}, {40, 30}, {-35, -30}, {-35, 30}, {35, -30}, {35, 30}});
+    add(design, "tent",
+        {{-30, -30}, {-30, 30}, {40, -30}, {40, 30}, {-35, -30}, {-35, 30}, {35, -30}, {35, 30}});
     const Built built = build(design);
     const auto frames = frames_at(*built.assembly, 180);
-    EXPECT_NEAR(std::abs(frames[static_cast<std::size_t>(plate(*built.assembly, "e1/left"))].normal().z), 1.0, 1e-9);
+    EXPECT_NEAR(std::abs(frames[static_cast<std::size_t>(plate(*built.assembly, "e1/left"))].normal().z), 1.0,
+                1e-9);
     Diagnostics diagnostics;
     EXPECT_TRUE(simulate(*built.assembly, {}, diagnostics)) << findings(diagnostics);
 }
@@ -238,7 +249,8 @@ TEST(Motion, WrongMirrorSolutionNeverAppearsOnElementsFarOutOfThePage) {
     // A v-fold carried far out of the page by another, with cut elements on its centre fold and seam.
     Design design = card();
     add(design, "v-fold", v_fold(70, 70, 190, 80));
-    add(design, "tent", {{-8, -10}, {-8, 10}, {8, -10}, {8, 10}, {-12, -10}, {-12, 10}, {12, -10}, {12, 10}}, {0, -40}, {0, 60}, 1);
+    add(design, "tent", {{-8, -10}, {-8, 10}, {8, -10}, {8, 10}, {-12, -10}, {-12, 10}, {12, -10}, {12, 10}},
+        {0, -40}, {0, 60}, 1);
     const Built built = build(design);
     const auto on_front = [&](double deg) {
         const auto frames = frames_at(*built.assembly, deg);

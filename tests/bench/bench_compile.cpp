@@ -1,0 +1,246 @@
+// What a compile costs: the solvers against each other, each stage against the number of elements, and one
+// whole compile stage by stage. Ends with a table of ratios, all of one run.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "popup/compile.h"
+#include "support/designs.h"
+
+namespace popup::test {
+namespace {
+
+std::vector<Angle> whole_degrees() {
+    std::vector<Angle> angles;
+    for (int deg = 0; deg <= 180; ++deg) angles.push_back(Angle::degrees(deg));
+    return angles;
+}
+
+Source creature() {
+    Diagnostics diagnostics;
+    auto source = read_source(std::string(POPUP_SOURCE_DIR) + "/samples/creature.xml", diagnostics);
+    POPUP_INVARIANT(source.has_value());
+    return *source;
+}
+
+// Groups of five along the gutter: a step, a smaller one on its side fold, one on its centre fold, a tent
+// beside it, and a v-fold on the tent's centre fold.
+Design row(int elements) {
+    const double pitch = 60.0;
+    const int groups = std::max(1, elements / 5);
+    // The v-fold's V opens by 90°, its piece by 120°.
+    const double seam = std::hypot(6, 6);
+    const Vec2 e{0, -12};
+    const Vec2 g = e + rotated({0, seam}, std::numbers::pi / 3);
+    const Vec2 h = e + rotated({0, seam}, -std::numbers::pi / 3);
+    const double height = pitch * groups + 20.0;
+    Design design = card(300.0, height);
+    design.stem = "row";
+    for (int group = 0; group < groups; ++group) {
+        const double y = -0.5 * height + 10.0 + pitch * group;
+        const Vec2 lo{0, -0.5 * height};
+        const Vec2 hi{0, 0.5 * height};
+        const int page = 1 + 2 * group;
+        add(design, "step", {{-40, y}, {-40, y + 25}, {40, y}, {40, y + 25}}, lo, hi);
+        add(design, "step", {{-50, y + 5}, {-50, y + 20}, {-30, y + 5}, {-30, y + 20}}, {-40, y},
+            {-40, y + 25});
+        add(design, "inverted-step", {{-12, y + 5}, {-12, y + 20}, {12, y + 5}, {12, y + 20}}, {0, y},
+            {0, y + 25});
+        add(design, "tent",
+            {{-20, y + 30},
+             {-20, y + 55},
+             {20, y + 30},
+             {20, y + 55},
+             {-30, 0},
+             {-30, 25},
+             {30, 0},
+             {30, 25}},
+            lo, hi);
+        add(design, "v-fold", {{-6, 14}, {0, 8}, {6, 14}, g, e, h, h + Vec2{0, 12}, g + Vec2{0, 12}}, {0, 0},
+            {0, 25}, page);
+    }
+    return design;
+}
+
+// All stages' values for a row of elements, made once a size.
+struct Stages {
+    Design design;
+    std::optional<CheckedDesign> checked;
+    std::optional<Assembly> assembly;
+    std::optional<Motion> motion;
+    std::optional<Pattern> pattern;
+    std::optional<Layout> layout;
+    Source source;
+};
+
+LayoutOptions big_sheet(const Design& design) {
+    LayoutOptions options;
+    options.sheet = {"", std::max(700.0, design.width_mm + 400.0), std::max(700.0, design.height_mm + 40.0)};
+    return options;
+}
+
+const Stages& stages(int elements) {
+    static std::map<int, Stages> made;
+    const auto [it, fresh] = made.try_emplace(elements);
+    Stages& s = it->second;
+    if (!fresh) return s;
+    Diagnostics diagnostics;
+    s.design = row(elements);
+    s.checked = check(s.design, {}, diagnostics);
+    if (!s.checked) fmt::print(stderr, "{}", findings(diagnostics));
+    POPUP_INVARIANT(s.checked.has_value());
+    s.assembly = assemble(*s.checked, {}, diagnostics);
+    s.motion = simulate(*s.assembly, {}, diagnostics);
+    s.pattern = make_pattern(*s.assembly, {}, diagnostics);
+    s.layout = lay_out({{"row.xml", "row", *s.pattern}}, big_sheet(s.design), diagnostics);
+    POPUP_INVARIANT(s.motion && s.layout);
+    s.source.name = "row.xml";
+    s.source.text = *std::get<DocumentWriter>(find_format(".xml")->write)(*s.checked, {}, diagnostics);
+    return s;
+}
+
+void solver_closed_form(benchmark::State& state) {
+    const Compilation creature_built = compile({creature()}, {.until = Stage::assembly}, {});
+    const Assembly& assembly = *creature_built.designs[0].assembly;
+    std::vector<Frame> frames(assembly.plates.size());
+    double closure = 0.0;
+    for (auto _ : state) {
+        for (const Angle at : whole_degrees()) {
+            place(assembly, at, frames);
+            benchmark::DoNotOptimize(frames.data());
+        }
+    }
+    for (const Angle at : whole_degrees()) {
+        place(assembly, at, frames);
+        closure = std::max(closure, closure_error(assembly, frames));
+    }
+    state.counters["closure_mm"] = closure;
+}
+
+void solver_iterative(benchmark::State& state) {
+    const Compilation creature_built = compile({creature()}, {.until = Stage::assembly}, {});
+    const Assembly& assembly = *creature_built.designs[0].assembly;
+    std::vector<Frame> frames(assembly.plates.size());
+    double closure = 0.0;
+    for (auto _ : state) {
+        IterativePlacer placer(assembly);
+        for (const Angle at : whole_degrees()) {
+            placer.place(at, frames);
+            closure = std::max(closure, closure_error(assembly, frames));
+        }
+    }
+    state.counters["closure_mm"] = closure;
+}
+
+template <class Run>
+void stage(benchmark::State& state, Run run) {
+    const Stages& s = stages(static_cast<int>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(run(s));
+    state.counters["plates"] = static_cast<double>(s.assembly->plates.size());
+}
+
+template <class Writer>
+auto write_with(const char* suffix) {
+    return std::get<Writer>(find_format(suffix)->write);
+}
+
+void whole_compile(benchmark::State& state) {
+    const Source source = creature();
+    for (auto _ : state) {
+        Compilation c = compile({source}, {}, {});
+        Diagnostics diagnostics;
+        const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
+        benchmark::DoNotOptimize(write_with<SheetWriter>(".svg")(*c.layout, {}, diagnostics));
+        benchmark::DoNotOptimize(write_with<SheetWriter>(".pdf")(*c.layout, {}, diagnostics));
+        benchmark::DoNotOptimize(write_with<SceneWriter>(".glb")({&scene, 1}, {}, diagnostics));
+    }
+}
+
+// Keeps every result, besides printing it.
+class Keeper : public benchmark::ConsoleReporter {
+ public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+            cpu_ns[run.benchmark_name()] =
+                run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
+            for (const auto& [name, counter] : run.counters)
+                counters[run.benchmark_name() + "/" + name] = counter;
+        }
+        ConsoleReporter::ReportRuns(runs);
+    }
+    std::map<std::string, double> cpu_ns, counters;
+};
+
+const std::vector<int> kSizes{10, 100, 1000, 10000, 100000};
+std::vector<std::string> stage_names;
+
+template <class Run>
+void add_stage(const std::string& name, Run run) {
+    stage_names.push_back(name);
+    auto* one =
+        benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& state) { stage(state, run); });
+    one->Arg(26)->Unit(benchmark::kMicrosecond);
+    for (const int size : kSizes) one->Arg(size);
+}
+
+void print_tables(const Keeper& keeper) {
+    const auto ns = [&](const std::string& name) {
+        return keeper.cpu_ns.contains(name) ? keeper.cpu_ns.at(name) : NAN;
+    };
+    const auto counter = [&](const std::string& name) {
+        return keeper.counters.contains(name) ? keeper.counters.at(name) : NAN;
+    };
+    fmt::print(
+        "\n26-element sample, 181 angles: closed form {:.0f} times faster than placement by distances, and "
+        "{:.1e} times "
+        "more accurate ({:.1e} mm against {:.1e} mm)\n",
+        ns("solver/iterative") / ns("solver/closed form"),
+        counter("solver/iterative/closure_mm") / counter("solver/closed form/closure_mm"),
+        counter("solver/closed form/closure_mm"), counter("solver/iterative/closure_mm"));
+    fmt::print("26-element sample to SVG, PDF and GLB: {:.2f} ms of CPU\n\n", ns("whole compile") / 1e6);
+    fmt::print("| stage, CPU per element relative to 1000 elements |");
+    for (const int size : kSizes) fmt::print(" {} |", size);
+    fmt::print("\n|---|");
+    for (std::size_t i = 0; i < kSizes.size(); ++i) fmt::print("---|");
+    for (const std::string& name : stage_names) {
+        fmt::print("\n| {} |", name);
+        const double base = ns(fmt::format("{}/1000", name)) / 1000;
+        for (const int size : kSizes)
+            fmt::print(" {:.2f} |", ns(fmt::format("{}/{}", name, size)) / size / base);
+    }
+    fmt::print("\n");
+}
+
+}  // namespace
+}  // namespace popup::test
+
+int main(int argc, char** argv) {
+    using namespace popup;
+    using namespace popup::test;
+    benchmark::Initialize(&argc, argv);
+    benchmark::RegisterBenchmark("solver/closed form", solver_closed_form)->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("solver/iterative", solver_iterative)->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("whole compile", whole_compile)->Unit(benchmark::kMicrosecond);
+    static Diagnostics ignored;
+    add_stage("read", [](const Stages& s) { return read_design(s.source, {}, ignored); });
+    add_stage("check", [](const Stages& s) { return check(s.design, {}, ignored); });
+    add_stage("assemble", [](const Stages& s) { return assemble(*s.checked, {}, ignored); });
+    add_stage("simulate, 37 angles", [](const Stages& s) { return simulate(*s.assembly, {}, ignored); });
+    add_stage("pattern", [](const Stages& s) { return make_pattern(*s.assembly, {}, ignored); });
+    add_stage("layout", [](const Stages& s) {
+        return lay_out({{"row.xml", "row", *s.pattern}}, big_sheet(s.design), ignored);
+    });
+    add_stage("SVG", [](const Stages& s) { return write_with<SheetWriter>(".svg")(*s.layout, {}, ignored); });
+    add_stage("PDF", [](const Stages& s) { return write_with<SheetWriter>(".pdf")(*s.layout, {}, ignored); });
+    add_stage("GLB", [](const Stages& s) {
+        const SceneCard scene{&*s.assembly, &*s.motion, ""};
+        return write_with<SceneWriter>(".glb")({&scene, 1}, {}, ignored);
+    });
+    Keeper keeper;
+    benchmark::RunSpecifiedBenchmarks(&keeper);
+    print_tables(keeper);
+}
