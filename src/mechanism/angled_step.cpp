@@ -88,7 +88,7 @@ bool constrain(Element& e) {
         const Segment cf{e.site.on_page(Side::left, e.on[C]), e.site.on_page(Side::right, e.on[F])};
         const Vec2 at = proper_crossing(bg, cf).value_or(0.5 * (bg.a + bg.b));
         e.failed("outline-crosses",
-                 fmt::format("the cuts B–G and C–F cross at ({:.2f}, {:.2f}) mm", at.x, at.y),
+                 "the cuts B–G and C–F cross at " + at_mm(at),
                  "exchange G and F, so that B and G are the inner points and C and F the outer ones");
         return false;
     }

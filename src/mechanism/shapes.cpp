@@ -40,11 +40,15 @@ std::string self_crossing(const Ring& ring, std::span<const std::string_view> le
             if (i == 0 && j + 1 == n) continue;
             const auto at = proper_crossing({ring[i], ring[i + 1]}, {ring[j], ring[(j + 1) % n]});
             if (!at) continue;
-            return fmt::format("{}–{} crosses {}–{} at ({:.2f}, {:.2f}) mm", letters[i], letters[i + 1],
-                               letters[j], letters[(j + 1) % n], at->x, at->y);
+            return fmt::format("{}–{} crosses {}–{} at {}", letters[i], letters[i + 1], letters[j], letters[(j + 1) % n], at_mm(*at));
         }
     }
     return {};
+}
+
+std::string at_mm(Vec2 p) {
+    const auto number = [](double value) { return std::abs(value) < 0.005 ? 0.0 : value; };
+    return fmt::format("({:.2f}, {:.2f}) mm", number(p.x), number(p.y));
 }
 
 std::string mm(double value) { return fmt::format("{:.2f} mm", value); }

@@ -30,7 +30,8 @@ std::optional<Vec2> proper_crossing(const Segment& a, const Segment& b);
 // none.
 std::string self_crossing(const Ring& ring, std::span<const std::string_view> letters);
 
-// "12.34 mm", "5.67°".
+// "12.34 mm", "5.67°", "(1.20, 3.40) mm"; never "-0.00".
+std::string at_mm(Vec2 p);
 std::string mm(double value);
 std::string degrees(double radians);
 

@@ -20,6 +20,9 @@ constexpr double kTidyMm = 1e-4;
 constexpr double kSliverMm = 0.5;
 constexpr double kLeastSeamMm = 2.0;
 constexpr double kLeastDepthMm = 1.0;
+// Bumps of less paper than this, or than this share of a part, are cut off.
+constexpr double kBumpMm2 = 0.6;
+constexpr double kBumpShare = 0.03;
 // The wedge beside paper that starts at a seam's end.
 constexpr double kWedge = 10.0 * std::numbers::pi / 180.0;
 
@@ -101,6 +104,36 @@ Ring snapped(Ring ring, double seam_length) {
     return tidied(ring, kTidyMm);
 }
 
+bool in_triangle(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
+    return cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0;
+}
+
+// Cuts off small bumps between obstacles, the smallest first: a plain outline is worth more than a corner of
+// paper. Never adds paper, never touches the seam.
+Ring without_bumps(Ring ring) {
+    const double bump = std::min(kBumpMm2, kBumpShare * signed_area(ring));
+    while (ring.size() > 4) {
+        std::size_t smallest = ring.size();
+        double least = bump;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 a = ring[i == 0 ? ring.size() - 1 : i - 1];
+            const Vec2 p = ring[i];
+            const Vec2 b = ring[i + 1 == ring.size() ? 0 : i + 1];
+            const double size = 0.5 * cross(p - a, b - p);
+            if (p.y == 0.0 || size <= 0.0 || size >= least) continue;
+            const auto in_the_way = [&](Vec2 q) {
+                return !(q == a) && !(q == p) && !(q == b) && in_triangle(q, a, p, b);
+            };
+            if (std::any_of(ring.begin(), ring.end(), in_the_way)) continue;
+            least = size;
+            smallest = i;
+        }
+        if (smallest == ring.size()) break;
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(smallest));
+    }
+    return ring;
+}
+
 }  // namespace
 
 SeamFrame::SeamFrame(const Segment& seam, bool left)
@@ -155,7 +188,7 @@ std::vector<Ring> trimmed_tab(double seam_length, const TabRules& rules, std::sp
     std::vector<Ring> rings;
     for (const Polygon& part : parts) {
         POPUP_INVARIANT(part.holes.empty());  // shadows reach out of the tab
-        const Ring ring = snapped(part.outer, seam_length);
+        const Ring ring = without_bumps(snapped(part.outer, seam_length));
         double standing = 0.0;
         for (const Stretch& s : seam_stretches({&ring, 1})) standing += s.to - s.from;
         if (standing < std::min(kLeastSeamMm, 0.5 * seam_length)) continue;

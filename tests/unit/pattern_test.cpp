@@ -429,6 +429,19 @@ TEST(Pattern, AnObstacleUnderTheMiddleSplitsATab) {
     EXPECT_NEAR(length_with_depth(parts, 3.0), 50 - 2 - 2 * 3 * std::tan(0.5), 1e-3);
 }
 
+TEST(Pattern, SmallBumpsBetweenObstaclesAreCutOff) {
+    // A row of needle tips: the bays between them are not worth their corners.
+    std::vector<Segment> tips;
+    for (int i = 0; i < 40; ++i) tips.push_back({{2.2 * i, 5}, {2.2 * i, 20}});
+    const auto parts = trimmed_tab(80, {10, 0.5, 1}, tips, {});
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_LE(parts[0].size(), 8U);
+    EXPECT_GT(length_with_depth(parts, 3.9), 70);
+    for (const Segment& edge : edges(parts[0])) {
+        for (const Segment& tip : tips) EXPECT_GE(distance(edge, tip), 0.999);
+    }
+}
+
 TEST(Pattern, WhatLiesBehindTheSeamTrimsNothing) {
     const std::vector<Segment> behind{{{-10, -0.3}, {60, -0.3}}, {{0, 0}, {50, 0}}, {{10, 0}, {10, -5}}};
     const auto parts = trimmed_tab(50, {10, 0.5, 1}, behind, behind);

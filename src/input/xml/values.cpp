@@ -225,8 +225,8 @@ bool Values::count_point(Place place) {
 }
 
 void Values::points(const Text& text, std::vector<DesignPoint>& out) {
-    const std::vector<Token> numbers = tokens(text, 2 * kPointsLimit);
-    if (numbers.size() % 2 != 0 && numbers.size() < 2 * kPointsLimit) {
+    const std::vector<Token> numbers = tokens(text, 2 * kPointsLimit + 1);
+    if (numbers.size() % 2 != 0 && numbers.size() <= 2 * kPointsLimit) {
         reporter_.error(
             "bad-point", text.place,
             fmt::format("this list of points has {} numbers, and each point takes two", numbers.size()));

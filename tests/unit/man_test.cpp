@@ -1,0 +1,370 @@
+// The manual and the README say what the program does: held against its help, its tables, and what it prints.
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "popup/diagnostics.h"
+#include "popup/layout.h"
+#include "popup/mechanism.h"
+#include "support/run_program.h"
+
+namespace popup::test {
+namespace {
+
+const std::filesystem::path kSource = POPUP_SOURCE_DIR;
+const std::vector<std::string> kVerbs{"build", "check", "fix", "explain", "list"};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// What stands between blanks; words that begin with a quoted "\&" lose it.
+std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words;
+    std::istringstream stream(line);
+    for (std::string word; stream >> word;) {
+        if (word.ends_with("\\&")) word.resize(word.size() - 2);
+        words.push_back(word);
+    }
+    return words;
+}
+
+std::string upper(std::string text) {
+    for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return text;
+}
+
+// A manual page as its lines, each with the section (.Sh) and subsection (.Ss) it stands in.
+struct ManLine {
+    std::string section, subsection, text;
+};
+
+std::vector<ManLine> manual(const std::string& name) {
+    std::vector<ManLine> page;
+    std::string section;
+    std::string subsection;
+    for (const std::string& line : lines_of(read_file(kSource / "man" / name))) {
+        if (line.starts_with(".Sh ")) {
+            section = line.substr(4);
+            subsection.clear();
+        } else if (line.starts_with(".Ss ")) {
+            subsection = line.substr(4);
+        }
+        page.push_back({section, subsection, line});
+    }
+    EXPECT_FALSE(page.empty()) << name;
+    return page;
+}
+
+// ".It Fl o , Fl -output Ar file" as help has it: "-o, --output FILE". Empty: the line is no option's.
+std::string option_of(const std::string& line) {
+    const std::vector<std::string> words = words_of(line);
+    std::string text;
+    if (words.size() < 3 || words[0] != ".It" || words[1] != "Fl") return text;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (words[i] == ",") {
+            text += ", ";
+        } else if (words[i] == "Fl" && i + 1 < words.size()) {
+            text += "-" + words[++i];
+        } else if (words[i] == "Ar" && i + 1 < words.size()) {
+            text += " " + upper(words[++i]);
+        }
+    }
+    return text;
+}
+
+using Options = std::map<std::string, std::set<std::string>>;  // by verb; "popupc" is the program without one
+
+// From headings such as ".Ss Output: build, fix" and the options below them.
+Options options_in_manual() {
+    Options options;
+    for (const ManLine& line : manual("popupc.1")) {
+        const std::string option = option_of(line.text);
+        if (option.empty()) continue;
+        EXPECT_EQ(line.section, "OPTIONS") << line.text;
+        const std::size_t colon = line.subsection.find(':');
+        EXPECT_NE(colon, std::string::npos) << line.subsection;
+        if (colon == std::string::npos) continue;
+        for (std::string verb : words_of(line.subsection.substr(colon + 1))) {
+            if (verb.ends_with(',')) verb.pop_back();
+            EXPECT_TRUE(options[verb].insert(option).second) << verb << " " << option << " stands twice";
+        }
+    }
+    return options;
+}
+
+// Lines of help that begin with an option: its names and value, up to two blanks.
+std::set<std::string> options_in_help(const std::string& help) {
+    std::set<std::string> options;
+    for (const std::string& line : lines_of(help)) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        if (begin == std::string::npos || begin < 2 || line[begin] != '-') continue;
+        options.insert(line.substr(begin, line.find("  ", begin) - begin));
+    }
+    return options;
+}
+
+TEST(Manual, HasEveryOptionOfHelpAndNoOther) {
+    Options in_help;
+    in_help["popupc"] = options_in_help(popupc({"--help"}).out);
+    for (const std::string& verb : kVerbs) in_help[verb] = options_in_help(popupc({verb, "--help"}).out);
+    EXPECT_GT(in_help["build"].size(), 20U);  // or help was not understood
+    const Options in_manual = options_in_manual();
+    for (const auto& [verb, options] : in_help) {
+        const auto found = in_manual.find(verb);
+        ASSERT_NE(found, in_manual.end()) << verb;
+        EXPECT_EQ(found->second, options) << verb;
+    }
+    EXPECT_EQ(in_manual.size(), in_help.size());
+}
+
+TEST(Manual, HasEveryVerbAndNoOther) {
+    std::set<std::string> in_help;
+    bool in_list = false;
+    for (const std::string& line : lines_of(popupc({"--help"}).out)) {
+        if (line == "Verbs:") {
+            in_list = true;
+        } else if (line.empty()) {
+            in_list = false;
+        } else if (in_list) {
+            in_help.insert(words_of(line).front());
+        }
+    }
+    EXPECT_EQ(in_help, std::set<std::string>(kVerbs.begin(), kVerbs.end()));
+    std::set<std::string> explained;
+    std::set<std::string> in_synopsis;
+    for (const ManLine& line : manual("popupc.1")) {
+        const std::vector<std::string> words = words_of(line.text);
+        if (words.size() == 3 && line.subsection == "Verbs" && words[0] == ".It") explained.insert(words[2]);
+        if (words.size() == 2 && line.section == "SYNOPSIS" && words[0] == ".Cm")
+            in_synopsis.insert(words[1]);
+    }
+    EXPECT_EQ(explained, in_help);
+    EXPECT_EQ(in_synopsis, in_help);
+}
+
+TEST(Manual, HasEveryFormatPaperAndListAndNoOther) {
+    std::set<std::string> formats;
+    std::set<std::string> papers;
+    std::set<std::string> lists;
+    bool about_list = false;
+    for (const ManLine& line : manual("popupc.1")) {
+        const std::vector<std::string> words = words_of(line.text);
+        if (words.empty()) continue;
+        if (line.subsection == "Formats" && line.text.starts_with(".It Pa ")) {
+            for (const std::string& word : words) {
+                if (word.starts_with('.') && word != ".It") formats.insert(word);
+            }
+        }
+        if (line.text.starts_with(".Cm letter")) {
+            for (std::size_t i = 1; i < words.size(); i += 2) papers.insert(words[i]);
+        }
+        if (words[0] == ".It") about_list = line.text == ".It Cm list";
+        if (about_list && words[0] == ".Cm") lists.insert(words[1]);
+        if (line.section != "DESCRIPTION") about_list = false;
+    }
+    std::set<std::string> real_formats;
+    for (const auto& row : nlohmann::json::parse(popupc({"list", "formats", "--json"}).out))
+        real_formats.insert(row["suffix"].get<std::string>());
+    EXPECT_EQ(formats, real_formats);
+    std::set<std::string> real_papers;
+    for (const Paper& paper : paper_table()) real_papers.emplace(paper.name);
+    EXPECT_EQ(papers, real_papers);
+    ASSERT_FALSE(lists.empty());
+    for (const std::string& list : lists) EXPECT_EQ(popupc({"list", list}).exit, 0) << list;
+    // What is refused is told what there is.
+    const std::string all = popupc({"list", "nothing"}).err;
+    const std::size_t colon = all.find("lists: ");
+    ASSERT_NE(colon, std::string::npos) << all;
+    const std::vector<std::string> known = words_of(lines_of(all.substr(colon + 7)).front());
+    EXPECT_EQ(lists, std::set<std::string>(known.begin(), known.end()));
+}
+
+// "6 v-fold: A B C ; G E H J I"
+TEST(Manual, HasEveryElementTypeWithItsPointsInOrder) {
+    std::vector<std::string> in_manual;
+    for (const ManLine& line : manual("popup.5")) {
+        if (line.section != "TYPES" || !line.text.starts_with(".It Li ")) continue;
+        const std::vector<std::string> words = words_of(line.text);
+        ASSERT_GT(words.size(), 5U) << line.text;
+        ASSERT_EQ(words[4], "Pq") << line.text;
+        std::string entry = words[2] + " " + words[3] + ":";
+        for (std::size_t i = 5; i < words.size(); ++i) entry += " " + words[i];
+        in_manual.push_back(entry);
+    }
+    std::vector<std::string> real;
+    for (const ElementInfo& info : element_table()) {
+        std::string entry =
+            (info.code < 0 ? "-" : std::to_string(info.code)) + " " + std::string(info.name) + ":";
+        bool extra = false;
+        for (const PointInfo& point : info.points) {
+            if (point.page == PointPage::extra && !extra) entry += " ;";
+            extra = extra || point.page == PointPage::extra;
+            entry += " " + std::string(point.letter);
+        }
+        real.push_back(entry);
+    }
+    EXPECT_EQ(in_manual, real);
+}
+
+TEST(Manual, HasEveryElementAndAttributeOfTheSchema) {
+    std::set<std::string> elements;
+    std::set<std::string> attributes;
+    for (const ManLine& line : manual("popup.5")) {
+        if (line.section != "ELEMENTS OF THE DOCUMENT") continue;
+        const std::vector<std::string> words = words_of(line.text);
+        if (words.empty()) continue;
+        std::set<std::string>* found = nullptr;
+        if (words[0] == ".Ss" || words[0] == ".Sy") found = &elements;
+        if (line.text.starts_with(".It Li ")) found = &attributes;
+        if (found == nullptr) continue;
+        for (std::string word : words) {
+            if (word.ends_with(',')) word.pop_back();
+            found->insert(word);
+        }
+    }
+    tinyxml2::XMLDocument schema;
+    ASSERT_EQ(schema.LoadFile((kSource / "schemas/popup.xsd").c_str()), tinyxml2::XML_SUCCESS);
+    std::size_t seen = 0;
+    std::vector<const tinyxml2::XMLElement*> open{schema.RootElement()};
+    while (!open.empty()) {
+        const tinyxml2::XMLElement* at = open.back();
+        open.pop_back();
+        for (const auto* child = at->FirstChildElement(); child != nullptr;
+             child = child->NextSiblingElement())
+            open.push_back(child);
+        const std::string kind = at->Name();
+        const char* name = at->Attribute("name");
+        if (name == nullptr || (kind != "xs:element" && kind != "xs:attribute")) continue;
+        ++seen;
+        EXPECT_TRUE((kind == "xs:element" ? elements : attributes).contains(name)) << kind << " " << name;
+    }
+    EXPECT_GT(seen, 20U);
+}
+
+TEST(Manual, NamesOnlyCodesThatThereAre) {
+    std::size_t seen = 0;
+    for (const ManLine& line : manual("popup.5")) {
+        if (!line.text.starts_with(".Bq Li ")) continue;
+        ++seen;
+        EXPECT_NE(find_code(words_of(line.text)[2]), nullptr) << line.text;
+    }
+    EXPECT_GT(seen, 15U);
+}
+
+TEST(Manual, TheExampleDocumentChecksCleanAndIsCanonical) {
+    std::string example;
+    bool inside = false;
+    for (const ManLine& line : manual("popup.5")) {
+        if (line.section != "EXAMPLES") continue;
+        if (line.text == ".Ed") inside = false;
+        if (inside) example += line.text + "\n";
+        if (line.text == ".Bd -literal") inside = true;
+    }
+    ASSERT_NE(example.find("<popup"), std::string::npos);
+    const ScratchDirectory scratch;
+    write_file(scratch / "owl.xml", example);
+    RunOptions options;
+    options.directory = scratch.path();
+    const RunResult checked = popupc({"check", "--strict", "owl.xml"}, options);
+    EXPECT_EQ(checked.exit, 0);
+    EXPECT_EQ(checked.err, "");
+    EXPECT_EQ(popupc({"fix", "owl.xml"}, options).out, example);
+    if (!have_program("xmllint")) GTEST_SKIP() << "xmllint is not installed: the schema was not asked";
+    const RunResult valid =
+        run({"xmllint", "--noout", "--schema", (kSource / "schemas/popup.xsd").string(), "owl.xml"}, options);
+    EXPECT_EQ(valid.exit, 0) << valid.err;
+}
+
+TEST(Manual, MandocFindsNoError) {
+    if (!have_program("mandoc")) GTEST_SKIP() << "mandoc is not installed";
+    for (const std::string page : {"popupc.1", "popup.5"}) {
+        const RunResult result =
+            run({"mandoc", "-W", "error", "-T", "utf8", (kSource / "man" / page).string()});
+        EXPECT_EQ(result.exit, 0) << page << "\n" << result.err;
+        EXPECT_EQ(result.err, "") << page;
+        EXPECT_GT(result.out.size(), 5000U) << page;
+    }
+}
+
+// The fenced blocks of the README that are written in `language`.
+std::vector<std::string> blocks(const std::string& language) {
+    std::vector<std::string> found;
+    std::string fence;
+    for (const std::string& line : lines_of(read_file(kSource / "README.md"))) {
+        if (line.starts_with("```")) {
+            const bool begins = fence.empty();
+            fence = begins ? line : "";
+            if (begins && line == "```" + language) found.emplace_back();
+        } else if (fence == "```" + language) {
+            found.back() += line + "\n";
+        }
+    }
+    return found;
+}
+
+// Runs the commands ("$ …") of all console blocks one after the other in one directory; each must print what
+// stands below it.
+TEST(Readme, TheTourIsWhatTheProgramPrints) {
+    const std::vector<std::string> documents = blocks("xml");
+    ASSERT_EQ(documents.size(), 1U);
+    const ScratchDirectory scratch;
+    write_file(scratch / "camp.xml", documents.front());
+    RunOptions options;
+    options.directory = scratch.path();
+    const std::string programs = std::filesystem::path(POPUPC_BINARY).parent_path().string();
+    options.environment["PATH"] = programs + ":/usr/bin:/bin";
+    options.environment["LC_ALL"] = "C";
+    std::size_t commands = 0;
+    for (const std::string& block : blocks("console")) {
+        const std::vector<std::string> lines = lines_of(block);
+        for (std::size_t i = 0; i < lines.size();) {
+            ASSERT_TRUE(lines[i].starts_with("$ ")) << lines[i];
+            const std::string command = lines[i++].substr(2);
+            std::string expected;
+            while (i < lines.size() && !lines[i].starts_with("$ ")) expected += lines[i++] + "\n";
+            const RunResult result = run({"sh", "-c", "{ " + command + "\n} 2>&1"}, options);
+            EXPECT_EQ(result.out, expected) << command;
+            ++commands;
+        }
+    }
+    EXPECT_GE(commands, 6U);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "small.pdf"));
+    EXPECT_EQ(popupc({"check", "--strict", "camp.xml"}, options).exit, 0);
+}
+
+TEST(Readme, EveryFileItPointsToIsThere) {
+    const std::string text = read_file(kSource / "README.md");
+    std::size_t seen = 0;
+    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+        const std::string path = text.substr(at + 2, text.find(')', at) - at - 2);
+        if (path.starts_with("http")) continue;
+        ++seen;
+        EXPECT_TRUE(std::filesystem::exists(kSource / path)) << path;
+    }
+    EXPECT_GT(seen, 3U);
+}
+
+TEST(Readme, NamesEveryElementTypeAndFormat) {
+    const std::string text = read_file(kSource / "README.md");
+    for (const ElementInfo& info : element_table())
+        EXPECT_NE(text.find("`" + std::string(info.name) + "`"), std::string::npos) << info.name;
+    for (const auto& row : nlohmann::json::parse(popupc({"list", "formats", "--json"}).out)) {
+        const auto suffix = row["suffix"].get<std::string>();
+        EXPECT_NE(text.find("`" + suffix + "`"), std::string::npos) << suffix;
+    }
+}
+
+}  // namespace
+}  // namespace popup::test
