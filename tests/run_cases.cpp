@@ -24,6 +24,9 @@ struct Case {
     [[nodiscard]] fs::path beside(const std::string& suffix) const { return directory / (name + suffix); }
 };
 
+// What a failure names.
+void PrintTo(const Case& one, std::ostream* out) { *out << (one.directory / one.name).string(); }
+
 // Sorted, so that the order does not depend on the disk.
 std::vector<Case> all_cases() {
     std::map<fs::path, Case> cases;

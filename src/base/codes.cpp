@@ -9,63 +9,63 @@ namespace {
 
 constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"apex-off-fold", Severity::warning, "an apex lies beside its parent fold",
-     "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the "
-     "fold the element stands on: only then do its sides stay the same length while the card moves. The "
-     "apex was moved onto the fold, the shortest way. Choose it on the fold to begin with."},
+     "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the fold "
+     "the element stands on: only then do its sides stay the same length while the card moves. The apex was "
+     "moved onto the fold, the shortest way. Choose it on the fold to begin with."},
     {"bad-character", Severity::error, "a character that XML forbids",
-     "The document holds a NUL byte, a control character, or a reference such as &#0; that stands for one."
-     " XML allows no control characters but tab and line breaks, so other programs will refuse the file as"
-     " well. It has usually been damaged on its way or is not a text at all; take the character out, or "
+     "The document holds a NUL byte, a control character, or a reference such as &#0; that stands for one. "
+     "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
+     "well. It has usually been damaged on its way or is not a text at all; take the character out, or "
      "export the document anew."},
     {"bad-color", Severity::error, "a colour that cannot be read",
-     "Colours are written #rrggbb. Also read are #rgb, three whole numbers r,g,b from 0 to 255, the colour"
-     " names of CSS, and the signed 32-bit number that a Java program stores for a colour (-65536 is red; "
-     "its transparency is disregarded, because paper has none). Write the colour in one of these ways, or "
-     "leave the field out for bare paper."},
+     "Colours are written #rrggbb. Also read are #rgb, three whole numbers r,g,b from 0 to 255, the colour "
+     "names of CSS, and the signed 32-bit number that a Java program stores for a colour (-65536 is red; its "
+     "transparency is disregarded, because paper has none). Write the colour in one of these ways, or leave "
+     "the field out for bare paper."},
     {"bad-id", Severity::error, "an id that may not be used",
-     "The id of a structure names its plates and pieces in every output, so it is kept simple: a letter or"
-     " an underscore first, then letters, digits, underscores, full stops and hyphens. The id \"page\" is "
+     "The id of a structure names its plates and pieces in every output, so it is kept simple: a letter or "
+     "an underscore first, then letters, digits, underscores, full stops and hyphens. The id \"page\" is "
      "kept for the base page. Choose another id, or leave it out: the n-th structure is then called e "
      "followed by n."},
     {"bad-number", Severity::error, "a number that cannot be read, or is out of range",
-     "Numbers are decimal, with a full stop before the decimals and an optional exponent: 1.5, -0.25, "
-     "1e-3. Hexadecimal numbers, decimal commas, NaN and infinity are not read, and coordinates further "
-     "than a million millimetres from the middle of the page are taken for mistakes, as are lines thicker "
-     "than 1000 points or thinner than none. Correct the number, or the unit of the document."},
+     "Numbers are decimal, with a full stop before the decimals and an optional exponent: 1.5, -0.25, 1e-3. "
+     "Hexadecimal numbers, decimal commas, NaN and infinity are not read, and coordinates further than a "
+     "million millimetres from the middle of the page are taken for mistakes, as are lines thicker than 1000 "
+     "points or thinner than none. Correct the number, or the unit of the document."},
     {"bad-page", Severity::error, "a page number that cannot be read, or contradicts another",
-     "Pages are counted by whole numbers: 0 is the base page, and each v-fold or tent adds one page for "
-     "its own piece, numbered from 1 in the order of the list. All of a parent fold, and all of a drawn "
-     "line, lies on one page; where a page is written more than once in it, the numbers must agree. "
-     "Correct the number."},
+     "Pages are counted by whole numbers: 0 is the base page, and each v-fold or tent adds one page for its "
+     "own piece, numbered from 1 in the order of the list. All of a parent fold, and all of a drawn line, "
+     "lies on one page; where a page is written more than once in it, the numbers must agree. Correct the "
+     "number."},
     {"bad-point", Severity::error, "a point that is not two numbers",
      "A point has two coordinates, written as attributes x and y, as child elements of these names, or as "
-     "the text x,y. A list of points written as text needs an even number of numbers, with commas or "
-     "blanks between them; a decimal comma looks like one more number there. Write the missing number, or "
-     "a decimal point for the comma."},
+     "the text x,y. A list of points written as text needs an even number of numbers, with commas or blanks "
+     "between them; a decimal comma looks like one more number there. Write the missing number, or a decimal "
+     "point for the comma."},
     {"bad-unit", Severity::error, "a unit that is not known",
      "The units of a document are in (inches, when nothing is said), mm, cm, pt or px, the last two both "
-     "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of "
-     "drawn lines, which is always in points. Name one of these units."},
+     "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of drawn "
+     "lines, which is always in points. Name one of these units."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",
      "Steps, beaks and angled steps are cut across the fold they stand on. A seam is two pieces of paper "
-     "glued together, so the cut would go through the glue and part what holds the design together. Stand "
-     "a tent or a v-fold on the seam instead, or cut a fold of the piece."},
+     "glued together, so the cut would go through the glue and part what holds the design together. Stand a "
+     "tent or a v-fold on the seam instead, or cut a fold of the piece."},
     {"degenerate", Severity::error, "an element is too small to fold",
      "A seam, side fold or width is under 1 mm, or an angle under 1°. No paper folds that small, and small "
-     "errors of the knife would decide how it moves. Give the element room; where a point lies on the "
-     "wrong side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
+     "errors of the knife would decide how it moves. Give the element room; where a point lies on the wrong "
+     "side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
     {"doctype", Severity::error, "a document type declaration",
-     "The document has a DTD, or another declaration that begins with \"<!\". Popup documents need none, "
-     "and entities that a DTD defines can be made to unfold into gigabytes or to read other files, so none"
-     " is ever processed. Take the declaration out and write what its entities stand for."},
+     "The document has a DTD, or another declaration that begins with \"<!\". Popup documents need none, and "
+     "entities that a DTD defines can be made to unfold into gigabytes or to read other files, so none is "
+     "ever processed. Take the declaration out and write what its entities stand for."},
     {"document-too-large", Severity::error, "more markup than is read",
      "The document has more markup than any design that could be made of paper: over 250 000 structures or "
      "lines, a million points, a million elements, attributes and texts in a single structure or line, or "
      "eight million altogether. The limits keep hostile documents from filling the memory. Split the design "
      "into several documents."},
     {"does-not-fit", Severity::warning, "an element is larger than the paper it stands on",
-     "Each half of a cut element must lie wholly in its own plane, with 1 mm of paper left around it and "
-     "no earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "
+     "Each half of a cut element must lie wholly in its own plane, with 1 mm of paper left around it and no "
+     "earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "
      "pulled towards its fold, or shortened along it, until it fits. Where even the smallest form finds no "
      "room it is an error. Make the element smaller or move it."},
     {"dropped", Severity::warning, "an element was taken out",
@@ -73,65 +73,69 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "everything that stands on them; pages of pieces that went are closed up. The document before is "
      "unchanged unless it is written over."},
     {"duplicate-id", Severity::error, "two structures with the same id",
-     "Every structure has an id of its own, because plates, pieces and glue tabs are named after it in "
-     "every output. Two structures of this document were given the same one; the message names the line of"
-     " the first. Rename one of them, or leave its id out."},
+     "Every structure has an id of its own, because plates, pieces and glue tabs are named after it in every "
+     "output. Two structures of this document were given the same one; the message names the line of the "
+     "first. Rename one of them, or leave its id out."},
     {"duplicate-value", Severity::error, "a value that is given twice",
-     "A value stands as an attribute, as a child element or as text, and it stands once. Here it is given "
-     "a second time, perhaps in another spelling (names are compared without regard to case, hyphens and "
+     "A value stands as an attribute, as a child element or as text, and it stands once. Here it is given a "
+     "second time, perhaps in another spelling (names are compared without regard to case, hyphens and "
      "underscores), and it cannot be told which is meant. Take one of the two out."},
     {"empty-input", Severity::error, "a file with nothing in it",
      "The file is empty or holds nothing but blanks. It may have been cut off while it was copied or "
-     "written; fetch it again from where it came from."},
+     "written, or the program before this one in a pipe has failed without a word; fetch it again from where "
+     "it came from."},
     {"encoding", Severity::error, "a text that is not UTF-8",
      "Documents are read as UTF-8, of which plain ASCII is a part. This one declares another encoding, "
      "begins with the byte order mark of UTF-16 or UTF-32, or holds bytes that are no UTF-8. Save it as "
      "UTF-8, and let its first line say encoding=\"UTF-8\" or nothing at all."},
     {"fix-unsettled", Severity::error, "repairs that undo one another",
-     "Each repair is the least change that mends one thing, and what it moves is looked at again. Here the repaired "
-     "document was read again several times and still had something to repair, or had become one that cannot be made: "
-     "two constraints pull the same points in different directions, most often because an element is too large for "
-     "the fold it stands on. Nothing has been written. Make the elements that the warnings name smaller, or move "
-     "them, and run fix again."},
+     "Each repair is the least change that mends one thing, and what it moves is looked at again. Here the "
+     "repaired document was read again several times and still had something to repair, or had become one "
+     "that cannot be made: two constraints pull the same points in different directions, most often because "
+     "an element is too large for the fold it stands on. Nothing has been written. Make the elements that "
+     "the warnings name smaller, or move them, and run fix again."},
     {"fold-cut-away", Severity::error, "the parent fold has been cut away where the element stands",
-     "A 90° element takes away the stretch of its parent fold that lies between its cuts; what remains "
-     "there are its own side folds and centre fold. An element that comes later in the list can stand on "
-     "those, or beside them, but not on the fold that is gone. Its parent fold may lie on the same line as "
-     "the old one: then only the place along it counts."},
+     "A 90° element takes away the stretch of its parent fold that lies between its cuts; what remains there "
+     "are its own side folds and centre fold. An element that comes later in the list can stand on those, or "
+     "beside them, but not on the fold that is gone. Its parent fold may lie on the same line as the old "
+     "one: then only the place along it counts."},
     {"fold-not-found", Severity::error, "there is no fold where an element should stand",
      "A structure names its parent fold by two points of it. No fold or seam of the page or of an earlier "
-     "structure lies within 5 mm of that line beside the element. The list is in build order, parents "
-     "first, and the points are in the coordinates of the page given. The message names the nearest fold "
-     "and its distance."},
+     "structure lies within 5 mm of that line beside the element. The list is in build order, parents first, "
+     "and the points are in the coordinates of the page given. The message names the nearest fold and its "
+     "distance."},
     {"fold-snapped", Severity::warning, "the parent fold was given a little beside the real one",
      "The two points given for the parent fold lie up to 5 mm beside a fold or seam, so that one is meant. "
      "The element's own points stay where they are; its parent fold now runs along the real fold."},
     {"fold-too-short", Severity::error, "an element's apex lies beyond the end of its fold",
      "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
-     "there. Move it along the fold, or make the fold longer."},
+     "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
+     "longer."},
     {"fold-turned", Severity::remark, "the gutter was given downwards",
-     "Left and right are seen from a fold's begin to its end. The gutter always runs upwards, so a "
-     "structure that gives it downwards is read with its sides exchanged, and a v-fold as its inverse. The "
-     "document stays as it is; nothing needs mending."},
+     "Left and right are seen from a fold's begin to its end. The gutter always runs upwards, so a structure "
+     "that gives it downwards is read with its sides exchanged, and a v-fold as its inverse. The document "
+     "stays as it is; nothing needs mending."},
     {"fold-without-direction", Severity::error, "a parent fold begins and ends in the same point",
-     "Two distinct points are needed to say which fold is meant and in which direction it is looked along."},
+     "A parent fold is named by two distinct points of it. They say which fold is meant and in which "
+     "direction it is looked along, and so which side is left. Here both points are the same, to within the "
+     "rounding of a drawing. Give the two ends of the fold."},
     {"font-missing", Severity::error, "the font of the labels cannot be read",
-     "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu Sans, so that "
-     "sheets look the same on every machine. The file named in the message is not there, may not be read, or is no "
-     "font. Nothing has been written. Install the font where the message says (on Debian the package "
-     "fonts-dejavu-core brings it), or write SVG, which only names the font."},
+     "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu Sans, "
+     "so that sheets look the same on every machine. The file named in the message is not there, may not be "
+     "read, or is no font. Nothing has been written. Install the font where the message says (on Debian the "
+     "package fonts-dejavu-core brings it), or write SVG, which only names the font."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "Between two angles a tiny step apart, a plate would have to turn through a large angle. Real paper "
-     "cannot: the linkage passes from one of its two solutions to the other, or is so close to locking "
-     "that a hair's breadth decides. Give it more room: a wider piece, a narrower V, less extreme angles."},
+     "cannot: the linkage passes from one of its two solutions to the other, or is so close to locking that "
+     "a hair's breadth decides. Give it more room: a wider piece, a narrower V, less extreme angles."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
-     "of piece and page together exceed 360°), so that the card stops before it is open. Widen the piece, "
-     "or bring its seams closer to the fold."},
+     "of piece and page together exceed 360°), so that the card stops before it is open. Widen the piece, or "
+     "bring its seams closer to the fold."},
     {"missing-value", Severity::error, "a value that must be given",
-     "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs"
-     " x and y; and a field that is written must not be empty. What is optional (ids, colours, the base "
-     "page) may be left out altogether. Write the value, or take the empty field out."},
+     "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs x "
+     "and y; and a field that is written must not be empty. What is optional (ids, colours, the base page) "
+     "may be left out altogether. Write the value, or take the empty field out."},
     {"model-coarse", Severity::warning, "the model's animation has fewer keys than it needs",
      "Between two keys of the animation a viewer turns every plate on its own, and keys are added until no "
      "fold visibly opens on the way. Here the file would have grown beyond half a gigabyte first. The model "
@@ -142,12 +146,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "below two gigabytes. Ask for fewer angles or fewer keys a second, or write the designs into several "
      "models."},
     {"moved-with-fold", Severity::warning, "an element moved because its fold was repaired",
-     "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the "
-     "element was moved, or turned, with it. Mending the element below makes this repair unnecessary."},
+     "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the element "
+     "was moved, or turned, with it. Mending the element below makes this repair unnecessary."},
     {"newer-element", Severity::warning, "an element that the document's version does not have",
-     "The document says it is of version 2.0, or says nothing, and uses an element that Popup Workshop did"
-     " not have. It is read all the same. Write version=\"3.0\" at the root, so that other programs know "
-     "what to expect."},
+     "The document says it is of version 2.0, or says nothing, and uses an element that Popup Workshop did "
+     "not have. It is read all the same. Write version=\"3.0\" at the root, so that other programs know what "
+     "to expect."},
     {"not-flat", Severity::error, "a plate is not flat when the card is closed",
      "At the closed card every plate must lie in one plane, or the card does not shut. An element of this "
      "design does not fold flat; usually its angles were taken as they are because a repair was not "
@@ -161,8 +165,9 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "at most 170°: beyond that the element hardly leaves the page, and its solution is lost when the card "
      "lies open. Both sides were turned in alike."},
     {"outline-crosses", Severity::error, "an outline crosses itself",
-     "The points of an element, in the order of its type, do not go round a piece of paper: two edges "
-     "cross where the message says. Usually two points are exchanged."},
+     "The points of an element, in the order of its type, do not go round a piece of paper: two edges cross "
+     "where the message says, so there is no telling which side of them is paper. Usually two points are "
+     "exchanged; the manual page popup(5) gives the order for each type."},
     {"page-not-there", Severity::error, "a page is named that does not exist yet",
      "Page 0 is the base page. Every v-fold and every tent adds one page for its own piece: page 1 for the "
      "first of them in the list, 2 for the second. An element or a drawn line can only be on a page whose "
@@ -170,104 +175,104 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"page-size", Severity::error, "a base page of an impossible size",
      "The width and the height of the base page must be positive: at least 1 mm, and at most 10 m. The "
      "numbers are in the document's unit, which is inches when nothing is said; a size like 279 without "
-     "units=\"mm\" is a page of seven metres. Correct the size or the unit; without either the page has 11"
-     " by 8.5 inches."},
+     "units=\"mm\" is a page of seven metres. Correct the size or the unit; without either the page has 11 "
+     "by 8.5 inches."},
     {"pdf-failed", Severity::error, "the PDF library gave up",
-     "The library that makes PDF documents reported the error in the message, for example that memory ran out or "
-     "that the font of the labels is damaged. Nothing has been written. Reinstall the font, or write SVG instead and "
-     "print that; both show the same drawing."},
+     "The library that makes PDF documents reported the error in the message, for example that memory ran "
+     "out or that the font of the labels is damaged. Nothing has been written. Reinstall the font, or write "
+     "SVG instead and print that; both show the same drawing."},
     {"pdf-page-size", Severity::error, "a sheet is larger than a PDF page can be",
-     "A page of a PDF has at most 14400 points a side, which is 5080 mm; programs that read PDF refuse or shrink "
-     "larger ones, and a sheet that is shrunk is useless. Choose a smaller sheet with --sheet, so that the pieces "
-     "are spread over several pages, or write SVG, which has no such limit."},
+     "A page of a PDF has at most 14400 points a side, which is 5080 mm; programs that read PDF refuse or "
+     "shrink larger ones, and a sheet that is shrunk is useless. Choose a smaller sheet with --sheet, so "
+     "that the pieces are spread over several pages, or write SVG, which has no such limit."},
     {"piece-mirrored", Severity::warning, "an extra piece was drawn from the back",
      "Pieces are drawn with their printed side up. This one runs the wrong way round (a v-fold's G E H J I "
-     "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands "
-     "and is drawn on its page."},
+     "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands and "
+     "is drawn on its page."},
     {"piece-too-large", Severity::error, "a piece does not fit on the sheet",
-     "A piece of the design, tabs included, is larger than what is left of the sheet inside its margins, in every way "
-     "it may be turned. Pieces are never cut apart, so nothing was written. Choose a larger sheet, a smaller margin, "
-     "or a smaller --scale; the message gives both sizes, and the hint a paper or a scale that would do. A piece "
-     "that is a little too long may also fit across the sheet with --rotate any."},
+     "A piece of the design, tabs included, is larger than what is left of the sheet inside its margins, in "
+     "every way it may be turned. Pieces are never cut apart, so nothing was written. Choose a larger sheet, "
+     "a smaller margin, or a smaller --scale; the message gives both sizes, and the hint a paper or a scale "
+     "that would do. A piece that is a little too long may also fit across the sheet with --rotate any."},
     {"piece-too-narrow", Severity::warning, "a v-fold's piece is too narrow for its V",
      "The angles of the piece at E must be at least 10° more than those of the V on the page, or the piece "
-     "stays flat on the page and blocks. The piece was widened alike on both sides."},
+     "stays flat on the page and blocks the card from opening. The piece was widened alike on both sides, "
+     "which leaves its seams as they are."},
     {"piece-too-wide", Severity::warning, "a v-fold's piece is too wide for its V",
-     "The angles of the piece and of the V must not exceed 350° together. At 360° all of the paper round "
-     "the apex lies in one plane before the card is open, and the card stops there. The piece was narrowed "
-     "alike on both sides."},
-    {"plane-falls-apart", Severity::error, "cut-outs leave a plane in several parts",
-     "What elements cut from a plane separates some of it from the rest, so that it would fall out of the "
-     "card. Leave paper between the elements."},
+     "The angles of the piece and of the V must not exceed 350° together. At 360° all of the paper round the "
+     "apex lies in one plane before the card is open, and the card stops there. The piece was narrowed alike "
+     "on both sides."},
     {"point-count", Severity::error, "too few or too many points",
-     "Every type of structure has a fixed number of outer points in a fixed order, called by the letters "
-     "in the message; the corners that follow from them are computed. A drawn line has at least two "
-     "points. Add the missing points or take the doubled ones out; `popupc list elements` shows what each "
-     "type takes."},
+     "Every type of structure has a fixed number of outer points in a fixed order, called by the letters in "
+     "the message; the corners that follow from them are computed. A drawn line has at least two points. Add "
+     "the missing points or take the doubled ones out; `popupc list elements` shows what each type takes."},
     {"points-reordered", Severity::warning, "the points of an angled step were given outside in",
-     "On each side the point nearer to the apex comes first: B before C, G before F. Both pairs were "
-     "exchanged."},
+     "The points of an angled step are written with the one nearer to the apex first on each side: B before "
+     "C, G before F. Here both pairs stood the other way round, which describes the same cuts; they were "
+     "exchanged in the checked design, and fix writes them in order."},
     {"seam-length", Severity::warning, "the seams of a piece do not match those on the page",
-     "What is glued together must be the same length, end for end. The page's seams rule; the ends of the "
-     "piece's seams were moved along their lines."},
+     "What is glued together must be the same length, end for end. The page's seams rule, since other "
+     "elements may stand on them; the ends of the piece's seams were moved along their lines until they fit. "
+     "Draw both seams equally long."},
     {"seam-open", Severity::error, "a fold or seam comes apart while the card opens",
-     "At one of the sampled angles two plates that share a line no longer meet along it. The geometry is "
-     "so extreme that rounding decides; make the angles and widths of the element larger."},
+     "At one of the sampled angles two plates that share a line no longer meet along it. Paper cannot do "
+     "that: the geometry is so extreme that rounding decides. Make the angles and widths of the element "
+     "larger."},
     {"seam-stays-flat", Severity::error, "an element stands on a seam that does not fold",
-     "The plates on both sides of this seam lie in one plane, facing the same way, when the card is "
-     "closed. Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley "
-     "folds do open and close."},
+     "The plates on both sides of this seam lie in one plane, facing the same way, when the card is closed. "
+     "Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley folds do "
+     "open and close."},
     {"sheet-too-small", Severity::error, "the margins leave nothing of the sheet",
-     "The margin is kept free along all four edges of a sheet. When twice the margin is as much as the sheet's width "
-     "or height, no paper is left to put pieces on. Choose a larger --sheet or a smaller --margin."},
+     "The margin is kept free along all four edges of a sheet. When twice the margin is as much as the "
+     "sheet's width or height, no paper is left to put pieces on. Choose a larger --sheet or a smaller "
+     "--margin."},
     {"should-be-step", Severity::error, "an angled step has parallel sides",
-     "The side folds of an angled step meet in an apex on the parent fold. Here they are parallel to it, "
-     "or meet further away than 20 page heights, so that rounding would decide where. An element with "
-     "parallel side folds is a step."},
+     "The side folds of an angled step meet in an apex on the parent fold. Here they are parallel to it, or "
+     "meet further away than 20 page heights, so that rounding would decide where. An element with parallel "
+     "side folds is a step."},
     {"sides-do-not-meet", Severity::warning, "the sides of an angled step meet the fold in two points",
-     "All folds of an angled step run through one apex on the parent fold. The apex was put halfway "
-     "between the two crossings, and the inner points moved onto the lines from it to the outer points, "
-     "which stay."},
+     "All folds of an angled step run through one apex on the parent fold. The apex was put halfway between "
+     "the two crossings, and the inner points moved onto the lines from it to the outer points, which stay."},
     {"sides-exchanged", Severity::warning, "left and right points were exchanged",
      "Left is the left-hand side when looking from the parent fold's begin to its end. All points given as "
-     "left lie right of it and the other way round, so the points changed places; the colours stay with "
-     "the sides they are named for."},
+     "left lie right of it and the other way round, so the points changed places; the colours stay with the "
+     "sides they are named for."},
     {"tab-too-small", Severity::warning, "little is left of a glue tab",
-     "A glue tab runs along each seam of a piece, and its target on the plate it is glued to. Both are trimmed so that "
-     "they stay 1 mm clear of folds, cuts, edges and earlier tabs. Of this one less than 3 mm of depth are left along "
-     "half its seam or more, so the joint will hold badly, or the seam has no tab at all. Move the element away from "
-     "what is near its seam, make the seam longer, or add paper by hand and glue from behind; --allow tab-too-small "
-     "accepts it."},
+     "A glue tab runs along each seam of a piece, and its target on the plate it is glued to. Both are "
+     "trimmed so that they stay 1 mm clear of folds, cuts, edges and earlier tabs. Of this one less than 3 "
+     "mm of depth are left along half its seam or more, so the joint will hold badly, or the seam has no tab "
+     "at all. Move the element away from what is near its seam, make the seam longer, or add paper by hand "
+     "and glue from behind; --allow tab-too-small accepts it."},
     {"tent-too-narrow", Severity::warning, "a tent's piece is narrower than its seams are apart",
      "The piece of a tent must be at least as wide as the distance between its two seams on the open page, "
      "or it stops the card from opening. It was widened alike on both sides, to lie flat on the open page."},
     {"too-many-pieces", Severity::error, "the run has more pieces than can be laid out",
-     "One run lays out at most a million pieces, all copies of all designs together; more is nearly always a slip in "
-     "--copies. Ask for fewer copies, or split the run."},
+     "One run lays out at most a million pieces, all copies of all designs together; more is nearly always a "
+     "slip in --copies. Ask for fewer copies, or split the run."},
     {"unknown-language", Severity::error, "an input whose language is not known",
-     "The language of an input is told by the suffix of its name. This name has none that is known, or it "
-     "is standard input, which has no suffix. Rename the file, or name the language with --from; `popupc "
-     "list languages` shows all of them."},
+     "The language of an input is told by the suffix of its name. This name has none that is known, or it is "
+     "standard input, which has no suffix. Rename the file, or name the language with --from; `popupc list "
+     "languages` shows all of them."},
     {"unknown-markup", Severity::warning, "an element, attribute or text that has no meaning",
-     "The document holds markup that the reader does not know in that place, and disregards with all that "
-     "is in it. Often it is a slip in a name, and then something that you meant is missing from the "
-     "result. Correct the name, or take the markup out. With --strict this is an error."},
+     "The document holds markup that the reader does not know in that place, and disregards with all that is "
+     "in it. Often it is a slip in a name, and then something that you meant is missing from the result. "
+     "Correct the name, or take the markup out. With --strict this is an error."},
     {"unknown-type", Severity::error, "a structure of an unknown type",
      "The type of a structure is the name of an element, such as beak or inverted-step, or its number in "
-     "Popup Workshop, from 0 to 8. Case, hyphens and underscores do not matter. `popupc list elements` "
-     "shows all of them."},
+     "Popup Workshop, from 0 to 8. Case, hyphens and underscores do not matter. `popupc list elements` shows "
+     "all of them."},
     {"unknown-version", Severity::warning, "a document version that is not known",
      "Known versions of the popup document are 2.0, the one of the last Popup Workshop, and 3.0. The "
      "document names another, and is read as 2.0; what a later version has added would be reported as "
      "unknown. Correct the version, or see whether there is a newer popupc."},
     {"unreadable-input", Severity::error, "an input file cannot be read",
-     "The file does not exist, is a directory, is larger than 64 MiB, or may not be opened by this user. Nothing of "
-     "it has been looked at. Check the path and the permissions; paths are taken relative to the directory the "
-     "program was started in, and \"-\" stands for standard input."},
+     "The file does not exist, is a directory, is larger than 64 MiB, or may not be opened by this user. "
+     "Nothing of it has been looked at. Check the path and the permissions; paths are taken relative to the "
+     "directory the program was started in, and \"-\" stands for standard input."},
     {"unwritable-output", Severity::error, "an output file cannot be written",
-     "The directory does not exist, is not writable, or the disk is full. Outputs are written to temporary files "
-     "first and moved into place together, so no older file of this run has been touched. Create the directory or "
-     "choose another place with -o."},
+     "The directory does not exist, is not writable, or the disk is full. Outputs are written to temporary "
+     "files first and moved into place together, so no older file of this run has been touched. Create the "
+     "directory or choose another place with -o."},
     {"wrong-form", Severity::warning, "an element's form does not match its fold",
      "Inverted steps, beaks and angled steps are those that stand on mountain folds. A v-fold's V opens "
      "towards the end of its parent fold, an inverted one's towards its begin. The type was corrected; no "
@@ -276,11 +281,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "Points of an element lie on the planes beside its parent fold. On a seam these planes are on two "
      "pages: each point must name the page of its side. On a fold both sides are on one page."},
     {"wrong-root", Severity::error, "an XML document of another kind",
-     "The file is XML, but its outermost element is not <popup>, so it is no popup document. Perhaps it is"
-     " a drawing, or an output of this program (an .svg, say) in place of its input. Name the right file."},
+     "The file is XML, but its outermost element is not <popup>, so it is no popup document. Perhaps it is a "
+     "drawing, or an output of this program (an .svg, say) in place of its input. Name the right file."},
     {"xml-syntax", Severity::error, "a text that is not well-formed XML",
-     "Tags must be closed in the order they were opened, values stand in quotes, no attribute stands twice"
-     " in a tag, the characters < and & are written &lt; and &amp; in texts and values, and nesting is at "
+     "Tags must be closed in the order they were opened, values stand in quotes, no attribute stands twice "
+     "in a tag, the characters < and & are written &lt; and &amp; in texts and values, and nesting is at "
      "most 100 deep. The place given is where reading could not go on; the mistake may lie before it. A "
      "document that ends inside an element has probably been cut off. Reading stops at the first such "
      "mistake, since what follows cannot be trusted."},

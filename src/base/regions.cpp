@@ -95,8 +95,7 @@ std::vector<Polygon> to_polygons(Paths paths) {
     std::vector<Path> holes;
     for (Path& path : paths) {
         const double area = ClipperLib::Area(path);
-        if (area > 0.0) outers.push_back(std::move(path));
-        if (area < 0.0) holes.push_back(std::move(path));
+        if (area != 0.0) (area > 0.0 ? outers : holes).push_back(std::move(path));
     }
     std::sort(outers.begin(), outers.end(), ring_before);
     std::sort(holes.begin(), holes.end(), ring_before);

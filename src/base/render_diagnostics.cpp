@@ -258,8 +258,8 @@ std::string render_text(const Diagnostic& diagnostic, PlaceFinder& source, bool 
         text += fmt::format("{:>5} | {}\n      | {}\n", diagnostic.place.line, line, paint("1;32", pointer));
     }
     if (diagnostic.change && !diagnostic.change->after.empty()) {
-        text += fmt::format("   {} {}\n   {} {}\n", paint("36", "was:"), visible(diagnostic.change->before), paint("36", "now:"),
-                            visible(diagnostic.change->after));
+        text += fmt::format("   {} {}\n   {} {}\n", paint("36", "was:"), visible(diagnostic.change->before),
+                            paint("36", "now:"), visible(diagnostic.change->after));
     }
     for (const std::string& hint : diagnostic.hints) {
         text += fmt::format("  {} {}\n", paint("36", "hint:"), visible(hint));

@@ -74,7 +74,7 @@ void Paper::update(const Skeleton& skeleton) {
             const auto index = static_cast<std::size_t>(plate);
             if (fold.seam) add(number, at, plate, true);
             for (std::size_t& seen = cuts_seen_[index]; seen < skeleton.cut_outs[index].size(); ++seen) {
-                const Ring& ring = skeleton.cut_outs[index][seen];
+                const Ring& ring = skeleton.cut_outs[index][seen].path;
                 add_ring(number, ring, plate);
                 const Box box = bounds(ring);
                 PageEdges& edges = page(number);

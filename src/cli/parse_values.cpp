@@ -61,7 +61,7 @@ std::optional<std::vector<Angle>> parse_angles(std::string_view text) {
         const auto first = parse_number(parts[0]);
         const auto last = parse_number(parts[1]);
         const auto step = parse_number(parts[2]);
-        if (!first || !last || !step || *first > *last || *step <= 0.0) return std::nullopt;
+        if (!first || !last || !step || *first > *last || *last > 180.0 || *step <= 0.0) return std::nullopt;
         const double count = std::floor((*last - *first) / *step + 1e-9) + 1.0;
         if (!(count <= kMostAngles)) return std::nullopt;
         for (int i = 0; i < static_cast<int>(count); ++i)

@@ -31,6 +31,7 @@ std::vector<double> candidates(const Ring& hull, Rotation rotation) {
     if (rotation.count == 2 || rotation.count == 4) return angles;
     constexpr std::size_t kEdges = 64;  // of very round shapes only the longest edges are tried
     std::vector<Segment> edges;
+    edges.reserve(hull.size());
     for (std::size_t i = 0; i < hull.size(); ++i) edges.push_back({hull[i], hull[(i + 1) % hull.size()]});
     if (edges.size() > kEdges) {
         std::stable_sort(edges.begin(), edges.end(), [](const Segment& a, const Segment& b) {

@@ -46,13 +46,12 @@ std::pair<double, double> span(const Element& e) {
     return std::minmax({crossing(e.on[B], e.on[G]), crossing(e.on[C], e.on[F])});
 }
 
-Ring half(const Element& e, Side side, double beyond) {
+// From the fold along the inner cut, the side fold, and back along the outer cut.
+Ring half(const Element& e, Side side) {
     const bool left = side == Side::left;
-    const SitePoint inner = e.on[left ? B : G];
-    const SitePoint outer = e.on[left ? C : F];
-    return {e.site.on_page(side, inner), e.site.on_page(side, outer),
-            e.site.on_page(side, along_cut(outer, e.on[left ? F : C], -beyond)),
-            e.site.on_page(side, along_cut(inner, e.on[left ? G : B], -beyond))};
+    return {e.site.on_page(side, {crossing(e.on[B], e.on[G]), 0.0}), e.site.on_page(side, e.on[left ? B : G]),
+            e.site.on_page(side, e.on[left ? C : F]),
+            e.site.on_page(side, {crossing(e.on[C], e.on[F]), 0.0})};
 }
 
 // Puts the inner point on the line from the apex to the outer one, at the same distance from the outer one;
@@ -87,8 +86,7 @@ bool constrain(Element& e) {
         const Segment bg{e.site.on_page(Side::left, e.on[B]), e.site.on_page(Side::right, e.on[G])};
         const Segment cf{e.site.on_page(Side::left, e.on[C]), e.site.on_page(Side::right, e.on[F])};
         const Vec2 at = proper_crossing(bg, cf).value_or(0.5 * (bg.a + bg.b));
-        e.failed("outline-crosses",
-                 "the cuts B–G and C–F cross at " + at_mm(at),
+        e.failed("outline-crosses", "the cuts B–G and C–F cross at " + at_mm(at),
                  "exchange G and F, so that B and G are the inner points and C and F the outer ones");
         return false;
     }
@@ -121,7 +119,7 @@ bool constrain(Element& e) {
         }
     }
     if (!close_opening(e, mean, dir, {B, C}, {G, F}, 175.0)) return false;
-    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, mean});
+    return fit_cut(e, {half, span, mean});
 }
 
 FoldLines fold_lines(const Element& e) {
@@ -156,8 +154,8 @@ void lower(const Element& e, Builder& builder) {
     SlitShape shape;
     shape.left = {b, c, centre.b, centre.a};
     shape.right = {centre.a, centre.b, f, g};
-    shape.gone_left = half(e, Side::left, 0.5);
-    shape.gone_right = half(e, Side::right, 0.5);
+    shape.gone_left = half(e, Side::left);
+    shape.gone_right = half(e, Side::right);
     shape.cuts = {{b, g}, {c, f}};
     shape.span = span(e);
     shape.left_bar = angled_bar(e.site, Side::left, s, dir, e.on[C], a, c, centre.b);

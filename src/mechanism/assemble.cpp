@@ -1,8 +1,7 @@
 // The skeleton finished: cut-outs taken away, folds interrupted, drawn lines spread over the plates they lie
 // on.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <map>
 
 #include "base/edge_index.h"
 #include "base/regions.h"
@@ -14,32 +13,58 @@
 namespace popup {
 namespace {
 
-constexpr double kSliver = 0.01;  // mm²: less is rounding along a cut, not paper
-
-bool cut_out(const Skeleton& skeleton, Assembly& assembly, Diagnostics& diagnostics) {
-    bool ok = true;
-    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-        const auto& rings = skeleton.cut_outs[i];
-        if (rings.empty()) continue;
-        Plate& plate = assembly.plates[i];
-        std::vector<Polygon> gone;
-        gone.reserve(rings.size());
-        for (const Ring& ring : rings) gone.push_back({ring, {}});
-        std::vector<Polygon> left = subtract({plate.outline}, gone);
-        std::erase_if(left, [](const Polygon& p) { return area(p) < kSliver; });
-        if (left.size() != 1) {
-            diagnostics
-                .error("plane-falls-apart", {},
-                       fmt::format(
-                           "what is cut from {} leaves {} parts of it, where one piece of paper must remain",
-                           plate.name, left.size()))
-                .hint("leave paper between the elements that stand on it");
-            ok = false;
+// A plate's outline with its cut-outs taken away. They are disjoint and touch the rest of it only along
+// folds, so each edge that is a fold is replaced by the way round its cut-outs, whose own side folds may be
+// interrupted in turn. Exact, and linear but for sorting.
+Ring without_cut_outs(const Skeleton& skeleton, int plate, const Ring& outline) {
+    std::vector<CutOut> cuts = skeleton.cut_outs[static_cast<std::size_t>(plate)];
+    std::sort(cuts.begin(), cuts.end(), [](const CutOut& a, const CutOut& b) {
+        return a.fold != b.fold ? a.fold < b.fold : a.begin < b.begin;
+    });
+    // The outline runs counter-clockwise: along a fold on its left side, against it on its right. So an edge
+    // is known by the corner it starts from.
+    struct FoldEdge {
+        Vec2 to;
+        bool along;
+        std::size_t first, last;
+    };
+    std::map<std::pair<double, double>, FoldEdge> fold_edges;
+    for (std::size_t first = 0, last = 0; first < cuts.size(); first = last) {
+        while (last < cuts.size() && cuts[last].fold == cuts[first].fold) ++last;
+        const Fold& fold = skeleton.folds[static_cast<std::size_t>(cuts[first].fold)];
+        const bool along = plate == fold.left_plate;
+        const Segment edge = along ? fold.on_left : Segment{fold.on_right.b, fold.on_right.a};
+        fold_edges[{edge.a.x, edge.a.y}] = {edge.b, along, first, last};
+    }
+    Ring ring;
+    std::size_t used = 0;
+    std::vector<Segment> ahead;  // edges still to walk, the next one last
+    for (std::size_t i = outline.size(); i-- > 0;)
+        ahead.push_back({outline[i], outline[(i + 1) % outline.size()]});
+    std::vector<Vec2> way;
+    while (!ahead.empty()) {
+        const Segment edge = ahead.back();
+        ahead.pop_back();
+        const auto found = fold_edges.find({edge.a.x, edge.a.y});
+        if (found == fold_edges.end() || found->second.to != edge.b) {
+            ring.push_back(edge.a);
             continue;
         }
-        plate.outline = std::move(left.front());
+        const FoldEdge& fold = found->second;
+        way = {edge.a};
+        for (std::size_t n = 0; n < fold.last - fold.first; ++n) {
+            const Ring& path = cuts[fold.along ? fold.first + n : fold.last - 1 - n].path;
+            if (fold.along)
+                way.insert(way.end(), path.begin(), path.end());
+            else
+                way.insert(way.end(), path.rbegin(), path.rend());
+        }
+        way.push_back(edge.b);
+        for (std::size_t n = way.size() - 1; n-- > 0;) ahead.push_back({way[n], way[n + 1]});
+        used += fold.last - fold.first;
     }
-    return ok;
+    POPUP_INVARIANT(used == cuts.size());
+    return ring;
 }
 
 void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
@@ -132,10 +157,13 @@ std::string_view to_string(LineKind kind) {
 }
 
 std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& /*options*/,
-                                 Diagnostics& diagnostics) {
+                                 Diagnostics& /*diagnostics*/) {
     const Skeleton& skeleton = design.skeleton();
     Assembly assembly = skeleton.draft;
-    if (!cut_out(skeleton, assembly, diagnostics)) return std::nullopt;
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        Ring& outline = assembly.plates[i].outline.outer;
+        if (!skeleton.cut_outs[i].empty()) outline = without_cut_outs(skeleton, static_cast<int>(i), outline);
+    }
     add_fold_lines(skeleton, assembly);
     spread_lines(skeleton, design.design(), assembly);
     return assembly;

@@ -28,13 +28,10 @@ std::pair<double, double> span(const Element& e) {
     return std::minmax(e.on[A].s, crossing(e.on[B], e.on[E]));
 }
 
-Ring half(const Element& e, Side side, double beyond) {
-    const SitePoint near = e.on[side == Side::left ? B : E];
-    const SitePoint far = e.on[side == Side::left ? E : B];
-    const Vec2 apex = e.site.on_page(side, e.on[A]);
-    Ring ring{apex, e.site.on_page(side, near), e.site.on_page(side, along_cut(near, far, -beyond))};
-    if (beyond > 0.0) ring.push_back(e.site.on_page(side, {e.on[A].s, -beyond}));
-    return ring;
+// From the apex along the side fold and back to the fold along the cut.
+Ring half(const Element& e, Side side) {
+    return {e.site.on_page(side, e.on[A]), e.site.on_page(side, e.on[side == Side::left ? B : E]),
+            e.site.on_page(side, {crossing(e.on[B], e.on[E]), 0.0})};
 }
 
 bool constrain(Element& e) {
@@ -50,7 +47,7 @@ bool constrain(Element& e) {
     }
     const int dir = direction(e);
     if (!close_opening(e, e.on[A].s, dir, {B}, {E}, 175.0)) return false;
-    return fit_cut(e, {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, e.on[A].s});
+    return fit_cut(e, {half, span, e.on[A].s});
 }
 
 FoldLines fold_lines(const Element& e) {
@@ -82,8 +79,8 @@ void lower(const Element& e, Builder& builder) {
     SlitShape shape;
     shape.left = {a, b, c};
     shape.right = {a, c, end};
-    shape.gone_left = half(e, Side::left, 0.5);
-    shape.gone_right = half(e, Side::right, 0.5);
+    shape.gone_left = half(e, Side::left);
+    shape.gone_right = half(e, Side::right);
     shape.cuts = {{b, end}};
     shape.span = span(e);
     shape.left_bar = angled_bar(e.site, Side::left, e.on[A].s, dir, e.on[B], a, b, c);

@@ -92,9 +92,13 @@ int Builder::add_fold(Fold fold) {
 
 void Builder::add_glue(Glue glue) { skeleton_.draft.glue.push_back(std::move(glue)); }
 
-void Builder::add_cut_out(int plate, Ring region) {
-    if (signed_area(region) < 0.0) std::reverse(region.begin(), region.end());
-    skeleton_.cut_outs[static_cast<std::size_t>(plate)].push_back(std::move(region));
+void Builder::add_cut_out(int plate, int fold, Ring path) {
+    const Fold& from = skeleton_.folds[static_cast<std::size_t>(fold)];
+    const Segment& line = plate == from.left_plate ? from.on_left : from.on_right;
+    const auto along = [&](Vec2 p) { return dot(unit(line.b - line.a), p - line.a); };
+    if (along(path.front()) > along(path.back())) std::reverse(path.begin(), path.end());
+    const double begin = along(path.front());
+    skeleton_.cut_outs[static_cast<std::size_t>(plate)].push_back({fold, begin, std::move(path)});
 }
 
 void Builder::add_gone(int fold, double lo, double hi, const std::string& by) {

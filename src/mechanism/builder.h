@@ -38,6 +38,14 @@ struct Fold {
     [[nodiscard]] std::optional<std::pair<double, double>> alive_around(double s) const;
 };
 
+// What a 90° element takes from one plane: the region between a fold and a path that leaves it and comes
+// back.
+struct CutOut {
+    int fold = -1;
+    double begin = 0.0;  // where the path leaves the fold, mm along it
+    Ring path;  // page coordinates; its first and last points lie on the fold, in the fold's direction
+};
+
 // Geometry only: one fold an element makes, as `fold_lines` of its row derives it from its points.
 struct FoldLine {
     Segment on_left, on_right;
@@ -49,9 +57,9 @@ using FoldLines = std::array<FoldLine, kFoldRoles>;
 struct Skeleton {
     Assembly draft;  // plates with raw outlines; lines: cuts only
     std::vector<Fold> folds;
-    std::vector<int> plate_page;              // of each plate
-    std::vector<std::vector<Ring>> cut_outs;  // of each plate: what 90° elements take away
-    std::vector<bool> page_mirrored;          // of each page: the author drew it mirrored
+    std::vector<int> plate_page;                // of each plate
+    std::vector<std::vector<CutOut>> cut_outs;  // of each plate; disjoint, with paper between them
+    std::vector<bool> page_mirrored;            // of each page: the author drew it mirrored
 };
 
 // The names and colours of the two plates an element makes.
@@ -76,7 +84,8 @@ class Builder {
     // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
     int add_fold(Fold fold);
     void add_glue(Glue glue);
-    void add_cut_out(int plate, Ring region);
+    // `path` runs from the fold through the plate back to the fold, either way round.
+    void add_cut_out(int plate, int fold, Ring path);
     void add_gone(int fold, double lo, double hi, const std::string& by);
     void add_joint(Joint joint);
 

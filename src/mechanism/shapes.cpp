@@ -40,7 +40,8 @@ std::string self_crossing(const Ring& ring, std::span<const std::string_view> le
             if (i == 0 && j + 1 == n) continue;
             const auto at = proper_crossing({ring[i], ring[i + 1]}, {ring[j], ring[(j + 1) % n]});
             if (!at) continue;
-            return fmt::format("{}–{} crosses {}–{} at {}", letters[i], letters[i + 1], letters[j], letters[(j + 1) % n], at_mm(*at));
+            return fmt::format("{}–{} crosses {}–{} at {}", letters[i], letters[i + 1], letters[j],
+                               letters[(j + 1) % n], at_mm(*at));
         }
     }
     return {};
@@ -214,8 +215,8 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     const int left = builder.add_plate(id + "/left", piece, page, std::move(shape.left), element.paint.left);
     const int right =
         builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
-    builder.add_cut_out(site.left_plate, std::move(shape.gone_left));
-    builder.add_cut_out(site.right_plate, std::move(shape.gone_right));
+    builder.add_cut_out(site.left_plate, site.fold, std::move(shape.gone_left));
+    builder.add_cut_out(site.right_plate, site.fold, std::move(shape.gone_right));
     for (const Segment& cut : shape.cuts) builder.add_cut(piece, cut);
     const auto [lo, hi] = shape.span;
     builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi,

@@ -64,7 +64,7 @@ Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_poi
 // A 90° element's shape, in site coordinates of the left side (w positive to the left of the fold).
 struct SlitShape {
     Ring left, right;                // the two element plates, page coordinates
-    Ring gone_left, gone_right;      // what the planes lose, page coordinates
+    Ring gone_left, gone_right;      // what the planes lose: paths from the fold and back, page coordinates
     std::vector<Segment> cuts;       // page coordinates
     std::pair<double, double> span;  // of the fold that is lost
     bool parallel = false;

@@ -24,16 +24,14 @@ std::pair<double, double> span(const Element& e) {
     return std::minmax({crossing(e.on[A], e.on[G]), crossing(e.on[B], e.on[H])});
 }
 
-// The half of the element on one side, between its cuts; `beyond` mm over the fold, so that nothing of the
-// plate is left there when it is cut away.
-Ring half(const Element& e, Side side, double beyond) {
+// The half of the element on one side: from the fold along one cut, the side fold, and back along the other
+// cut.
+Ring half(const Element& e, Side side) {
     const bool left = side == Side::left;
     const SitePoint a = e.on[left ? A : G];
     const SitePoint b = e.on[left ? B : H];
-    const SitePoint ga = along_cut(a, e.on[left ? G : A], -beyond);
-    const SitePoint gb = along_cut(b, e.on[left ? H : B], -beyond);
-    return {e.site.on_page(side, a), e.site.on_page(side, b), e.site.on_page(side, gb),
-            e.site.on_page(side, ga)};
+    return {e.site.on_page(side, {crossing(e.on[A], e.on[G]), 0.0}), e.site.on_page(side, a),
+            e.site.on_page(side, b), e.site.on_page(side, {crossing(e.on[B], e.on[H]), 0.0})};
 }
 
 // Clips what overflows the fold's ends: a cut that crosses the fold too far out moves along it, both ends
@@ -65,8 +63,7 @@ bool constrain(Element& e) {
         const Segment ag{e.site.on_page(Side::left, e.on[A]), e.site.on_page(Side::right, e.on[G])};
         const Segment bh{e.site.on_page(Side::left, e.on[B]), e.site.on_page(Side::right, e.on[H])};
         const Vec2 at = proper_crossing(ag, bh).value_or(0.5 * (ag.a + ag.b));
-        e.failed("outline-crosses",
-                 "the cuts A–G and B–H cross at " + at_mm(at),
+        e.failed("outline-crosses", "the cuts A–G and B–H cross at " + at_mm(at),
                  "exchange G and H, so that A and G are ends of one cut, B and H of the other");
         return false;
     }
@@ -93,8 +90,7 @@ bool constrain(Element& e) {
         return false;
     }
     const auto [lo, hi] = span(e);
-    return fit_cut(e,
-                   {[](const Element& x, Side side) { return half(x, side, 0.0); }, span, 0.5 * (lo + hi)});
+    return fit_cut(e, {half, span, 0.5 * (lo + hi)});
 }
 
 FoldLines fold_lines(const Element& e) {
@@ -125,8 +121,8 @@ void lower(const Element& e, Builder& builder) {
     SlitShape shape;
     shape.left = {l.a, l.b, c.b, c.a};
     shape.right = {c.a, c.b, r.b, r.a};
-    shape.gone_left = half(e, Side::left, 0.5);
-    shape.gone_right = half(e, Side::right, 0.5);
+    shape.gone_left = half(e, Side::left);
+    shape.gone_right = half(e, Side::right);
     shape.cuts = {{l.a, r.a}, {l.b, r.b}};
     shape.span = span(e);
     shape.parallel = true;

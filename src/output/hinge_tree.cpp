@@ -33,12 +33,12 @@ HingeTree hinge_tree(const Assembly& assembly, std::span<const Frame> rest) {
     const std::size_t count = assembly.plates.size();
     // Children of plate p - 1 stand from first[p] to first[p + 1]; plates without parent come first of all.
     std::vector<std::size_t> first(count + 2, 0);
-    for (const Plate& plate : assembly.plates) ++first[static_cast<std::size_t>(plate.parent + 2)];
+    for (const Plate& plate : assembly.plates) ++first[static_cast<std::size_t>(plate.parent) + 2];
     for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
     std::vector<int> children(count);
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
     for (std::size_t i = 0; i < count; ++i) {
-        children[next[static_cast<std::size_t>(assembly.plates[i].parent + 1)]++] = static_cast<int>(i);
+        children[next[static_cast<std::size_t>(assembly.plates[i].parent) + 1]++] = static_cast<int>(i);
     }
 
     HingeTree tree;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
 
 #include "output/numbers.h"
 
@@ -170,7 +173,9 @@ std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards
         return std::nullopt;
     }
     std::vector<double> grid;
-    for (double i = 1.0; i < wanted; ++i) grid.push_back(rounded(180.0 * i / wanted, kAngleDecimals));
+    for (std::uint32_t i = 1; i < static_cast<std::uint32_t>(wanted); ++i) {
+        grid.push_back(rounded(180.0 * i / wanted, kAngleDecimals));
+    }
     merge(angles, grid);
     return angles;
 }

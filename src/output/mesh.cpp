@@ -57,6 +57,7 @@ struct DrawnShape {
 // The later lines of other colours that come near each line; empty lists when there are too many to look at.
 std::vector<std::vector<int>> later_neighbours(const std::vector<DrawnShape>& shapes) {
     std::vector<Segment> diagonals;
+    diagonals.reserve(shapes.size());
     for (const DrawnShape& shape : shapes) diagonals.push_back({shape.box.min, shape.box.max});
     const EdgeIndex index(std::move(diagonals));
     std::vector<std::vector<int>> result(shapes.size());

@@ -81,13 +81,17 @@ std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_vi
     return best;
 }
 
-std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds, std::string_view text) {
+namespace {
+
+struct Candidate {
+    double room;
+    Vec2 at;
+};
+
+// Places on the plate in a grid over its box, the roomiest first.
+std::vector<Candidate> candidates_on(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds) {
     constexpr int kGrid = 7;
     constexpr std::size_t kTried = 12;
-    struct Candidate {
-        double room;
-        Vec2 at;
-    };
     std::vector<Candidate> candidates;
     const double limit = 0.5 * std::max(bounds.width(), bounds.height());
     for (int row = 0; row < kGrid; ++row) {
@@ -95,18 +99,31 @@ std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds
             const Vec2 at{bounds.min.x + bounds.width() * (column + 0.5) / kGrid,
                           bounds.min.y + bounds.height() * (row + 0.5) / kGrid};
             if (plate.winding(at) != 1) continue;
-            candidates.push_back({std::round(1e3 * plate.clearance(at, limit)), at});
+            double room = plate.clearance(at, limit);
+            if (drawing) room = std::min(room, drawing->lines.clearance(at, limit) - drawing->half_width);
+            if (room > 0.0) candidates.push_back({std::round(1e3 * room), at});
         }
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.room > b.room; });
     if (candidates.size() > kTried) candidates.resize(kTried);
+    return candidates;
+}
+
+std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds,
+                                    std::string_view text) {
+    const std::vector<Candidate> candidates = candidates_on(plate, drawing, bounds);
     std::vector<int> found;
-    const auto is_free = [&](Vec2 at, Vec2 half) {
-        plate.query({at - half, at + half}, found);
+    const auto clear_of = [&](const EdgeIndex& index, Vec2 at, Vec2 half) {
+        index.query({at - half, at + half}, found);
         return std::none_of(found.begin(), found.end(), [&](int i) {
-            return meets_box({plate[i].a - at, plate[i].b - at}, half);
+            return meets_box({index[i].a - at, index[i].b - at}, half);
         });
+    };
+    const auto is_free = [&](Vec2 at, Vec2 half) {
+        if (!clear_of(plate, at, half)) return false;
+        return !drawing ||
+               clear_of(drawing->lines, at, half + Vec2{drawing->half_width, drawing->half_width});
     };
     for (const double height : kHeights) {
         const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
@@ -120,6 +137,16 @@ std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds
         }
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Drawing& drawing, const Box& bounds,
+                                       std::string_view text) {
+    if (drawing.lines.size() > 0) {
+        if (const auto spot = place_among(plate, &drawing, bounds, text)) return spot;
+    }
+    return place_among(plate, nullptr, bounds, text);
 }
 
 }  // namespace popup

@@ -25,9 +25,17 @@ struct TextSpot {
 // have their numbers. Nothing only when there are no parts.
 std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text);
 
+// What is drawn on a plate: the middles of the lines, and half the width of the widest.
+struct Drawing {
+    EdgeIndex lines;
+    double half_width = 0.0;
+};
+
 // The largest text, 1.5 to 4 mm high, that fits on a plate clear of all its edges, and of other lines and
 // rings in the index (rings that text is to avoid are put in clockwise); the place with most room around it.
-// Nothing when no place will do. Cost: a bounded number of questions to the index.
-std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Box& bounds, std::string_view text);
+// Clear of what is drawn on the plate if that can be had. Nothing when no place will do. Cost: a bounded
+// number of questions to the indexes.
+std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Drawing& drawing, const Box& bounds,
+                                       std::string_view text);
 
 }  // namespace popup

@@ -41,10 +41,10 @@ struct TabRules {
 // deep.
 Ring full_tab(double seam_length, const TabRules& rules);
 
-// What obstacles leave of a tab, all in seam coordinates. At each place along the seam the tab reaches out to the
-// first obstacle and no further: parts are simple rings, counter-clockwise, each standing on at least 2 mm of the seam
-// (y = 0) and at least 1 mm deep (half a tiny tab's own size, if that is less), none thinner than half a millimetre.
-// What lies at y ≤ 0 is no obstacle.
+// What obstacles leave of a tab, all in seam coordinates. At each place along the seam the tab reaches out to
+// the first obstacle and no further: parts are simple rings, counter-clockwise, each standing on at least 2
+// mm of the seam (y = 0) and at least 1 mm deep (half a tiny tab's own size, if that is less), none thinner
+// than half a millimetre. What lies at y ≤ 0 is no obstacle.
 //   on_base: the tab stays `gap` off these (folds, cuts, edges, targets on the plate it is glued to).
 //   on_piece: the same for edges of the piece and its other tabs, but those that start at an end of the seam:
 //   beside them it leaves a wedge of 10°, so that the seam keeps its whole length.

@@ -290,6 +290,18 @@ class Unfolder {
         name_piece(number);
     }
 
+    [[nodiscard]] Drawing drawing_on(int plate) const {
+        std::vector<Segment> lines;
+        double half_width = 0.0;
+        for (const Stroke& stroke : in_.plates[at(plate)].strokes) {
+            for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
+                lines.push_back({stroke.points[i], stroke.points[i + 1]});
+            }
+            half_width = std::max(half_width, 0.5 * stroke.width_mm);
+        }
+        return {EdgeIndex({}, lines), half_width};
+    }
+
     // The piece's name goes on one of its largest plates.
     void name_piece(std::size_t number) {
         constexpr std::size_t kTried = 3;
@@ -304,8 +316,8 @@ class Unfolder {
         const std::string& name = in_.pieces[number].name;
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
-            const auto spot =
-                place_on_plate(on_plate(plate), bounds(in_.plates[at(plate)].outline.outer), name);
+            const auto spot = place_on_plate(on_plate(plate), drawing_on(plate),
+                                             bounds(in_.plates[at(plate)].outline.outer), name);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
         if (best) {

@@ -102,8 +102,14 @@ const Stages& stages(int elements) {
     return s;
 }
 
+Compilation built_creature() {
+    CompileOptions options;
+    options.until = Stage::assembly;
+    return compile({creature()}, options, {});
+}
+
 void solver_closed_form(benchmark::State& state) {
-    const Compilation creature_built = compile({creature()}, {.until = Stage::assembly}, {});
+    const Compilation creature_built = built_creature();
     const Assembly& assembly = *creature_built.designs[0].assembly;
     std::vector<Frame> frames(assembly.plates.size());
     double closure = 0.0;
@@ -121,7 +127,7 @@ void solver_closed_form(benchmark::State& state) {
 }
 
 void solver_iterative(benchmark::State& state) {
-    const Compilation creature_built = compile({creature()}, {.until = Stage::assembly}, {});
+    const Compilation creature_built = built_creature();
     const Assembly& assembly = *creature_built.designs[0].assembly;
     std::vector<Frame> frames(assembly.plates.size());
     double closure = 0.0;
@@ -149,8 +155,9 @@ auto write_with(const char* suffix) {
 
 void whole_compile(benchmark::State& state) {
     const Source source = creature();
+    const CompileOptions options;
     for (auto _ : state) {
-        Compilation c = compile({source}, {}, {});
+        const Compilation c = compile({source}, options, {});
         Diagnostics diagnostics;
         const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
         benchmark::DoNotOptimize(write_with<SheetWriter>(".svg")(*c.layout, {}, diagnostics));

@@ -20,7 +20,8 @@ int main() {
         "    </structure>\n"
         "  </structurelist>\n"
         "</popup>\n"};
-    popup::Compilation run = popup::compile({source}, {}, {});
+    const popup::CompileOptions options;
+    popup::Compilation run = popup::compile({source}, options, {});
     for (const popup::Diagnostic& one : run.designs.front().diagnostics.sorted()) {
         std::printf("%s: %s [%s]\n", std::string(popup::to_string(one.severity)).c_str(), one.message.c_str(),
                     one.code.c_str());

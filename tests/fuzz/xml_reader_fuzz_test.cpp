@@ -114,6 +114,26 @@ std::string mutated(const std::string& seed, Random& random) {
     return text;
 }
 
+// Changes that mostly leave a document what it is: other digits, and things between tags that mean nothing.
+std::string mutated_gently(const std::string& seed, Random& random) {
+    constexpr std::array<std::string_view, 8> kBetween{" ",  "\r\n",    "<!-- 1,2 -->", "<?p 1?>",
+                                                       "\t", "<!---->", "\n\n",         "<a/>"};
+    constexpr std::array<std::string_view, 8> kDigits{"0", "7", "12", "&#53;", "&#x39;", "1.", "3e-1", ".25"};
+    std::string text = seed;
+    const std::size_t changes = 1 + random.below(8);
+    for (std::size_t i = 0; i < changes; ++i) {
+        const bool between = random.below(2) == 0;
+        const std::size_t at = text.find_first_of(between ? ">" : "0123456789", random.below(text.size()));
+        if (at == std::string::npos) continue;
+        if (between) {
+            text.insert(at + 1, kBetween[random.below(kBetween.size())]);
+        } else {
+            text.replace(at, 1, kDigits[random.below(kDigits.size())]);
+        }
+    }
+    return text;
+}
+
 // True when tinyxml2 takes the whole text as one document.
 bool well_formed(const std::string& text) {
     tinyxml2::XMLDocument document;
@@ -177,15 +197,16 @@ void fuzz(std::uint64_t seed, int rounds) {
     Random random(seed);
     std::size_t read = 0;
     for (int i = 0; i < rounds; ++i) {
-        const std::string text = mutated(kSeeds[random.below(kSeeds.size())], random);
+        const std::string& start = kSeeds[random.below(kSeeds.size())];
+        const std::string text = i % 2 == 0 ? mutated(start, random) : mutated_gently(start, random);
         check_one(text, read);
         if (testing::Test::HasFatalFailure()) {
             ADD_FAILURE() << "seed " << seed << ", round " << i << ":\n" << text;
             return;
         }
     }
-    // Documents that are refused at the first byte would test nothing.
-    EXPECT_GT(read, static_cast<std::size_t>(rounds) / 50);
+    // Refused documents test only half of the reader.
+    EXPECT_GT(read, static_cast<std::size_t>(rounds) / 20);
 }
 
 TEST(XmlReaderFuzz, SeedsThemselvesAreRead) {

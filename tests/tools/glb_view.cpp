@@ -4,8 +4,10 @@
 //   glb_view render MODEL.glb -o PICTURE.png [--angle 90] [--size 1200x900] [--from x,y,z] [--up x,y,z]
 //   [--zoom 1] glb_view measure MODEL.glb [--joints N]
 //
-// `measure` prints the joints found and the largest opening in mm, at the keys and between them; its exit
-// status is 1 when that is more than 0.001 or 0.05 mm, or when fewer than N joints were found.
+// --from is the direction in which the eye lies, --up what is upwards. A card drawn to stand on its right
+// half, with its left half for a back wall, is best seen with --from 0.3,-0.4,0.94 --up -1,0,1. `measure`
+// prints the joints found and the largest opening in mm, at the keys and between them; its exit status is 1
+// when that is more than 0.001 or 0.05 mm, or when fewer than N joints were found.
 #include <cairo.h>
 #include <fmt/format.h>
 
@@ -45,7 +47,7 @@ struct Options {
     std::string verb, model, output;
     double angle_deg = 90.0;
     int width = 1200, height = 900;
-    Point3 from{0.55, 0.6, 1.2}, up{0, 1, 0};
+    Point3 from{0.35, 0.5, 1.2}, up{0, 1, 0};
     double zoom = 1.0;
     std::size_t joints = 0;
 };
@@ -241,7 +243,7 @@ class Picture {
         for (int y = 0; y < height_; ++y) {
             const double t = static_cast<double>(y) / height_;
             for (int x = 0; x < width_; ++x) {
-                colors_[depth_.index(x, y)] = {0.93 - 0.10 * t, 0.94 - 0.10 * t, 0.95 - 0.09 * t};
+                colors_[depth_.index(x, y)] = {0.80 - 0.12 * t, 0.84 - 0.12 * t, 0.88 - 0.11 * t};
             }
         }
         draw(shapes);
@@ -379,7 +381,8 @@ int measure(const GlbScene& scene, std::size_t least_joints) {
     return good ? 0 : 1;
 }
 
-bool read_numbers(const std::string& text, char between, std::vector<double> numbers, Point3& result) {
+bool read_numbers(const std::string& text, char between, Point3& result) {
+    std::vector<double> numbers;
     std::istringstream in(text);
     in.imbue(std::locale::classic());
     double value = 0.0;
@@ -409,11 +412,9 @@ bool read_options(const std::vector<std::string>& words, Options& options) {
             options.zoom = std::stod(value);
         else if (name == "--joints")
             options.joints = std::stoul(value);
-        else if (name == "--from" && read_numbers(value, ',', {}, options.from))
-            continue;
-        else if (name == "--up" && read_numbers(value, ',', {}, options.up))
-            continue;
-        else if (name == "--size" && read_numbers(value, 'x', {}, size)) {
+        else if (name == "--from" || name == "--up") {
+            if (!read_numbers(value, ',', name == "--up" ? options.up : options.from)) return false;
+        } else if (name == "--size" && read_numbers(value, 'x', size)) {
             options.width = static_cast<int>(size[0]);
             options.height = static_cast<int>(size[1]);
         } else

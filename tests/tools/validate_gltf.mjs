@@ -1,17 +1,17 @@
 // Khronos's glTF validator on one or more files: node validate_gltf.mjs MODEL...
 // Prints every message. Exit status: 0 no error and no warning, 1 some, 2 the validator is not there or a file cannot
-// be read. POPUP_GLTF_VALIDATOR names the node_modules directory that holds gltf-validator (npm install gltf-validator).
+// be read. POPUP_GLTF_VALIDATOR names the directory where `npm install gltf-validator` was run, or its node_modules.
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 
 function validator() {
-  const modules = process.env.POPUP_GLTF_VALIDATOR;
-  const from = modules ? resolve(modules, 'gltf-validator', 'package.json') : import.meta.url;
+  const directory = process.env.POPUP_GLTF_VALIDATOR;
+  const from = directory ? resolve(directory, 'any.js') : import.meta.url;
   try {
-    return createRequire(from)(modules ? resolve(modules, 'gltf-validator') : 'gltf-validator');
+    return createRequire(from)('gltf-validator');
   } catch (error) {
-    console.error(`gltf-validator is not there (${error.message}); POPUP_GLTF_VALIDATOR must name its node_modules`);
+    console.error(`gltf-validator is not there (${error.message}); POPUP_GLTF_VALIDATOR must say where it was installed`);
     process.exit(2);
   }
 }

@@ -1,0 +1,200 @@
+// Every shipped sample is a test: it needs no repair, compiles to every format, and each file is read back by
+// a program we did not write.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+namespace popup::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSamples = fs::path(POPUP_SOURCE_DIR) / "samples";
+
+std::vector<std::string> sample_names() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(kSamples)) {
+        if (entry.path().extension() == ".xml") names.push_back(entry.path().stem());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class Sample : public testing::TestWithParam<std::string> {
+ protected:
+    [[nodiscard]] fs::path document() const { return kSamples / (GetParam() + ".xml"); }
+};
+
+TEST_P(Sample, NeedsNoRepairAndHasNothingDoubtful) {
+    const RunResult result = popupc({"check", document()});
+    EXPECT_EQ(result.exit, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    const RunResult diff = popupc({"fix", "--diff", document()});
+    EXPECT_EQ(diff.exit, 0);
+    EXPECT_EQ(diff.out, "");
+}
+
+TEST_P(Sample, CompilesToEveryFormatTheSameTwiceAndWithAnyThreads) {
+    const ScratchDirectory out;
+    const std::vector<std::string> suffixes{"svg", "pdf", "glb", "gltf", "xml", "json"};
+    for (const std::string run : {"a", "b"}) {
+        std::vector<std::string> words{"build", document(), "-j", run == "a" ? "1" : "2"};
+        for (const std::string& suffix : suffixes) {
+            words.push_back("-o");
+            words.push_back(out / (run + "." + suffix));
+        }
+        const RunResult result = popupc(words);
+        ASSERT_EQ(result.exit, 0) << result.err;
+    }
+    for (const std::string& suffix : suffixes) {
+        const std::string a = read_file(out / ("a." + suffix));
+        std::string b = read_file(out / ("b." + suffix));
+        // The report names the files it was asked for.
+        for (std::size_t at = 0; suffix == "json" && (at = b.find("/b.", at)) != std::string::npos;)
+            b[at + 1] = 'a';
+        EXPECT_FALSE(a.empty()) << suffix;
+        EXPECT_TRUE(a == b) << suffix << " differs between two runs";
+    }
+}
+
+TEST_P(Sample, SeamsStayClosedAtEveryDegree) {
+    const RunResult result = popupc({"build", document(), "--angles", "0:180:1", "--emit", "motion"});
+    ASSERT_EQ(result.exit, 0) << result.err;
+    const auto motion = nlohmann::json::parse(result.out);
+    ASSERT_EQ(motion.at("angles").size(), 181u);
+    for (const auto& angle : motion.at("angles")) EXPECT_LE(angle.at("closure_error_mm").get<double>(), 1e-9);
+    EXPECT_TRUE(motion.at("flat_closed").get<bool>());
+}
+
+TEST_P(Sample, ModelHoldsTogetherByItsOwnNumbers) {
+    const ScratchDirectory out;
+    ASSERT_EQ(popupc({"build", document(), "-o", out / "a.glb"}).exit, 0);
+    const RunResult measured = run({std::string(POPUP_TOOLS_DIR) + "/glb_view", "measure", out / "a.glb"});
+    EXPECT_EQ(measured.exit, 0) << measured.out << measured.err;
+}
+
+TEST_P(Sample, ModelPassesTheKhronosValidator) {
+    if (std::getenv("POPUP_GLTF_VALIDATOR") == nullptr || !have_program("node")) {
+        GTEST_SKIP()
+            << "POPUP_GLTF_VALIDATOR does not name a node_modules with gltf-validator, or there is no node";
+    }
+    const ScratchDirectory out;
+    ASSERT_EQ(popupc({"build", document(), "-o", out / "a.glb", "-o", out / "a.gltf"}).exit, 0);
+    const fs::path script = fs::path(POPUP_SOURCE_DIR) / "tests/tools/validate_gltf.mjs";
+    const RunResult result = run({"node", script, out / "a.glb", out / "a.gltf"});
+    EXPECT_EQ(result.exit, 0) << result.out << result.err;
+}
+
+TEST_P(Sample, DocumentAndItsRewritingFollowTheSchema) {
+    if (!have_program("xmllint")) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
+    const ScratchDirectory out;
+    ASSERT_EQ(popupc({"build", document(), "-o", out / "a.xml", "-o", out / "a.svg"}).exit, 0);
+    const fs::path schema = fs::path(POPUP_SOURCE_DIR) / "schemas/popup.xsd";
+    const RunResult result = run({"xmllint", "--noout", "--schema", schema, document(), out / "a.xml"});
+    EXPECT_EQ(result.exit, 0) << result.err;
+    EXPECT_EQ(run({"xmllint", "--noout", out / "a.svg"}).exit, 0);
+    // Written anew and written once more: the same design.
+    ASSERT_EQ(popupc({"build", out / "a.xml", "-o", out / "b.xml"}).exit, 0);
+    EXPECT_EQ(read_file(out / "a.xml"), read_file(out / "b.xml"));
+}
+
+TEST_P(Sample, SheetsPassQpdf) {
+    if (!have_program("qpdf")) GTEST_SKIP() << "qpdf is not installed";
+    const ScratchDirectory out;
+    ASSERT_EQ(popupc({"build", document(), "-o", out / "a.pdf"}).exit, 0);
+    const RunResult result = run({"qpdf", "--check", out / "a.pdf"});
+    EXPECT_EQ(result.exit, 0) << result.out << result.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, Sample, testing::ValuesIn(sample_names()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST(Samples, AreAtLeastTwelveAndUseEveryElement) {
+    const auto names = sample_names();
+    EXPECT_GE(names.size(), 12u);
+    std::string all;
+    for (const std::string& name : names) all += read_file(kSamples / (name + ".xml"));
+    for (const std::string type : {"step", "inverted-step", "beak", "inverted-beak", "angled-step",
+                                   "inverted-angled-step", "v-fold", "inverted-v-fold", "tent"}) {
+        EXPECT_NE(all.find("type=\"" + type + "\""), std::string::npos) << type;
+    }
+}
+
+TEST(Samples, CreatureHasTwentySixElements) {
+    const RunResult result = popupc({"build", kSamples / "creature.xml", "--emit", "design"});
+    ASSERT_EQ(result.exit, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out).at("structures").size(), 26u);
+}
+
+// Where processors have fused multiply-add, glibc computes sine and cosine with it; outputs must not show it.
+TEST(Samples, OutputsDoNotDependOnTheProcessor) {
+    const ScratchDirectory out;
+    for (const std::string run : {"a", "b"}) {
+        RunOptions options;
+        if (run == "b")
+            options.environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA4,-AVX2";
+        for (const std::string& name : sample_names()) {
+            const RunResult result =
+                popupc({"build", kSamples / (name + ".xml"), "-o", out / (name + run + ".glb"), "-o",
+                        out / (name + run + ".svg"), "-o", out / (name + run + ".pdf")},
+                       options);
+            ASSERT_EQ(result.exit, 0) << result.err;
+        }
+    }
+    for (const std::string& name : sample_names()) {
+        for (const std::string suffix : {".glb", ".svg", ".pdf"}) {
+            EXPECT_TRUE(read_file(out / (name + "a" + suffix)) == read_file(out / (name + "b" + suffix)))
+                << name << suffix;
+        }
+    }
+}
+
+TEST(Samples, OutputsDoNotDependOnDirectoryOrLocale) {
+    const ScratchDirectory out;
+    fs::create_directory(out / "elsewhere");
+    fs::copy_file(kSamples / "castle.xml", out / "elsewhere/castle.xml");
+    RunOptions there;
+    there.directory = out / "elsewhere";
+    there.environment["LC_ALL"] = "de_DE.UTF-8";
+    ASSERT_EQ(
+        popupc({"build", "castle.xml", "-o", "castle.svg", "-o", "castle.glb", "-o", "castle.pdf"}, there)
+            .exit,
+        0);
+    ASSERT_EQ(popupc({"build", kSamples / "castle.xml", "-o", out / "castle.svg", "-o", out / "castle.glb",
+                      "-o", out / "castle.pdf"})
+                  .exit,
+              0);
+    for (const std::string suffix : {"svg", "glb", "pdf"}) {
+        EXPECT_TRUE(read_file(out / ("castle." + suffix)) == read_file(out / ("elsewhere/castle." + suffix)))
+            << suffix;
+    }
+}
+
+TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
+    if (!have_program("make")) GTEST_SKIP() << "make is not installed";
+    const ScratchDirectory out;
+    fs::copy(kSamples, out / "samples", fs::copy_options::recursive);
+    const std::vector<std::string> make{"make", "-C", out / "samples", "-j2",
+                                        std::string("POPUPC=") + POPUPC_BINARY};
+    const RunResult first = run(make);
+    ASSERT_EQ(first.exit, 0) << first.out << first.err;
+    for (const std::string& name : sample_names()) {
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
+    }
+    std::vector<std::string> again = make;
+    again.push_back("-q");
+    EXPECT_EQ(run(again).exit, 0) << "a second make has nothing to do";
+}
+
+}  // namespace
+}  // namespace popup::test
