@@ -63,24 +63,27 @@ bool finite(const FoldLines& lines) {
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
     const auto matches = index.matches(structure.fold.page, placing.begin, placing.end,
                                        placing.place_on_line(), options.tolerances.snap_mm);
+    // A fold that the element stands on wins over one that it nearly reaches: neighbours often share a line.
     const FoldMatch* dead = nullptr;
-    for (const FoldMatch& match : matches) {
-        const Fold& fold = fold_of(match);
-        placing.look_along(match, fold);
-        if (match.ghost) return match;
-        const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
-        const double from = std::max(0.0, std::min(lo, hi));
-        const double to = std::min(fold.length(), std::max(lo, hi));
-        const double slack = options.tolerances.snap_mm;
-        if (!(from <= to + slack)) continue;  // beside its ends, or not a number
-        const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
-        const auto alive = fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
-        if (!alive) {
-            if (dead == nullptr) dead = &match;
-            continue;
+    for (const double slack : {options.tolerances.rounding_mm, options.tolerances.snap_mm}) {
+        for (const FoldMatch& match : matches) {
+            const Fold& fold = fold_of(match);
+            placing.look_along(match, fold);
+            const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
+            const double from = std::max(0.0, std::min(lo, hi));
+            const double to = std::min(fold.length(), std::max(lo, hi));
+            if (!(from <= to + slack)) continue;  // beside its ends, or not a number
+            if (match.ghost) return match;
+            const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
+            const auto alive =
+                fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
+            if (!alive) {
+                if (dead == nullptr) dead = &match;
+                continue;
+            }
+            placing.stand_between(*alive, fold.length());
+            return match;
         }
-        placing.stand_between(*alive, fold.length());
-        return match;
     }
     no_fold(structure, placing, dead);
     return std::nullopt;
@@ -270,7 +273,7 @@ void Checker::check_structure(std::size_t number) {
         skeleton->page_mirrored[static_cast<std::size_t>(extra_page)] = placing.turned;
         redrawn[static_cast<std::size_t>(extra_page)] = element.piece_mirrored;
     }
-    placing.write_back(structure, options.tolerances);
+    placing.write_back(structure);
 
     const std::size_t first_fold = skeleton->folds.size();
     row.lower(element, builder);

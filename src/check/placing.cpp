@@ -11,6 +11,8 @@
 namespace popup {
 namespace {
 
+constexpr double kWrittenMm = 5e-5;  // about what six decimals of an inch can tell apart
+
 Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
 
 bool has_inverse(const ElementInfo& info) {
@@ -383,15 +385,17 @@ Change Placing::take_change(const Tolerances& tolerances) {
     return change;
 }
 
-void Placing::write_back(Structure& structure, const Tolerances& tolerances) const {
+void Placing::write_back(Structure& structure) const {
     if (!repaired_) return;
+    // A repaired element is written as it is, the mended rounding of its other points included: else the next run
+    // would measure slightly different angles and find something again.
     const auto now = page_points();
     for (std::size_t i = 0; i < now.size(); ++i) {
         DesignPoint& point = structure.points[i];
         const bool extra = element.info->points[i].page == PointPage::extra;
         const int page = point.page.value_or(structure.fold.page);
         const bool new_page = !extra && page != now[i].page;
-        if (!new_page && distance(point.at, now[i].at) <= tolerances.rounding_mm) continue;
+        if (!new_page && distance(point.at, now[i].at) <= kWrittenMm) continue;
         point.at = now[i].at;
         if (new_page) point.page = now[i].page;
         point.changed = true;
@@ -400,7 +404,7 @@ void Placing::write_back(Structure& structure, const Tolerances& tolerances) con
         for (const auto& [point, internal] :
              {std::pair{&structure.fold.begin, fold_begin_}, {&structure.fold.end, fold_end_}}) {
             const Vec2 at = read_mirrored(structure.fold.page) ? mirrored(internal) : internal;
-            if (distance(point->at, at) <= tolerances.rounding_mm) continue;
+            if (distance(point->at, at) <= kWrittenMm) continue;
             point->at = at;
             point->changed = true;
         }

@@ -49,7 +49,7 @@ struct Placing {
     // What has moved since the last call, in words.
     Change take_change(const Tolerances& tolerances);
     // Writes moved points and a changed form into the document's structure.
-    void write_back(Structure& structure, const Tolerances& tolerances) const;
+    void write_back(Structure& structure) const;
 
  private:
     struct PagePoint {

@@ -67,6 +67,7 @@ std::vector<double> all_turns(Rotation rotation) {
     const double step = rotation.count == 0 ? 360.0 / kMost : 360.0 / rotation.count;
     const int stride = rotation.count > kMost ? rotation.count / kMost : 1;
     std::vector<double> angles;
+    angles.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) angles.push_back(step * stride * i);
     return angles;
 }

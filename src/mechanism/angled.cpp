@@ -61,6 +61,11 @@ bool close_opening(Element& e, double apex_s, int dir, std::initializer_list<std
     return true;
 }
 
+bool opens_within(const Element& e, double apex_s, int dir, std::size_t left, std::size_t right) {
+    const double sum = angle_at(apex_s, dir, e.on[left]) + angle_at(apex_s, dir, e.on[right]);
+    return sum <= (kWidestSlit + e.tolerances->rounding_deg) * kDegree;
+}
+
 std::optional<Vec2> SlitCentre::meet(Vec2 p, Vec2 q) const {
     const Vec2 along = q - p;
     const double d = cross(dir, along);

@@ -22,6 +22,10 @@ bool angled_degenerate(Element& element, std::string_view line, double size, dou
 bool close_opening(Element& element, double apex_s, int dir, std::initializer_list<std::size_t> left,
                    std::initializer_list<std::size_t> right, double limit_deg);
 
+constexpr double kWidestSlit = 175.0;  // degrees: the bisector of the sides vanishes at 180°
+// True when the sides through `left` and `right` open by no more than that.
+bool opens_within(const Element& element, double apex_s, int dir, std::size_t left, std::size_t right);
+
 // The centre fold of a beak or angled step on the flat page: g = b, h = a.
 struct SlitCentre {
     Vec2 at;   // the apex

@@ -118,8 +118,8 @@ bool constrain(Element& e) {
             return angled_degenerate(e, inner == B ? "B–C" : "G–F", size, angle);
         }
     }
-    if (!close_opening(e, mean, dir, {B, C}, {G, F}, 175.0)) return false;
-    return fit_cut(e, {half, span, mean});
+    if (!close_opening(e, mean, dir, {B, C}, {G, F}, kWidestSlit)) return false;
+    return fit_cut(e, {half, span, mean, [&](const Element& x) { return opens_within(x, mean, dir, C, F); }});
 }
 
 FoldLines fold_lines(const Element& e) {

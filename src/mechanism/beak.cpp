@@ -46,8 +46,9 @@ bool constrain(Element& e) {
         }
     }
     const int dir = direction(e);
-    if (!close_opening(e, e.on[A].s, dir, {B}, {E}, 175.0)) return false;
-    return fit_cut(e, {half, span, e.on[A].s});
+    if (!close_opening(e, e.on[A].s, dir, {B}, {E}, kWidestSlit)) return false;
+    return fit_cut(e, {half, span, e.on[A].s,
+                       [dir](const Element& x) { return opens_within(x, x.on[A].s, dir, B, E); }});
 }
 
 FoldLines fold_lines(const Element& e) {

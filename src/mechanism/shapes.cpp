@@ -85,7 +85,8 @@ double largest_that_fits(const std::function<bool(double)>& ok) {
     // it.
     double bad = 1.0;
     double good = 0.0;
-    for (double t = 0.95; t > 0.02; t -= 0.05) {
+    for (const double t :
+         {0.999, 0.99, 0.97, 0.94, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.05, 0.02}) {
         if (ok(t)) {
             good = t;
             break;
@@ -102,6 +103,8 @@ double largest_that_fits(const std::function<bool(double)>& ok) {
 
 namespace {
 
+constexpr std::array<Side, 2> kSides{Side::left, Side::right};
+
 // The element with the points of `sides` scaled: across by t_w, along about fixed_s by t_s.
 Element scaled(const Element& element, std::string_view sides, double t_w, double t_s, double fixed_s) {
     Element copy = element;
@@ -117,6 +120,20 @@ Element scaled(const Element& element, std::string_view sides, double t_w, doubl
     return copy;
 }
 
+// True when a side fold of the element, or its distance from the parent fold, is below the least that folds.
+bool is_sliver(const Element& element, const Footprint& footprint) {
+    const double least = element.tolerances->min_length_mm;
+    return std::any_of(element.on.begin(), element.on.end(),
+                       [&](SitePoint p) { return p.w != 0.0 && p.w < least; }) ||
+           std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+               const Ring ring = footprint.half(element, side);
+               for (std::size_t i = 1; i < ring.size(); ++i) {
+                   if (distance(ring[i - 1], ring[i]) < least) return true;
+               }
+               return false;
+           });
+}
+
 }  // namespace
 
 bool fit_cut(Element& element, const Footprint& footprint) {
@@ -130,7 +147,8 @@ bool fit_cut(Element& element, const Footprint& footprint) {
         return e.paper->may_cut(side, footprint.half(e, side));
     };
     const auto ok = [&](const Element& e) {
-        return along_ok(e) && side_ok(e, Side::left) && side_ok(e, Side::right);
+        return (!footprint.valid || footprint.valid(e)) && along_ok(e) && side_ok(e, Side::left) &&
+               side_ok(e, Side::right);
     };
     if (ok(element)) return true;
 
@@ -140,7 +158,9 @@ bool fit_cut(Element& element, const Footprint& footprint) {
             return ok(scaled(element, sides, across ? s : 1.0, along ? s : 1.0, footprint.fixed_s));
         });
         if (t == 0.0) return false;
-        element = scaled(element, sides, across ? t : 1.0, along ? t : 1.0, footprint.fixed_s);
+        const Element smaller = scaled(element, sides, across ? t : 1.0, along ? t : 1.0, footprint.fixed_s);
+        if (is_sliver(smaller, footprint)) return false;
+        element = smaller;
         how = fmt::format("{} to {:.1f} %", what, 100.0 * t);
         return true;
     };

@@ -308,6 +308,16 @@ TEST(Check, OfFoldsOnOneLineTheOneThatIsStillThereCounts) {
               "page/left");
 }
 
+TEST(Check, NeighboursOnOneLineDoNotTakeEachOthersFolds) {
+    Design design = card();
+    add(design, "step", {{-40, -30}, {-40, 0}, {40, -30}, {40, 0}});
+    add(design, "step", {{-40, 2.5}, {-40, 30}, {40, 2.5}, {40, 30}});
+    add(design, "beak", {{0, 32.5}, {-20, 50}, {20, 50}});
+    const Checked result = run(design);
+    EXPECT_TRUE(result.design);
+    EXPECT_EQ(findings(result.diagnostics), "");
+}
+
 TEST(Check, ChildrenKeepTheirPlaceOnAFoldThatARepairMoved) {
     Design design = card();
     add(design, "step", {{-44, -30}, {-36, 30}, {40, -30}, {40, 30}});
@@ -401,7 +411,7 @@ TEST(Check, ShakenDesignsAreRefusedOrRepairedForGood) {
         state = state * 6364136223846793005ull + 1442695040888963407ull;
         return size * (static_cast<double>(state >> 33) * 0x1p-30 - 1.0);
     };
-    for (int seed = 1; seed <= 60; ++seed) {
+    for (int seed = 1; seed <= 400; ++seed) {
         SCOPED_TRACE(seed);
         Design design = generate(static_cast<std::uint64_t>(seed) + 1000, 8);
         for (Structure& structure : design.structures) {
