@@ -50,7 +50,8 @@ struct Footprint {
     std::function<Ring(const Element&, Side)> half;
     std::function<std::pair<double, double>(const Element&)> span;
     double fixed_s = 0.0;
-    std::function<bool(const Element&)> valid;  // what else must hold of the smaller element; none: nothing
+    std::function<bool(const Element&)> valid =
+        nullptr;  // what else must hold of the smaller element; none: nothing
 };
 bool fit_cut(Element& element, const Footprint& footprint);
 

@@ -23,6 +23,7 @@ constexpr double kMetre = 1000.0;
 constexpr double kGapMm = 20.0;        // between two cards
 constexpr double kDrawnLiftMm = 0.02;  // of drawn lines before the paper
 constexpr int kLengthDecimals = 6;
+constexpr std::size_t kSharedIndices = 24;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
 
 static_assert(sizeof(float) == 4 && std::numeric_limits<float>::is_iec559);
@@ -189,7 +190,15 @@ class SceneBuilder {
         views_[kNormals].append(std::span<const std::array<float, 3>>(all));
     }
 
+    // Most plates have four corners: equal short lists of triangles share one accessor.
     int indices(const MeshPart& part) {
+        if (part.indices.size() > kSharedIndices) return add_indices(part);
+        const auto [at, is_new] = indices_.try_emplace(part.indices, 0);
+        if (is_new) at->second = add_indices(part);
+        return at->second;
+    }
+
+    int add_indices(const MeshPart& part) {
         const std::size_t count = part.indices.size();
         // The largest 16-bit number is kept for a restart of primitives.
         if (part.points.size() < std::numeric_limits<std::uint16_t>::max()) {
@@ -349,6 +358,7 @@ class SceneBuilder {
     std::vector<std::array<float, 4>> turns_;  // of one plate; kept for its memory
     std::map<std::array<int, 4>, int> materials_;
     std::map<std::size_t, int> normals_;
+    std::map<std::vector<std::uint32_t>, int> indices_;
     std::size_t largest_mesh_ = 0;
     int time_accessor_ = -1;
 };

@@ -74,9 +74,9 @@ Design small_design() {
     DrawnLine line;
     line.thickness_pt = 72.0 / 25.4 * 2.0;
     line.color = {0, 0, 255};
-    for (const Vec2 p : {Vec2{-120, -90}, Vec2{-100, -90}})
-        line.points.push_back(
-            {.at = p, .page = {}, .place = {}, .x_text = {}, .y_text = {}, .page_text = {}, .tag_text = {}});
+    line.points.resize(2);
+    line.points[0].at = {-120, -90};
+    line.points[1].at = {-100, -90};
     design.lines.push_back(line);
     return design;
 }

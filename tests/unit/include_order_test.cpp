@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -68,16 +68,15 @@ struct Include {
 };
 
 std::vector<Include> includes_of(const fs::path& path) {
-    static const std::regex pattern("^[ \t]*#[ \t]*include[ \t]*([<\"])([^>\"]+)[>\"]");
     std::vector<Include> found;
-    std::string text = test::read_file(path);
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string line = text.substr(begin, end - begin);
-        std::smatch match;
-        if (std::regex_search(line, match, pattern)) found.push_back({match[2], match[1] == "\""});
-        begin = end + 1;
+    std::istringstream lines(test::read_file(path));
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("#include")) continue;
+        const std::size_t open = line.find_first_of("<\"");
+        if (open == std::string::npos) continue;
+        const bool quoted = line[open] == '"';
+        const std::size_t close = line.find(quoted ? '"' : '>', open + 1);
+        found.push_back({line.substr(open + 1, close - open - 1), quoted});
     }
     return found;
 }
