@@ -67,8 +67,8 @@ TEST_P(Sample, SeamsStayClosedAtEveryDegree) {
     const RunResult result = popupc({"build", document(), "--angles", "0:180:1", "--emit", "motion"});
     ASSERT_EQ(result.exit, 0) << result.err;
     const auto motion = nlohmann::json::parse(result.out);
-    ASSERT_EQ(motion.at("angles").size(), 181u);
-    for (const auto& angle : motion.at("angles")) EXPECT_LE(angle.at("closure_error_mm").get<double>(), 1e-9);
+    ASSERT_EQ(motion.at("frames").size(), 181u);
+    for (const auto& frame : motion.at("frames")) EXPECT_LE(frame.at("closure_error_mm").get<double>(), 1e-9);
     EXPECT_TRUE(motion.at("flat_closed").get<bool>());
 }
 
