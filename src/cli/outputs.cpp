@@ -201,8 +201,10 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
 
 bool output_refused(const Diagnostics& diagnostics) {
     const std::vector<Diagnostic> all = diagnostics.sorted();
-    return std::any_of(all.begin(), all.end(),
-                       [](const Diagnostic& one) { return one.code == "unwritable-output"; });
+    return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
+        return one.code == "unwritable-output" || one.code == "font-missing" || one.code == "pdf-failed" ||
+               one.code == "pdf-page-size" || one.code == "model-too-large";
+    });
 }
 
 Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Stage>& emit) {
@@ -215,8 +217,14 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
                                                    const Options& options, Compilation& compilation) {
     std::vector<PendingFile> files;
     bool good = true;
-    for (const PlannedOutput& output : outputs) {
-        auto parts = write_format(*output.format, options.compile.output, compilation);
+    OutputOptions writing = options.compile.output;
+    // Reports come last: they name every other file of the run.
+    std::vector<PlannedOutput> in_order = outputs;
+    std::stable_partition(in_order.begin(), in_order.end(), [](const PlannedOutput& output) {
+        return !std::holds_alternative<ReportWriter>(output.format->write);
+    });
+    for (const PlannedOutput& output : in_order) {
+        auto parts = write_format(*output.format, writing, compilation);
         if (!parts) {
             // A writer that fails must have said why: no result is ever silently missing.
             POPUP_INVARIANT(compilation.run_diagnostics.has_errors());
@@ -235,6 +243,7 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
         }
         for (std::size_t i = 0; i < parts->size(); ++i) {
             files.push_back({sheet_name(output.path, *output.format, i + 1), std::move((*parts)[i])});
+            if (!is_standard_output(files.back().path)) writing.files.push_back(files.back().path);
         }
     }
     if (options.build.emit) files.push_back({"-", emitted(*options.build.emit, compilation)});
