@@ -229,17 +229,17 @@ void Checker::check_structure(std::size_t number) {
     bool broken = false;
     Element& element = placing.element;
     element.tolerances = &options.tolerances;
-    const PaperQuery query{[&](Side side, const Ring& ring) {
+    const PaperQuery query{[&](Side side, const Ring& ring, Fit fit) {
                                const Site& s = element.site;
                                return side == Side::left
-                                          ? paper.may_cut(s.left_plate, s.left_page, s.left, ring)
-                                          : paper.may_cut(s.right_plate, s.right_page, s.right, ring);
+                                          ? paper.may_cut(s.left_plate, s.left_page, s.left, ring, fit)
+                                          : paper.may_cut(s.right_plate, s.right_page, s.right, ring, fit);
                            },
-                           [&](Side side, const Segment& seam) {
+                           [&](Side side, const Segment& seam, Fit fit) {
                                const Site& s = element.site;
                                return side == Side::left
-                                          ? paper.may_glue(s.left_plate, s.left_page, s.left, seam)
-                                          : paper.may_glue(s.right_plate, s.right_page, s.right, seam);
+                                          ? paper.may_glue(s.left_plate, s.left_page, s.left, seam, fit)
+                                          : paper.may_glue(s.right_plate, s.right_page, s.right, seam, fit);
                            }};
     element.paper = &query;
     bool degenerate = false;

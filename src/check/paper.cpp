@@ -85,26 +85,29 @@ void Paper::update(const Skeleton& skeleton) {
     }
 }
 
-bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint) const {
+bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint,
+                    Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
     if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
         return false;
-    const double around = tolerances_.paper_mm - tolerances_.rounding_mm;
+    const double around = tolerances_.paper_mm - (fit == Fit::exact ? 0.0 : tolerances_.rounding_mm);
+    const double off_seams = (fit == Fit::exact ? 2.0 : 1.0) * tolerances_.rounding_mm;
     std::vector<int> found;
     page_edges.edges.query(box_around(footprint, tolerances_.paper_mm), found);
     return std::none_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[number];
         if (obstacle.plate != plate || along_line(line, edge)) return false;
-        return region_distance(footprint, edge) < (obstacle.seam ? tolerances_.rounding_mm : around);
+        return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
     });
 }
 
-bool Paper::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam) const {
+bool Paper::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam,
+                     Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
-    const double slack = tolerances_.rounding_mm;
+    const double slack = fit == Fit::exact ? kOnLine : tolerances_.rounding_mm;
     if (!inside(outline, seam.a, slack) || !inside(outline, seam.b, slack)) return false;
     const double size = distance(seam.a, seam.b);
     const Vec2 trim = size > 4.0 * slack ? (slack / size) * (seam.b - seam.a) : Vec2{};

@@ -19,8 +19,10 @@ class Paper {
     void update(const Skeleton& skeleton);
 
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
-    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint) const;
-    [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine& line, const Segment& seam) const;
+    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint,
+                               Fit fit) const;
+    [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine& line, const Segment& seam,
+                                Fit fit) const;
 
  private:
     struct Obstacle {

@@ -387,8 +387,8 @@ Change Placing::take_change(const Tolerances& tolerances) {
 
 void Placing::write_back(Structure& structure) const {
     if (!repaired_) return;
-    // A repaired element is written as it is, the mended rounding of its other points included: else the next run
-    // would measure slightly different angles and find something again.
+    // A repaired element is written as it is, the mended rounding of its other points included: else the next
+    // run would measure slightly different angles and find something again.
     const auto now = page_points();
     for (std::size_t i = 0; i < now.size(); ++i) {
         DesignPoint& point = structure.points[i];

@@ -12,13 +12,17 @@
 
 namespace popup {
 
+// How closely to look: what an author drew may be off by rounding; what a repair makes must be right, so that
+// it still is when its numbers have been rounded in the document.
+enum class Fit { as_drawn, exact };
+
 // Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far.
 struct PaperQuery {
     // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
     // parent fold, and no earlier seam under it.
-    std::function<bool(Side, const Ring&)> may_cut;
+    std::function<bool(Side, const Ring&, Fit)> may_cut;
     // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
-    std::function<bool(Side, const Segment&)> may_glue;
+    std::function<bool(Side, const Segment&, Fit)> may_glue;
 };
 
 // An element on its site. `constrain` moves its points until all constraints hold and reports what moved.

@@ -138,24 +138,25 @@ bool is_sliver(const Element& element, const Footprint& footprint) {
 
 bool fit_cut(Element& element, const Footprint& footprint) {
     const double paper = element.tolerances->paper_mm;
-    const double slack = element.tolerances->rounding_mm;
-    const auto along_ok = [&](const Element& e) {
+    const auto along_ok = [&](const Element& e, Fit fit) {
         const auto [lo, hi] = footprint.span(e);
+        const double slack = fit == Fit::exact ? 0.0 : e.tolerances->rounding_mm;
         return lo >= e.alive_lo + paper - slack && hi <= e.alive_hi - paper + slack;
     };
-    const auto side_ok = [&](const Element& e, Side side) {
-        return e.paper->may_cut(side, footprint.half(e, side));
+    const auto side_ok = [&](const Element& e, Side side, Fit fit) {
+        return e.paper->may_cut(side, footprint.half(e, side), fit);
     };
-    const auto ok = [&](const Element& e) {
-        return (!footprint.valid || footprint.valid(e)) && along_ok(e) && side_ok(e, Side::left) &&
-               side_ok(e, Side::right);
+    const auto ok = [&](const Element& e, Fit fit) {
+        return (!footprint.valid || footprint.valid(e)) && along_ok(e, fit) && side_ok(e, Side::left, fit) &&
+               side_ok(e, Side::right, fit);
     };
-    if (ok(element)) return true;
+    if (ok(element, Fit::as_drawn)) return true;
 
     std::string how;
     const auto attempt = [&](std::string_view sides, bool across, bool along, std::string what) {
         const double t = largest_that_fits([&](double s) {
-            return ok(scaled(element, sides, across ? s : 1.0, along ? s : 1.0, footprint.fixed_s));
+            return ok(scaled(element, sides, across ? s : 1.0, along ? s : 1.0, footprint.fixed_s),
+                      Fit::exact);
         });
         if (t == 0.0) return false;
         const Element smaller = scaled(element, sides, across ? t : 1.0, along ? t : 1.0, footprint.fixed_s);
@@ -165,9 +166,9 @@ bool fit_cut(Element& element, const Footprint& footprint) {
         return true;
     };
     bool done = false;
-    if (along_ok(element)) {
-        const bool left = side_ok(element, Side::left);
-        const bool right = side_ok(element, Side::right);
+    if (along_ok(element, Fit::as_drawn)) {
+        const bool left = side_ok(element, Side::left, Fit::as_drawn);
+        const bool right = side_ok(element, Side::right, Fit::as_drawn);
         if (!left && right) done = attempt("L", true, false, "its left side was pulled towards the fold");
         if (left && !right) done = attempt("R", true, false, "its right side was pulled towards the fold");
         if (!done) done = attempt("LR", true, false, "both sides were pulled towards the fold");

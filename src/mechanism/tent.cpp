@@ -69,10 +69,10 @@ bool fit_seam(Element& e, Side side, std::size_t i, std::size_t j, std::string_v
     const auto on = [](SitePoint a, SitePoint b, double t, double w) {
         return SitePoint{a.s + t * (b.s - a.s), w};
     };
+    if (e.paper->may_glue(side, e.site.segment(side, p, q), Fit::as_drawn)) return true;
     const auto ok = [&](SitePoint a, SitePoint b) {
-        return e.paper->may_glue(side, e.site.segment(side, a, b));
+        return e.paper->may_glue(side, e.site.segment(side, a, b), Fit::exact);
     };
-    if (ok(p, q)) return true;
     // First pull the seam towards the fold until its middle is on paper, then clip its ends.
     const SitePoint mid = on(p, q, 0.5, p.w);
     const SitePoint near_mid = on(p, q, 0.501, p.w);

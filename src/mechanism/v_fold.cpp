@@ -115,9 +115,9 @@ bool constrain_v(Element& e) {
         const SitePoint apex = e.on[B];
         const SitePoint whole = e.on[i];
         const auto at = [&](double t) { return SitePoint{apex.s + t * (whole.s - apex.s), t * whole.w}; };
+        if (e.paper->may_glue(side, e.site.segment(side, apex, whole), Fit::as_drawn)) continue;
         const double t = largest_that_fits(
-            [&](double u) { return e.paper->may_glue(side, e.site.segment(side, apex, at(u))); });
-        if (t == 1.0) continue;
+            [&](double u) { return e.paper->may_glue(side, e.site.segment(side, apex, at(u)), Fit::exact); });
         const double seam = std::hypot(whole.s - apex.s, whole.w);
         const std::string_view name = i == A ? "A–B" : "B–C";
         if (t * seam < tol.min_length_mm) {

@@ -42,7 +42,12 @@ void expect_settled(const Checked& first) {
     ASSERT_TRUE(first.design) << findings(first.diagnostics);
     Design again = first.design->design();
     for (Structure& structure : again.structures) {
-        for (DesignPoint& point : structure.points) point.changed = false;
+        for (DesignPoint& point : structure.points) {
+            if (point.changed)
+                point.at = {std::round(point.at.x * 1e5) / 1e5,
+                            std::round(point.at.y * 1e5) / 1e5};  // as written
+            point.changed = false;
+        }
     }
     const Checked second = run(again);
     ASSERT_TRUE(second.design) << findings(second.diagnostics);

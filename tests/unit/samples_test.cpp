@@ -118,6 +118,24 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Sample, testing::ValuesIn(sample_names()), [](
     return name;
 });
 
+// What `fix` writes, numbers rounded to six decimals as they are, must need no second fix.
+TEST(Fix, IsDoneAfterOneRunOnEveryRepairThereIs) {
+    const ScratchDirectory out;
+    int seen = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(POPUP_SOURCE_DIR) / "tests/cases/repair")) {
+        if (entry.path().extension() != ".xml") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        ++seen;
+        ASSERT_EQ(popupc({"fix", entry.path(), "-o", out / "fixed.xml"}).exit, 0);
+        const RunResult again = popupc({"fix", "--diff", out / "fixed.xml"});
+        EXPECT_EQ(again.exit, 0) << again.err;
+        EXPECT_EQ(again.out, "");
+        const RunResult checked = popupc({"check", out / "fixed.xml"});
+        EXPECT_EQ(checked.exit, 0) << checked.err;
+    }
+    EXPECT_GE(seen, 15);
+}
+
 TEST(Samples, AreAtLeastTwelveAndUseEveryElement) {
     const auto names = sample_names();
     EXPECT_GE(names.size(), 12u);
