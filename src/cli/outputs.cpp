@@ -243,7 +243,9 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
         }
         for (std::size_t i = 0; i < parts->size(); ++i) {
             files.push_back({sheet_name(output.path, *output.format, i + 1), std::move((*parts)[i])});
-            if (!is_standard_output(files.back().path)) writing.files.push_back(files.back().path);
+            // By name only: the report must not depend on the directory.
+            const std::string& path = files.back().path;
+            if (!is_standard_output(path)) writing.files.push_back(path.substr(path.rfind('/') + 1));
         }
     }
     if (options.build.emit) files.push_back({"-", emitted(*options.build.emit, compilation)});

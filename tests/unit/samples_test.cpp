@@ -56,8 +56,9 @@ TEST_P(Sample, CompilesToEveryFormatTheSameTwiceAndWithAnyThreads) {
         const std::string a = read_file(out / ("a." + suffix));
         std::string b = read_file(out / ("b." + suffix));
         // The report names the files it was asked for.
-        for (std::size_t at = 0; suffix == "json" && (at = b.find("/b.", at)) != std::string::npos;)
-            b[at + 1] = 'a';
+        for (std::size_t at = 0; suffix == "json" && (at = b.find("\"b", at)) != std::string::npos; ++at) {
+            if (b[at + 2] == '.' || b[at + 2] == '-') b[at + 1] = 'a';
+        }
         EXPECT_FALSE(a.empty()) << suffix;
         EXPECT_TRUE(a == b) << suffix << " differs between two runs";
     }
