@@ -87,12 +87,9 @@ Json json(const Structure& one) {
 }
 
 Json json(const DrawnLine& line) {
-    return {{"page", line.page},
-            {"thickness_pt", mm(line.thickness_pt)},
-            {"color", json(line.color)},
-            {"points", json(line.points)},
-            {"dropped", line.dropped},
-            {"place", json(line.place)}};
+    return {{"page", line.page},         {"thickness_pt", mm(line.thickness_pt)},
+            {"color", json(line.color)}, {"points", json(line.points)},
+            {"dropped", line.dropped},   {"place", json(line.place)}};
 }
 
 // --- assembly
