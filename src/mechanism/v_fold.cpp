@@ -111,7 +111,8 @@ bool constrain_v(Element& e) {
     }
     if (!close_opening(e, e.on[B].s, dir, {A}, {C}, kWidestV)) return false;
 
-    for (const auto& [side, i] : {std::pair{Side::left, A}, std::pair{Side::right, C}}) {
+    for (const auto& [plane, i] : {std::pair{Side::left, A}, std::pair{Side::right, C}}) {
+        const Side side = plane;  // clang 14 cannot capture a structured binding
         const SitePoint apex = e.on[B];
         const SitePoint whole = e.on[i];
         const auto at = [&](double t) { return SitePoint{apex.s + t * (whole.s - apex.s), t * whole.w}; };
