@@ -30,6 +30,7 @@ struct Plate {
     std::string name;           // "page/left", "bird/right"
     int piece = 0;              // index into Assembly::pieces
     Polygon outline;            // what is left of it once all cut-outs are made
+    Ring uncut;                 // its outer ring before any cut-out
     std::optional<Color> fill;  // none: bare paper
     std::vector<Stroke> strokes;
     int parent = -1;  // plate it is hinged to; -1: stands in the world

@@ -34,6 +34,12 @@ struct Change {
     std::string after;
 };
 
+// Another place that a finding concerns: "fire" at 12:5.
+struct Related {
+    Place place;
+    std::string text;  // what stands there, a few words
+};
+
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string code;  // a code of code_table()
@@ -43,10 +49,12 @@ struct Diagnostic {
     std::vector<std::string> hints;
     std::string element;           // id of the element concerned; empty when there is none
     std::optional<Change> change;  // present exactly on repairs
+    std::vector<Related> related;  // in the same file
 
     // Chainable, so that a finding reads as one expression.
     Diagnostic& hint(std::string text);
     Diagnostic& about(std::string id);
+    Diagnostic& with(Place place, std::string text);  // adds to `related`
     Diagnostic& changed(std::string before, std::string after);
 };
 

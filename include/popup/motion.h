@@ -23,17 +23,93 @@ enum class Solver {
 struct MotionOptions {
     std::vector<Angle> angles;  // empty: 0, 5, … 180. Each in [0°, 180°], ascending
     Solver solver = Solver::closed_form;
+    bool examine = true;                 // look for collisions, protrusion and layers
+    std::optional<double> clearance_mm;  // > 0: also name the pairs that come closer than this
+    std::optional<double> paper_mm;  // > 0: thickness of the paper; gives the thickness of the closed card
     Tolerances tolerances;
+};
+
+// Two plates that cross, from the first to the last angle of one contact (each to 0.001°).
+//
+// Plates cross where a common point of both lies further than 0.01 mm inside the edges of both, and the paper
+// round it, as far as it reaches in a circle on both, stands more than 0.0025 mm out of the other plate on
+// either side. So what touches along folds, seams, corners or cut edges, or lies flat on one another, does
+// not cross. Contact begins and ends where that is 0.0001 mm, and plates that go wholly through each other
+// between two angles, face to face, are in contact there.
+struct Contact {
+    int a = 0, b = 0;       // plates, a < b
+    double from_deg = 0.0;  // 0 when they still cross at the smallest angle looked at
+    double to_deg = 0.0;    // the first contact as the card closes
+    double depth_mm = 0.0;  // how far one goes through the other, at the angle where that is most
+    double deepest_deg = 0.0;
+    double excess_mm = 0.0;  // the most that `longer` reaches through the other, measured on its own paper
+    int longer = 0;          // a or b: the one that reaches less far through the other
+    Vec3 point;              // of both, at to_deg
+};
+
+// Two plates that cannot be told apart or together within the work allowed.
+struct Undecided {
+    int a = 0, b = 0;
+    double from_deg = 0.0, to_deg = 0.0;
+};
+
+// Two plates that come closer than MotionOptions::clearance_mm without crossing. Not looked at: plates that
+// share a fold, a seam or a corner; below 45° those that stay as close until the card is closed, because
+// folding flat brings everything together; and above 135° those that stay as close until they lie in one
+// plane on the open card.
+struct Approach {
+    int a = 0, b = 0;
+    double from_deg = 0.0, to_deg = 0.0;  // closer than that from … to
+    double least_mm = 0.0;                // the smallest distance, and where
+    double least_deg = 0.0;
+    Vec3 point;  // on plate a, at least_deg
+};
+
+// A plate that sticks out of the closed card.
+struct Protrusion {
+    int plate = 0;
+    double by_mm = 0.0;  // how far its furthest point is from the card
+    Vec3 direction;  // unit, in the world at 0°: from the card's edge to that point. y runs along the gutter,
+                     // z away from it
+    Vec3 point;  // that point
+};
+
+// The closed card: plates one above the other.
+struct ClosedCard {
+    std::vector<Protrusion> protrusions;  // by plate
+    int max_layers = 0;  // the most plates over one point, tabs not counted; 0: too many to count
+    Vec3 thickest;       // such a point
+    // All plates in an order in which they can lie on one another, from the left cover to the right one;
+    // nullopt when there is none, or when there are too many layers to count.
+    std::optional<std::vector<int>> order;
+    // When there is none: plates of which each lies below the next somewhere, and the last below the first.
+    std::vector<int> cycle;
+    std::optional<double> thickness_mm;  // max_layers sheets of MotionOptions::paper_mm
+};
+
+// What was found out about the motion, for every angle between undecided_below_deg and decided_up_to_deg.
+struct Examination {
+    double undecided_below_deg = 0.0;
+    double decided_up_to_deg =
+        180.0;  // less where mechanisms stand so high on one another that the work ended there
+    std::vector<Contact> contacts;                    // by a, b, from_deg
+    std::vector<Undecided> undecided;                 // by a, b, from_deg
+    std::optional<std::vector<Approach>> approaches;  // none: not asked for. By a, b, from_deg
+    ClosedCard closed;
+    std::size_t pairs =
+        0;  // pairs of plates that were near enough to be looked at, counted once an angle cell
+    std::size_t poses = 0;  // poses of pairs that were looked at
 };
 
 // What the simulation found. Frames are not stored (they cost 96 bytes a plate and angle): ask for them
 // again.
 struct Motion {
-    std::vector<Angle> angles;
+    std::vector<Angle> angles;  // those asked for, and the first and last angle of every contact
     Solver solver = Solver::closed_form;
-    double max_closure_mm = 0.0;  // largest opening of any fold or seam at any of the angles
+    double max_closure_mm = 0.0;  // largest opening of any fold or seam at any of the angles asked for
     double flat_error_deg = 0.0;  // largest angle of a plate to the closed card, at 0°
     bool flat_closed = false;     // flat_error_deg within tolerance
+    std::optional<Examination> examination;  // none: not examined
 };
 
 // Frames of all plates at one angle, in closed form. `frames` has one entry a plate.
@@ -62,11 +138,18 @@ class IterativePlacer {
 // *worst (if given) is the index of that hinge.
 double closure_error(const Assembly& assembly, std::span<const Frame> frames, int* worst = nullptr);
 
-// Simulates and judges: an error names the element that is not flat at 0° (`not-flat`), whose seams do not
-// meet
-// (`seam-open`), that jumps between angles (`jumps`), or that stops before the card is open (`locks`).
-// With Solver::iterative only figures are taken; its inaccuracy is not held against the design.
-// Cost: angles × plates.
+// Certifies every pair of plates, over the whole opening, to be clear of each other or finds where they
+// cross; looks at the closed card. Nothing is sampled: a pair is clear over a range of angles when its
+// distance in the middle is more than its points can move on the way there, by the turning of the hinges
+// between the two plates. Precondition: the linkages reach every angle (simulate() has seen to that). Cost:
+// near linear in plates, for plates that each have few others near.
+Examination examine(const Assembly& assembly, const MotionOptions& options);
+
+// Simulates and judges. Errors name the element that is not flat at 0° (`not-flat`), whose seams do not meet
+// (`seam-open`), that jumps to its mirror image (`jumps`), or that stops before the card is open (`locks`):
+// at any angle, not only at those asked for. Warnings: `collision`, `protrusion`, `layer-order`,
+// `clearance-low`; remark: `undecided`. With Solver::iterative only figures are taken; its inaccuracy is not
+// held against the design, and nothing is examined. Cost: angles × plates, and that of examine().
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics);
 

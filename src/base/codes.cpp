@@ -46,6 +46,20 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The units of a document are in (inches, when nothing is said), mm, cm, pt or px, the last two both "
      "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of drawn "
      "lines, which is always in points. Name one of these units."},
+    {"clearance-low", Severity::warning, "two plates come closer than was asked for",
+     "With --clearance LENGTH the examination names plates that come closer to each other than that length "
+     "without crossing. Plates that are joined, and those that closing or opening the card lays on one "
+     "another, are not meant. The message gives the smallest distance, and the angle where it is reached. "
+     "Real paper is thick, bends, and is cut and glued a little off, so that such plates may rub or catch. "
+     "Move the elements further apart, make one of them smaller, or ask for less."},
+    {"collision", Severity::warning, "two plates go through each other",
+     "At some opening angle two plates would need the same room. This is looked for at every angle between "
+     "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
+     "cross where a common point of both lies more than 0.01 mm inside the edges of both, and each reaches "
+     "more than 0.01 mm through the other; plates that only touch, along folds, seams, corners and edges or "
+     "flat on one another, do not. The message gives the angles from which to which they cross, and how far "
+     "one goes through the other. Real paper would bend, catch or tear there. Make the longer plate shorter, "
+     "or move one of the elements."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",
      "Steps, beaks and angled steps are cut across the fold they stand on. A seam is two pieces of paper "
      "glued together, so the cut would go through the glue and part what holds the design together. Stand a "
@@ -125,13 +139,21 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "read, or is no font. Nothing has been written. Install the font where the message says (on Debian the "
      "package fonts-dejavu-core brings it), or write SVG, which only names the font."},
     {"jumps", Severity::error, "an element jumps while the card opens",
-     "Between two angles a tiny step apart, a plate would have to turn through a large angle. Real paper "
-     "cannot: the linkage passes from one of its two solutions to the other, or is so close to locking that "
-     "a hair's breadth decides. Give it more room: a wider piece, a narrower V, less extreme angles."},
+     "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: the "
+     "linkage passes from one of its two solutions to the other, its mirror image, or is so close to locking "
+     "that a hair's breadth decides. This is looked for all the way from closed to open, not only at the "
+     "angles that --angles names. Give it more room: a wider piece, a narrower V, less extreme angles."},
+    {"layer-order", Severity::warning, "the plates of the closed card cannot lie on one another",
+     "In the closed card all plates lie in layers between the left cover and the right one. Here there is no "
+     "order in which all of them can lie: one lies partly under and partly over another, or several each lie "
+     "below the next and the last below the first; the message names them. Paper would have to be woven, and "
+     "the card bulges or does not close. Make one of the plates smaller, so that it no longer reaches over "
+     "the next, or move its element."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
-     "of piece and page together exceed 360°), so that the card stops before it is open. Widen the piece, or "
-     "bring its seams closer to the fold."},
+     "of piece and page together exceed 360°), so that the card stops before it is open. This is looked for "
+     "all the way from closed to open, not only at the angles that --angles names; the message gives one "
+     "that cannot be reached. Widen the piece, or bring its seams closer to the fold."},
     {"missing-value", Severity::error, "a value that must be given",
      "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs x "
      "and y; and a field that is written must not be empty. What is optional (ids, colours, the base page) "
@@ -210,6 +232,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The points of an angled step are written with the one nearer to the apex first on each side: B before "
      "C, G before F. Here both pairs stood the other way round, which describes the same cuts; they were "
      "exchanged in the checked design, and fix writes them in order."},
+    {"protrusion", Severity::warning, "a plate sticks out of the closed card",
+     "When the card is closed, every plate should lie between its covers. This one reaches over their edge: "
+     "the message says how far, and on which side. It will be seen there before the card is opened, and bent "
+     "and torn in its envelope. Make the plate smaller by as much, or move the element away from that edge. "
+     "Where it is meant, --allow protrusion accepts it."},
     {"seam-length", Severity::warning, "the seams of a piece do not match those on the page",
      "What is glued together must be the same length, end for end. The page's seams rule, since other "
      "elements may stand on them; the ends of the piece's seams were moved along their lines until they fit. "
@@ -249,6 +276,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"too-many-pieces", Severity::error, "the run has more pieces than can be laid out",
      "One run lays out at most a million pieces, all copies of all designs together; more is nearly always a "
      "slip in --copies. Ask for fewer copies, or split the run."},
+    {"undecided", Severity::remark, "it is not decided whether two plates cross",
+     "The examination divides the range of angles until it can prove that two plates are clear of each "
+     "other, or finds where they cross. Between the angles in the message it could do neither within the "
+     "work allowed, mostly because the plates graze each other there by less than can be told apart. Nothing "
+     "is claimed of these two plates at these angles. Look at them in the model, or move one of them by a "
+     "tenth of a millimetre and check again."},
     {"unknown-language", Severity::error, "an input whose language is not known",
      "The language of an input is told by the suffix of its name. This name has none that is known, or it is "
      "standard input, which has no suffix. Rename the file, or name the language with --from; `popupc list "

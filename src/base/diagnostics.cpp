@@ -41,6 +41,11 @@ Diagnostic& Diagnostic::about(std::string id) {
     return *this;
 }
 
+Diagnostic& Diagnostic::with(Place at, std::string what) {
+    related.push_back({at, std::move(what)});
+    return *this;
+}
+
 Diagnostic& Diagnostic::changed(std::string before, std::string after) {
     change = Change{std::move(before), std::move(after)};
     return *this;
@@ -59,7 +64,7 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
     const bool allowed =
         severity != Severity::error && policy_.allow.contains(code) && !policy_.deny.contains(code);
     if (!allowed) severity = under_policy(policy_, severity, code);
-    Diagnostic made{severity, std::string(code), file_, place, std::move(message), {}, {}, {}};
+    Diagnostic made{severity, std::string(code), file_, place, std::move(message), {}, {}, {}, {}};
     if (!allowed) {
         errors_ += severity == Severity::error ? 1 : 0;
         findings_ += severity != Severity::remark ? 1 : 0;
@@ -96,7 +101,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
         const auto& [code, severity] = key;
         if (count <= kLimit) continue;
         if (severity != Severity::error && policy_.allow.contains(code)) continue;
-        Diagnostic more{Severity::remark, code, file_, {}, {}, {}, {}, {}};
+        Diagnostic more{Severity::remark, code, file_, {}, {}, {}, {}, {}, {}};
         more.message = std::to_string(count - kLimit) + " more " + std::string(to_string(severity)) +
                        (count - kLimit == 1 ? " of this kind is not shown" : "s of this kind are not shown");
         result.push_back(std::move(more));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,6 +16,8 @@ constexpr int kWindow = 96;       // columns of source shown at most
 constexpr int kBeforeCaret = 56;  // of these, at most this many before the caret when a line is cut
 
 constexpr std::string_view kCut = "\u2026";  // where a line goes on
+
+constexpr std::size_t kMarkEvery = 1U << 16U;  // bytes between two places that are remembered
 
 struct Character {
     char32_t code = 0;
@@ -195,6 +198,25 @@ std::pair<std::string, std::string> excerpt(std::string_view text, std::size_t l
     return {std::move(shown), std::string(static_cast<std::size_t>(caret_column), ' ') + "^"};
 }
 
+// "FILE:LINE:COLUMN:", as far as there is a line and a column.
+std::string located(std::string_view file, Place place) {
+    std::string where = file.empty() ? "popupc" : file == "-" ? "<stdin>" : visible(file);
+    if (place.line > 0) {
+        where += fmt::format(":{}", place.line);
+        if (place.column > 0) where += fmt::format(":{}", place.column);
+    }
+    return where + ":";
+}
+
+// The source line and a caret under the column; nothing for a place without a column.
+std::string pointed_at(Place place, PlaceFinder& source, const Painter& paint) {
+    std::size_t line_start = 0;
+    std::size_t caret = 0;
+    if (place.column <= 0 || !source.find(place, line_start, caret)) return {};
+    const auto [line, pointer] = excerpt(source.text(), line_start, caret);
+    return fmt::format("{:>5} | {}\n      | {}\n", place.line, line, paint("1;32", pointer));
+}
+
 }  // namespace
 
 std::string visible(std::string_view text) {
@@ -210,40 +232,36 @@ std::string visible(std::string_view text) {
 
 bool PlaceFinder::find(Place place, std::size_t& line_start, std::size_t& caret) {
     if (place.line < 1) return false;
-    if (place.line < line_ || (place.line == line_ && place.column < column_)) {
-        if (place.line < line_) {
-            line_start_ = 0;
-            line_ = 1;
-        }
-        caret_ = line_start_;
-        column_ = 1;
-    }
-    while (line_ < place.line) {
-        const std::size_t next = text_.find('\n', line_start_);
+    const auto behind = [](Place wanted, const Mark& mark) {
+        return wanted.line < mark.line || (wanted.line == mark.line && wanted.column < mark.column);
+    };
+    const auto next = std::upper_bound(marks_.begin(), marks_.end(), place, behind);
+    const Mark nearest = next == marks_.begin() ? Mark{} : *std::prev(next);
+    if (behind(place, at_) || nearest.caret > at_.caret) at_ = nearest;
+    const auto remember = [this] {
+        const std::size_t last = marks_.empty() ? 0 : marks_.back().caret;
+        if (at_.caret >= last + kMarkEvery) marks_.push_back(at_);
+    };
+    while (at_.line < place.line) {
+        const std::size_t next = text_.find('\n', at_.caret);
         if (next == std::string_view::npos) return false;
-        caret_ = line_start_ = next + 1;
-        column_ = 1;
-        ++line_;
+        at_ = {next + 1, next + 1, at_.line + 1, 1};
+        remember();
     }
-    while (column_ < place.column && caret_ < text_.size() && text_[caret_] != '\n') {
-        caret_ += decode(text_.substr(caret_)).bytes;
-        ++column_;
+    while (at_.column < place.column && at_.caret < text_.size() && text_[at_.caret] != '\n') {
+        at_.caret += decode(text_.substr(at_.caret)).bytes;
+        ++at_.column;
+        remember();
     }
-    line_start = line_start_;
-    caret = caret_;
+    line_start = at_.line_start;
+    caret = at_.caret;
     return true;
 }
 
 std::string render_short(const Diagnostic& diagnostic, bool color) {
     const Painter paint{color};
-    std::string where = diagnostic.file.empty() ? "popupc" : visible(diagnostic.file);
-    if (diagnostic.file == "-") where = "<stdin>";
-    if (diagnostic.place.line > 0) {
-        where += fmt::format(":{}", diagnostic.place.line);
-        if (diagnostic.place.column > 0) where += fmt::format(":{}", diagnostic.place.column);
-    }
     const std::string severity = fmt::format("{}:", to_string(diagnostic.severity));
-    return fmt::format("{} {} {} [{}]\n", paint("1", where + ":"),
+    return fmt::format("{} {} {} [{}]\n", paint("1", located(diagnostic.file, diagnostic.place)),
                        paint(style_of(diagnostic.severity), severity), visible(diagnostic.message),
                        diagnostic.code);
 }
@@ -251,15 +269,15 @@ std::string render_short(const Diagnostic& diagnostic, bool color) {
 std::string render_text(const Diagnostic& diagnostic, PlaceFinder& source, bool color) {
     const Painter paint{color};
     std::string text = render_short(diagnostic, color);
-    std::size_t line_start = 0;
-    std::size_t caret = 0;
-    if (diagnostic.place.column > 0 && source.find(diagnostic.place, line_start, caret)) {
-        const auto [line, pointer] = excerpt(source.text(), line_start, caret);
-        text += fmt::format("{:>5} | {}\n      | {}\n", diagnostic.place.line, line, paint("1;32", pointer));
-    }
+    text += pointed_at(diagnostic.place, source, paint);
     if (diagnostic.change && !diagnostic.change->after.empty()) {
         text += fmt::format("   {} {}\n   {} {}\n", paint("36", "was:"), visible(diagnostic.change->before),
                             paint("36", "now:"), visible(diagnostic.change->after));
+    }
+    for (const Related& other : diagnostic.related) {
+        text += fmt::format("  {} {} {}\n", paint("36", "with:"), located(diagnostic.file, other.place),
+                            visible(other.text));
+        text += pointed_at(other.place, source, paint);
     }
     for (const std::string& hint : diagnostic.hints) {
         text += fmt::format("  {} {}\n", paint("36", "hint:"), visible(hint));
@@ -283,6 +301,11 @@ nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
     const Change change = diagnostic.change.value_or(Change{});
     json["before"] = or_null(change.before, diagnostic.change.has_value());
     json["after"] = or_null(change.after, diagnostic.change.has_value());
+    for (const Related& other : diagnostic.related) {
+        json["related"].push_back({{"line", or_null(other.place.line, other.place.line > 0)},
+                                   {"column", or_null(other.place.column, other.place.column > 0)},
+                                   {"text", other.text}});
+    }
     return json;
 }
 

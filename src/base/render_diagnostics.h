@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "popup/diagnostics.h"
 
@@ -15,7 +16,7 @@ namespace popup {
 std::string visible(std::string_view text);
 
 // Finds places in one text. Asking in ascending order costs one pass over the text altogether, however many
-// questions; going back starts over.
+// questions. Asking again, in any order, about what has been passed costs a look at 64 KiB at most.
 class PlaceFinder {
  public:
     // `text` must outlive this object.
@@ -26,23 +27,27 @@ class PlaceFinder {
     [[nodiscard]] std::string_view text() const { return text_; }
 
  private:
+    // A character, with its line.
+    struct Mark {
+        std::size_t line_start = 0, caret = 0;
+        int line = 1, column = 1;
+    };
     std::string_view text_;
-    std::size_t line_start_ = 0;
-    int line_ = 1;
-    std::size_t caret_ = 0;
-    int column_ = 1;
+    Mark at_;
+    std::vector<Mark> marks_;  // passed on the way, ascending
 };
 
 // "FILE:LINE:COLUMN: SEVERITY: MESSAGE [CODE]" and a line break. A diagnostic without a file speaks of the
 // run and begins with "popupc:".
 std::string render_short(const Diagnostic& diagnostic, bool color = false);
 
-// render_short(), then the source line with a caret under the column, then one line a hint. Tabs take four
-// columns, wide characters two; a long line is cut to a window around the caret.
+// render_short(), then the source line with a caret under the column, then what a repair changed, then each
+// related place ("  with: FILE:LINE:COLUMN: TEXT") with its own source line, then one line a hint. Tabs take
+// four columns, wide characters two; a long line is cut to a window around the caret.
 std::string render_text(const Diagnostic& diagnostic, PlaceFinder& source, bool color = false);
 
 // One object: file, line, column, severity, code, element, message, hints, before, after; null for what there
-// is not.
+// is not. Where there are related places, also `related`: a list of {line, column, text}.
 nlohmann::ordered_json to_json(const Diagnostic& diagnostic);
 
 // to_json() on one line, with a line break. Invalid UTF-8 is replaced.

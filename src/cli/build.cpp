@@ -70,6 +70,7 @@ void add_output_options(CLI::App& verb, Options& options) {
 
 void tell(const Options& options, const Compilation& compilation, const std::vector<PendingFile>& files) {
     if (!options.messages.verbose) return;
+    say_layers(options.messages, compilation);
     if (compilation.layout) {
         const Layout& layout = *compilation.layout;
         say(options.messages,
@@ -107,6 +108,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
 }
 
 int run_build(const Options& options) {
+    check_motion_options(options);
     const std::vector<PlannedOutput> planned = plan_outputs(options);
     Run run = run_inputs(options, needed_stage(planned, options.build.emit));
     Compilation& compilation = run.compilation;

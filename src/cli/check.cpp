@@ -26,8 +26,10 @@ CLI::App* add_check(CLI::App& app, Options& options) {
 }
 
 int run_check(const Options& options) {
+    check_motion_options(options);
     // Without a sheet there is nothing to lay out: inputs that are checked together need not be one run.
     const Run run = run_inputs(options, options.sheet_given ? Stage::layout : Stage::pattern);
+    say_layers(options.messages, run.compilation);
     const bool told = report(options.messages, run.findings(), run.compilation.run_diagnostics);
     if (!run.usable() || !told) return exit_unusable;
     return run.compilation.has_findings() ? exit_findings : exit_done;

@@ -56,6 +56,7 @@ std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     CompileOptions again = options.compile;
     again.read.language = language.name;
     again.until = Stage::motion;
+    again.motion.examine = false;  // it repairs nothing, and what it finds has been told
     again.threads = 1;
     again.progress = {};
     const CompiledDesign* latest = &one;

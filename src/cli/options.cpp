@@ -209,6 +209,25 @@ void add_motion_options(CLI::App& verb, Options& options) {
               options.compile.motion.solver = choose<Solver>(
                   "--solver", text, {{"closed-form", Solver::closed_form}, {"iterative", Solver::iterative}});
           });
+    value(verb, "--clearance", "LENGTH", "also name plates that come closer to each other than this",
+          "Motion", [&options](std::string_view text) {
+              options.compile.motion.clearance_mm = length_option("--clearance", text, 1e-3).mm;
+          });
+    value(verb, "--paper-thickness", "LENGTH", "thickness of the paper, which gives that of the closed card",
+          "Motion", [&options](std::string_view text) {
+              options.compile.motion.paper_mm = length_option("--paper-thickness", text, 1e-3).mm;
+          });
+}
+
+void check_motion_options(const Options& options) {
+    const MotionOptions& motion = options.compile.motion;
+    if (motion.solver != Solver::iterative) return;
+    for (const auto& [given, name] : {std::pair(motion.clearance_mm.has_value(), "--clearance"),
+                                      std::pair(motion.paper_mm.has_value(), "--paper-thickness")}) {
+        if (!given) continue;
+        throw UsageError(fmt::format("{} asks for what --solver iterative does not look at", name),
+                         {"leave --solver out: the closed form is examined"});
+    }
 }
 
 void add_thread_option(CLI::App& verb, Options& options) {

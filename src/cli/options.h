@@ -90,6 +90,9 @@ void add_sheet_options(CLI::App& verb, Options& options);
 void add_motion_options(CLI::App& verb, Options& options);
 void add_thread_option(CLI::App& verb, Options& options);
 
+// A UsageError when the options about the motion, once all are read, do not go together.
+void check_motion_options(const Options& options);
+
 // `text` as a finite decimal number, whole text, whatever the locale.
 std::optional<double> parse_number(std::string_view text);
 // A number with an optional unit (mm, cm, in, pt); without one millimetres.

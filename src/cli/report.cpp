@@ -93,6 +93,17 @@ void say(const MessageOptions& options, std::string_view line) {
     if (options.verbose) to_standard_error(fmt::format("popupc: {}\n", visible(line)));
 }
 
+void say_layers(const MessageOptions& options, const Compilation& compilation) {
+    for (const CompiledDesign& one : compilation.designs) {
+        if (!one.motion || !one.motion->examination) continue;
+        const ClosedCard& closed = one.motion->examination->closed;
+        std::string line =
+            fmt::format("{}: closed, it has up to {} layers", one.source.name, closed.max_layers);
+        if (closed.thickness_mm) line += fmt::format(", {:.2f} mm", *closed.thickness_mm);
+        say(options, line);
+    }
+}
+
 std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,
                                                              std::size_t inputs) {
     const bool terminal = ::isatty(STDERR_FILENO) != 0;

@@ -28,6 +28,9 @@ bool print(std::string_view text);
 // A line on standard error that --verbose asks for.
 void say(const MessageOptions& options, std::string_view line);
 
+// For each design that was examined, where --verbose asks for it: how thick the closed card is.
+void say_layers(const MessageOptions& options, const Compilation& compilation);
+
 // Shows on standard error how many designs are done, where --progress wants that; otherwise an empty
 // function.
 std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,

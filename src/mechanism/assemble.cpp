@@ -162,6 +162,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     Assembly assembly = skeleton.draft;
     for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
         Ring& outline = assembly.plates[i].outline.outer;
+        assembly.plates[i].uncut = outline;
         if (!skeleton.cut_outs[i].empty()) outline = without_cut_outs(skeleton, static_cast<int>(i), outline);
     }
     add_fold_lines(skeleton, assembly);

@@ -5,49 +5,17 @@
 #include <array>
 #include <cmath>
 
+#include "motion/findings.h"
+#include "motion/passage.h"
 #include "popup/motion.h"
 
 namespace popup {
 namespace {
 
-constexpr double kStepDeg = 0.1;  // jumps are looked for across steps of this size
-constexpr double kSuspiciousDeg =
-    5.0;                       // a plate that turns further than this in one step is looked at closely
-constexpr int kHalvings = 14;  // 0.1° / 2^14: a motion that still turns this far there is a jump
-
 std::vector<Angle> default_angles() {
     std::vector<Angle> angles;
     for (int deg = 0; deg <= 180; deg += 5) angles.push_back(Angle::degrees(deg));
     return angles;
-}
-
-// The angle between two frames' rotations, degrees.
-double turn_between(const Frame& a, const Frame& b) {
-    // |A − B|² = 8 sin²(φ/2): exact for small turns, where the trace is not.
-    double squared = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 d = a.axes[i] - b.axes[i];
-        squared += dot(d, d);
-    }
-    return Angle::radians(2.0 * std::asin(std::min(1.0, std::sqrt(squared / 8.0)))).deg;
-}
-
-// How far a plate turns against the plate it is hinged to, from one set of frames to another.
-double relative_turn(const Assembly& assembly, std::size_t plate, std::span<const Frame> before,
-                     std::span<const Frame> after) {
-    const int parent = assembly.plates[plate].parent;
-    if (parent < 0) return turn_between(before[plate], after[plate]);
-    const auto relative = [&](std::span<const Frame> frames) {
-        const Frame& base = frames[static_cast<std::size_t>(parent)];
-        const Frame& own = frames[plate];
-        Frame result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            result.axes[i] = {dot(base.axes[0], own.axes[i]), dot(base.axes[1], own.axes[i]),
-                              dot(base.axes[2], own.axes[i])};
-        }
-        return result;
-    };
-    return turn_between(relative(before), relative(after));
 }
 
 const Joint* joint_of(const Assembly& assembly, int plate) {
@@ -61,74 +29,10 @@ struct Judge {
     const Assembly& assembly;
     const Tolerances& tolerances;
     Diagnostics& diagnostics;
-    std::vector<Frame> here, there, between;
+    std::vector<Frame> here;
 
     Judge(const Assembly& a, const Tolerances& t, Diagnostics& d)
-        : assembly(a),
-          tolerances(t),
-          diagnostics(d),
-          here(a.plates.size()),
-          there(a.plates.size()),
-          between(a.plates.size()) {}
-
-    void locks(int stuck, Angle at) {
-        const Joint& joint = assembly.joints[static_cast<std::size_t>(stuck)];
-        diagnostics
-            .error("locks", joint.place,
-                   fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name,
-                               at.deg))
-            .hint("make its piece wider than the place it is glued to, or close its V")
-            .about(joint.name);
-    }
-
-    // False when the plates at `at` move through more than a mechanism can between two near angles.
-    bool moves_smoothly(Angle at) {
-        Angle lo = at;
-        Angle hi = Angle::degrees(at.deg + kStepDeg <= 180.0 ? at.deg + kStepDeg : at.deg - kStepDeg);
-        int stuck = 0;
-        if (!place(assembly, hi, there, &stuck)) return locks(stuck, hi), false;
-        std::size_t worst = 0;
-        double turn = 0.0;
-        const auto measure = [&](std::span<const Frame> a, std::span<const Frame> b) {
-            turn = 0.0;
-            for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-                const double t = relative_turn(assembly, i, a, b);
-                if (t > turn) {
-                    turn = t;
-                    worst = i;
-                }
-            }
-        };
-        measure(here, there);
-        if (turn <= kSuspiciousDeg) return true;
-        // Halve the step, each time into the half that turns more: a fast motion calms down, a jump does not.
-        std::vector<Frame> low = here;
-        std::vector<Frame> high = there;
-        for (int i = 0; i < kHalvings; ++i) {
-            const Angle mid = Angle::degrees(0.5 * (lo.deg + hi.deg));
-            if (!place(assembly, mid, between, &stuck)) return locks(stuck, mid), false;
-            measure(low, between);
-            const double first = turn;
-            measure(between, high);
-            if (std::max(first, turn) <= 0.5 * kSuspiciousDeg) return true;
-            if (first >= turn) {
-                high = between;
-                hi = mid;
-            } else {
-                low = between;
-                lo = mid;
-            }
-        }
-        measure(low, high);
-        const Joint* joint = joint_of(assembly, static_cast<int>(worst));
-        diagnostics
-            .error("jumps", joint != nullptr ? joint->place : Place{},
-                   fmt::format("\"{}\" jumps by {:.1f}° at an opening of {:.2f}°",
-                               assembly.plates[worst].name, turn, lo.deg))
-            .hint("give its linkage more room: a wider piece, or a narrower V")
-            .about(joint != nullptr ? joint->name : "");
-        return false;
-    }
+        : assembly(a), tolerances(t), diagnostics(d), here(a.plates.size()) {}
 
     bool closes(Angle at, double& largest) {
         int worst = 0;
@@ -177,6 +81,16 @@ struct Judge {
     }
 };
 
+// The first and last angle of each contact are looked at like those asked for.
+void add_witnesses(Motion& motion) {
+    for (const Contact& contact : motion.examination->contacts) {
+        motion.angles.push_back(Angle::degrees(contact.from_deg));
+        motion.angles.push_back(Angle::degrees(contact.to_deg));
+    }
+    std::sort(motion.angles.begin(), motion.angles.end(), [](Angle a, Angle b) { return a.deg < b.deg; });
+    motion.angles.erase(std::unique(motion.angles.begin(), motion.angles.end()), motion.angles.end());
+}
+
 }  // namespace
 
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
@@ -199,17 +113,23 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
     }
     int stuck = 0;
     if (!place(assembly, Angle{}, judge.here, &stuck)) {
-        judge.locks(stuck, Angle{});
+        report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, 0.0, diagnostics);
         return std::nullopt;
     }
     if (!judge.is_flat(motion)) return std::nullopt;
+    const Linkage linkage(assembly);
+    if (!passes_whole_way(assembly, linkage, diagnostics)) return std::nullopt;
     for (const Angle at : motion.angles) {
         if (!place(assembly, at, judge.here, &stuck)) {
-            judge.locks(stuck, at);
+            report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, at.deg, diagnostics);
             return std::nullopt;
         }
-        if (!judge.closes(at, motion.max_closure_mm) || !judge.moves_smoothly(at)) return std::nullopt;
+        if (!judge.closes(at, motion.max_closure_mm)) return std::nullopt;
     }
+    if (!options.examine) return motion;
+    motion.examination = examine(assembly, options);
+    report_findings(assembly, linkage, *motion.examination, options, diagnostics);
+    add_witnesses(motion);
     return motion;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "output/examination_json.h"
 #include "output/json_text.h"
 #include "output/numbers.h"
 
@@ -372,6 +373,9 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion) {
     append(out, motion.flat_closed ? ",\n  \"flat_closed\": true" : ",\n  \"flat_closed\": false");
     append(out, ",\n  \"flat_error_deg\": ");
     append_value(out, motion.flat_error_deg, kAngle);
+    append(out, ",\n  \"examination\": ");
+    append(out, motion.examination ? json_text_within(examination_json(assembly, motion.examination), 1)
+                                   : std::string("null"));
     append(out, ",\n  \"frames\": [");
     Placer placer(assembly, motion.solver);
     std::string_view before = "\n    {";

@@ -40,6 +40,7 @@ std::string emit_design(const Design& design);
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,
+//  examination: as examination_json() says, null when there was none,
 //  frames: [{angle_deg, closure_error_mm,
 //    plates: [{name, frame: {axes: [x, y, front], origin}, outline: [[x, y, z] …]}]}]}
 // Closure errors are rounded to 1e-9 mm. A frame maps a point (x, y) of the plate's page to

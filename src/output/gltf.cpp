@@ -12,6 +12,7 @@
 #include <streambuf>
 #include <utility>
 
+#include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"
 #include "output/numbers.h"
@@ -20,8 +21,9 @@ namespace popup {
 namespace {
 
 constexpr double kMetre = 1000.0;
-constexpr double kGapMm = 20.0;        // between two cards
-constexpr double kDrawnLiftMm = 0.02;  // of drawn lines before the paper
+constexpr double kGapMm = 20.0;         // between two cards
+constexpr double kDrawnLiftMm = 0.02;   // of drawn lines before the paper
+constexpr Color kCollision{255, 0, 0};  // of plates that cross others
 constexpr int kLengthDecimals = 6;
 constexpr std::size_t kSharedIndices = 24;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
@@ -84,6 +86,8 @@ class View {
     std::vector<unsigned char> bytes_;
 };
 
+enum Surface { kPaper, kDrawn, kColliding };
+
 enum ViewIndex : std::size_t { kPositions, kNormals, kShortIndices, kLongIndices, kMotion, kViews };
 
 class SceneBuilder {
@@ -132,12 +136,13 @@ class SceneBuilder {
         }
     }
 
-    int material(Color color, bool drawn) {
-        const auto [at, is_new] = materials_.try_emplace({drawn, color.r, color.g, color.b},
+    int material(Color color, Surface surface) {
+        const auto [at, is_new] = materials_.try_emplace({surface, color.r, color.g, color.b},
                                                          static_cast<int>(model_.materials.size()));
         if (!is_new) return at->second;
+        const bool drawn = surface == kDrawn;
         tinygltf::Material material;
-        material.name = to_string(color) + (drawn ? " line" : "");
+        material.name = surface == kColliding ? "collision" : to_string(color) + (drawn ? " line" : "");
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
                                                          1.0};
         material.pbrMetallicRoughness.metallicFactor = 0.0;
@@ -148,7 +153,7 @@ class SceneBuilder {
         return at->second;
     }
 
-    tinygltf::Primitive primitive(const MeshPart& part) {
+    tinygltf::Primitive primitive(const MeshPart& part, bool collides) {
         const float z = part.drawn ? metres(kDrawnLiftMm) : 0.0F;
         std::vector<float> positions;
         positions.reserve(3 * part.points.size());
@@ -164,7 +169,9 @@ class SceneBuilder {
         }
         tinygltf::Primitive result;
         result.mode = TINYGLTF_MODE_TRIANGLES;
-        result.material = material(part.color, part.drawn);
+        result.material = part.drawn ? material(part.color, kDrawn)
+                          : collides ? material(kCollision, kColliding)
+                                     : material(part.color, kPaper);
         const int position =
             add_accessor(kPositions, views_[kPositions].append(std::span<const float>(positions)),
                          TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, part.points.size());
@@ -212,10 +219,10 @@ class SceneBuilder {
                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
     }
 
-    int add_mesh(const Plate& plate, const std::string& name) {
+    int add_mesh(const Plate& plate, const std::string& name, bool collides) {
         tinygltf::Mesh mesh;
         mesh.name = name;
-        for (const MeshPart& part : plate_mesh(plate)) mesh.primitives.push_back(primitive(part));
+        for (const MeshPart& part : plate_mesh(plate)) mesh.primitives.push_back(primitive(part, collides));
         if (mesh.primitives.empty()) return -1;
         model_.meshes.push_back(std::move(mesh));
         return static_cast<int>(model_.meshes.size()) - 1;
@@ -244,6 +251,26 @@ class SceneBuilder {
         return {rounded(result.first, kLengthDecimals), rounded(result.second, kLengthDecimals)};
     }
 
+    // What each plate's node says of the plates it crosses.
+    static std::vector<tinygltf::Value::Array> collisions_of(const SceneCard& card) {
+        const std::vector<Plate>& plates = card.assembly->plates;
+        std::vector<tinygltf::Value::Array> all(plates.size());
+        if (!card.motion->examination) return all;
+        for (const Contact& contact : card.motion->examination->contacts) {
+            const auto tell = [&](int own, int other) {
+                const std::string& name = plates.at(static_cast<std::size_t>(other)).name;
+                tinygltf::Value::Object row{{"with", tinygltf::Value(valid_utf8(card.prefix + name))},
+                                            {"from_deg", tinygltf::Value(told_deg(contact.from_deg))},
+                                            {"to_deg", tinygltf::Value(told_deg(contact.to_deg))},
+                                            {"depth_mm", tinygltf::Value(told_mm(contact.depth_mm))}};
+                all.at(static_cast<std::size_t>(own)).emplace_back(std::move(row));
+            };
+            tell(contact.a, contact.b);
+            tell(contact.b, contact.a);
+        }
+        return all;
+    }
+
     // The number of the card's node; its plates' nodes follow it in the assembly's order.
     int add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
         const Assembly& assembly = *card.assembly;
@@ -261,17 +288,20 @@ class SceneBuilder {
         const std::size_t count = assembly.plates.size();
         std::vector<std::string> pieces;
         for (const Piece& piece : assembly.pieces) pieces.push_back(valid_utf8(card.prefix + piece.name));
+        const std::vector<tinygltf::Value::Array> collisions = collisions_of(card);
         for (std::size_t i = 0; i < count; ++i) {
             const Plate& plate = assembly.plates[i];
             tinygltf::Node one;
             one.name = valid_utf8(card.prefix + plate.name);
-            one.mesh = add_mesh(plate, one.name);
+            one.mesh = add_mesh(plate, one.name, !collisions[i].empty());
             if (!(tree.offset[i] == Vec3{})) one.translation = metres(tree.offset[i]);
             const auto& turn = track.turns[rest * count + i];
             one.rotation.assign(turn.begin(), turn.end());
-            one.extras = tinygltf::Value(
-                {{"plate", tinygltf::Value(one.name)},
-                 {"piece", tinygltf::Value(pieces.at(static_cast<std::size_t>(plate.piece)))}});
+            tinygltf::Value::Object extras{
+                {"plate", tinygltf::Value(one.name)},
+                {"piece", tinygltf::Value(pieces.at(static_cast<std::size_t>(plate.piece)))}};
+            if (!collisions[i].empty()) extras.emplace("collisions", tinygltf::Value(collisions[i]));
+            one.extras = tinygltf::Value(std::move(extras));
             model_.nodes.push_back(std::move(one));
             add_channel(track, count, i, root + 1 + static_cast<int>(i));
         }

@@ -16,9 +16,11 @@ namespace popup {
 // options.duration_s, the angle growing evenly; its extras.angles_deg lists the opening angle of every key.
 // Keys are chosen so that between them, too, no fold opens by more than 0.05 mm (see keys.h). Several cards
 // stand side by side along +X, 20 mm apart at their widest. Drawn lines are parts of a plate's mesh, 0.02 mm
-// before its front. Lengths are rounded to 1e-6 mm and turns to 1e-9 before they become 32-bit numbers, so
-// that the bytes do not depend on the processor. Errors: those of choose_keys(), and `model-too-large` for
-// more than 2 GiB. Precondition: at least one card; assemblies and motions are present. Cost: plates × keys.
+// before its front. Plates that cross others are of one material, `collision`, whatever their paper, and
+// their extras.collisions lists {with, from_deg, to_deg, depth_mm}. Lengths are rounded to 1e-6 mm and turns
+// to 1e-9 before they become 32-bit numbers, so that the bytes do not depend on the processor. Errors: those
+// of choose_keys(), and `model-too-large` for more than 2 GiB. Precondition: at least one card; assemblies
+// and motions are present. Cost: plates × keys.
 std::optional<std::string> write_glb(std::span<const SceneCard> cards, const OutputOptions& options,
                                      Diagnostics& diagnostics);
 // The same as text, with the numbers in a data URI.

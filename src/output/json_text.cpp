@@ -62,10 +62,12 @@ class JsonText {
 
 }  // namespace
 
-std::string json_text(const Json& value) {
+std::string json_text(const Json& value) { return json_text_within(value, 0) + '\n'; }
+
+std::string json_text_within(const Json& value, std::size_t depth) {
     JsonText text;
-    text.write(value, 0);
-    return text.take() + '\n';
+    text.write(value, depth);
+    return text.take();
 }
 
 }  // namespace popup

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/render_diagnostics.h"
+#include "output/examination_json.h"
 #include "output/json_text.h"
 #include "output/numbers.h"
 #include "popup/compile.h"
@@ -37,18 +38,15 @@ Json findings(const Diagnostics& diagnostics) {
     return rows;
 }
 
-Json motion(const Motion& motion) {
+Json motion(const Assembly& assembly, const Motion& motion) {
     Json angles = Json::array();
     for (const Angle angle : motion.angles) angles.push_back(rounded(angle.deg, kAngle));
-    return {{"angles", std::move(angles)},
-            {"max_closure_error_mm", rounded(motion.max_closure_mm, kClosure)},
-            {"flat_closed", motion.flat_closed},
-            {"flat_error_deg", rounded(motion.flat_error_deg, kAngle)},
-            // Not examined.
-            {"collisions", nullptr},
-            {"undecided_below_deg", nullptr},
-            {"protrusion_mm", nullptr},
-            {"max_layers", nullptr}};
+    Json row{{"angles", std::move(angles)},
+             {"max_closure_error_mm", rounded(motion.max_closure_mm, kClosure)},
+             {"flat_closed", motion.flat_closed},
+             {"flat_error_deg", rounded(motion.flat_error_deg, kAngle)}};
+    row.update(examination_json(assembly, motion.examination));
+    return row;
 }
 
 Json input(const CompiledDesign& one) {
@@ -63,7 +61,7 @@ Json input(const CompiledDesign& one) {
             {"pieces", one.assembly ? Json(one.assembly->pieces.size()) : Json()},
             {"repairs", repairs(one.diagnostics)},
             {"diagnostics", findings(one.diagnostics)},
-            {"motion", one.motion ? motion(*one.motion) : Json()}};
+            {"motion", one.motion ? motion(*one.assembly, *one.motion) : Json()}};
 }
 
 Json point(Vec2 p) { return Json::array({rounded(p.x, kLength), rounded(p.y, kLength)}); }

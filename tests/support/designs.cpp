@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "popup/assembly.h"
 
 namespace popup::test {
@@ -53,6 +57,43 @@ Built build(const Design& design, const CheckOptions& options) {
     if (built.checked) built.assembly = assemble(*built.checked, {}, built.diagnostics);
     if (!built.assembly) ADD_FAILURE() << findings(built.diagnostics);
     return built;
+}
+
+Design row(int elements) {
+    const double pitch = 60.0;
+    const int groups = std::max(1, elements / 5);
+    // The v-fold's V opens by 90°, its piece by 120°.
+    const double seam = std::hypot(6, 6);
+    const Vec2 e{0, -12};
+    const Vec2 g = e + rotated({0, seam}, std::numbers::pi / 3);
+    const Vec2 h = e + rotated({0, seam}, -std::numbers::pi / 3);
+    const double height = pitch * groups + 20.0;
+    Design design = card(300.0, height);
+    design.stem = "row";
+    for (int group = 0; group < groups; ++group) {
+        const double y = -0.5 * height + 10.0 + pitch * group;
+        const Vec2 lo{0, -0.5 * height};
+        const Vec2 hi{0, 0.5 * height};
+        const int page = 1 + 2 * group;
+        add(design, "step", {{-40, y}, {-40, y + 25}, {40, y}, {40, y + 25}}, lo, hi);
+        add(design, "step", {{-50, y + 5}, {-50, y + 20}, {-30, y + 5}, {-30, y + 20}}, {-40, y},
+            {-40, y + 25});
+        add(design, "inverted-step", {{-12, y + 5}, {-12, y + 20}, {12, y + 5}, {12, y + 20}}, {0, y},
+            {0, y + 25});
+        add(design, "tent",
+            {{-20, y + 30},
+             {-20, y + 55},
+             {20, y + 30},
+             {20, y + 55},
+             {-30, 0},
+             {-30, 25},
+             {30, 0},
+             {30, 25}},
+            lo, hi);
+        add(design, "v-fold", {{-6, 14}, {0, 8}, {6, 14}, g, e, h, h + Vec2{0, 12}, g + Vec2{0, 12}}, {0, 0},
+            {0, 25}, page);
+    }
+    return design;
 }
 
 }  // namespace popup::test

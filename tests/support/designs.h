@@ -34,4 +34,9 @@ std::string findings(const Diagnostics& diagnostics);
 // seeds give equal designs on every machine. Elements that find no room are left out, so it may have fewer.
 Design generate(std::uint64_t seed, int elements, double width_mm = 279.4, double height_mm = 215.9);
 
+// A long card, to see what size costs: groups of five along the gutter, a step, a smaller one on its side
+// fold, one on its centre fold, a tent beside it, and a v-fold on the tent's centre fold. Nothing collides.
+// At least five elements.
+Design row(int elements);
+
 }  // namespace popup::test

@@ -1,4 +1,5 @@
 // The command line, run as users run it: exit codes, who gets standard output, and what is left on the disk.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -44,6 +45,28 @@ std::string with(std::string text, std::string_view what, std::string_view repla
 
 // One side of the step is not parallel to the fold: a repair.
 std::string crooked() { return with(std::string(kCard), "x=\"30\" y=\"20\"", "x=\"34\" y=\"20\""); }
+
+// A wing that folds down onto a mouth and through it; nothing needs a repair.
+constexpr std::string_view kCrossing = R"(<popup version="2.0" units="mm">
+  <mainpage width="280" height="220"/>
+  <structurelist>
+    <structure type="v-fold" id="wing">
+      <outerpoints>
+        <point x="-60" y="20"/>         <point x="0" y="-20"/> <point x="60" y="20"/>
+        <point x="-65.355" y="30.475"/> <point x="0" y="0"/>   <point x="65.355" y="30.475"/>
+        <point x="62" y="80"/>          <point x="-62" y="80"/>
+      </outerpoints>
+      <parentfold> <begin x="0" y="-100"/> <end x="0" y="100"/> </parentfold>
+    </structure>
+    <structure type="beak" id="mouth">
+      <outerpoints>
+        <point x="0" y="-30"/> <point x="-30" y="-60"/> <point x="30" y="-60"/>
+      </outerpoints>
+      <parentfold> <begin x="0" y="-100"/> <end x="0" y="100"/> </parentfold>
+    </structure>
+  </structurelist>
+</popup>
+)";
 
 class Cli : public testing::Test {
  protected:
@@ -130,6 +153,10 @@ TEST_F(Cli, WrongUsageIsTwoAndSaysWhatIsRight) {
     expect_usage_error({"check", "card.xml", "--message-format", "sarif"}, "text, short, json");
     expect_usage_error({"check", "card.xml", "--deny", "no-such-code"}, "popupc list codes");
     expect_usage_error({"check", "card.xml", "--quiet", "--verbose"}, "--quiet");
+    expect_usage_error({"check", "card.xml", "--solver", "iterative", "--clearance", "1"}, "closed form");
+    expect_usage_error(
+        {"build", "card.xml", "--paper-thickness", "1", "--solver", "iterative", "-o", "x.pdf"},
+        "closed form");
     expect_usage_error({"fix", "card.xml", "card.xml"}, "--in-place");
     expect_usage_error({"fix", "--diff", "--in-place", "card.xml"}, "--diff");
     expect_usage_error({"fix", "card.xml", "-o", "x.pdf"}, "document");
@@ -144,6 +171,8 @@ TEST_F(Cli, ValuesOutOfRangeAreTwo) {
              {"--margin", {"", "-1", "x", "5km", "nan", "inf", "1e999"}},
              {"--spacing", {"-1", "1 2"}},
              {"--tab-depth", {"0", "-5"}},
+             {"--clearance", {"", "0", "-1", "x", "5km", "nan", "inf"}},
+             {"--paper-thickness", {"", "0", "-0.1", "thin"}},
              {"--copies", {"0", "1.5", "-1", "1e9", ""}},
              {"--scale", {"0", "-1", "nan"}},
              {"--sheet", {"", "a99", "0x5", "10x", "10x-5", "1e400x5", "10x10furlongs"}},
@@ -220,6 +249,62 @@ TEST_F(Cli, CheckTellsAndWritesNothing) {
     EXPECT_NE(popupc({"check", "crooked.xml", "--repair", "never"}).err.find(": error: "), std::string::npos);
     EXPECT_EQ(popupc({"check", "card.xml", "--sheet", "50x50"}).exit, 1);
     EXPECT_EQ(scratch.names(), (std::vector<std::string>{"card.xml", "crooked.xml"}));
+}
+
+TEST_F(Cli, ACollisionIsAWarningThatShowsBothElements) {
+    write_file(scratch / "crossing.xml", kCrossing);
+    const RunResult found = popupc({"check", "crossing.xml"});
+    EXPECT_EQ(found.exit, 1);
+    EXPECT_EQ(found.err.find("crossing.xml:12:5: warning: "), 0U) << found.err;
+    EXPECT_NE(
+        found.err.find(" [collision]\n   12 |     <structure type=\"beak\" id=\"mouth\">\n      |     ^\n"
+                       "  with: crossing.xml:4:5: \"wing\"\n"
+                       "    4 |     <structure type=\"v-fold\" id=\"wing\">\n      |     ^\n  hint: "),
+        std::string::npos)
+        << found.err;
+    const RunResult allowed = popupc({"check", "crossing.xml", "--allow", "collision"});
+    EXPECT_EQ(allowed.exit, 0) << allowed.err;
+    EXPECT_EQ(popupc({"build", "crossing.xml", "-o", "x.glb", "--deny", "collision"}).exit, 1);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "x.glb"));
+    // Allowed or not, the report and the model have it.
+    const RunResult built =
+        popupc({"build", "crossing.xml", "--allow", "collision", "-o", "x.json", "-o", "x.gltf"});
+    EXPECT_EQ(built.exit, 0) << built.err;
+    const auto motion = nlohmann::json::parse(read_file(scratch / "x.json"))["inputs"][0]["motion"];
+    ASSERT_EQ(motion["collisions"].size(), 2U);
+    EXPECT_EQ(motion["collisions"][0]["plates"], nlohmann::json({"wing/left", "mouth/left"}));
+    const auto first =
+        std::find(motion["angles"].begin(), motion["angles"].end(), motion["collisions"][0]["to_deg"]);
+    EXPECT_NE(first, motion["angles"].end());
+    EXPECT_NE(read_file(scratch / "x.gltf").find("\"name\": \"collision\""), std::string::npos);
+}
+
+TEST_F(Cli, ClearanceAndThicknessAreLookedAtWhenAskedFor) {
+    const std::string boat = std::string(POPUP_SOURCE_DIR) + "/samples/boat.xml";
+    const auto motion = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"build", boat, "-q", "-o", "x.json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(popupc(arguments).exit, 0);
+        return nlohmann::json::parse(read_file(scratch / "x.json"))["inputs"][0]["motion"];
+    };
+    const auto plain = motion({});
+    EXPECT_TRUE(plain["clearance"].is_null());
+    EXPECT_TRUE(plain["closed_thickness_mm"].is_null());
+    EXPECT_EQ(motion({"--clearance", "0.001mm"})["clearance"], nlohmann::json::array());
+    const auto asked = motion({"--clearance", "0.2cm", "--paper-thickness", "0.5"});
+    ASSERT_FALSE(asked["clearance"].empty());
+    EXPECT_LT(asked["clearance"][0]["least_mm"].get<double>(), 2.0);
+    EXPECT_EQ(asked["closed_thickness_mm"].get<double>(), 0.5 * asked["max_layers"].get<int>());
+
+    EXPECT_EQ(popupc({"check", boat}).exit, 0);
+    const RunResult near = popupc({"check", boat, "--clearance", "2"});
+    EXPECT_EQ(near.exit, 1);
+    EXPECT_NE(near.err.find("[clearance-low]"), std::string::npos) << near.err;
+    const RunResult thick = popupc({"check", boat, "--paper-thickness", "0.5", "-v"});
+    EXPECT_EQ(thick.exit, 0);
+    EXPECT_EQ(thick.err,
+              fmt::format("popupc: {}: closed, it has up to {} layers, {:.2f} mm\n", boat,
+                          asked["max_layers"].get<int>(), asked["closed_thickness_mm"].get<double>()));
 }
 
 TEST_F(Cli, WarningsFailABuildOnlyUnderWerrorOrDeny) {

@@ -125,6 +125,29 @@ TEST(RenderText, HintsFollow) {
               "f.xml: warning: wrong [unreadable-input]\n  hint: do this\n  hint: or that\n");
 }
 
+TEST(RenderText, RelatedPlacesStandBetweenTheChangeAndTheHints) {
+    Diagnostics diagnostics("f.xml");
+    diagnostics.warning(kCode, {2, 1}, "wrong")
+        .changed("1", "2")
+        .with({1, 3}, "\"fire\"")
+        .with({}, "\"page\x1b\"")
+        .with({9, 1}, "beyond the end")
+        .hint("do this");
+    PlaceFinder finder("a fire\ntwo\n");
+    EXPECT_EQ(render_text(diagnostics.sorted().front(), finder),
+              "f.xml:2:1: warning: wrong [unreadable-input]\n"
+              "    2 | two\n"
+              "      | ^\n"
+              "   was: 1\n"
+              "   now: 2\n"
+              "  with: f.xml:1:3: \"fire\"\n"
+              "    1 | a fire\n"
+              "      |   ^\n"
+              "  with: f.xml: \"page\\x1b\"\n"
+              "  with: f.xml:9:1: beyond the end\n"
+              "  hint: do this\n");
+}
+
 TEST(RenderText, WhatHasNoPlaceHasNoExcerpt) {
     EXPECT_EQ(text_of("one\n", {}), "f.xml: error: wrong [unreadable-input]\n");
     EXPECT_EQ(text_of("one\n", {7, 1}), "f.xml:7:1: error: wrong [unreadable-input]\n");
@@ -189,15 +212,41 @@ TEST(RenderText, ManyPlacesOnALongLineCostOnePass) {
     EXPECT_EQ(caret, 2U);
 }
 
+TEST(RenderText, GoingBackAndForthOnALongLineCostsNoPass) {
+    // 4000 times from one end of 20 MB to the other: 80 GB to look at unless places on the way are
+    // remembered.
+    const std::string text = "first\n" + std::string(20'000'000, 'x') + "\nlast";
+    PlaceFinder finder(text);
+    std::size_t start = 0;
+    std::size_t caret = 0;
+    for (int i = 1; i <= 4000; ++i) {
+        const int column = i % 2 == 0 ? i : 20'000'000 - i;
+        ASSERT_TRUE(finder.find({2, column}, start, caret));
+        ASSERT_EQ(start, 6U);
+        ASSERT_EQ(caret, static_cast<std::size_t>(column) + 5);
+        if (i % 100 != 0) continue;
+        ASSERT_TRUE(finder.find({1, 2}, start, caret));
+        ASSERT_EQ(caret, 1U);
+        ASSERT_TRUE(finder.find({3, 4}, start, caret));
+        ASSERT_EQ(start, 20'000'007U);
+        ASSERT_EQ(caret, 20'000'010U);
+    }
+}
+
 TEST(RenderShort, IsOneLine) {
     Diagnostics diagnostics("");
-    diagnostics.error(kCode, {}, "wrong").hint("h");
+    diagnostics.error(kCode, {}, "wrong").hint("h").with({1, 1}, "there");
     EXPECT_EQ(render_short(diagnostics.sorted().front()), "popupc: error: wrong [unreadable-input]\n");
 }
 
 TEST(RenderJson, IsOneObjectALineWithNullForWhatThereIsNot) {
     Diagnostics diagnostics("f.xml");
-    diagnostics.warning(kCode, {3, 4}, "a \"b\"\n\xff").hint("h").about("e1").changed("1", "2");
+    diagnostics.warning(kCode, {3, 4}, "a \"b\"\n\xff")
+        .hint("h")
+        .about("e1")
+        .changed("1", "2")
+        .with({7, 8}, "\"fire\"")
+        .with({}, "the page");
     diagnostics.remark(kCode, {}, "plain");
     const auto all = diagnostics.sorted();
     const std::string line = render_json(all[0]);
@@ -212,9 +261,12 @@ TEST(RenderJson, IsOneObjectALineWithNullForWhatThereIsNot) {
     EXPECT_EQ(json["hints"], nlohmann::json({"h"}));
     EXPECT_EQ(json["before"], "1");
     EXPECT_EQ(json["after"], "2");
+    EXPECT_EQ(json["related"], nlohmann::json::parse(R"([{"line": 7, "column": 8, "text": "\"fire\""},
+                                                        {"line": null, "column": null, "text": "the page"}])"));
     const auto bare = nlohmann::json::parse(render_json(all[1]));
     for (const char* key : {"line", "column", "element", "before", "after"})
         EXPECT_TRUE(bare[key].is_null()) << key;
+    EXPECT_FALSE(bare.contains("related"));
 }
 
 }  // namespace

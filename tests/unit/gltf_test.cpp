@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "support/designs.h"
@@ -25,7 +27,9 @@ struct Model {
     Motion motion;
 };
 
-Model model_of(const Design& design, const MotionOptions& options = {}) {
+// Not examined: what a test wants to be found, it says itself.
+Model model_of(const Design& design, MotionOptions options = {}) {
+    options.examine = false;
     test::Built built = test::build(design);
     Model model{std::move(*built.assembly), {}};
     auto motion = simulate(model.assembly, options, built.diagnostics);
@@ -314,6 +318,77 @@ TEST(Gltf, PlatesOfOneColourShareAMaterial) {
     EXPECT_EQ(scene.materials, 4);  // white, two yellows, blue lines
     const GlbNode& left = scene.nodes[static_cast<std::size_t>(node_named(scene, "e1/left"))];
     EXPECT_EQ(left.parts.at(0).color, (Point3{1.0, 0.603827, 0.0}));  // #ffcc00 as light
+}
+
+int plate_named(const Assembly& assembly, const std::string& name) {
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        if (assembly.plates[i].name == name) return static_cast<int>(i);
+    }
+    ADD_FAILURE() << "no plate " << name;
+    return 0;
+}
+
+TEST(Gltf, PlatesThatCrossAreOfAWarningMaterialAndSayWithWhatTheyCross) {
+    using Json = nlohmann::json;
+    Model crossing = model_of(small_design());
+    // Paper of the warning colour is not mistaken for a warning.
+    crossing.assembly.plates[static_cast<std::size_t>(plate_named(crossing.assembly, "e1/right"))].fill =
+        Color{255, 0, 0};
+    Model sound = crossing;
+    sound.motion.examination.emplace();
+    const auto plate = [&](const std::string& name) { return plate_named(crossing.assembly, name); };
+    Examination& found = crossing.motion.examination.emplace();
+    found.contacts.push_back(
+        {plate("page/left"), plate("e1/left"), 12.34567, 80, 1.23456, 50, 0, plate("e1/left"), {}});
+    found.contacts.push_back(
+        {plate("e1/left"), plate("e3/right"), 0, 20.5, 0.25, 10, 0, plate("e1/left"), {}});
+    const std::vector<SceneCard> cards{{&crossing.assembly, &crossing.motion, "bad:"},
+                                       {&sound.assembly, &sound.motion, "good:"}};
+    Diagnostics diagnostics;
+    const Json model = Json::parse(write_gltf(cards, {}, diagnostics).value_or(""));
+
+    std::map<std::string, Json> collisions;  // by plate, as its node has them
+    for (const Json& node : model["nodes"]) {
+        if (!node.contains("mesh")) continue;
+        const std::string name = node["name"];
+        EXPECT_EQ(node["extras"]["plate"], name);
+        if (node["extras"].contains("collisions")) collisions[name] = node["extras"]["collisions"];
+        const bool crosses = name == "bad:page/left" || name == "bad:e1/left" || name == "bad:e3/right";
+        bool paper = true;  // the first part; then drawn lines
+        bool drawn = false;
+        for (const Json& part : model["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
+            const std::string material = model["materials"][part["material"].get<std::size_t>()]["name"];
+            EXPECT_EQ(material == "collision", crosses && paper) << name << " " << material;
+            EXPECT_EQ(material.ends_with(" line"), !paper) << name << " " << material;
+            drawn = drawn || !paper;
+            paper = false;
+        }
+        EXPECT_EQ(name.ends_with("page/left"), drawn) << name;
+    }
+    const auto row = [](const std::string& with, double from, double to, double depth) {
+        return Json{{"with", with}, {"from_deg", from}, {"to_deg", to}, {"depth_mm", depth}};
+    };
+    const std::map<std::string, Json> expected{
+        {"bad:page/left", Json::array({row("bad:e1/left", 12.346, 80, 1.2346)})},
+        {"bad:e1/left",
+         Json::array({row("bad:page/left", 12.346, 80, 1.2346), row("bad:e3/right", 0, 20.5, 0.25)})},
+        {"bad:e3/right", Json::array({row("bad:e1/left", 0, 20.5, 0.25)})}};
+    EXPECT_EQ(collisions, expected);
+    std::size_t warnings = 0;
+    for (const Json& material : model["materials"]) {
+        if (material["name"] != "collision") continue;
+        ++warnings;
+        EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], Json::parse("[1.0, 0.0, 0.0, 1.0]"));
+        EXPECT_EQ(material["doubleSided"], true);
+    }
+    EXPECT_EQ(warnings, 1U);
+}
+
+TEST(Gltf, AnExaminationThatFindsNoCrossingChangesNoByte) {
+    Model model = model_of(small_design());
+    const std::string without = glb_of(model);
+    model.motion.examination.emplace().closed.max_layers = 9;
+    EXPECT_EQ(glb_of(model), without);
 }
 
 TEST(Gltf, DrawnLinesLieBeforeTheirPlateAndAsWideAsDrawn) {

@@ -62,6 +62,23 @@ Motion example_motion() {
     return motion;
 }
 
+// Everything an examination can find, on two plates; no number is round.
+Examination example_examination() {
+    Examination found;
+    found.undecided_below_deg = 0.0123;
+    found.contacts.push_back(
+        {0, 1, 12.34567, 98.7654321, 1.23456, 45.6789, 0.123456, 1, {1.23456, -2, 1e-9}});
+    found.undecided.push_back({0, 1, 3.00004, 3.00006});
+    found.approaches.emplace();
+    found.approaches->push_back({0, 1, 100.00049, 110, 0.43219, 105.55551, {4, 5, 6.00049}});
+    found.closed.protrusions.push_back({0, 3.141592, {0, 0.6000000001, 0.8}, {0, 3.00044, 4}});
+    found.closed.protrusions.push_back({1, 5.00004, {0, 0, 1}, {0, 0, 15}});
+    found.closed.max_layers = 7;
+    found.closed.order = std::vector<int>{1, 0};
+    found.closed.thickness_mm = 1.40000001;
+    return found;
+}
+
 Compilation example_run() {
     Compilation run;
     CompiledDesign& one = run.designs.emplace_back();
@@ -96,7 +113,8 @@ TEST(Report, HasExactlyTheStructureThatIsPromised) {
     EXPECT_EQ(keys(input["repairs"][0]), (Keys{"code", "element", "line", "column", "before", "after"}));
     EXPECT_EQ(keys(input["motion"]),
               (Keys{"angles", "max_closure_error_mm", "flat_closed", "flat_error_deg", "collisions",
-                    "undecided_below_deg", "protrusion_mm", "max_layers"}));
+                    "undecided_below_deg", "undecided", "clearance", "protrusion_mm", "protrusions",
+                    "max_layers", "layer_order", "closed_thickness_mm"}));
     EXPECT_EQ(keys(report["layout"]), (Keys{"sheet_mm", "sheets", "utilisation", "used_mm", "placements"}));
     EXPECT_EQ(keys(report["layout"]["placements"][0]),
               (Keys{"piece", "design", "copy", "sheet", "x_mm", "y_mm", "rotation_deg"}));
@@ -129,11 +147,60 @@ TEST(Report, SaysWhatWasFoundMadeAndLaidOut) {
     EXPECT_EQ(layout["placements"][2]["rotation_deg"], 90.0);
 }
 
-TEST(Report, WhatWasNotExaminedIsNull) {
-    const Json motion = Json::parse(text_of(example_run()))["inputs"][0]["motion"];
-    for (const char* key : {"collisions", "undecided_below_deg", "protrusion_mm", "max_layers"}) {
+TEST(Report, SaysWhatTheExaminationFoundWithPlatesByNameAndRounded) {
+    Compilation run = example_run();
+    run.designs[0].motion->examination = example_examination();
+    const Json motion = Json::parse(text_of(run))["inputs"][0]["motion"];
+    EXPECT_EQ(motion["collisions"], Json::parse(R"([{
+        "plates": ["page/left", "page/right"], "from_deg": 12.346, "to_deg": 98.765, "angle_deg": 98.765,
+        "depth_mm": 1.2346, "deepest_deg": 45.679, "excess_mm": 0.1235, "longer": "page/right",
+        "point_mm": [1.235, -2.0, 0.0]}])"));
+    EXPECT_EQ(motion["undecided"],
+              Json::parse(R"([{"plates": ["page/left", "page/right"], "from_deg": 3.0, "to_deg": 3.0}])"));
+    EXPECT_EQ(motion["clearance"], Json::parse(R"([{
+        "plates": ["page/left", "page/right"], "from_deg": 100.0, "to_deg": 110.0, "least_mm": 0.4322,
+        "least_deg": 105.556, "point_mm": [4.0, 5.0, 6.0]}])"));
+    EXPECT_EQ(motion["protrusion_mm"], 5.0);
+    EXPECT_EQ(motion["protrusions"], Json::parse(R"([
+        {"plate": "page/left", "by_mm": 3.1416, "direction": [0.0, 0.6, 0.8], "point_mm": [0.0, 3.0, 4.0]},
+        {"plate": "page/right", "by_mm": 5.0, "direction": [0.0, 0.0, 1.0], "point_mm": [0.0, 0.0, 15.0]}])"));
+    EXPECT_EQ(motion["max_layers"], 7);
+    EXPECT_EQ(motion["layer_order"], Json::array({"page/right", "page/left"}));
+    EXPECT_FALSE(motion.contains("layer_cycle"));
+    EXPECT_EQ(motion["closed_thickness_mm"], 1.4);
+    // Rounded upwards: 0.0122 is not claimed to be decided.
+    EXPECT_EQ(motion["undecided_below_deg"], 0.013);
+}
+
+TEST(Report, WhatWasExaminedAndNotFoundIsEmptyOrZero) {
+    Compilation run = example_run();
+    Examination& found = run.designs[0].motion->examination.emplace();
+    found.undecided_below_deg = 0.05;
+    found.closed.max_layers = 2;
+    Json motion = Json::parse(text_of(run))["inputs"][0]["motion"];
+    for (const char* key : {"collisions", "undecided", "protrusions"}) {
+        EXPECT_EQ(motion[key], Json::array()) << key;
+    }
+    EXPECT_EQ(motion["undecided_below_deg"], 0.05);
+    EXPECT_EQ(motion["protrusion_mm"], 0.0);
+    for (const char* key : {"clearance", "layer_order", "closed_thickness_mm"}) {
         EXPECT_TRUE(motion[key].is_null()) << key;
     }
+    EXPECT_FALSE(motion.contains("layer_cycle"));
+    found.approaches.emplace();
+    found.closed.cycle = {1, 0};
+    motion = Json::parse(text_of(run))["inputs"][0]["motion"];
+    EXPECT_EQ(motion["clearance"], Json::array());
+    EXPECT_EQ(motion["layer_cycle"], Json::array({"page/right", "page/left"}));
+}
+
+TEST(Report, WhatWasNotExaminedIsNull) {
+    const Json motion = Json::parse(text_of(example_run()))["inputs"][0]["motion"];
+    for (const char* key : {"collisions", "undecided_below_deg", "undecided", "clearance", "protrusion_mm",
+                            "protrusions", "max_layers", "layer_order", "closed_thickness_mm"}) {
+        EXPECT_TRUE(motion[key].is_null()) << key;
+    }
+    EXPECT_FALSE(motion.contains("layer_cycle"));
     Compilation early = example_run();
     early.designs[0].design.reset();
     early.designs[0].assembly.reset();
@@ -223,8 +290,9 @@ TEST(Emit, AJointsMeasuresCarryTheirUnit) {
 TEST(Emit, MotionGivesFramesAndOutlinesInTheWorldThatAgree) {
     const Assembly assembly = example_assembly();
     const Json value = Json::parse(emit_motion(assembly, example_motion()));
-    EXPECT_EQ(keys(value),
-              (Keys{"stem", "solver", "max_closure_error_mm", "flat_closed", "flat_error_deg", "frames"}));
+    EXPECT_EQ(keys(value), (Keys{"stem", "solver", "max_closure_error_mm", "flat_closed", "flat_error_deg",
+                                 "examination", "frames"}));
+    EXPECT_TRUE(value["examination"].is_null());
     ASSERT_EQ(value["frames"].size(), 3U);
     for (const Json& frame : value["frames"]) {
         EXPECT_EQ(keys(frame), (Keys{"angle_deg", "closure_error_mm", "plates"}));
@@ -252,6 +320,20 @@ TEST(Emit, MotionGivesFramesAndOutlinesInTheWorldThatAgree) {
     EXPECT_NEAR(half[0]["outline"][0][2].get<double>(), reach, 1e-6);
     EXPECT_NEAR(half[1]["outline"][1][0].get<double>(), reach, 1e-6);
     EXPECT_NEAR(half[1]["outline"][1][2].get<double>(), reach, 1e-6);
+}
+
+TEST(Emit, TheExaminationOfAMotionIsThatOfTheReport) {
+    Compilation run = example_run();
+    run.designs[0].motion->examination = example_examination();
+    Json reported = Json::parse(text_of(run))["inputs"][0]["motion"];
+    for (const char* key : {"angles", "max_closure_error_mm", "flat_closed", "flat_error_deg"})
+        reported.erase(key);
+    const std::string text = emit_motion(*run.designs[0].assembly, *run.designs[0].motion);
+    const Json value = Json::parse(text);
+    EXPECT_EQ(value["examination"], reported);
+    EXPECT_EQ(keys(value["examination"]), keys(reported));
+    EXPECT_NE(text.find("\n  \"examination\": {\n    \"collisions\": [\n      {\n"), std::string::npos);
+    EXPECT_NE(text.find("\n    \"closed_thickness_mm\": 1.4\n  },\n  \"frames\": ["), std::string::npos);
 }
 
 TEST(Emit, PatternAndLayoutHoldEveryLine) {

@@ -1,0 +1,104 @@
+#include "motion/cells.h"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <limits>
+
+namespace popup {
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using TreeBox = bg::model::box<TreePoint>;
+
+constexpr double kWidestDeg = 10.5;
+constexpr double kHalvedBelowDeg = 12.0;
+
+// Each turn's line in the world, and how far it goes to either end of the cell.
+std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
+    const auto turns = linkage.turns();
+    const double half = 0.5 * (cell.to - cell.from);
+    const auto before = [&](int n) {
+        return Bends{cell.first[static_cast<std::size_t>(n)], cell.middle[static_cast<std::size_t>(n)]};
+    };
+    const auto after = [&](int n) {
+        return Bends{cell.middle[static_cast<std::size_t>(n)], cell.last[static_cast<std::size_t>(n)]};
+    };
+    std::vector<Arm> arms;
+    arms.reserve(turns.size());
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const Turn& t = turns[i];
+        const int n = static_cast<int>(i);
+        const Frame& frame = cell.frames[static_cast<std::size_t>(t.plate)];
+        arms.push_back({frame.point(t.at), frame.direction(t.dir),
+                        std::max(travel(t, n, half, before), travel(t, n, half, after))});
+    }
+    return arms;
+}
+
+}  // namespace
+
+std::vector<double> cell_ends() {
+    std::vector<double> ends;
+    double at = 180.0;
+    for (; at > kHalvedBelowDeg; at -= kWidestDeg) ends.push_back(at);
+    for (; at > kLeastOpeningDeg; at *= 0.5) ends.push_back(at);
+    ends.push_back(kLeastOpeningDeg);
+    std::reverse(ends.begin(), ends.end());
+    return ends;
+}
+
+bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, double to, Cell& cell) {
+    cell.from = from;
+    cell.to = to;
+    cell.frames.resize(assembly.plates.size());
+    const auto take = [&](double deg, std::vector<double>& bends) {
+        if (!place(assembly, Angle::degrees(deg), cell.frames)) return false;
+        bends.resize(linkage.turns().size());
+        for (std::size_t i = 0; i < bends.size(); ++i)
+            bends[i] = linkage.bend(static_cast<int>(i), cell.frames);
+        return true;
+    };
+    return take(from, cell.first) && take(to, cell.last) && take(0.5 * (from + to), cell.middle);
+}
+
+std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& linkage,
+                                            std::span<const PlateShape> shapes, double distance_mm,
+                                            std::size_t most) {
+    const std::vector<Arm> arms = world_arms(cell, linkage);
+    const auto turns = linkage.turns();
+    std::vector<std::pair<TreeBox, int>> boxes;
+    boxes.reserve(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const double inf = std::numeric_limits<double>::infinity();
+        Vec3 low{inf, inf, inf};
+        Vec3 high{-inf, -inf, -inf};
+        for (const Vec2 corner : shapes[i].hull) {
+            const Vec3 p = cell.frames[i].point(corner);
+            double reach = 0.0;
+            for (int plate = static_cast<int>(i); plate >= 0;) {
+                const auto turn = static_cast<std::size_t>(linkage.drive_turn(plate));
+                reach += arms[turn].turn * (length(cross(p - arms[turn].at, arms[turn].dir)) + reach);
+                plate = turns[turn].other;
+            }
+            reach += 0.5 * distance_mm;
+            low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach), std::min(low.z, p.z - reach)};
+            high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach),
+                    std::max(high.z, p.z + reach)};
+        }
+        boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, static_cast<int>(i));
+    }
+    const bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree(boxes.begin(), boxes.end());
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& [box, number] : boxes) {
+        for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
+            if (it->second > number) pairs.emplace_back(number, it->second);
+        }
+        if (pairs.size() > most) break;
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+}  // namespace popup

@@ -1,0 +1,319 @@
+#include "motion/closed_card.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "base/hull.h"
+#include "base/regions.h"
+#include "motion/cells.h"
+
+namespace popup {
+namespace {
+
+constexpr double kOutMm = 0.02;     // as far as a drawing may be rounded
+constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest angle are not told apart
+constexpr double kAreaMm2 = 1e-6;
+constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
+
+// The closed card seen from the side: x away from the gutter, y along it.
+Vec2 flat(Vec3 p) { return {p.z, p.y}; }
+Vec3 in_world(Vec2 p) { return {0.0, p.y, p.x}; }
+
+Vec2 nearest_on(const std::vector<Segment>& edges, Vec2 p) {
+    Vec2 best = p;
+    double least = HUGE_VAL;
+    for (const Segment& edge : edges) {
+        const Vec2 d = edge.b - edge.a;
+        const double t = std::clamp(dot(p - edge.a, d) / dot(d, d), 0.0, 1.0);
+        const Vec2 at = lerp(edge.a, edge.b, t);
+        if (distance(at, p) < least) {
+            least = distance(at, p);
+            best = at;
+        }
+    }
+    return best;
+}
+
+std::vector<Protrusion> protrusions(const Assembly& assembly) {
+    std::vector<Frame> frames(assembly.plates.size());
+    if (!place(assembly, Angle{}, frames)) return {};
+    const auto flattened = [&](std::size_t plate, const Ring& ring) {
+        Ring result;
+        for (const Vec2 p : ring) result.push_back(flat(frames[plate].point(p)));
+        return result;
+    };
+    std::vector<Polygon> covers;
+    for (const Joint& joint : assembly.joints) {
+        if (joint.kind != JointKind::drive) continue;
+        const auto plate = static_cast<std::size_t>(joint.left.plate);
+        const Plate& cover = assembly.plates[plate];
+        covers.push_back({flattened(plate, cover.uncut.empty() ? cover.outline.outer : cover.uncut), {}});
+    }
+    const std::vector<Polygon> card = unite(covers);
+    if (card.empty()) return {};
+    std::vector<Segment> edges;
+    for (const Polygon& part : card) {
+        for (const Segment& edge : edges_of(part)) edges.push_back(edge);
+    }
+    // A plate's furthest point from a convex card is a corner. Over a bay of the card it need not be.
+    const bool convex = card.size() == 1 && card[0].holes.empty() &&
+                        convex_hull(card[0].outer).size() == card[0].outer.size();
+    const auto on_card = [&](Vec2 p) {
+        return std::any_of(card.begin(), card.end(), [p](const Polygon& part) { return contains(part, p); });
+    };
+    std::vector<Protrusion> result;
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        std::vector<Ring> outside{flattened(i, assembly.plates[i].outline.outer)};
+        if (!convex) {
+            std::vector<Ring> rings;
+            for (const Polygon& part : subtract({{outside[0], {}}}, card)) rings.push_back(part.outer);
+            outside = std::move(rings);
+        }
+        Protrusion most;
+        most.plate = static_cast<int>(i);
+        for (const Ring& ring : outside) {
+            for (const Vec2 p : ring) {
+                if (on_card(p)) continue;
+                const Vec2 edge = nearest_on(edges, p);
+                const double by = distance(p, edge);
+                if (by <= most.by_mm) continue;
+                most.by_mm = by;
+                most.direction = in_world((1.0 / by) * (p - edge));
+                most.point = in_world(p);
+            }
+        }
+        if (most.by_mm > kOutMm) result.push_back(most);
+    }
+    return result;
+}
+
+// What two convex shapes have in common: the one cut by each edge of the other, which runs counter-clockwise.
+void clip(const Triangle2& by, std::vector<Vec2>& shape, std::vector<Vec2>& spare) {
+    for (std::size_t i = 0; i < 3 && !shape.empty(); ++i) {
+        const Vec2 from = by.at(i);
+        const Vec2 along = by.at((i + 1) % 3) - from;
+        spare.clear();
+        for (std::size_t k = 0; k < shape.size(); ++k) {
+            const Vec2 p = shape[k];
+            const Vec2 q = shape[(k + 1) % shape.size()];
+            const double hp = cross(along, p - from);
+            const double hq = cross(along, q - from);
+            if (hp >= 0.0) spare.push_back(p);
+            if ((hp > 0.0 && hq < 0.0) || (hp < 0.0 && hq > 0.0)) spare.push_back(lerp(p, q, hp / (hp - hq)));
+        }
+        std::swap(shape, spare);
+    }
+}
+
+bool covers(const Triangle2& t, Vec2 p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (cross(t.at((i + 1) % 3) - t.at(i), p - t.at(i)) < 0.0) return false;
+    }
+    return true;
+}
+
+// Plates over one another, and how.
+struct Overlap {
+    int a, b;            // a < b
+    double least, most;  // of b's height over a
+};
+
+class Layers {
+ public:
+    Layers(const Assembly& assembly, std::span<const PlateShape> shapes) : frames_(assembly.plates.size()) {
+        if (!place(assembly, Angle::degrees(kLeastOpeningDeg), frames_)) return;
+        std::vector<Triangle2> triangles;
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            for (const Triangle2& t : shapes[i].core.all()) {
+                Triangle2 seen{flat(frames_[i].point(t[0])), flat(frames_[i].point(t[1])),
+                               flat(frames_[i].point(t[2]))};
+                if (cross(seen[1] - seen[0], seen[2] - seen[0]) < 0.0) std::swap(seen[1], seen[2]);
+                triangles.push_back(seen);
+                plate_.push_back(static_cast<int>(i));
+            }
+        }
+        patches_ = Patches(std::move(triangles));
+        look();
+    }
+
+    [[nodiscard]] const std::vector<Overlap>& overlaps() const { return overlaps_; }
+    [[nodiscard]] int most() const { return most_; }
+    [[nodiscard]] Vec2 thickest() const { return thickest_; }
+
+ private:
+    // Height of a plate over the middle of the card, from the left cover towards the right one.
+    [[nodiscard]] double height(int plate, Vec2 p) const {
+        const Frame& frame = frames_[static_cast<std::size_t>(plate)];
+        const Vec3 n = frame.normal();
+        return (dot(n, frame.origin) - n.y * p.y - n.z * p.x) / n.x;
+    }
+
+    void look() {
+        const auto& all = patches_.all();
+        std::vector<int> near;
+        std::vector<Vec2> shape;
+        std::vector<Vec2> spare;
+        if (!all.empty()) points_.push_back(1.0 / 3.0 * (all[0][0] + all[0][1] + all[0][2]));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            Box box;
+            for (const Vec2 p : all[i]) box.extend(p);
+            patches_.query(box, near);
+            if (too_much(near.size())) return;
+            for (const int number : near) {
+                const auto k = static_cast<std::size_t>(number);
+                if (plate_[k] <= plate_[i]) continue;
+                shape.assign(all[k].begin(), all[k].end());
+                clip(all[i], shape, spare);
+                if (shape.size() < 3 || std::abs(signed_area(shape)) < kAreaMm2) continue;
+                meet(plate_[i], plate_[k], shape);
+            }
+        }
+        // Points a thousandth of a millimetre apart count once.
+        for (Vec2& p : points_) p = {std::round(p.x * 1e3), std::round(p.y * 1e3)};
+        std::sort(points_.begin(), points_.end(),
+                  [](Vec2 p, Vec2 q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); });
+        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+        for (const Vec2 p : points_) {
+            count(1e-3 * p);
+            if (too_much(here_.size())) return;
+        }
+        std::sort(overlaps_.begin(), overlaps_.end(),
+                  [](const Overlap& p, const Overlap& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < overlaps_.size(); ++i) {
+            if (kept > 0 && overlaps_[kept - 1].a == overlaps_[i].a &&
+                overlaps_[kept - 1].b == overlaps_[i].b) {
+                overlaps_[kept - 1].least = std::min(overlaps_[kept - 1].least, overlaps_[i].least);
+                overlaps_[kept - 1].most = std::max(overlaps_[kept - 1].most, overlaps_[i].most);
+            } else {
+                overlaps_[kept++] = overlaps_[i];
+            }
+        }
+        overlaps_.resize(kept);
+    }
+
+    // Adds to the work done; gives up when it was too much.
+    bool too_much(std::size_t done) {
+        work_ += done;
+        if (work_ <= kMostWork) return false;
+        overlaps_.clear();
+        most_ = 0;
+        return true;
+    }
+
+    void meet(int a, int b, const std::vector<Vec2>& shape) {
+        Overlap overlap{a, b, HUGE_VAL, -HUGE_VAL};
+        Vec2 centre;
+        for (const Vec2 p : shape) {
+            const double over = height(b, p) - height(a, p);
+            overlap.least = std::min(overlap.least, over);
+            overlap.most = std::max(overlap.most, over);
+            centre = centre + (1.0 / static_cast<double>(shape.size())) * p;
+        }
+        overlaps_.push_back(overlap);
+        // Where most plates lie over one another is a region with a corner at which the edges of two of them
+        // end or cross: a corner of what some two have in common.
+        for (const Vec2 p : shape) points_.push_back(lerp(p, centre, 1e-2));
+        points_.push_back(centre);
+    }
+
+    void count(Vec2 p) {
+        patches_.query({p, p}, here_);
+        std::size_t kept = 0;
+        for (const int number : here_) {
+            const auto k = static_cast<std::size_t>(number);
+            if (covers(patches_.all()[k], p)) here_[kept++] = plate_[k];
+        }
+        here_.resize(kept);
+        std::sort(here_.begin(), here_.end());
+        const auto layers = static_cast<int>(std::unique(here_.begin(), here_.end()) - here_.begin());
+        if (layers <= most_) return;
+        most_ = layers;
+        thickest_ = p;
+    }
+
+    std::vector<Frame> frames_;
+    Patches patches_;
+    std::vector<int> plate_;  // of each patch
+    std::vector<int> here_;
+    std::vector<Vec2> points_;  // where layers are counted
+    std::vector<Overlap> overlaps_;
+    std::size_t work_ = 0;
+    int most_ = 0;
+    Vec2 thickest_;
+};
+
+// Orders the plates, those below first and else by number; when that is impossible, names a cycle.
+void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, ClosedCard& card) {
+    std::vector<std::vector<int>> above(plates);
+    std::vector<std::vector<int>> below(plates);
+    for (const Overlap& one : overlaps) {
+        const bool b_over_a = one.most > kHeightMm;
+        const bool a_over_b = one.least < -kHeightMm;
+        if (b_over_a && a_over_b) {
+            card.cycle = {one.a, one.b};
+            return;
+        }
+        if (!b_over_a && !a_over_b) continue;
+        const int low = b_over_a ? one.a : one.b;
+        const int high = b_over_a ? one.b : one.a;
+        above[static_cast<std::size_t>(low)].push_back(high);
+        below[static_cast<std::size_t>(high)].push_back(low);
+    }
+    std::vector<std::size_t> waiting(plates);
+    std::priority_queue<int, std::vector<int>, std::greater<>> free;
+    for (std::size_t i = 0; i < plates; ++i) {
+        waiting[i] = below[i].size();
+        if (waiting[i] == 0) free.push(static_cast<int>(i));
+    }
+    std::vector<int> order;
+    while (!free.empty()) {
+        const int plate = free.top();
+        free.pop();
+        order.push_back(plate);
+        for (const int next : above[static_cast<std::size_t>(plate)]) {
+            if (--waiting[static_cast<std::size_t>(next)] == 0) free.push(next);
+        }
+    }
+    if (order.size() == plates) {
+        card.order = std::move(order);
+        return;
+    }
+    // Going down from a plate that still waits for one that does, one comes by the same plate twice.
+    std::size_t at = 0;
+    while (waiting[at] == 0) ++at;
+    std::vector<int> seen(plates, -1);
+    std::vector<int> path;
+    while (seen[at] < 0) {
+        seen[at] = static_cast<int>(path.size());
+        path.push_back(static_cast<int>(at));
+        for (const int next : below[at]) {
+            if (waiting[static_cast<std::size_t>(next)] == 0) continue;
+            at = static_cast<std::size_t>(next);
+            break;
+        }
+    }
+    card.cycle.assign(path.begin() + seen[at], path.end());
+    std::reverse(card.cycle.begin(), card.cycle.end());
+}
+
+}  // namespace
+
+ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
+                       std::optional<double> paper_mm) {
+    ClosedCard card;
+    card.protrusions = protrusions(assembly);
+    const Layers layers(assembly, shapes);
+    card.max_layers = layers.most();
+    card.thickest = in_world(layers.thickest());
+    if (card.max_layers == 0) return card;
+    put_in_order(assembly.plates.size(), layers.overlaps(), card);
+    if (paper_mm) card.thickness_mm = card.max_layers * *paper_mm;
+    return card;
+}
+
+}  // namespace popup

@@ -1,0 +1,19 @@
+// The closed card: what sticks out of it, and how its plates lie on one another.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "motion/plate_shape.h"
+#include "popup/motion.h"
+
+namespace popup {
+
+// Protrusion is judged at 0°, against the paper of the plates that stand in the world before anything was cut
+// from them, and counts from 0.02 mm. The layers are told apart at kLeastOpeningDeg, where plates that lie on
+// one another at 0° stand apart and have not moved. Precondition: the linkages reach both angles. Shapes by
+// plate. Cost: n log n in triangles, and in pairs of plates that lie over one another.
+ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
+                       std::optional<double> paper_mm);
+
+}  // namespace popup

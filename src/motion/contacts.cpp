@@ -1,0 +1,236 @@
+#include "motion/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/regions.h"
+#include "motion/cells.h"
+
+namespace popup {
+namespace {
+
+constexpr double kEdgeMm = 1e-4;  // softer crossing than this is not even contact
+constexpr double kFirstStepDeg = 0.005;
+constexpr double kMostStepDeg = 0.02;  // a shorter gap between two contacts may go unseen
+constexpr double kPreciseDeg = 1e-5;
+constexpr double kSameDeg = 2e-3;  // as far as rounding sets the same angle apart
+constexpr int kSamples = 24;       // where the depth is looked at
+// How far from a touch plates may have a side again, if they get as far as kTouchMm from each other.
+constexpr std::array kAsideDegs{0.001, 0.01, 0.1, 1.0};
+
+constexpr double kNearlyParallel = 0.1;  // sine of the angle between plates
+constexpr double kInnerMm = 0.1;
+
+double rounded_deg(double deg) { return std::round(deg * 1000.0) / 1000.0; }
+
+struct Pair {
+    int a, b;
+    PairSearch& search;
+
+    [[nodiscard]] bool meet(double deg) const {
+        const auto at = search.at(a, b, deg);
+        return at.crossing && at.crossing->firmness_mm() > kEdgeMm;
+    }
+
+    // The end of the contact that holds at `deg`, looked for up to `limit` (below or above).
+    [[nodiscard]] double end_of_contact(double deg, double limit) const {
+        const double way = limit < deg ? -1.0 : 1.0;
+        double inside = deg;
+        double step = kFirstStepDeg;
+        double outside = limit;
+        while (way * (limit - inside) > 0.0) {
+            const double next = way * (limit - (inside + way * step)) > 0.0 ? inside + way * step : limit;
+            if (!meet(next)) {
+                outside = next;
+                break;
+            }
+            inside = next;
+            step = std::min(2.0 * step, kMostStepDeg);
+        }
+        if (inside == limit) return limit;
+        while (std::abs(outside - inside) > kPreciseDeg) {
+            const double middle = 0.5 * (inside + outside);
+            (meet(middle) ? inside : outside) = middle;
+        }
+        return inside;
+    }
+
+    // Whether they cross firmly anywhere in stretches that hold together.
+    [[nodiscard]] bool firm(std::span<const Stretch> stretches) const {
+        for (const Stretch& one : stretches) {
+            if (one.firm) return true;
+            if (one.kind != Stretch::crossing) continue;
+            const double step = (one.to - one.from) / kSamples;
+            for (int i = 0; i <= kSamples; ++i) {
+                const auto at = search.at(a, b, one.from + i * step);
+                if (at.crossing && at.crossing->firm()) return true;
+            }
+        }
+        return false;
+    }
+
+    // Where they are deepest; `excess` becomes the most there is anywhere.
+    [[nodiscard]] double deepest(double from, double to, double& excess) const {
+        double best = 0.5 * (from + to);
+        double most = -1.0;
+        const auto look = [&](double deg) {
+            const auto at = search.at(a, b, deg);
+            if (!at.crossing) return;
+            excess = std::max(excess, at.crossing->excess_mm);
+            if (at.crossing->depth_mm <= most) return;
+            most = at.crossing->depth_mm;
+            best = deg;
+        };
+        look(best);
+        double step = (to - from) / kSamples;
+        for (int i = 0; i <= kSamples; ++i) look(from + i * step);
+        for (step *= 0.5; step > 1e-3; step *= 0.5) {
+            const double centre = best;
+            if (centre - step > from) look(centre - step);
+            if (centre + step < to) look(centre + step);
+        }
+        return best;
+    }
+
+    [[nodiscard]] Contact contact(double from, double to) const {
+        Contact found;
+        found.a = a;
+        found.b = b;
+        found.deepest_deg = deepest(from, to, found.excess_mm);
+        const auto deep = search.at(a, b, found.deepest_deg);
+        if (deep.crossing) {
+            found.depth_mm = deep.crossing->depth_mm;
+            found.longer = deep.crossing->b_is_longer ? b : a;
+        }
+        const auto last = search.at(a, b, to);
+        const auto& there = last.crossing ? last : deep;
+        if (there.crossing) {
+            const Vec3 p = there.crossing->point;
+            found.point = there.a.point({p.x, p.y});
+        }
+        found.from_deg = from <= kLeastOpeningDeg ? 0.0 : rounded_deg(from);
+        found.to_deg = rounded_deg(to);
+        found.deepest_deg = rounded_deg(found.deepest_deg);
+        return found;
+    }
+
+    // Which side of a the point of b is on that touches it, and of b the point of a; 0: neither for certain.
+    [[nodiscard]] int side(double deg, Vec2 of_a, Vec2 of_b) const {
+        const auto at = search.at(a, b, deg);
+        const Vec3 b_at = at.b_in_a.point(of_b);
+        // What has slipped round an edge has not gone through.
+        if (!search.shape(a).covers({b_at.x, b_at.y}) ||
+            !search.shape(b).covers(on_page(at.b_in_a, {of_a.x, of_a.y, 0.0}))) {
+            return 0;
+        }
+        const double b_over_a = b_at.z;
+        const double a_over_b = dot(Vec3{of_a.x, of_a.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
+        if (std::abs(b_over_a) < kTouchMm || std::abs(a_over_b) < kTouchMm) return 0;
+        // The planes face the same way or not; a is behind b when b is before a only if they do.
+        const bool same = at.b_in_a.normal().z > 0.0;
+        const int first = b_over_a > 0.0 ? 1 : -1;
+        const int second = (a_over_b < 0.0) == same ? 1 : -1;
+        return first == second ? first : 0;
+    }
+
+    // The middle of what lies over one another, seen square to a.
+    [[nodiscard]] std::optional<Vec2> middle_of_common(const PairSearch::At& at) const {
+        const auto polygon = [](std::vector<Ring> rings) {
+            Polygon result{std::move(rings.front()), {}};
+            result.holes.assign(rings.begin() + 1, rings.end());
+            return result;
+        };
+        std::vector<Ring> of_b = search.shape(b).rings;
+        for (Ring& ring : of_b) {
+            for (Vec2& p : ring) {
+                const Vec3 there = at.b_in_a.point(p);
+                p = {there.x, there.y};
+            }
+        }
+        std::optional<InnerPoint> best;
+        for (const Polygon& part : intersect({polygon(search.shape(a).rings)}, {polygon(std::move(of_b))})) {
+            const InnerPoint inner = inner_point(part, kInnerMm);
+            if (!best || inner.clearance > best->clearance) best = inner;
+        }
+        return best ? std::optional(best->at) : std::nullopt;
+    }
+
+    // Whether plates that touch from … to have changed sides.
+    [[nodiscard]] std::optional<Contact> passing(double from, double to) const {
+        if (from <= kLeastOpeningDeg || to >= 180.0) return std::nullopt;
+        // Only plates that are nearly parallel do that without crossing along a line.
+        const auto at = search.at(a, b, 0.5 * (from + to));
+        if (sine_between(at.b_in_a) > kNearlyParallel) return std::nullopt;
+        const auto common = middle_of_common(at);
+        if (!common) return std::nullopt;
+        const Vec2 of_a = *common;
+        const Vec2 of_b = on_page(at.b_in_a, {of_a.x, of_a.y, 0.0});
+        int before = 0;
+        int after = 0;
+        double low = from;
+        double high = to;
+        for (const double aside : kAsideDegs) {
+            if (before == 0) before = side(low = std::max(from - aside, kLeastOpeningDeg), of_a, of_b);
+            if (after == 0) after = side(high = std::min(to + aside, 180.0), of_a, of_b);
+        }
+        if (before * after >= 0) return std::nullopt;
+        while (high - low > kPreciseDeg) {
+            const double middle = 0.5 * (low + high);
+            const double height = search.at(a, b, middle).b_in_a.point(of_b).z;
+            ((height > 0.0) == (before > 0) ? low : high) = middle;
+        }
+        Contact found;
+        found.a = a;
+        found.b = b;
+        found.from_deg = found.to_deg = found.deepest_deg = rounded_deg(low);
+        found.longer = b;
+        found.point = at.a.point(of_a);
+        return found;
+    }
+};
+
+}  // namespace
+
+void find_contacts(int a, int b, std::span<const Stretch> stretches, PairSearch& search, Contacts& result) {
+    const Pair pair{a, b, search};
+    double limit = kLeastOpeningDeg;  // where the contact before this one ends
+    for (std::size_t i = 0; i < stretches.size();) {
+        std::size_t end = i + 1;
+        while (end < stretches.size() && stretches[end].from == stretches[end - 1].to) ++end;
+        const Stretch* first = nullptr;
+        const Stretch* last = nullptr;
+        for (std::size_t k = i; k < end; ++k) {
+            const Stretch& one = stretches[k];
+            if (one.kind == Stretch::crossing) {
+                if (first == nullptr) first = &one;
+                last = &one;
+            }
+            if (one.kind != Stretch::undecided) continue;
+            result.undecided.push_back({a, b, rounded_deg(one.from), rounded_deg(one.to)});
+        }
+        if (first != nullptr && !pair.firm(stretches.subspan(i, end - i))) first = nullptr;
+        if (first != nullptr) {
+            const double from = pair.end_of_contact(0.5 * (first->from + first->to), limit);
+            const double to = pair.end_of_contact(0.5 * (last->from + last->to), 180.0);
+            if (from <= limit && limit > kLeastOpeningDeg && !result.contacts.empty()) {
+                // It is the same contact as the one before: shallow in between.
+                const double begin = result.contacts.back().from_deg;
+                result.contacts.back() = pair.contact(std::max(begin, kLeastOpeningDeg), to);
+            } else {
+                result.contacts.push_back(pair.contact(from, to));
+            }
+            limit = to;
+            while (end < stretches.size() && stretches[end].to <= to) ++end;
+        } else if (const auto passing = pair.passing(stretches[i].from, stretches[end - 1].to)) {
+            // They may touch in several stretches round the angle at which they pass.
+            const bool told = !result.contacts.empty() && result.contacts.back().a == a &&
+                              result.contacts.back().b == b &&
+                              passing->from_deg - result.contacts.back().to_deg < kSameDeg;
+            if (!told) result.contacts.push_back(*passing);
+        }
+        i = end;
+    }
+}
+
+}  // namespace popup

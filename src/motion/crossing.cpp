@@ -1,0 +1,156 @@
+// Both plates are cut by the line in which their planes meet. What the two cuts have in common is where they
+// cross.
+#include "motion/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace popup {
+namespace {
+
+constexpr double kParallel = 1e-9;  // sine of the angle between planes that never meet
+constexpr double kFar = 20.0;       // how far from an edge is far enough
+constexpr int kMostLooks = 400;
+
+// Where an outline passes the line, and how far it reaches from there to either side before it comes back.
+struct Passage {
+    double along = 0.0;
+    double reach_right = 0.0, reach_left = 0.0;
+};
+
+// A line on a page.
+struct CutLine {
+    Vec2 at, along;  // along: unit
+    [[nodiscard]] double across(Vec2 p) const { return cross(along, p - at); }
+};
+
+// Passages of one ring, each with the reach of the two stretches of ring that meet in it.
+void cut(const Ring& ring, const CutLine& line, std::vector<Passage>& passages) {
+    const std::size_t n = ring.size();
+    const auto side = [&](std::size_t i) { return line.across(ring[i % n]) >= 0.0; };
+    std::size_t start = 0;
+    while (start < n && side(start) == side(start + 1)) ++start;
+    if (start == n) return;
+    const std::size_t first = passages.size();
+    double reach = 0.0;
+    // Each stretch lies between two passages and counts for both.
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = start + k;
+        const double from = line.across(ring[i % n]);
+        const double to = line.across(ring[(i + 1) % n]);
+        if ((from >= 0.0) != (to >= 0.0)) {
+            if (passages.size() > first) {
+                (from >= 0.0 ? passages.back().reach_left : passages.back().reach_right) = reach;
+            }
+            Passage passage;
+            const Vec2 p = lerp(ring[i % n], ring[(i + 1) % n], from / (from - to));
+            passage.along = dot(line.along, p - line.at);
+            (from >= 0.0 ? passage.reach_left : passage.reach_right) = reach;
+            passages.push_back(passage);
+            reach = std::abs(to);
+        } else {
+            reach = std::max(reach, std::abs(to));
+        }
+    }
+    // The last stretch leads back to the first passage.
+    Passage& last = passages.back();
+    Passage& begin = passages[first];
+    const bool left = line.across(ring[(start + n) % n]) >= 0.0;
+    (left ? last.reach_left : last.reach_right) = reach;
+    (left ? begin.reach_left : begin.reach_right) = reach;
+}
+
+std::vector<Passage> cut(const PlateShape& shape, const CutLine& line) {
+    std::vector<Passage> passages;
+    for (const Ring& ring : shape.rings) cut(ring, line, passages);
+    std::sort(passages.begin(), passages.end(),
+              [](const Passage& a, const Passage& b) { return a.along < b.along; });
+    return passages;
+}
+
+double reach_of(const Passage& from, const Passage& to) {
+    return std::min(std::max(from.reach_left, to.reach_left), std::max(from.reach_right, to.reach_right));
+}
+
+// Where a function that rises and falls no faster than its argument is highest: halves what may still be
+// higher than what was seen.
+template <typename Function>
+std::pair<double, double> highest(const Function& value, double from, double to) {
+    struct Part {
+        double middle, half, value;
+        [[nodiscard]] double bound() const { return value + half; }
+    };
+    const auto look = [&](double middle, double half) { return Part{middle, half, value(middle)}; };
+    const auto lower = [](const Part& p, const Part& q) { return p.bound() < q.bound(); };
+    std::vector<Part> parts{look(0.5 * (from + to), 0.5 * (to - from))};
+    Part best = parts.front();
+    const auto enough = [&] { return best.value + std::max(kInsideMm, kInsideShare * best.value); };
+    for (int looks = 1; looks < kMostLooks && parts.front().bound() > enough(); looks += 2) {
+        std::pop_heap(parts.begin(), parts.end(), lower);
+        const Part part = parts.back();
+        parts.pop_back();
+        for (const double way : {-0.5, 0.5}) {
+            parts.push_back(look(part.middle + way * part.half, 0.5 * part.half));
+            if (parts.back().value > best.value) best = parts.back();
+            std::push_heap(parts.begin(), parts.end(), lower);
+        }
+    }
+    return {best.middle, best.value};
+}
+
+}  // namespace
+
+double sine_between(const Frame& b_in_a) { return std::hypot(b_in_a.normal().x, b_in_a.normal().y); }
+
+std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const Frame& b_in_a) {
+    const Vec3 normal = b_in_a.normal();
+    const Vec2 tilt{normal.x, normal.y};
+    const double sine = length(tilt);
+    if (sine < kParallel) return std::nullopt;
+    const Vec2 across = (1.0 / sine) * tilt;
+    CutLine on_a;
+    on_a.at = (dot(normal, b_in_a.origin) / sine) * across;
+    on_a.along = left_of(across);
+    CutLine on_b;
+    const Vec3 along = direction_in_frame(b_in_a, {on_a.along.x, on_a.along.y, 0.0});
+    on_b.at = on_page(b_in_a, {on_a.at.x, on_a.at.y, 0.0});
+    on_b.along = {along.x, along.y};
+    const std::vector<Passage> of_a = cut(a, on_a);
+    const std::vector<Passage> of_b = cut(b, on_b);
+
+    const auto inside = [&](double t) {
+        const double from_a = a.to_edge(on_a.at + t * on_a.along, kFar);
+        return std::min(from_a, b.to_edge(on_b.at + t * on_b.along, std::min(from_a, kFar)));
+    };
+    std::optional<Crossing> best;
+    for (std::size_t i = 0, k = 0; i + 1 < of_a.size() && k + 1 < of_b.size();) {
+        const double from = std::max(of_a[i].along, of_b[k].along);
+        const double to = std::min(of_a[i + 1].along, of_b[k + 1].along);
+        if (from < to) {
+            const auto [at, most] = highest(inside, from, to);
+            if (!best || most > best->inside_mm) {
+                Crossing found;
+                const Vec2 p = on_a.at + at * on_a.along;
+                found.point = {p.x, p.y, 0.0};
+                found.inside_mm = most;
+                const double reach_a = reach_of(of_a[i], of_a[i + 1]);
+                const double reach_b = reach_of(of_b[k], of_b[k + 1]);
+                found.b_is_longer = reach_b < reach_a;
+                found.excess_mm = std::min(reach_a, reach_b);
+                found.sine = sine;
+                found.depth_mm = found.excess_mm * sine;
+                best = found;
+            }
+        }
+        if (of_a[i + 1].along <= of_b[k + 1].along) {
+            i += 2;
+        } else {
+            k += 2;
+        }
+    }
+    return best;
+}
+
+}  // namespace popup

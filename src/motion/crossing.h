@@ -1,0 +1,33 @@
+// Where two plates go through each other in one pose.
+#pragma once
+
+#include <optional>
+
+#include "motion/nearness.h"
+
+namespace popup {
+
+inline constexpr double kInsideMm = 1e-4;
+inline constexpr double kInsideShare = 0.02;
+
+struct Crossing {
+    Vec3 point;                // of both, in a's page coordinates: the one furthest inside the edges of both
+    double inside_mm = 0.0;    // how far that is, to 0.0001 mm; never too little by more
+    double sine = 0.0;         // of the angle between the planes
+    double depth_mm = 0.0;     // how far one goes through the other's plane, the one that reaches less far
+    double excess_mm = 0.0;    // the same on its own paper
+    bool b_is_longer = false;  // which one that is
+
+    // How far a circle of paper round the point reaches to both sides of the other plate, the largest circle
+    // that lies on both. This tells crossing from touching, whatever way plates touch.
+    [[nodiscard]] double firmness_mm() const { return inside_mm * sine; }
+    [[nodiscard]] bool firm() const { return inside_mm > kTouchMm && firmness_mm() > kFirmMm; }
+};
+
+// Sine of the angle between the planes of two plates.
+double sine_between(const Frame& b_in_a);
+
+// Nothing when the plates have no point in common, or their planes are parallel. Cost: corners of both.
+std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const Frame& b_in_a);
+
+}  // namespace popup

@@ -1,0 +1,190 @@
+// Every pair of plates, over the whole opening.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "motion/cells.h"
+#include "motion/closed_card.h"
+#include "motion/contacts.h"
+#include "popup/motion.h"
+
+namespace popup {
+namespace {
+
+// Plates that touch at angles that have nothing to do with each other are joined: they share a fold, a seam,
+// an apex.
+constexpr std::array kTellingDegs{37.3, 91.7, 143.9};
+constexpr double kJoinedMm = 1e-6;
+// What is near until the card is closed (or lies flat) is so because it folds, below this angle.
+constexpr double kFoldingDeg = 45.0;
+// How much of the search may be used up, and as much again for each plate: in turns of linkages looked at.
+// Every plate of a high tower may be anywhere, as far as bounds can tell.
+constexpr std::size_t kMostWork = 20'000'000;
+constexpr std::size_t kMostWorkPerPlate = 2'000;
+constexpr std::size_t kMostPairsPerPlate = 500;
+constexpr int kLooks = 64;  // where a smallest distance is looked for, before halving
+
+struct PairStretch {
+    int a, b;
+    Stretch stretch;
+};
+
+// The nearest approaches of one pair, from its stretches in all cells.
+class Approaches {
+ public:
+    Approaches(const Assembly& assembly, std::span<const PlateShape> shapes, double distance_mm)
+        : shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()) {
+        bool telling = true;
+        for (const double deg : kTellingDegs) {
+            frames_.emplace_back(assembly.plates.size());
+            telling = telling && place(assembly, Angle::degrees(deg), frames_.back());
+        }
+        telling = telling && place(assembly, Angle::degrees(180.0), open_);
+        POPUP_INVARIANT(telling);
+    }
+
+    void add(const Cell& cell, int a, int b, PairSearch& search) {
+        if (joined(a, b)) return;
+        search.approaches(cell, a, b, distance_mm_, stretches_);
+        std::vector<Approach>& of_pair = found_[{a, b}];
+        for (const Stretch& one : stretches_) {
+            if (!of_pair.empty() && of_pair.back().to_deg == one.from) {
+                of_pair.back().to_deg = one.to;
+            } else {
+                of_pair.push_back({a, b, one.from, one.to, distance_mm_, one.from, {}});
+            }
+        }
+    }
+
+    // All but what flat folding brings about, and those that end in a contact.
+    [[nodiscard]] std::vector<Approach> take(const std::vector<Contact>& contacts, PairSearch& search) const {
+        std::vector<Approach> result;
+        for (const auto& [pair, all] : found_) {
+            for (Approach one : all) {
+                if (one.from_deg <= kLeastOpeningDeg) one.from_deg = kFoldingDeg;
+                if (one.to_deg >= 180.0 && in_one_plane_when_open(one)) one.to_deg = 180.0 - kFoldingDeg;
+                if (one.from_deg >= one.to_deg) continue;
+                const bool crosses =
+                    std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+                        return contact.a == one.a && contact.b == one.b && contact.from_deg <= one.to_deg &&
+                               contact.to_deg >= one.from_deg;
+                    });
+                if (crosses) continue;
+                find_least(one, search);
+                for (double* deg : {&one.from_deg, &one.to_deg, &one.least_deg}) {
+                    *deg = std::round(*deg * 1000.0) / 1000.0;
+                }
+                result.push_back(one);
+            }
+        }
+        return result;
+    }
+
+ private:
+    bool joined(int a, int b) {
+        const auto known = joined_.find({a, b});
+        if (known != joined_.end()) return known->second;
+        const auto touch = [&](const std::vector<Frame>& frames) {
+            PairPose pose;
+            pose.a = &shapes_[static_cast<std::size_t>(a)];
+            pose.b = &shapes_[static_cast<std::size_t>(b)];
+            pose.b_in_a = relative(frames[static_cast<std::size_t>(a)], frames[static_cast<std::size_t>(b)]);
+            return nearness_(pose, kJoinedMm, true).nearness != Nearness::clear;
+        };
+        return joined_[{a, b}] = std::all_of(frames_.begin(), frames_.end(), touch);
+    }
+
+    void find_least(Approach& one, PairSearch& search) const {
+        const auto look = [&](double deg) {
+            const auto there = search.distance(one.a, one.b, deg, distance_mm_);
+            if (there.mm >= one.least_mm) return;
+            one.least_mm = there.mm;
+            one.least_deg = deg;
+            one.point = there.point;
+        };
+        double step = (one.to_deg - one.from_deg) / kLooks;
+        for (int i = 0; i <= kLooks; ++i) look(one.from_deg + i * step);
+        for (step *= 0.5; step > 1e-4; step *= 0.5) {
+            const double centre = one.least_deg;
+            look(std::max(centre - step, one.from_deg));
+            look(std::min(centre + step, one.to_deg));
+        }
+    }
+
+    [[nodiscard]] bool in_one_plane_when_open(const Approach& one) const {
+        const Frame& a = open_[static_cast<std::size_t>(one.a)];
+        const Frame& b = open_[static_cast<std::size_t>(one.b)];
+        return length(cross(a.normal(), b.normal())) < 1e-6 &&
+               std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
+    }
+
+    std::span<const PlateShape> shapes_;
+    double distance_mm_;
+    std::vector<std::vector<Frame>> frames_;
+    std::vector<Frame> open_;
+    NearnessTest nearness_;
+    std::vector<Stretch> stretches_;
+    std::map<std::pair<int, int>, bool> joined_;
+    std::map<std::pair<int, int>, std::vector<Approach>> found_;
+};
+
+}  // namespace
+
+Examination examine(const Assembly& assembly, const MotionOptions& options) {
+    Examination result;
+    result.undecided_below_deg = kLeastOpeningDeg;
+    std::vector<PlateShape> shapes;
+    shapes.reserve(assembly.plates.size());
+    for (const Plate& plate : assembly.plates) shapes.push_back(plate_shape(plate));
+    Linkage linkage(assembly);
+    PairSearch search(assembly, linkage, shapes);
+    std::optional<Approaches> approaches;
+    if (options.clearance_mm) approaches.emplace(assembly, shapes, *options.clearance_mm);
+
+    std::vector<PairStretch> all;
+    std::vector<Stretch> found;
+    Cell cell;
+    const std::vector<double> ends = cell_ends();
+    const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
+    const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
+    const auto look_at = [&](const Cell& range) {
+        const auto pairs = near_pairs(range, linkage, shapes, options.clearance_mm.value_or(0.0), most_pairs);
+        if (pairs.size() > most_pairs) return false;
+        for (const auto& [a, b] : pairs) {
+            if (search.work() > most_work) return false;
+            ++result.pairs;
+            search.contacts(range, a, b, found);
+            for (const Stretch& one : found) all.push_back({a, b, one});
+            if (approaches) approaches->add(range, a, b, search);
+        }
+        return true;
+    };
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const bool reached = fill_cell(assembly, linkage, ends[i], ends[i + 1], cell);
+        POPUP_INVARIANT(reached);
+        if (look_at(cell)) continue;
+        result.decided_up_to_deg = cell.from;
+        break;
+    }
+    std::stable_sort(all.begin(), all.end(), [](const PairStretch& p, const PairStretch& q) {
+        return p.a != q.a ? p.a < q.a : p.b < q.b;
+    });
+    Contacts contacts;
+    for (std::size_t i = 0; i < all.size();) {
+        found.clear();
+        std::size_t end = i;
+        for (; end < all.size() && all[end].a == all[i].a && all[end].b == all[i].b; ++end) {
+            found.push_back(all[end].stretch);
+        }
+        find_contacts(all[i].a, all[i].b, found, search, contacts);
+        i = end;
+    }
+    result.contacts = std::move(contacts.contacts);
+    result.undecided = std::move(contacts.undecided);
+    if (approaches) result.approaches = approaches->take(result.contacts, search);
+    result.closed = closed_card(assembly, shapes, options.paper_mm);
+    result.poses = search.poses();
+    return result;
+}
+
+}  // namespace popup

@@ -1,0 +1,95 @@
+// Which plates turn against which, about which line, and how far between two poses.
+//
+// Every four-bar is a cycle of four turns: about the parent fold, the left seam, the centre fold and the
+// right seam. A turn's angle, as a function of the opening angle, goes one way as long as the turn opposite
+// in its cycle is neither unfolded nor folded flat: the rates of the four turns are angular velocities that
+// add up to nought, so one of them vanishes only when the axes of the other three lie in one plane, which is
+// when the turn opposite passes 0° or 180°. So the two ends of a range say exactly how far a plate turns
+// within it.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "popup/assembly.h"
+
+namespace popup {
+
+// Two plates that turn against each other about a line.
+struct Turn {
+    int plate = -1;  // on whose page the line is
+    int other = -1;  // -1: the world
+    Vec2 at, dir;    // a point of the line, and its direction (unit)
+    // In its four-bar: the turn opposite, and the two others; -1: the opening of the card itself.
+    int opposite = -1;
+    std::array<int, 2> sides{-1, -1};
+};
+
+// The bends of a turn at two angles.
+struct Bends {
+    double from = 0.0, to = 0.0;
+    [[nodiscard]] double change() const { return to > from ? to - from : from - to; }
+    // Passes unfolded, or folded flat.
+    [[nodiscard]] bool passes() const { return (from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0); }
+};
+
+class Linkage {
+ public:
+    // `assembly` must outlive the linkage.
+    explicit Linkage(const Assembly& assembly);
+
+    [[nodiscard]] std::span<const Turn> turns() const { return turns_; }
+    // The joint that places a plate.
+    [[nodiscard]] int joint_of(int plate) const { return joint_of_[static_cast<std::size_t>(plate)]; }
+    // The turn between a plate and the one that drives it, or the world.
+    [[nodiscard]] int drive_turn(int plate) const { return drive_turn_[static_cast<std::size_t>(plate)]; }
+    // The turn about the parent fold of a joint; -1 when that is the opening of the card itself.
+    [[nodiscard]] int fold_turn(int joint) const { return fold_turn_[static_cast<std::size_t>(joint)]; }
+
+    // A shortest way from plate a to plate b, as turns from a's end on. Uses memory of the object: one caller
+    // at a time.
+    void way(int a, int b, std::vector<int>& turns);
+    // The joints that must be placed, in order, to know where plates a and b are. One caller at a time.
+    void joints_under(int a, int b, std::vector<std::size_t>& joints);
+
+    // How far a turn is bent from flat, radians in [-π, π]. 0 for turns against the world: they move with the
+    // card.
+    [[nodiscard]] double bend(int turn, std::span<const Frame> frames) const;
+
+ private:
+    struct Visit {
+        int plate, turn, from;
+    };
+    void rise(std::size_t side, int plate, int turn, int from);
+
+    const Assembly& assembly_;
+    std::vector<Turn> turns_;
+    std::vector<int> joint_of_, drive_turn_, centre_turn_, fold_turn_;
+    std::array<std::vector<Visit>, 2> visits_;
+    std::array<std::vector<int>, 2> seen_;  // by plate + 1: the visit, -1 for none
+    std::vector<char> wanted_;              // by joint
+    std::vector<int> open_;
+};
+
+// A bound, in radians, for how far a turn gets from where it is at one end of a range while the card goes to
+// the other. `bends` gives the bends of any of the turn's four-bar at both ends; `opening_deg` is the width
+// of the range. π when nothing better is known.
+template <typename BendsOf>
+double travel(const Turn& turn, int index, double opening_deg, const BendsOf& bends) {
+    constexpr double kPi = std::numbers::pi;
+    if (turn.other < 0) return 0.5 * opening_deg * kPi / 180.0;
+    if (turn.opposite < 0 || !bends(turn.opposite).passes()) return bends(index).change();
+    // It may turn back in between. The four rates add up to nought, so it goes no further than the others
+    // together.
+    if (bends(index).passes()) return kPi;
+    double sum = bends(turn.opposite).change();
+    const bool first = turn.sides[0] < 0 || !bends(turn.sides[0]).passes();
+    const bool second = turn.sides[1] < 0 || !bends(turn.sides[1]).passes();
+    if (!first || !second) return kPi;
+    for (const int side : turn.sides) sum += side < 0 ? opening_deg * kPi / 180.0 : bends(side).change();
+    return sum;
+}
+
+}  // namespace popup

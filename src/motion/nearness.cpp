@@ -1,0 +1,204 @@
+#include "motion/nearness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/triangle_distance.h"
+
+namespace popup {
+namespace {
+
+// A triangle whose corners stray so unequally is looked at in quarters: near a common apex everything is
+// near, but nothing moves far.
+constexpr double kUneven = 0.6;
+constexpr int kMostQuarterings = 12;
+constexpr double kRoundingMm = 1e-9;  // of heights that are nought by construction
+
+Triangle3 lifted(const Triangle2& t) {
+    return {Vec3{t[0].x, t[0].y, 0}, {t[1].x, t[1].y, 0}, {t[2].x, t[2].y, 0}};
+}
+
+Triangle3 placed(const Triangle2& t, const Frame& frame) {
+    return {frame.point(t[0]), frame.point(t[1]), frame.point(t[2])};
+}
+
+// Which sides of the plane through `at` with `normal` the points get to.
+template <typename PointOf>
+Sides sides_of(std::size_t count, const PointOf& point, Vec3 at, Vec3 normal, std::span<const Arm> arms) {
+    double lowest = 0.0;
+    double highest = 0.0;
+    for (std::size_t i = 0; i < count && (lowest >= -kFirmMm || highest <= kFirmMm); ++i) {
+        const Vec3 p = point(i);
+        const double height = dot(p - at, normal);
+        const double reach = stray(p, arms);
+        lowest = std::min(lowest, height - reach);
+        highest = std::max(highest, height + reach);
+    }
+    const double less = std::min(-lowest, highest);
+    return less <= kRoundingMm ? Sides::one : less <= kFirmMm ? Sides::one_nearly : Sides::both;
+}
+
+}  // namespace
+
+double stray(Vec3 point, std::span<const Arm> arms) {
+    double moved = 0.0;
+    for (const Arm& arm : arms) moved += arm.turn * (length(cross(point - arm.at, arm.dir)) + moved);
+    return moved;
+}
+
+double stray(const Triangle3& triangle, std::span<const Arm> arms) {
+    return std::max({stray(triangle[0], arms), stray(triangle[1], arms), stray(triangle[2], arms)});
+}
+
+Vec3 direction_in_frame(const Frame& frame, Vec3 d) {
+    return {dot(frame.axes[0], d), dot(frame.axes[1], d), dot(frame.axes[2], d)};
+}
+
+Vec3 in_frame(const Frame& frame, Vec3 point) { return direction_in_frame(frame, point - frame.origin); }
+
+Frame relative(const Frame& a, const Frame& b) {
+    Frame result;
+    for (std::size_t i = 0; i < 3; ++i) result.axes.at(i) = direction_in_frame(a, b.axes.at(i));
+    result.origin = in_frame(a, b.origin);
+    return result;
+}
+
+Sides sides_of(const PairPose& pose) {
+    const Ring& of_b = pose.b->hull;
+    const Sides b = sides_of(
+        of_b.size(), [&](std::size_t i) { return pose.b_in_a.point(of_b[i]); }, {}, {0, 0, 1}, pose.from_b);
+    if (b == Sides::one) return b;
+    const Ring& of_a = pose.a->hull;
+    return std::max(b, sides_of(
+                           of_a.size(),
+                           [&](std::size_t i) {
+                               return Vec3{of_a[i].x, of_a[i].y, 0.0};
+                           },
+                           pose.b_in_a.origin, pose.b_in_a.normal(), pose.from_a));
+}
+
+bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std::span<const Arm> arms,
+                           double distance_mm, Found& found) {
+    pieces_.clear();
+    pieces_.push_back({moving, 0});
+    while (!pieces_.empty()) {
+        const Piece piece = pieces_.back();
+        pieces_.pop_back();
+        double most = 0.0;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec3 p : piece.corners) {
+            const double s = stray(p, arms);
+            most = std::max(most, s);
+            least = std::min(least, s);
+        }
+        const ClosestPoints closest = closest_points(fixed, piece.corners);
+        if (closest.distance > distance_mm + most) continue;
+        if (closest.distance < found.least_mm) {
+            found.least_mm = closest.distance;
+            found.on_a = closest.on_a;
+            found.on_b = closest.on_b;
+        }
+        if (distance_mm > 0.0 ? closest.distance + most < distance_mm : closest.distance == 0.0) {
+            found.nearness = Nearness::within;
+            return false;
+        }
+        if (least > kUneven * most || piece.level == kMostQuarterings) {
+            found.nearness = Nearness::unknown;
+            return false;
+        }
+        const auto& [p, q, r] = piece.corners;
+        const Vec3 pq = 0.5 * (p + q);
+        const Vec3 qr = 0.5 * (q + r);
+        const Vec3 rp = 0.5 * (r + p);
+        const int level = piece.level + 1;
+        for (const Triangle3& quarter :
+             {Triangle3{p, pq, rp}, Triangle3{pq, q, qr}, Triangle3{rp, qr, r}, Triangle3{pq, qr, rp}}) {
+            pieces_.push_back({quarter, level});
+        }
+    }
+    return true;
+}
+
+// Calls `use(triangle of the plate with fewer, triangle of the other, whether that plate is a)` for triangles
+// whose boxes come within `margin(triangle)` of each other, until it gives false.
+template <typename Margin, typename Use>
+void NearnessTest::each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use) {
+    const Patches& a = whole ? pose.a->whole : pose.a->core;
+    const Patches& b = whole ? pose.b->whole : pose.b->core;
+    const bool few_is_a = b.all().size() > a.all().size();
+    const Patches& few = few_is_a ? a : b;
+    const Patches& many = few_is_a ? b : a;
+    for (const Triangle2& flat : few.all()) {
+        const Triangle3 triangle = few_is_a ? lifted(flat) : placed(flat, pose.b_in_a);
+        const double reach = margin(triangle, few_is_a);
+        Box box;
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (const Vec3 p : triangle) {
+            const Vec3 local = few_is_a ? in_frame(pose.b_in_a, p) : p;
+            box.extend({local.x, local.y});
+            low = std::min(low, local.z);
+            high = std::max(high, local.z);
+        }
+        if (low > reach || high < -reach) continue;
+        box.min = box.min - Vec2{reach, reach};
+        box.max = box.max + Vec2{reach, reach};
+        many.query(box, near_);
+        for (const int number : near_) {
+            const Triangle2& other = many.all()[static_cast<std::size_t>(number)];
+            if (!use(triangle, few_is_a ? placed(other, pose.b_in_a) : lifted(other), few_is_a)) return;
+        }
+    }
+}
+
+Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool whole) {
+    Found found;
+    const auto arms = [&](bool moving_is_a) { return moving_is_a ? pose.from_a : pose.from_b; };
+    each_near(
+        pose, whole,
+        [&](const Triangle3& moving, bool moving_is_a) {
+            return stray(moving, arms(moving_is_a)) + distance_mm;
+        },
+        [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
+            Found here;
+            if (cleared(fixed, moving, arms(moving_is_a), distance_mm, here)) return true;
+            if (moving_is_a) std::swap(here.on_a, here.on_b);
+            if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||
+                here.least_mm < found.least_mm) {
+                found = here;
+            }
+            return found.nearness != Nearness::within;
+        });
+    return found;
+}
+
+double NearnessTest::stray_of_near(const PairPose& pose) {
+    double most = 0.0;
+    const auto of = [&](const Triangle3& moving, bool moving_is_a) {
+        return stray(moving, moving_is_a ? pose.from_a : pose.from_b);
+    };
+    each_near(pose, false, of, [&](const Triangle3& moving, const Triangle3&, bool moving_is_a) {
+        most = std::max(most, of(moving, moving_is_a));
+        return true;
+    });
+    return most;
+}
+
+Found NearnessTest::least(const PairPose& pose, double limit_mm) {
+    Found found;
+    found.least_mm = limit_mm;
+    each_near(
+        pose, true, [&](const Triangle3&, bool) { return found.least_mm; },
+        [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
+            const ClosestPoints closest =
+                moving_is_a ? closest_points(moving, fixed) : closest_points(fixed, moving);
+            if (closest.distance < found.least_mm) {
+                found = {Nearness::within, closest.distance, closest.on_a, closest.on_b};
+            }
+            return true;
+        });
+    return found;
+}
+
+}  // namespace popup

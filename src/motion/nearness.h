@@ -1,0 +1,88 @@
+// How near two plates come to each other within a range of angles, judged from one pose in the middle of it.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "motion/plate_shape.h"
+
+namespace popup {
+
+// One line about which a plate turns on the way to another, in the page coordinates of that other one (z: its
+// front), and how far at most within the range, radians.
+struct Arm {
+    Vec3 at, dir;  // dir: unit
+    double turn = 0.0;
+};
+
+// How far a point can get from where it is, when what it is on turns about the arms, the nearest one first.
+// Each turn moves it along an arc no longer than the turn times its distance from the line, which the turns
+// before may have lengthened.
+double stray(Vec3 point, std::span<const Arm> arms);
+// The same for all points of a triangle: its corners go furthest.
+double stray(const Triangle3& triangle, std::span<const Arm> arms);
+
+// Plates a and b in the page coordinates of a. `from_b` are the arms from b's end on, `from_a` the same ones
+// from a's.
+struct PairPose {
+    const PlateShape* a = nullptr;
+    const PlateShape* b = nullptr;
+    Frame b_in_a;
+    std::span<const Arm> from_b, from_a;
+};
+
+// The pose of b in a's page coordinates, from their frames.
+Frame relative(const Frame& a, const Frame& b);
+// Where a point of the world is in a frame's own coordinates.
+Vec3 in_frame(const Frame& frame, Vec3 point);
+Vec3 direction_in_frame(const Frame& frame, Vec3 direction);
+// A point of space (in a's coordinates) in the coordinates of a frame, dropped to its page.
+inline Vec2 on_page(const Frame& frame, Vec3 p) {
+    const Vec3 local = in_frame(frame, p);
+    return {local.x, local.y};
+}
+
+// Whether one of the plates stays on one side of the other's plane within the whole range, for certain or but
+// for kFirmMm. That is how plates are that share a fold, a seam or an apex. Cost: corners of the hulls.
+enum class Sides { both, one_nearly, one };
+Sides sides_of(const PairPose& pose);
+
+enum class Nearness {
+    clear,    // further apart than the distance asked for, in the whole range
+    unknown,  // not that
+    within,  // nearer than the distance asked for, in the whole range; for distance 0: they meet in this pose
+};
+struct Found {
+    Nearness nearness = Nearness::clear;
+    double least_mm = std::numeric_limits<double>::infinity();  // in this pose, of what could not be cleared
+    Vec3 on_a, on_b;                                            // the two points that far apart
+    double stray_mm =
+        0.0;  // how far points of either plate that may meet the other move at most within the range
+};
+
+// Compares `distance_mm` with the distance of the plates' cores (whole: of the plates). Memory is kept for
+// the next call; one caller at a time. Cost: triangles of one that come near the other's, found by a tree.
+class NearnessTest {
+ public:
+    Found operator()(const PairPose& pose, double distance_mm, bool whole);
+    // How far points of one plate's core that may meet the other's move at most within the range.
+    double stray_of_near(const PairPose& pose);
+    // The smallest distance of the plates in this pose, and its points; nearness is clear when it is not less
+    // than `limit_mm`. The arms are not looked at.
+    Found least(const PairPose& pose, double limit_mm);
+
+ private:
+    template <typename Margin, typename Use>
+    void each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use);
+    struct Piece {
+        Triangle3 corners;
+        int level;
+    };
+    bool cleared(const Triangle3& fixed, const Triangle3& moving, std::span<const Arm> arms,
+                 double distance_mm, Found& found);
+    std::vector<int> near_;
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace popup

@@ -1,0 +1,103 @@
+// Two plates over a range of opening angles: where they are certainly clear, where they cross.
+//
+// A range is judged from its middle; what cannot be told is halved.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "motion/crossing.h"
+#include "motion/linkage.h"
+#include "motion/nearness.h"
+#include "popup/motion.h"
+
+namespace popup {
+
+// A stretch of angles in which two plates are not certainly clear.
+struct Stretch {
+    enum Kind {
+        touching,  // they come so near that the smallest range does not tell them apart; they do not cross in
+                   // it
+        crossing,  // they cross
+        undecided,  // the work allowed was used up
+    };
+    double from = 0.0, to = 0.0;
+    Kind kind = touching;
+    bool firm = false;  // a firm crossing was seen in it
+};
+
+// All plates in the middle and at the ends of a range of angles.
+struct Cell {
+    double from = 0.0, to = 0.0;
+    std::vector<Frame> frames;                // in the middle, by plate
+    std::vector<double> first, middle, last;  // bends, by turn
+};
+
+// Looks at pairs of one assembly. Holds memory that calls share: one caller at a time.
+class PairSearch {
+ public:
+    // All must outlive the search; shapes by plate.
+    PairSearch(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes);
+
+    // Where plates a and b are not certainly clear within the cell: ascending, no two overlap.
+    void contacts(const Cell& cell, int a, int b, std::vector<Stretch>& found);
+    // Where they are nearer than `distance_mm`, to 0.001°: stretches of kind crossing.
+    void approaches(const Cell& cell, int a, int b, double distance_mm, std::vector<Stretch>& found);
+
+    // The crossing of two plates at one angle, and a's frame there.
+    struct At {
+        std::optional<Crossing> crossing;
+        Frame a, b_in_a;
+    };
+    At at(int a, int b, double deg);
+    // Their distance there, or `limit_mm` when it is not less, and the point of a in the world.
+    struct Distance {
+        double mm = 0.0;
+        Vec3 point;
+    };
+    Distance distance(int a, int b, double deg, double limit_mm);
+
+    [[nodiscard]] const PlateShape& shape(int plate) const {
+        return shapes_[static_cast<std::size_t>(plate)];
+    }
+    // Poses looked at, and turns between the plates of each in all.
+    [[nodiscard]] std::size_t poses() const { return poses_; }
+    [[nodiscard]] std::size_t work() const { return work_; }
+
+ private:
+    struct Range {
+        double from, to;
+        std::size_t bends;  // where those of its two ends begin
+    };
+    void begin(const Cell& cell, int a, int b);
+    void set_pose(const Range& range, std::span<const double> middle);
+    bool next(Range& range, const Cell& cell);
+    void split(const Range& range);
+    bool place_pair(double deg);
+    [[nodiscard]] bool crosses_throughout(const Crossing& here, double turns) const;
+    [[nodiscard]] bool only_touches(double inside_mm, double turns);
+
+    const Assembly& assembly_;
+    Linkage& linkage_;
+    std::span<const PlateShape> shapes_;
+    NearnessTest nearness_;
+    std::size_t poses_ = 0;
+    std::size_t work_ = 0;
+
+    int a_ = 0, b_ = 0;
+    std::vector<int> way_;     // turns from a's end on
+    std::vector<int> needed_;  // turns whose bends are kept: those of the way and their four-bars'
+    std::vector<int> slot_;    // by turn: where in needed_
+    std::vector<std::size_t> joints_;
+    bool joints_known_ = false;
+    bool reached_ = true;        // the linkages get to the pose
+    std::vector<Frame> frames_;  // by plate; only those under a_ and b_ are right
+    std::vector<double> middle_, pool_;
+    std::vector<Range> ranges_;
+    std::vector<Arm> from_a_, from_b_;
+    std::span<const Frame> pose_frames_;
+    PairPose pose_;
+};
+
+}  // namespace popup

@@ -1,0 +1,18 @@
+// Whether the linkages pass the whole way from closed to open.
+#pragma once
+
+#include "motion/linkage.h"
+#include "popup/motion.h"
+
+namespace popup {
+
+// Looks at every angle above kLeastOpeningDeg, not only at some: between two angles no plate turns further
+// than the bends of its linkage say. False, with an error that names the element and the angle, when a
+// linkage cannot reach an angle (`locks`), or a plate is elsewhere within a millionth of a degree (`jumps`).
+// Cost: plates × (angles 5° of any plate's turning apart).
+bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics);
+
+// The error of a linkage that gets to `reached` and not to `missed`. `reached` < 0: it gets nowhere.
+void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diagnostics& diagnostics);
+
+}  // namespace popup

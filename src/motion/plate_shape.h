@@ -1,0 +1,57 @@
+// What a plate is for the search for collisions: its paper without the outermost 0.01 mm, as triangles.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "base/edge_index.h"
+#include "popup/assembly.h"
+
+namespace popup {
+
+// What two plates have in common only touches where it lies nearer than this to an edge of either, or where
+// they reach less far than kFirmMm through each other round it (Crossing::firmness_mm).
+inline constexpr double kTouchMm = 0.01;
+inline constexpr double kFirmMm = 0.0025;
+
+using Triangle2 = std::array<Vec2, 3>;
+using Triangle3 = std::array<Vec3, 3>;
+
+// Triangles in the plane that are found by where they are.
+class Patches {
+ public:
+    explicit Patches(std::vector<Triangle2> triangles = {});
+    Patches(Patches&&) noexcept;
+    Patches& operator=(Patches&&) noexcept;
+    ~Patches();
+
+    [[nodiscard]] const std::vector<Triangle2>& all() const { return triangles_; }
+    // Numbers of the triangles whose boxes touch the box; ascending.
+    void query(const Box& box, std::vector<int>& found) const;
+
+ private:
+    struct Tree;
+    std::vector<Triangle2> triangles_;
+    std::vector<Box> boxes_;
+    std::unique_ptr<Tree> tree_;  // none while there are only a few
+};
+
+// Coordinates of the plate's page.
+struct PlateShape {
+    Ring hull;            // convex, of the whole plate
+    double radius = 0.0;  // no circle on the plate is larger
+    Patches whole;        // the plate
+    Patches core;         // its points at least kTouchMm inside its edges; may be empty
+    EdgeIndex edges;
+    std::vector<std::vector<Vec2>> rings;  // outer and holes
+
+    [[nodiscard]] bool covers(Vec2 p) const { return edges.winding(p) != 0; }
+    // Distance from p to the nearest edge, or `limit` when none is nearer.
+    [[nodiscard]] double to_edge(Vec2 p, double limit) const { return edges.clearance(p, limit); }
+};
+
+// Cost: near linear in corners.
+PlateShape plate_shape(const Plate& plate);
+
+}  // namespace popup
