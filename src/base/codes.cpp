@@ -48,16 +48,18 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "lines, which is always in points. Name one of these units."},
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
-     "without crossing. Plates that are joined, and those that closing or opening the card lays on one "
-     "another, are not meant. The message gives the smallest distance, and the angle where it is reached. "
+     "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are only "
+     "brought together by folding flat, below 45°. The message gives the smallest distance, and the angle "
+     "where it is reached. "
      "Real paper is thick, bends, and is cut and glued a little off, so that such plates may rub or catch. "
      "Move the elements further apart, make one of them smaller, or ask for less."},
     {"collision", Severity::warning, "two plates go through each other",
      "At some opening angle two plates would need the same room. This is looked for at every angle between "
      "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
-     "cross where a common point of both lies more than 0.01 mm inside the edges of both, and each reaches "
-     "more than 0.01 mm through the other; plates that only touch, along folds, seams, corners and edges or "
-     "flat on one another, do not. The message gives the angles from which to which they cross, and how far "
+     "cross where a common point of both lies more than 0.01 mm inside the edges of both, and the paper "
+     "round "
+     "it stands out of the other plate on either side; plates that only touch, along folds, seams, corners "
+     "and edges or flat on one another, do not. The message gives the first and last angle, and how far "
      "one goes through the other. Real paper would bend, catch or tear there. Make the longer plate shorter, "
      "or move one of the elements."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",

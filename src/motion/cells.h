@@ -19,7 +19,8 @@ std::vector<double> cell_ends();
 bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, double to, Cell& cell);
 
 // Pairs (a, b), a < b, in order, whose plates may come within `distance_mm` of each other in the cell: boxes
-// round all that their corners can reach touch. Ends early after more than `most`. Cost: plates × depth of their mechanism, n log n, pairs.
+// round all that their corners can reach touch. Ends early after more than `most`. Cost: plates × depth of
+// their mechanism, n log n, pairs.
 std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& linkage,
                                             std::span<const PlateShape> shapes, double distance_mm,
                                             std::size_t most);

@@ -299,6 +299,7 @@ void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, Clos
     }
     card.cycle.assign(path.begin() + seen[at], path.end());
     std::reverse(card.cycle.begin(), card.cycle.end());
+    std::rotate(card.cycle.begin(), std::min_element(card.cycle.begin(), card.cycle.end()), card.cycle.end());
 }
 
 }  // namespace

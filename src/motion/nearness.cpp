@@ -23,18 +23,8 @@ Triangle3 placed(const Triangle2& t, const Frame& frame) {
     return {frame.point(t[0]), frame.point(t[1]), frame.point(t[2])};
 }
 
-// Which sides of the plane through `at` with `normal` the points get to.
-template <typename PointOf>
-Sides sides_of(std::size_t count, const PointOf& point, Vec3 at, Vec3 normal, std::span<const Arm> arms) {
-    double lowest = 0.0;
-    double highest = 0.0;
-    for (std::size_t i = 0; i < count && (lowest >= -kFirmMm || highest <= kFirmMm); ++i) {
-        const Vec3 p = point(i);
-        const double height = dot(p - at, normal);
-        const double reach = stray(p, arms);
-        lowest = std::min(lowest, height - reach);
-        highest = std::max(highest, height + reach);
-    }
+// Whether what lies between two heights over a plane lies on one side of it.
+Sides side_from(double lowest, double highest) {
     const double less = std::min(-lowest, highest);
     return less <= kRoundingMm ? Sides::one : less <= kFirmMm ? Sides::one_nearly : Sides::both;
 }
@@ -66,16 +56,36 @@ Frame relative(const Frame& a, const Frame& b) {
 
 Sides sides_of(const PairPose& pose) {
     const Ring& of_b = pose.b->hull;
-    const Sides b = sides_of(
-        of_b.size(), [&](std::size_t i) { return pose.b_in_a.point(of_b[i]); }, {}, {0, 0, 1}, pose.from_b);
+    double lowest = 0.0;
+    double highest = 0.0;
+    Box reached;
+    for (const Vec2 corner : of_b) {
+        const Vec3 p = pose.b_in_a.point(corner);
+        const double reach = stray(p, pose.from_b);
+        lowest = std::min(lowest, p.z - reach);
+        highest = std::max(highest, p.z + reach);
+        reached.extend({p.x - reach, p.y - reach});
+        reached.extend({p.x + reach, p.y + reach});
+    }
+    const Box& box = pose.a->box;
+    if (reached.min.x > box.max.x || reached.max.x < box.min.x || reached.min.y > box.max.y ||
+        reached.max.y < box.min.y) {
+        return Sides::one;
+    }
+    const Sides b = side_from(lowest, highest);
     if (b == Sides::one) return b;
     const Ring& of_a = pose.a->hull;
-    return std::max(b, sides_of(
-                           of_a.size(),
-                           [&](std::size_t i) {
-                               return Vec3{of_a[i].x, of_a[i].y, 0.0};
-                           },
-                           pose.b_in_a.origin, pose.b_in_a.normal(), pose.from_a));
+    const Vec3 normal = pose.b_in_a.normal();
+    lowest = 0.0;
+    highest = 0.0;
+    for (std::size_t i = 0; i < of_a.size() && (lowest >= -kFirmMm || highest <= kFirmMm); ++i) {
+        const Vec3 p{of_a[i].x, of_a[i].y, 0.0};
+        const double height = dot(p - pose.b_in_a.origin, normal);
+        const double reach = stray(p, pose.from_a);
+        lowest = std::min(lowest, height - reach);
+        highest = std::max(highest, height + reach);
+    }
+    return std::max(b, side_from(lowest, highest));
 }
 
 bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std::span<const Arm> arms,
@@ -92,6 +102,7 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std:
             most = std::max(most, s);
             least = std::min(least, s);
         }
+        if (surely_apart(fixed, piece.corners, distance_mm + most)) continue;
         const ClosestPoints closest = closest_points(fixed, piece.corners);
         if (closest.distance > distance_mm + most) continue;
         if (closest.distance < found.least_mm) {

@@ -43,8 +43,9 @@ inline Vec2 on_page(const Frame& frame, Vec3 p) {
     return {local.x, local.y};
 }
 
-// Whether one of the plates stays on one side of the other's plane within the whole range, for certain or but
-// for kFirmMm. That is how plates are that share a fold, a seam or an apex. Cost: corners of the hulls.
+// Whether the plates are kept apart in the whole range, for certain or but for kFirmMm: one of them stays on
+// one side of the other's plane, which is how plates are that share a fold, a seam or an apex; or all corners
+// of b stay beyond one side of a box round a. Cost: corners of the hulls.
 enum class Sides { both, one_nearly, one };
 Sides sides_of(const PairPose& pose);
 

@@ -9,6 +9,7 @@ namespace popup {
 namespace {
 
 constexpr double kLeastDeg = 2e-6;      // no plate moves by more than 0.0001 mm in this
+constexpr double kRoundingMm = 1e-9;    // of distances that are nought by construction
 constexpr double kLeastHitDeg = 1e-3;   // crossing in the middle of so little is crossing in all of it
 constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
@@ -141,14 +142,14 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& 
             add(range, Stretch::undecided);
             continue;
         }
-        const Sides sides = sides_of(pose_);
+        const Sides sides = one_hinge_keeps_apart(range) ? Sides::one : sides_of(pose_);
         if (sides == Sides::one) continue;
-        const Found near = nearness_(pose_, 0.0, false);
-        if (near.nearness == Nearness::clear) continue;
         if (sides == Sides::one_nearly) {
             add(range, Stretch::touching);
             continue;
         }
+        const Found near = nearness_(pose_, 0.0, false);
+        if (near.nearness == Nearness::clear) continue;
         const double width = range.to - range.from;
         const auto here = crossing(*pose_.a, *pose_.b, pose_.b_in_a);
         const bool firm = here && here->firm();
@@ -165,6 +166,34 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& 
             split(range);
         }
     }
+}
+
+// Plates that turn about one line stand on the side to which they are bent, as long as they pass neither flat
+// nor folded and one of them lies on one side of the line.
+bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
+    if (way_.size() != 1) return false;
+    const auto turn = static_cast<std::size_t>(way_[0]);
+    const Turn& t = linkage_.turns()[turn];
+    if (t.other < 0) return false;
+    // The only turn is the first that was needed.
+    const double first = pool_[range.bends];
+    const double middle = middle_[0];
+    const double last = pool_[range.bends + needed_.size()];
+    if (Bends{first, middle}.passes() || Bends{middle, last}.passes()) return false;
+    // Where the turn opposite passes, this one may have turned back on the way.
+    if (t.opposite >= 0) {
+        const auto n = static_cast<std::size_t>(slot_[static_cast<std::size_t>(t.opposite)]);
+        if (Bends{pool_[range.bends + n], pool_[range.bends + needed_.size() + n]}.passes()) return false;
+    }
+    const Ring& hull = shapes_[static_cast<std::size_t>(t.plate)].hull;
+    double left = 0.0;
+    double right = 0.0;
+    for (const Vec2 p : hull) {
+        const double across = cross(t.dir, p - t.at);
+        left = std::max(left, across);
+        right = std::max(right, -across);
+    }
+    return std::min(left, right) <= kRoundingMm;
 }
 
 // A straight line of half the length d to either side of the point, steepest against the other plate, stays

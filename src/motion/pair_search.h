@@ -75,6 +75,7 @@ class PairSearch {
     bool next(Range& range, const Cell& cell);
     void split(const Range& range);
     bool place_pair(double deg);
+    [[nodiscard]] bool one_hinge_keeps_apart(const Range& range) const;
     [[nodiscard]] bool crosses_throughout(const Crossing& here, double turns) const;
     [[nodiscard]] bool only_touches(double inside_mm, double turns);
 

@@ -69,14 +69,13 @@ void Patches::query(const Box& box, std::vector<int>& found) const {
     for (auto it = tree_->tree.qbegin(bg::index::intersects(wanted)); it != tree_->tree.qend(); ++it) {
         found.push_back(it->second);
     }
-    std::sort(found.begin(), found.end());
 }
 
 PlateShape plate_shape(const Plate& plate) {
     PlateShape shape;
     shape.hull = convex_hull(plate.outline.outer);
-    const Box box = bounds(plate.outline.outer);
-    shape.radius = 0.5 * std::min(box.width(), box.height());
+    shape.box = bounds(plate.outline.outer);
+    shape.radius = 0.5 * std::min(shape.box.width(), shape.box.height());
     std::vector<Triangle2> whole;
     append(plate.outline, whole);
     std::vector<Triangle2> core;

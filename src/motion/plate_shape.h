@@ -27,7 +27,7 @@ class Patches {
     ~Patches();
 
     [[nodiscard]] const std::vector<Triangle2>& all() const { return triangles_; }
-    // Numbers of the triangles whose boxes touch the box; ascending.
+    // Numbers of the triangles whose boxes touch the box, in an order that depends on the triangles alone.
     void query(const Box& box, std::vector<int>& found) const;
 
  private:
@@ -40,6 +40,7 @@ class Patches {
 // Coordinates of the plate's page.
 struct PlateShape {
     Ring hull;            // convex, of the whole plate
+    Box box;              // of the plate
     double radius = 0.0;  // no circle on the plate is larger
     Patches whole;        // the plate
     Patches core;         // its points at least kTouchMm inside its edges; may be empty

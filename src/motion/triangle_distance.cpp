@@ -95,7 +95,24 @@ bool against(const Triangle& points, const Face& face, bool points_are_b, Best& 
     return false;
 }
 
+// Whether b lies beyond a, along `way`, by more than `distance`.
+bool beyond(const Triangle& a, const Triangle& b, Vec3 way, double distance) {
+    const double end = std::max({dot(a[0], way), dot(a[1], way), dot(a[2], way)});
+    const double begin = std::min({dot(b[0], way), dot(b[1], way), dot(b[2], way)});
+    const double gap = begin - end;
+    return gap > 0.0 && gap * gap > distance * distance * dot(way, way);
+}
+
 }  // namespace
+
+bool surely_apart(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double distance) {
+    const Vec3 between = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
+    if (beyond(a, b, between, distance)) return true;
+    for (const Vec3 normal : {cross(a[1] - a[0], a[2] - a[0]), cross(b[1] - b[0], b[2] - b[0])}) {
+        if (beyond(a, b, dot(normal, between) < 0.0 ? -normal : normal, distance)) return true;
+    }
+    return false;
+}
 
 ClosestPoints closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
     Best best;

@@ -2,6 +2,7 @@
 // solver that shares nothing with the closed form.
 #include "popup/motion.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -203,8 +204,12 @@ TEST(Motion, TooWideAPieceLocksAndSaysSo) {
     built.assembly->hinges.clear();  // they still tell of the narrower piece
     Diagnostics diagnostics;
     EXPECT_FALSE(simulate(*built.assembly, {}, diagnostics));
-    EXPECT_NE(findings(diagnostics).find("error locks: \"e1\" locks"), std::string::npos)
-        << findings(diagnostics);
+    // sin² g / sin² a = 1 - cos² of half the angle at which it locks.
+    const double share = std::sin(100.5 * kDeg) / std::sin(80 * kDeg);
+    const double expected = 2.0 * std::asin(share) / kDeg;
+    EXPECT_NE(findings(diagnostics).find(fmt::format("error locks: \"e1\" locks at {:.2f}°", expected)),
+              std::string::npos)
+        << findings(diagnostics) << expected;
 }
 
 TEST(Motion, TightTentLiesFlatOnTheOpenCard) {

@@ -113,8 +113,8 @@ TEST(Report, HasExactlyTheStructureThatIsPromised) {
     EXPECT_EQ(keys(input["repairs"][0]), (Keys{"code", "element", "line", "column", "before", "after"}));
     EXPECT_EQ(keys(input["motion"]),
               (Keys{"angles", "max_closure_error_mm", "flat_closed", "flat_error_deg", "collisions",
-                    "undecided_below_deg", "undecided", "clearance", "protrusion_mm", "protrusions",
-                    "max_layers", "layer_order", "closed_thickness_mm"}));
+                    "undecided_below_deg", "decided_up_to_deg", "undecided", "clearance", "protrusion_mm",
+                    "protrusions", "max_layers", "layer_order", "closed_thickness_mm"}));
     EXPECT_EQ(keys(report["layout"]), (Keys{"sheet_mm", "sheets", "utilisation", "used_mm", "placements"}));
     EXPECT_EQ(keys(report["layout"]["placements"][0]),
               (Keys{"piece", "design", "copy", "sheet", "x_mm", "y_mm", "rotation_deg"}));
@@ -196,8 +196,9 @@ TEST(Report, WhatWasExaminedAndNotFoundIsEmptyOrZero) {
 
 TEST(Report, WhatWasNotExaminedIsNull) {
     const Json motion = Json::parse(text_of(example_run()))["inputs"][0]["motion"];
-    for (const char* key : {"collisions", "undecided_below_deg", "undecided", "clearance", "protrusion_mm",
-                            "protrusions", "max_layers", "layer_order", "closed_thickness_mm"}) {
+    for (const char* key :
+         {"collisions", "undecided_below_deg", "decided_up_to_deg", "undecided", "clearance", "protrusion_mm",
+          "protrusions", "max_layers", "layer_order", "closed_thickness_mm"}) {
         EXPECT_TRUE(motion[key].is_null()) << key;
     }
     EXPECT_FALSE(motion.contains("layer_cycle"));
