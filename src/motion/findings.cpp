@@ -97,8 +97,12 @@ class Findings {
         }
     }
 
-    void approaches(const std::vector<Approach>& all, double clearance_mm) {
+    // Of elements that collide anyway nothing more is said.
+    void approaches(const std::vector<Approach>& all, const std::vector<Contact>& contacts,
+                    double clearance_mm) {
+        const auto colliding = by_elements(contacts);
         for (const auto& [joints, some] : by_elements(all)) {
+            if (colliding.contains(joints)) continue;
             const Approach& worst = **std::min_element(
                 some.begin(), some.end(),
                 [](const Approach* p, const Approach* q) { return p->least_mm < q->least_mm; });
@@ -182,7 +186,7 @@ void report_findings(const Assembly& assembly, const Linkage& linkage, const Exa
     findings.collisions(found.contacts);
     findings.protrusions(found.closed.protrusions);
     findings.layers(found);
-    if (found.approaches) findings.approaches(*found.approaches, *options.clearance_mm);
+    if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);
     findings.undecided(found);
 }
 

@@ -49,6 +49,12 @@ LayoutOptions run_options(const Stages& s) {
     return options;
 }
 
+MotionOptions unexamined() {
+    MotionOptions options;
+    options.examine = false;
+    return options;
+}
+
 const Stages& stages(int elements) {
     static std::map<int, Stages> made;
     const auto [it, fresh] = made.try_emplace(elements);
@@ -65,7 +71,7 @@ const Stages& stages(int elements) {
     if (!s.checked) fmt::print(stderr, "{}", findings(diagnostics));
     POPUP_INVARIANT(s.checked.has_value());
     s.assembly = assemble(*s.checked, {}, diagnostics);
-    s.motion = simulate(*s.assembly, {}, diagnostics);
+    s.motion = simulate(*s.assembly, unexamined(), diagnostics);
     s.pattern = make_pattern(*s.assembly, {}, diagnostics);
     // Sheets of a size that exists: a production run of cards of up to 200 elements.
     s.cards =
@@ -171,12 +177,14 @@ const std::vector<int> kSizes{10, 100, 1000, 10000, 100000};
 std::vector<std::string> stage_names;
 
 template <class Run>
-void add_stage(const std::string& name, Run run) {
+void add_stage(const std::string& name, Run run, int most = kSizes.back()) {
     stage_names.push_back(name);
     auto* one =
         benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& state) { stage(state, run); });
     one->Arg(kSample)->Unit(benchmark::kMicrosecond);
-    for (const int size : kSizes) one->Arg(size);
+    for (const int size : kSizes) {
+        if (size <= most) one->Arg(size);
+    }
 }
 
 void print_tables(const Keeper& keeper) {
@@ -214,8 +222,10 @@ void print_tables(const Keeper& keeper) {
     for (const std::string& name : stage_names) {
         fmt::print("\n| {} |", name);
         const double base = ns(fmt::format("{}/1000", name)) / 1000;
-        for (const int size : kSizes)
-            fmt::print(" {:.2f} |", ns(fmt::format("{}/{}", name, size)) / size / base);
+        for (const int size : kSizes) {
+            const double cost = ns(fmt::format("{}/{}", name, size)) / size / base;
+            fmt::print("{}", std::isnan(cost) ? " |" : fmt::format(" {:.2f} |", cost));
+        }
     }
     fmt::print("\n");
 }
@@ -236,7 +246,11 @@ int main(int argc, char** argv) {
     add_stage("read", [](const Stages& s) { return read_design(s.source, {}, ignored); });
     add_stage("check", [](const Stages& s) { return check(s.design, {}, ignored); });
     add_stage("assemble", [](const Stages& s) { return assemble(*s.checked, {}, ignored); });
-    add_stage("simulate, 37 angles", [](const Stages& s) { return simulate(*s.assembly, {}, ignored); });
+    add_stage("simulate, 37 angles",
+              [](const Stages& s) { return simulate(*s.assembly, unexamined(), ignored); });
+    // bench_collide says more of this one.
+    add_stage(
+        "examine", [](const Stages& s) { return examine(*s.assembly, {}); }, 10000);
     add_stage("pattern", [](const Stages& s) { return make_pattern(*s.assembly, {}, ignored); });
     add_stage("layout", [](const Stages& s) { return lay_out(run_of(s), run_options(s), ignored); });
     add_stage("SVG", [](const Stages& s) { return write_with<SheetWriter>(".svg")(*s.layout, {}, ignored); });
