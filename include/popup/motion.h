@@ -45,6 +45,7 @@ struct Contact {
     double excess_mm = 0.0;  // the most that `longer` reaches through the other, measured on its own paper
     int longer = 0;          // a or b: the one that reaches less far through the other
     Vec3 point;              // of both, at to_deg
+    Vec2 corner{};           // of `longer`, on its page: what reaches furthest through, at deepest_deg
 };
 
 // Two plates that cannot be told apart or together within the work allowed.
@@ -69,9 +70,10 @@ struct Approach {
 struct Protrusion {
     int plate = 0;
     double by_mm = 0.0;  // how far its furthest point is from the card
-    Vec3 direction;  // unit, in the world at 0°: from the card's edge to that point. y runs along the gutter,
-                     // z away from it
-    Vec3 point;  // that point
+    Vec3 direction;      // unit, in the world at 0°: from the card's edge to that point. y runs along the
+                         // gutter, z away from it
+    Vec3 point;          // that point
+    Vec2 corner{};       // the same on the plate's page
 };
 
 // The closed card: plates one above the other.

@@ -32,7 +32,7 @@ std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
         const int n = static_cast<int>(i);
         const Frame& frame = cell.frames[static_cast<std::size_t>(t.plate)];
         arms.push_back({frame.point(t.at), frame.direction(t.dir),
-                        std::max(travel(t, n, half, before), travel(t, n, half, after))});
+                        std::max(travel(turns, n, half, before), travel(turns, n, half, after))});
     }
     return arms;
 }

@@ -67,6 +67,7 @@ std::vector<Protrusion> protrusions(const Assembly& assembly) {
     };
     std::vector<Protrusion> result;
     for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        const Frame& frame = frames[i];
         std::vector<Ring> outside{flattened(i, assembly.plates[i].outline.outer)};
         if (!convex) {
             std::vector<Ring> rings;
@@ -84,6 +85,8 @@ std::vector<Protrusion> protrusions(const Assembly& assembly) {
                 most.by_mm = by;
                 most.direction = in_world((1.0 / by) * (p - edge));
                 most.point = in_world(p);
+                const Vec3 from_origin = most.point - frame.origin;
+                most.corner = {dot(frame.axes[0], from_origin), dot(frame.axes[1], from_origin)};
             }
         }
         if (most.by_mm > kOutMm) result.push_back(most);

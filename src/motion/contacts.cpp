@@ -93,6 +93,25 @@ struct Pair {
         return best;
     }
 
+    // The corner of the longer plate that stands as far out of the other as it reaches.
+    [[nodiscard]] Vec2 furthest_corner(const PairSearch::At& at) const {
+        const Crossing& here = *at.crossing;
+        Vec2 best;
+        double least = HUGE_VAL;
+        for (const Ring& ring : search.shape(here.b_is_longer ? b : a).rings) {
+            for (const Vec2 p : ring) {
+                const double height = here.b_is_longer
+                                          ? at.b_in_a.point(p).z
+                                          : dot(Vec3{p.x, p.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
+                const double off = std::abs(std::abs(height) - here.depth_mm);
+                if (off >= least) continue;
+                least = off;
+                best = p;
+            }
+        }
+        return best;
+    }
+
     [[nodiscard]] Contact contact(double from, double to) const {
         Contact found;
         found.a = a;
@@ -102,6 +121,7 @@ struct Pair {
         if (deep.crossing) {
             found.depth_mm = deep.crossing->depth_mm;
             found.longer = deep.crossing->b_is_longer ? b : a;
+            found.corner = furthest_corner(deep);
         }
         const auto last = search.at(a, b, to);
         const auto& there = last.crossing ? last : deep;

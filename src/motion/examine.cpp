@@ -15,6 +15,7 @@ namespace {
 // an apex.
 constexpr std::array kTellingDegs{37.3, 91.7, 143.9};
 constexpr double kJoinedMm = 1e-6;
+constexpr double kFlushMm = 1e-3;
 // What is near until the card is closed (or lies flat) is so because it folds, below this angle.
 constexpr double kFoldingDeg = 45.0;
 // How much of the search may be used up, and as much again for each plate: in turns of linkages looked at.
@@ -34,17 +35,15 @@ class Approaches {
  public:
     Approaches(const Assembly& assembly, std::span<const PlateShape> shapes, double distance_mm)
         : shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()) {
-        bool telling = true;
         for (const double deg : kTellingDegs) {
             frames_.emplace_back(assembly.plates.size());
-            telling = telling && place(assembly, Angle::degrees(deg), frames_.back());
+            reached_ = reached_ && place(assembly, Angle::degrees(deg), frames_.back());
         }
-        telling = telling && place(assembly, Angle::degrees(180.0), open_);
-        POPUP_INVARIANT(telling);
+        reached_ = reached_ && place(assembly, Angle::degrees(180.0), open_);
     }
 
     void add(const Cell& cell, int a, int b, PairSearch& search) {
-        if (joined(a, b)) return;
+        if (!reached_ || joined(a, b)) return;
         search.approaches(cell, a, b, distance_mm_, stretches_);
         std::vector<Approach>& of_pair = found_[{a, b}];
         for (const Stretch& one : stretches_) {
@@ -89,7 +88,9 @@ class Approaches {
             pose.a = &shapes_[static_cast<std::size_t>(a)];
             pose.b = &shapes_[static_cast<std::size_t>(b)];
             pose.b_in_a = relative(frames[static_cast<std::size_t>(a)], frames[static_cast<std::size_t>(b)]);
-            return nearness_(pose, kJoinedMm, true).nearness != Nearness::clear;
+            // Plates that lie flat on each other touch as well, and not only with their edges.
+            return nearness_(pose, kJoinedMm, true).nearness != Nearness::clear &&
+                   nearness_(pose, kFlushMm, false).nearness == Nearness::clear;
         };
         return joined_[{a, b}] = std::all_of(frames_.begin(), frames_.end(), touch);
     }
@@ -122,6 +123,7 @@ class Approaches {
     double distance_mm_;
     std::vector<std::vector<Frame>> frames_;
     std::vector<Frame> open_;
+    bool reached_ = true;  // all those angles
     NearnessTest nearness_;
     std::vector<Stretch> stretches_;
     std::map<std::pair<int, int>, bool> joined_;
@@ -160,9 +162,7 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
         return true;
     };
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        const bool reached = fill_cell(assembly, linkage, ends[i], ends[i + 1], cell);
-        POPUP_INVARIANT(reached);
-        if (look_at(cell)) continue;
+        if (fill_cell(assembly, linkage, ends[i], ends[i + 1], cell) && look_at(cell)) continue;
         result.decided_up_to_deg = cell.from;
         break;
     }

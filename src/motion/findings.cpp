@@ -5,9 +5,20 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
+
+#include "motion/mend.h"
+#include "motion/plate_shape.h"
 
 namespace popup {
 namespace {
+
+// A move that frees two elements is looked for only so often, and in cards of so many plates: it takes a few
+// dozen looks at the whole motion.
+constexpr int kMostTries = 10;
+constexpr std::size_t kMostPlates = 400;
+// What collides from here on is told of as a collision, and not once more as layers without an order.
+constexpr double kClosedDeg = 1.0;
 
 class Findings {
  public:
@@ -15,22 +26,18 @@ class Findings {
         : assembly_(assembly), linkage_(linkage), diagnostics_(diagnostics) {}
 
     void collisions(const std::vector<Contact>& contacts) {
+        int tried = 0;
         for (const auto& [joints, all] : by_elements(contacts)) {
             const Contact& worst = **std::max_element(
                 all.begin(), all.end(),
                 [](const Contact* p, const Contact* q) { return p->depth_mm < q->depth_mm; });
             const int other = worst.longer == worst.a ? worst.b : worst.a;
-            std::string text = fmt::format("\"{}\" goes through \"{}\" ", name(worst.longer), name(other));
-            if (worst.from_deg == worst.to_deg) {
-                text += fmt::format("at an opening of {:.2f}°", worst.to_deg);
-            } else {
-                text += worst.from_deg == 0.0
-                            ? fmt::format("from an opening of {:.2f}° until the card is closed", worst.to_deg)
-                            : fmt::format("between openings of {:.2f}° and {:.2f}°", worst.from_deg,
-                                          worst.to_deg);
+            std::string text =
+                fmt::format("\"{}\" goes through \"{}\" {}", name(worst.longer), name(other), when(worst));
+            if (worst.depth_mm > 0.0) {
                 text += fmt::format(", by {:.2f} mm at {:.2f}°", worst.depth_mm, worst.deepest_deg);
             }
-            if (all.size() > 1) text += fmt::format(" ({} contacts of the two in all)", all.size());
+            if (const std::string more = others(all, worst); !more.empty()) text += more;
             const Joint& joint = joint_of(worst.longer);
             const Joint& second = joint_of(other);
             Diagnostic& finding = diagnostics_.warning("collision", joint.place, std::move(text));
@@ -38,10 +45,16 @@ class Findings {
             if (&joint != &second) finding.with(second.place, fmt::format("\"{}\"", second.name));
             if (worst.excess_mm > 0.0) {
                 finding.hint(
-                    fmt::format("make \"{}\" {:.2f} mm shorter where they meet, or move the two apart",
-                                name(worst.longer), rounded_up(worst.excess_mm)));
-            } else {
-                finding.hint("move the two apart");
+                    fmt::format("\"{}\" reaches {:.2f} mm too far, with its corner at ({:.2f}, {:.2f}) mm",
+                                name(worst.longer), worst.excess_mm, worst.corner.x, worst.corner.y));
+            }
+            if (&joint == &second || tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
+            if (const auto move = freeing_move(assembly_, shapes(), all_pairs(joints))) {
+                finding.hint(
+                    fmt::format("moving \"{}\" {:.2f} mm along its fold, by ({:.2f}, {:.2f}) mm on the page, "
+                                "frees the two",
+                                assembly_.joints[static_cast<std::size_t>(move->joint)].name,
+                                rounded_up(length(move->by)), move->by.x + 0.0, move->by.y + 0.0));
             }
         }
     }
@@ -56,11 +69,12 @@ class Findings {
             const Joint& element = assembly_.joints[static_cast<std::size_t>(joint)];
             diagnostics_
                 .warning("protrusion", element.place,
-                         fmt::format("\"{}\" sticks out of the closed card by {:.2f} mm {}", name(one->plate),
-                                     one->by_mm, where(one->direction)))
+                         fmt::format("\"{}\" sticks out of the closed card by {}", name(one->plate),
+                                     how_far(*one)))
                 .hint(fmt::format(
-                    "make it {:.2f} mm shorter there, or move it as far towards the middle of the card",
-                    rounded_up(one->by_mm)))
+                    "it is its corner at ({:.2f}, {:.2f}) mm that reaches furthest; make the piece smaller "
+                    "there, or move the element",
+                    one->corner.x, one->corner.y))
                 .about(element.name);
         }
     }
@@ -72,7 +86,7 @@ class Findings {
         if (cycle.size() == 2) {
             const bool told =
                 std::any_of(found.contacts.begin(), found.contacts.end(), [&](const Contact& one) {
-                    return one.from_deg == 0.0 &&
+                    return one.from_deg < kClosedDeg &&
                            std::minmax(one.a, one.b) == std::minmax(cycle[0], cycle[1]);
                 });
             if (told) return;
@@ -87,7 +101,7 @@ class Findings {
         }
         const Joint& first = joint_of(cycle[0]);
         Diagnostic& finding = diagnostics_.warning("layer-order", first.place, std::move(text));
-        finding.about(first.name).hint("make one of them smaller, so that it no longer reaches the next");
+        finding.about(first.name).hint("make one of them smaller, so that it no longer reaches over another");
         std::vector<const Joint*> told{&first};
         for (const int plate : cycle) {
             const Joint& joint = joint_of(plate);
@@ -110,9 +124,9 @@ class Findings {
             const Joint& second = joint_of(worst.a);
             Diagnostic& finding = diagnostics_.warning(
                 "clearance-low", joint.place,
-                fmt::format("\"{}\" and \"{}\" come as near as {:.2f} mm at an opening of {:.2f}°, {:.2f} mm "
-                            "were asked "
-                            "for",
+                fmt::format("\"{}\" and \"{}\" come as near as {:.2f} mm at an opening of {:.2f}°, although "
+                            "{:.2f} mm were "
+                            "asked for",
                             name(worst.b), name(worst.a), worst.least_mm, worst.least_deg, clearance_mm));
             finding.about(joint.name)
                 .hint(fmt::format("move them {:.2f} mm further apart",
@@ -167,12 +181,72 @@ class Findings {
     // So that a piece shortened by what is printed is short enough.
     static double rounded_up(double mm) { return std::ceil(mm * 100.0) / 100.0; }
 
-    static std::string_view where(Vec3 direction) {
-        if (std::abs(direction.y) > std::abs(direction.z))
-            return direction.y > 0.0 ? "at the top" : "at the bottom";
-        return direction.z > 0.0 ? "at the side opposite the gutter" : "at the gutter";
+    static std::string when(const Contact& contact) {
+        if (contact.from_deg == contact.to_deg)
+            return fmt::format("at an opening of {:.2f}°", contact.to_deg);
+        if (contact.from_deg > 0.0) {
+            return fmt::format("between openings of {:.2f}° and {:.2f}°", contact.from_deg, contact.to_deg);
+        }
+        if (contact.to_deg >= 180.0) return "at every angle";
+        return fmt::format("from an opening of {:.2f}° until the card is closed", contact.to_deg);
     }
 
+    // Up to two further pairs of plates of the two elements, in words.
+    [[nodiscard]] std::string others(const std::vector<const Contact*>& all, const Contact& worst) const {
+        std::vector<std::pair<int, int>> more;
+        for (const Contact* one : all) {
+            const std::pair<int, int> pair{one->a, one->b};
+            if (pair == std::pair{worst.a, worst.b} ||
+                std::find(more.begin(), more.end(), pair) != more.end())
+                continue;
+            more.push_back(pair);
+        }
+        std::string text;
+        for (std::size_t i = 0; i < std::min<std::size_t>(more.size(), 2); ++i) {
+            text += fmt::format("{} \"{}\" through \"{}\"", i == 0 ? "; so do" : " and", name(more[i].first),
+                                name(more[i].second));
+        }
+        if (more.size() > 2) text += fmt::format(" and {} more", more.size() - 2);
+        return text;
+    }
+
+    // The plates of two elements, each with each.
+    [[nodiscard]] std::vector<std::pair<int, int>> all_pairs(std::pair<int, int> joints) const {
+        const auto plates = [&](int joint) {
+            const Joint& one = assembly_.joints[static_cast<std::size_t>(joint)];
+            return one.right.plate < 0 ? std::vector<int>{one.left.plate}
+                                       : std::vector<int>{one.left.plate, one.right.plate};
+        };
+        std::vector<std::pair<int, int>> pairs;
+        for (const int a : plates(joints.first)) {
+            for (const int b : plates(joints.second)) pairs.emplace_back(std::min(a, b), std::max(a, b));
+        }
+        return pairs;
+    }
+
+    std::span<const PlateShape> shapes() {
+        if (shapes_.empty()) {
+            for (const Plate& plate : assembly_.plates) shapes_.push_back(plate_shape(plate));
+        }
+        return shapes_;
+    }
+
+    // "12.30 mm at the top and 4.00 mm at the side opposite the gutter".
+    static std::string how_far(const Protrusion& one) {
+        const double along = one.direction.y * one.by_mm;
+        const double out = one.direction.z * one.by_mm;
+        std::string text;
+        if (std::abs(along) > kTouchMm) {
+            text = fmt::format("{:.2f} mm at the {}", std::abs(along), along > 0.0 ? "top" : "bottom");
+        }
+        if (std::abs(out) > kTouchMm) {
+            text += fmt::format("{}{:.2f} mm at the {}", text.empty() ? "" : " and ", std::abs(out),
+                                out > 0.0 ? "side opposite the gutter" : "gutter");
+        }
+        return text;
+    }
+
+    std::vector<PlateShape> shapes_;  // made when first asked for
     const Assembly& assembly_;
     const Linkage& linkage_;
     Diagnostics& diagnostics_;

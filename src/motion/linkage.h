@@ -74,22 +74,43 @@ class Linkage {
 };
 
 // A bound, in radians, for how far a turn gets from where it is at one end of a range while the card goes to
-// the other. `bends` gives the bends of any of the turn's four-bar at both ends; `opening_deg` is the width
-// of the range. π when nothing better is known.
+// the other. `bends(turn)` gives the bends at both ends of any turn that travel_needs() names; `opening_deg`
+// is the width of the range. π when nothing better is known.
 template <typename BendsOf>
-double travel(const Turn& turn, int index, double opening_deg, const BendsOf& bends) {
+double travel(std::span<const Turn> turns, int index, double opening_deg, const BendsOf& bends) {
     constexpr double kPi = std::numbers::pi;
-    if (turn.other < 0) return 0.5 * opening_deg * kPi / 180.0;
+    const double opening = opening_deg * kPi / 180.0;
+    const Turn& turn = turns[static_cast<std::size_t>(index)];
+    if (turn.other < 0) return 0.5 * opening;
     if (turn.opposite < 0 || !bends(turn.opposite).passes()) return bends(index).change();
     // It may turn back in between. The four rates add up to nought, so it goes no further than the others
     // together.
     if (bends(index).passes()) return kPi;
     double sum = bends(turn.opposite).change();
-    const bool first = turn.sides[0] < 0 || !bends(turn.sides[0]).passes();
-    const bool second = turn.sides[1] < 0 || !bends(turn.sides[1]).passes();
-    if (!first || !second) return kPi;
-    for (const int side : turn.sides) sum += side < 0 ? opening_deg * kPi / 180.0 : bends(side).change();
+    for (const int side : turn.sides) {
+        if (side < 0) {
+            sum += opening;
+            continue;
+        }
+        const int opposite = turns[static_cast<std::size_t>(side)].opposite;
+        if (opposite >= 0 && bends(opposite).passes()) return kPi;
+        sum += bends(side).change();
+    }
     return sum;
+}
+
+// Calls `need(turn)` for each turn whose bends travel() of `index` may ask for.
+template <typename Need>
+void travel_needs(std::span<const Turn> turns, int index, const Need& need) {
+    const Turn& turn = turns[static_cast<std::size_t>(index)];
+    need(index);
+    if (turn.opposite >= 0) need(turn.opposite);
+    for (const int side : turn.sides) {
+        if (side < 0) continue;
+        need(side);
+        const int opposite = turns[static_cast<std::size_t>(side)].opposite;
+        if (opposite >= 0) need(opposite);
+    }
 }
 
 }  // namespace popup

@@ -36,17 +36,11 @@ void PairSearch::begin(const Cell& cell, int a, int b) {
     for (const int turn : needed_) slot_[static_cast<std::size_t>(turn)] = -1;
     needed_.clear();
     const auto need = [this](int turn) {
-        if (turn < 0 || slot_[static_cast<std::size_t>(turn)] >= 0) return;
+        if (slot_[static_cast<std::size_t>(turn)] >= 0) return;
         slot_[static_cast<std::size_t>(turn)] = static_cast<int>(needed_.size());
         needed_.push_back(turn);
     };
-    for (const int turn : way_) {
-        const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
-        need(turn);
-        need(t.opposite);
-        need(t.sides[0]);
-        need(t.sides[1]);
-    }
+    for (const int turn : way_) travel_needs(linkage_.turns(), turn, need);
     ranges_.clear();
     pool_.clear();
     for (const int turn : needed_) pool_.push_back(cell.first[static_cast<std::size_t>(turn)]);
@@ -102,7 +96,8 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
         const auto after = [&](int n) { return Bends{middle[slot(n)], last[slot(n)]}; };
         const Frame& frame = pose_frames_[static_cast<std::size_t>(t.plate)];
         from_a_.push_back({in_frame(a, frame.point(t.at)), direction_in_frame(a, frame.direction(t.dir)),
-                           std::max(travel(t, turn, half, before), travel(t, turn, half, after))});
+                           std::max(travel(linkage_.turns(), turn, half, before),
+                                    travel(linkage_.turns(), turn, half, after))});
     }
     from_b_.assign(from_a_.rbegin(), from_a_.rend());
     pose_.from_a = from_a_;

@@ -59,8 +59,7 @@ struct Walk {
         };
         for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
             const int turn = linkage.drive_turn(static_cast<int>(i));
-            const Turn& t = linkage.turns()[static_cast<std::size_t>(turn)];
-            const double by = travel(t, turn, to.deg - from.deg, bends);
+            const double by = travel(linkage.turns(), turn, to.deg - from.deg, bends);
             if (by > most.first) most = {by, static_cast<int>(i)};
         }
         return most;

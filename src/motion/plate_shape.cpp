@@ -79,7 +79,8 @@ PlateShape plate_shape(const Plate& plate) {
     std::vector<Triangle2> whole;
     append(plate.outline, whole);
     std::vector<Triangle2> core;
-    for (const Polygon& part : offset({plate.outline}, -kTouchMm, Corners::sharp)) append(part, core);
+    // At notches the arcs of what is taken away are chords, so that too little is taken and not too much.
+    for (const Polygon& part : offset({plate.outline}, -kTouchMm, Corners::rounded)) append(part, core);
     shape.whole = Patches(std::move(whole));
     shape.core = Patches(std::move(core));
     shape.edges = EdgeIndex(edges_of(plate.outline));

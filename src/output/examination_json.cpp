@@ -21,6 +21,8 @@ Json vector(Vec3 v, int decimals) {
     return Json::array({rounded(v.x, decimals), rounded(v.y, decimals), rounded(v.z, decimals)});
 }
 
+Json vector(Vec2 v, int decimals) { return Json::array({rounded(v.x, decimals), rounded(v.y, decimals)}); }
+
 // What is 1e-9 above a whole thousandth is that thousandth.
 double rounded_up_deg(double angle) { return rounded(std::ceil(angle * 1e3 - 1e-6) / 1e3, kAngle); }
 
@@ -50,6 +52,7 @@ class Rows {
         row["deepest_deg"] = told_deg(one.deepest_deg);
         row["excess_mm"] = told_mm(one.excess_mm);
         row["longer"] = name(one.longer);
+        row["corner_mm"] = vector(one.corner, kPoint);
         row["point_mm"] = vector(one.point, kPoint);
         return row;
     }
@@ -65,7 +68,8 @@ class Rows {
         return {{"plate", name(one.plate)},
                 {"by_mm", told_mm(one.by_mm)},
                 {"direction", vector(one.direction, kDirection)},
-                {"point_mm", vector(one.point, kPoint)}};
+                {"point_mm", vector(one.point, kPoint)},
+                {"corner_mm", vector(one.corner, kPoint)}};
     }
     template <typename Finding>
     [[nodiscard]] Json list(const std::vector<Finding>& findings) const {

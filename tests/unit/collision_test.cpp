@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/mend.h"
 #include "support/designs.h"
 
 namespace popup::test {
@@ -161,6 +162,31 @@ TEST(Collision, ExcessSaysHowMuchShorterThePieceMustBe) {
     EXPECT_EQ(examined(shorter.design()).all(), "");
     shorter.t = tip.t - 0.8 * excess;
     EXPECT_NE(examined(shorter.design()).all(), "");
+}
+
+// Moved as the hint says, and no less, the two are free.
+TEST(Collision, MoveThatIsSaidToFreeTwoElementsDoes) {
+    const TipUnderTent tip;
+    const Built built = build(tip.design());
+    std::vector<PlateShape> shapes;
+    for (const Plate& plate : built.assembly->plates) shapes.push_back(plate_shape(plate));
+    // The page's two plates come first, then those of each element.
+    const std::vector<std::pair<int, int>> pairs{{2, 4}, {2, 5}, {3, 4}, {3, 5}};
+    const auto move = freeing_move(*built.assembly, shapes, pairs);
+    ASSERT_TRUE(move.has_value());
+    const auto contacts_when_moved = [&](double share) {
+        Design design = tip.design();
+        const std::size_t element =
+            built.assembly->joints[static_cast<std::size_t>(move->joint)].name == "e1" ? 0 : 1;
+        // The points on the page are the first three of a v-fold, the first four of a tent.
+        for (std::size_t i = 0; i < 3 + element; ++i) {
+            Vec2& at = design.structures[element].points[i].at;
+            at = at + share * move->by;
+        }
+        return examined(design).all();
+    };
+    EXPECT_EQ(contacts_when_moved(1.0), "");
+    EXPECT_NE(contacts_when_moved(0.95), "");
 }
 
 TEST(Collision, HitOfLessThanHalfADegreeIsFound) {

@@ -67,12 +67,12 @@ Examination example_examination() {
     Examination found;
     found.undecided_below_deg = 0.0123;
     found.contacts.push_back(
-        {0, 1, 12.34567, 98.7654321, 1.23456, 45.6789, 0.123456, 1, {1.23456, -2, 1e-9}});
+        {0, 1, 12.34567, 98.7654321, 1.23456, 45.6789, 0.123456, 1, {1.23456, -2, 1e-9}, {7, -8.5}});
     found.undecided.push_back({0, 1, 3.00004, 3.00006});
     found.approaches.emplace();
     found.approaches->push_back({0, 1, 100.00049, 110, 0.43219, 105.55551, {4, 5, 6.00049}});
-    found.closed.protrusions.push_back({0, 3.141592, {0, 0.6000000001, 0.8}, {0, 3.00044, 4}});
-    found.closed.protrusions.push_back({1, 5.00004, {0, 0, 1}, {0, 0, 15}});
+    found.closed.protrusions.push_back({0, 3.141592, {0, 0.6000000001, 0.8}, {0, 3.00044, 4}, {-4, 3.00044}});
+    found.closed.protrusions.push_back({1, 5.00004, {0, 0, 1}, {0, 0, 15}, {15, 0}});
     found.closed.max_layers = 7;
     found.closed.order = std::vector<int>{1, 0};
     found.closed.thickness_mm = 1.40000001;
@@ -154,7 +154,7 @@ TEST(Report, SaysWhatTheExaminationFoundWithPlatesByNameAndRounded) {
     EXPECT_EQ(motion["collisions"], Json::parse(R"([{
         "plates": ["page/left", "page/right"], "from_deg": 12.346, "to_deg": 98.765, "angle_deg": 98.765,
         "depth_mm": 1.2346, "deepest_deg": 45.679, "excess_mm": 0.1235, "longer": "page/right",
-        "point_mm": [1.235, -2.0, 0.0]}])"));
+        "corner_mm": [7.0, -8.5], "point_mm": [1.235, -2.0, 0.0]}])"));
     EXPECT_EQ(motion["undecided"],
               Json::parse(R"([{"plates": ["page/left", "page/right"], "from_deg": 3.0, "to_deg": 3.0}])"));
     EXPECT_EQ(motion["clearance"], Json::parse(R"([{
@@ -162,8 +162,10 @@ TEST(Report, SaysWhatTheExaminationFoundWithPlatesByNameAndRounded) {
         "least_deg": 105.556, "point_mm": [4.0, 5.0, 6.0]}])"));
     EXPECT_EQ(motion["protrusion_mm"], 5.0);
     EXPECT_EQ(motion["protrusions"], Json::parse(R"([
-        {"plate": "page/left", "by_mm": 3.1416, "direction": [0.0, 0.6, 0.8], "point_mm": [0.0, 3.0, 4.0]},
-        {"plate": "page/right", "by_mm": 5.0, "direction": [0.0, 0.0, 1.0], "point_mm": [0.0, 0.0, 15.0]}])"));
+        {"plate": "page/left", "by_mm": 3.1416, "direction": [0.0, 0.6, 0.8], "point_mm": [0.0, 3.0, 4.0],
+         "corner_mm": [-4.0, 3.0]},
+        {"plate": "page/right", "by_mm": 5.0, "direction": [0.0, 0.0, 1.0], "point_mm": [0.0, 0.0, 15.0],
+         "corner_mm": [15.0, 0.0]}])"));
     EXPECT_EQ(motion["max_layers"], 7);
     EXPECT_EQ(motion["layer_order"], Json::array({"page/right", "page/left"}));
     EXPECT_FALSE(motion.contains("layer_cycle"));

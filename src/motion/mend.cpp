@@ -1,0 +1,89 @@
+#include "motion/mend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/cells.h"
+#include "motion/contacts.h"
+
+namespace popup {
+namespace {
+
+constexpr double kFirstMm = 0.5;
+constexpr double kFurthestMm = 100.0;
+constexpr double kPreciseMm = 0.02;
+constexpr std::size_t kMostPoses = 5'000;  // of one try; grazing takes more, and is no mend
+
+bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
+                std::span<const std::pair<int, int>> pairs) {
+    Linkage linkage(assembly);
+    PairSearch search(assembly, linkage, shapes);
+    const std::vector<double> ends = cell_ends();
+    std::vector<std::vector<Stretch>> stretches(pairs.size());
+    std::vector<Stretch> found;
+    Cell cell;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        if (!fill_cell(assembly, linkage, ends[i], ends[i + 1], cell)) return true;
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            search.contacts(cell, pairs[k].first, pairs[k].second, found);
+            stretches[k].insert(stretches[k].end(), found.begin(), found.end());
+            if (search.poses() > kMostPoses) return true;
+            if (std::any_of(found.begin(), found.end(), [](const Stretch& one) { return one.firm; }))
+                return true;
+        }
+    }
+    Contacts contacts;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        find_contacts(pairs[k].first, pairs[k].second, stretches[k], search, contacts);
+    }
+    return !contacts.contacts.empty() || !contacts.undecided.empty();
+}
+
+}  // namespace
+
+Assembly moved(const Assembly& assembly, const Move& move) {
+    Assembly result = assembly;
+    Joint& joint = result.joints[static_cast<std::size_t>(move.joint)];
+    const double along = dot(move.by, joint.left.fold_dir);
+    for (Bar* bar : {&joint.left, &joint.right}) {
+        bar->fold_at = bar->fold_at + along * bar->fold_dir;
+        bar->seam_at = bar->seam_at + along * bar->fold_dir;
+    }
+    return result;
+}
+
+std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
+                                 std::span<const std::pair<int, int>> pairs) {
+    const Linkage linkage(assembly);
+    std::optional<Move> best;
+    double shortest = kFurthestMm;
+    for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
+        const Joint& element = assembly.joints[static_cast<std::size_t>(joint)];
+        if (element.kind == JointKind::drive) continue;
+        for (const double way : {1.0, -1.0}) {
+            const auto moved_by = [&](double mm) { return Move{joint, (way * mm) * element.left.fold_dir}; };
+            const auto free = [&](double mm) {
+                return !in_contact(moved(assembly, moved_by(mm)), shapes, pairs);
+            };
+            double low = 0.0;
+            double high = kFirstMm;
+            while (high < shortest && !free(high)) {
+                low = high;
+                high *= 2.0;
+            }
+            if (high >= shortest) {
+                high = shortest;
+                if (low >= high || !free(high)) continue;
+            }
+            while (high - low > kPreciseMm) {
+                const double middle = 0.5 * (low + high);
+                (free(middle) ? high : low) = middle;
+            }
+            shortest = high;
+            best = moved_by(high);
+        }
+    }
+    return best;
+}
+
+}  // namespace popup

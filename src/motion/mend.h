@@ -1,0 +1,30 @@
+// What would keep two elements from colliding: tried out, not guessed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "motion/linkage.h"
+#include "motion/plate_shape.h"
+#include "popup/motion.h"
+
+namespace popup {
+
+// An element moved along its parent fold, as if its points had been drawn there.
+struct Move {
+    int joint = 0;  // which element
+    Vec2 by;        // mm, on the page of its left driving plate
+};
+
+// The assembly with that element, and what stands on it, moved. That there is paper at the new place is not
+// looked at.
+Assembly moved(const Assembly& assembly, const Move& move);
+
+// The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
+// plates (one of each element) is in contact at any angle; none when there is no such move. Cost: a few dozen
+// times that of examining the pairs.
+std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
+                                 std::span<const std::pair<int, int>> pairs);
+
+}  // namespace popup
