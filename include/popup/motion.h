@@ -34,8 +34,9 @@ struct MotionOptions {
 // Plates cross where a common point of both lies further than 0.01 mm inside the edges of both, and the paper
 // round it, as far as it reaches in a circle on both, stands more than 0.0025 mm out of the other plate on
 // either side. So what touches along folds, seams, corners or cut edges, or lies flat on one another, does
-// not cross. Contact begins and ends where that is 0.0001 mm, and plates that go wholly through each other
-// between two angles, face to face, are in contact there.
+// not cross. Contact begins and ends where that is 0.0001 mm (below 1°, where all shrinks, that times the
+// angle in degrees), and plates that go wholly through each other between two angles, face to face, are in
+// contact there.
 struct Contact {
     int a = 0, b = 0;       // plates, a < b
     double from_deg = 0.0;  // 0 when they still cross at the smallest angle looked at

@@ -30,7 +30,8 @@ struct Pair {
 
     [[nodiscard]] bool meet(double deg) const {
         const auto at = search.at(a, b, deg);
-        return at.crossing && at.crossing->firmness_mm() > kEdgeMm;
+        // Near the closed card everything shrinks as the angle does, and so does what counts.
+        return at.crossing && at.crossing->firmness_mm() > kEdgeMm * std::min(deg, 1.0);
     }
 
     // The end of the contact that holds at `deg`, looked for up to `limit` (below or above).
@@ -214,7 +215,9 @@ struct Pair {
 
 void find_contacts(int a, int b, std::span<const Stretch> stretches, PairSearch& search, Contacts& result) {
     const Pair pair{a, b, search};
-    double limit = kLeastOpeningDeg;  // where the contact before this one ends
+    double limit = kLeastOpeningDeg;    // where the contact before this one ends
+    double begin = kLeastOpeningDeg;    // and where it began
+    std::optional<std::size_t> before;  // and where it stands in the result
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t end = i + 1;
         while (end < stretches.size() && stretches[end].from == stretches[end - 1].to) ++end;
@@ -231,15 +234,18 @@ void find_contacts(int a, int b, std::span<const Stretch> stretches, PairSearch&
         }
         if (first != nullptr && !pair.firm(stretches.subspan(i, end - i))) first = nullptr;
         if (first != nullptr) {
-            const double from = pair.end_of_contact(0.5 * (first->from + first->to), limit);
-            const double to = pair.end_of_contact(0.5 * (last->from + last->to), 180.0);
-            if (from <= limit && limit > kLeastOpeningDeg && !result.contacts.empty()) {
+            const auto start = [&](double end, double middle) { return pair.meet(end) ? end : middle; };
+            const double from =
+                pair.end_of_contact(start(first->from, 0.5 * (first->from + first->to)), limit);
+            const double to = pair.end_of_contact(start(last->to, 0.5 * (last->from + last->to)), 180.0);
+            if (before && from <= limit) {
                 // It is the same contact as the one before: shallow in between.
-                const double begin = result.contacts.back().from_deg;
-                result.contacts.back() = pair.contact(std::max(begin, kLeastOpeningDeg), to);
+                result.contacts.resize(*before);
             } else {
-                result.contacts.push_back(pair.contact(from, to));
+                before = result.contacts.size();
+                begin = from;
             }
+            result.contacts.push_back(pair.contact(begin, to));
             limit = to;
             while (end < stretches.size() && stretches[end].to <= to) ++end;
         } else if (const auto passing = pair.passing(stretches[i].from, stretches[end - 1].to)) {

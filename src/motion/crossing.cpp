@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kParallel = 1e-9;  // sine of the angle between planes that never meet
 constexpr double kFar = 20.0;       // how far from an edge is far enough
+// How exactly the point furthest inside is found, if that does not take too many looks.
+constexpr double kInsideMm = 1e-4;
+constexpr double kInsideShare = 0.02;
 constexpr int kMostLooks = 400;
 
 // Where an outline passes the line, and how far it reaches from there to either side before it comes back.
@@ -75,9 +78,12 @@ double reach_of(const Passage& from, const Passage& to) {
 }
 
 // Where a function that rises and falls no faster than its argument is highest: halves what may still be
-// higher than what was seen.
+// higher than what was seen. `bound`: it is nowhere higher.
+struct Highest {
+    double at, value, bound;
+};
 template <typename Function>
-std::pair<double, double> highest(const Function& value, double from, double to) {
+Highest highest(const Function& value, double from, double to) {
     struct Part {
         double middle, half, value;
         [[nodiscard]] double bound() const { return value + half; }
@@ -97,7 +103,7 @@ std::pair<double, double> highest(const Function& value, double from, double to)
             std::push_heap(parts.begin(), parts.end(), lower);
         }
     }
-    return {best.middle, best.value};
+    return {best.middle, best.value, std::max(best.value, parts.front().bound())};
 }
 
 }  // namespace
@@ -125,11 +131,13 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
         return std::min(from_a, b.to_edge(on_b.at + t * on_b.along, std::min(from_a, kFar)));
     };
     std::optional<Crossing> best;
+    double at_most = 0.0;
     for (std::size_t i = 0, k = 0; i + 1 < of_a.size() && k + 1 < of_b.size();) {
         const double from = std::max(of_a[i].along, of_b[k].along);
         const double to = std::min(of_a[i + 1].along, of_b[k + 1].along);
         if (from < to) {
-            const auto [at, most] = highest(inside, from, to);
+            const auto [at, most, bound] = highest(inside, from, to);
+            at_most = std::max(at_most, bound);
             if (!best || most > best->inside_mm) {
                 Crossing found;
                 const Vec2 p = on_a.at + at * on_a.along;
@@ -150,6 +158,7 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
             k += 2;
         }
     }
+    if (best) best->inside_at_most_mm = at_most;
     return best;
 }
 

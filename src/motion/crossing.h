@@ -7,12 +7,11 @@
 
 namespace popup {
 
-inline constexpr double kInsideMm = 1e-4;
-inline constexpr double kInsideShare = 0.02;
-
 struct Crossing {
-    Vec3 point;                // of both, in a's page coordinates: the one furthest inside the edges of both
-    double inside_mm = 0.0;    // how far that is, to 0.0001 mm; never too little by more
+    Vec3 point;              // of both, in a's page coordinates: the one furthest inside the edges of both
+    double inside_mm = 0.0;  // how far that is
+    double inside_at_most_mm =
+        0.0;                   // no common point is further; larger by a fiftieth or 0.0001 mm, seldom more
     double sine = 0.0;         // of the angle between the planes
     double depth_mm = 0.0;     // how far one goes through the other's plane, the one that reaches less far
     double excess_mm = 0.0;    // the same on its own paper

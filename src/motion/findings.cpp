@@ -49,7 +49,7 @@ class Findings {
                                 name(worst.longer), worst.excess_mm, worst.corner.x, worst.corner.y));
             }
             if (&joint == &second || tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
-            if (const auto move = freeing_move(assembly_, shapes(), all_pairs(joints))) {
+            if (const auto move = freeing_move(assembly_, shapes(), all_pairs(joints), budget_)) {
                 finding.hint(
                     fmt::format("moving \"{}\" {:.2f} mm along its fold, by ({:.2f}, {:.2f}) mm on the page, "
                                 "frees the two",
@@ -138,12 +138,13 @@ class Findings {
     void undecided(const Examination& found) {
         if (found.decided_up_to_deg < 180.0) {
             diagnostics_
-                .remark("undecided", {},
-                        fmt::format(
-                            "so many plates stand on one another that nothing is said about collisions at "
-                            "openings above {:.2f}°",
-                            found.decided_up_to_deg))
-                .hint("let fewer elements stand on one another");
+                .remark(
+                    "undecided", {},
+                    fmt::format(
+                        "so many plates stand on or touch one another that nothing is said of collisions at "
+                        "openings above {:.2f}°",
+                        found.decided_up_to_deg))
+                .hint("let fewer elements stand on one another, or in one place");
         }
         const std::vector<Undecided>& all = found.undecided;
         for (const auto& [joints, some] : by_elements(all)) {
@@ -246,6 +247,7 @@ class Findings {
         return text;
     }
 
+    MoveBudget budget_;
     std::vector<PlateShape> shapes_;  // made when first asked for
     const Assembly& assembly_;
     const Linkage& linkage_;

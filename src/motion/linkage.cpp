@@ -10,6 +10,26 @@ namespace {
 
 std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
+// Equal for joints whose plates move alike: what drives them, how, and from where on the fold. Where a
+// parallel linkage stands along its fold makes no difference.
+using Likeness = std::array<long long, 10>;
+Likeness likeness(const Joint& joint) {
+    const auto whole = [](double value) { return std::llround(value * 1e9); };
+    const Bar& l = joint.left;
+    const Bar& r = joint.right;
+    const Vec2 at = joint.parallel ? Vec2{} : l.fold_at;
+    return {static_cast<long long>(joint.kind) * 2 + (joint.parallel ? 1 : 0),
+            l.drive,
+            r.drive,
+            whole(l.near),
+            whole(l.far),
+            whole(r.near),
+            whole(r.far),
+            whole(at.x),
+            whole(at.y),
+            joint.parallel ? 0 : whole(std::atan2(l.fold_dir.y, l.fold_dir.x))};
+}
+
 }  // namespace
 
 Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
@@ -20,7 +40,10 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
     fold_turn_.assign(assembly.joints.size(), -1);
     for (auto& seen : seen_) seen.assign(plates + 1, -1);
     wanted_.assign(assembly.joints.size(), 0);
+    twin_.resize(plates);
+    for (std::size_t i = 0; i < plates; ++i) twin_[i] = static_cast<int>(i);
     std::map<std::pair<int, int>, int> between;  // the turn of two plates
+    std::map<Likeness, std::size_t> alike;
     for (std::size_t j = 0; j < assembly.joints.size(); ++j) {
         const Joint& joint = assembly.joints[j];
         const auto left = static_cast<std::size_t>(joint.left.plate);
@@ -40,8 +63,11 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
         fold_turn_[j] = fold;
         const Bar& l = joint.left;
         const Bar& r = joint.right;
-        turns_.push_back({l.plate, l.drive, l.own_at, l.own_seam, first + 1, {fold, first + 2}});
-        turns_.push_back({r.plate, r.drive, r.own_at, r.own_seam, first, {fold, first + 2}});
+        const Joint& like = assembly.joints[alike.try_emplace(likeness(joint), j).first->second];
+        twin_[left] = like.left.plate;
+        twin_[right] = like.right.plate;
+        turns_.push_back({l.plate, twin(l.drive), l.own_at, l.own_seam, first + 1, {fold, first + 2}});
+        turns_.push_back({r.plate, twin(r.drive), r.own_at, r.own_seam, first, {fold, first + 2}});
         Turn centre{l.plate, r.plate, l.own_at, l.own_centre, fold, {first, first + 1}};
         if (joint.parallel) {
             centre.at = l.own_at + l.far * l.own_centre;
@@ -105,7 +131,7 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
     }
 }
 
-void Linkage::joints_under(int a, int b, std::vector<std::size_t>& joints) {
+void Linkage::joints_under(std::span<const int> plates, std::vector<std::size_t>& joints) {
     joints.clear();
     open_.clear();
     const auto want = [this](int plate) {
@@ -114,15 +140,16 @@ void Linkage::joints_under(int a, int b, std::vector<std::size_t>& joints) {
         wanted_[static_cast<std::size_t>(joint)] = 1;
         open_.push_back(joint);
     };
-    want(a);
-    want(b);
+    for (const int plate : plates) want(plate);
     while (!open_.empty()) {
         const auto joint = static_cast<std::size_t>(open_.back());
         open_.pop_back();
         joints.push_back(joint);
         if (assembly_.joints[joint].kind == JointKind::drive) continue;
-        want(assembly_.joints[joint].left.drive);
-        want(assembly_.joints[joint].right.drive);
+        for (const int drive : {assembly_.joints[joint].left.drive, assembly_.joints[joint].right.drive}) {
+            want(drive);
+            want(twin(drive));
+        }
     }
     std::sort(joints.begin(), joints.end());
     for (const std::size_t joint : joints) wanted_[joint] = 0;

@@ -6,6 +6,9 @@
 // add up to nought, so one of them vanishes only when the axes of the other three lie in one plane, which is
 // when the turn opposite passes 0° or 180°. So the two ends of a range say exactly how far a plate turns
 // within it.
+//
+// A turn also turns back where its parent fold does. In designs that passed check() none does: no seam passes
+// flat while its parent fold is bent by less than 180°.
 #pragma once
 
 #include <array>
@@ -20,7 +23,7 @@ namespace popup {
 // Two plates that turn against each other about a line.
 struct Turn {
     int plate = -1;  // on whose page the line is
-    int other = -1;  // -1: the world
+    int other = -1;  // or a twin of it; -1: the world
     Vec2 at, dir;    // a point of the line, and its direction (unit)
     // In its four-bar: the turn opposite, and the two others; -1: the opening of the card itself.
     int opposite = -1;
@@ -48,11 +51,16 @@ class Linkage {
     // The turn about the parent fold of a joint; -1 when that is the opening of the card itself.
     [[nodiscard]] int fold_turn(int joint) const { return fold_turn_[static_cast<std::size_t>(joint)]; }
 
+    // The first of the plates that move as one body with this one because their linkages are alike: tents,
+    // for instance, that stand beside one another on one fold with the same distances.
+    [[nodiscard]] int twin(int plate) const { return twin_[static_cast<std::size_t>(plate)]; }
+
     // A shortest way from plate a to plate b, as turns from a's end on. Uses memory of the object: one caller
     // at a time.
     void way(int a, int b, std::vector<int>& turns);
-    // The joints that must be placed, in order, to know where plates a and b are. One caller at a time.
-    void joints_under(int a, int b, std::vector<std::size_t>& joints);
+    // The joints that must be placed, in order, to know where the plates and what they turn against are. One
+    // caller at a time.
+    void joints_under(std::span<const int> plates, std::vector<std::size_t>& joints);
 
     // How far a turn is bent from flat, radians in [-π, π]. 0 for turns against the world: they move with the
     // card.
@@ -66,7 +74,7 @@ class Linkage {
 
     const Assembly& assembly_;
     std::vector<Turn> turns_;
-    std::vector<int> joint_of_, drive_turn_, centre_turn_, fold_turn_;
+    std::vector<int> joint_of_, drive_turn_, centre_turn_, fold_turn_, twin_;
     std::array<std::vector<Visit>, 2> visits_;
     std::array<std::vector<int>, 2> seen_;  // by plate + 1: the visit, -1 for none
     std::vector<char> wanted_;              // by joint

@@ -12,31 +12,38 @@ namespace {
 constexpr double kFirstMm = 0.5;
 constexpr double kFurthestMm = 100.0;
 constexpr double kPreciseMm = 0.02;
-constexpr std::size_t kMostPoses = 5'000;  // of one try; grazing takes more, and is no mend
+constexpr std::size_t kMostPoses = 5'000;  // of one try
 
 bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
-                std::span<const std::pair<int, int>> pairs) {
+                std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     Linkage linkage(assembly);
     PairSearch search(assembly, linkage, shapes);
     const std::vector<double> ends = cell_ends();
     std::vector<std::vector<Stretch>> stretches(pairs.size());
     std::vector<Stretch> found;
     Cell cell;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        if (!fill_cell(assembly, linkage, ends[i], ends[i + 1], cell)) return true;
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-            search.contacts(cell, pairs[k].first, pairs[k].second, found);
-            stretches[k].insert(stretches[k].end(), found.begin(), found.end());
-            if (search.poses() > kMostPoses) return true;
-            if (std::any_of(found.begin(), found.end(), [](const Stretch& one) { return one.firm; }))
-                return true;
+    const std::size_t most = std::min(kMostPoses, budget.poses);
+    const auto crosses = [&] {
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            if (!fill_cell(assembly, linkage, ends[i], ends[i + 1], cell)) return true;
+            for (std::size_t k = 0; k < pairs.size(); ++k) {
+                search.contacts(cell, pairs[k].first, pairs[k].second, found);
+                stretches[k].insert(stretches[k].end(), found.begin(), found.end());
+                // What grazes takes most poses, and is no mend.
+                if (search.poses() >= most) return true;
+                if (std::any_of(found.begin(), found.end(), [](const Stretch& one) { return one.firm; }))
+                    return true;
+            }
         }
-    }
-    Contacts contacts;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        find_contacts(pairs[k].first, pairs[k].second, stretches[k], search, contacts);
-    }
-    return !contacts.contacts.empty() || !contacts.undecided.empty();
+        Contacts contacts;
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            find_contacts(pairs[k].first, pairs[k].second, stretches[k], search, contacts);
+        }
+        return !contacts.contacts.empty() || !contacts.undecided.empty();
+    };
+    const bool result = crosses();
+    budget.poses -= std::min(budget.poses, search.poses() + assembly.plates.size());
+    return result;
 }
 
 }  // namespace
@@ -53,7 +60,7 @@ Assembly moved(const Assembly& assembly, const Move& move) {
 }
 
 std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
-                                 std::span<const std::pair<int, int>> pairs) {
+                                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     const Linkage linkage(assembly);
     std::optional<Move> best;
     double shortest = kFurthestMm;
@@ -63,7 +70,7 @@ std::optional<Move> freeing_move(const Assembly& assembly, std::span<const Plate
         for (const double way : {1.0, -1.0}) {
             const auto moved_by = [&](double mm) { return Move{joint, (way * mm) * element.left.fold_dir}; };
             const auto free = [&](double mm) {
-                return !in_contact(moved(assembly, moved_by(mm)), shapes, pairs);
+                return !in_contact(moved(assembly, moved_by(mm)), shapes, pairs, budget);
             };
             double low = 0.0;
             double high = kFirstMm;

@@ -21,10 +21,16 @@ struct Move {
 // looked at.
 Assembly moved(const Assembly& assembly, const Move& move);
 
+// How many poses of pairs may still be looked at in search of moves: cards differ a thousandfold in what a
+// move costs.
+struct MoveBudget {
+    std::size_t poses = 60'000;
+};
+
 // The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
-// plates (one of each element) is in contact at any angle; none when there is no such move. Cost: a few dozen
-// times that of examining the pairs.
+// plates (one of each element) is in contact at any angle; none when there is no such move or the budget is
+// used up before one is found. Cost: a few dozen times that of examining the pairs.
 std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
-                                 std::span<const std::pair<int, int>> pairs);
+                                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget);
 
 }  // namespace popup

@@ -13,6 +13,7 @@ namespace {
 // near, but nothing moves far.
 constexpr double kUneven = 0.6;
 constexpr int kMostQuarterings = 12;
+constexpr double kParallel = 1e-12;   // sine of the angle between lines of one direction
 constexpr double kRoundingMm = 1e-9;  // of heights that are nought by construction
 
 Triangle3 lifted(const Triangle2& t) {
@@ -54,7 +55,33 @@ Frame relative(const Frame& a, const Frame& b) {
     return result;
 }
 
+// Plates that only turn about lines of one direction do not move along it: true when they do not lie beside
+// each other there, but for what touches.
+bool apart_along_arms(const PairPose& pose) {
+    if (pose.from_b.empty()) return false;
+    const Vec3 way = pose.from_b[0].dir;
+    for (const Arm& arm : pose.from_b) {
+        if (length(cross(arm.dir, way)) > kParallel) return false;
+    }
+    double a_least = HUGE_VAL;
+    double a_most = -HUGE_VAL;
+    double b_least = HUGE_VAL;
+    double b_most = -HUGE_VAL;
+    for (const Vec2 p : pose.a->hull) {
+        const double along = p.x * way.x + p.y * way.y;
+        a_least = std::min(a_least, along);
+        a_most = std::max(a_most, along);
+    }
+    for (const Vec2 p : pose.b->hull) {
+        const double along = dot(pose.b_in_a.point(p), way);
+        b_least = std::min(b_least, along);
+        b_most = std::max(b_most, along);
+    }
+    return std::min(a_most, b_most) - std::max(a_least, b_least) <= kTouchMm;
+}
+
 Sides sides_of(const PairPose& pose) {
+    if (apart_along_arms(pose)) return Sides::one;
     const Ring& of_b = pose.b->hull;
     double lowest = 0.0;
     double highest = 0.0;

@@ -1,6 +1,7 @@
 #include "motion/pair_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/place.h"
@@ -15,7 +16,7 @@ constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
 // in between can be called something.
 constexpr double kNearlyFirmMm = 0.5 * kFirmMm;
-constexpr int kMostPoses = 200000;  // of one pair in one cell
+constexpr int kMostPoses = 20000;  // of one pair in one cell
 
 double degrees_between(double from, double to) { return 0.5 * (from + to); }
 
@@ -32,7 +33,7 @@ void PairSearch::begin(const Cell& cell, int a, int b) {
     a_ = a;
     b_ = b;
     joints_known_ = false;
-    linkage_.way(a, b, way_);
+    linkage_.way(linkage_.twin(a), linkage_.twin(b), way_);
     for (const int turn : needed_) slot_[static_cast<std::size_t>(turn)] = -1;
     needed_.clear();
     const auto need = [this](int turn) {
@@ -50,7 +51,7 @@ void PairSearch::begin(const Cell& cell, int a, int b) {
 
 bool PairSearch::place_pair(double deg) {
     if (!joints_known_) {
-        linkage_.joints_under(a_, b_, joints_);
+        linkage_.joints_under(std::array{a_, b_, linkage_.twin(a_), linkage_.twin(b_)}, joints_);
         joints_known_ = true;
     }
     return std::all_of(joints_.begin(), joints_.end(), [&](std::size_t joint) {
@@ -153,7 +154,7 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& 
         if (here && here->firmness_mm() > kNearlyFirmMm &&
             (width <= kLeastHitDeg || crosses_throughout(*here, turns))) {
             add(range, Stretch::crossing, firm);
-        } else if (only_touches(here ? here->inside_mm : 0.0, turns) || width <= kLeastDeg) {
+        } else if (only_touches(here ? here->inside_at_most_mm : 0.0, turns) || width <= kLeastDeg) {
             add(range, Stretch::touching, firm);
         } else if (poses_ - start > kMostPoses) {
             add(range, Stretch::undecided);
@@ -208,10 +209,9 @@ bool PairSearch::crosses_throughout(const Crossing& here, double turns) const {
 bool PairSearch::only_touches(double inside_mm, double turns) {
     const double sine = sine_between(pose_.b_in_a) + turns;
     if (std::min(pose_.a->radius, pose_.b->radius) * sine <= kFirmMm) return true;
-    const double inside = std::max((1.0 + kInsideShare) * inside_mm, 0.0) + kInsideMm;
-    if (inside * sine > kFirmMm || turns >= 0.5 * sine) return false;
+    if (inside_mm * sine > kFirmMm || turns >= 0.5 * sine) return false;
     const double strayed = nearness_.stray_of_near(pose_);
-    return (inside + strayed / (sine - turns) + strayed) * sine <= kFirmMm;
+    return (inside_mm + strayed / (sine - turns) + strayed) * sine <= kFirmMm;
 }
 
 void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm, std::vector<Stretch>& found) {

@@ -257,8 +257,8 @@ struct BruteForce::Impl {
         }
         return !left.empty();
     }
-    [[nodiscard]] bool in_contact(const Body& a, const Body& b) const {
-        return circle_stands_out(a, b, Common(a, b), kEndMm);
+    [[nodiscard]] bool in_contact(const Body& a, const Body& b, double deg) const {
+        return circle_stands_out(a, b, Common(a, b), end_mm(deg));
     }
     [[nodiscard]] double through(const Body& a, const Body& b) const {
         const Common common(a, b);
@@ -314,7 +314,7 @@ double BruteForce::through(int a, int b, double deg) const {
 std::optional<std::pair<double, double>> BruteForce::contact_around(int a, int b, double deg) const {
     const auto holds = [&](double at) {
         const auto frames = impl_->frames(at);
-        return impl_->in_contact(impl_->body(a, frames), impl_->body(b, frames));
+        return impl_->in_contact(impl_->body(a, frames), impl_->body(b, frames), at);
     };
     if (!holds(deg)) return std::nullopt;
     const auto last = [&](double step, double limit) {

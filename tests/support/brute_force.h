@@ -22,6 +22,8 @@ namespace popup::test {
 inline constexpr double kInsideMm = 0.01;
 inline constexpr double kThroughMm = 0.0025;
 inline constexpr double kEndMm = 0.0001;
+// Below 1° everything shrinks as the angle does.
+inline double end_mm(double deg) { return kEndMm * (deg < 1.0 ? deg : 1.0); }
 
 // Plates a < b that cross at an angle.
 struct BruteContact {

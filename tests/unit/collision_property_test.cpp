@@ -341,7 +341,7 @@ class Comparison {
             const double through = brute_.through(pair.first, pair.second, deg);
             if (!reported && through > kThroughMm + kSlackMm) {
                 differs(pair, deg, "examine() has no contact here");
-            } else if (reported && through < kEndMm - kSlackMm) {
+            } else if (reported && through < end_mm(deg) - kSlackMm * std::min(deg, 1.0)) {
                 differs(pair, deg, "examine() has a contact here");
             }
         }
@@ -362,7 +362,7 @@ class Comparison {
             if (end == 0.0 || !looked_at(deg) || near_end(pair, deg) || holds(contacts_, pair, deg) ||
                 holds(undecided_, pair, deg))
                 continue;
-            if (brute_.through(pair.first, pair.second, deg) > kEndMm + kSlackMm) {
+            if (brute_.through(pair.first, pair.second, deg) > end_mm(deg) + kSlackMm * std::min(deg, 1.0)) {
                 differs(pair, deg, "the contact that examine() has ended goes on");
             }
         }

@@ -172,7 +172,8 @@ TEST(Collision, MoveThatIsSaidToFreeTwoElementsDoes) {
     for (const Plate& plate : built.assembly->plates) shapes.push_back(plate_shape(plate));
     // The page's two plates come first, then those of each element.
     const std::vector<std::pair<int, int>> pairs{{2, 4}, {2, 5}, {3, 4}, {3, 5}};
-    const auto move = freeing_move(*built.assembly, shapes, pairs);
+    MoveBudget budget;
+    const auto move = freeing_move(*built.assembly, shapes, pairs, budget);
     ASSERT_TRUE(move.has_value());
     const auto contacts_when_moved = [&](double share) {
         Design design = tip.design();
