@@ -19,6 +19,7 @@ constexpr int kSamples = 24;       // where the depth is looked at
 // How far from a touch plates may have a side again, if they get as far as kTouchMm from each other.
 constexpr std::array kAsideDegs{0.001, 0.01, 0.1, 1.0};
 
+constexpr double kSameMm = 1e-6;         // heights no further apart are equal
 constexpr double kNearlyParallel = 0.1;  // sine of the angle between plates
 constexpr double kInnerMm = 0.1;
 
@@ -94,19 +95,22 @@ struct Pair {
         return best;
     }
 
-    // The corner of the longer plate that stands as far out of the other as it reaches.
+    // The corner of the longer plate that stands as far out of the other as it reaches; of several the
+    // nearest one.
     [[nodiscard]] Vec2 furthest_corner(const PairSearch::At& at) const {
         const Crossing& here = *at.crossing;
+        const bool of_b = here.b_is_longer;
+        const Vec2 meeting = of_b ? on_page(at.b_in_a, here.point) : Vec2{here.point.x, here.point.y};
         Vec2 best;
-        double least = HUGE_VAL;
-        for (const Ring& ring : search.shape(here.b_is_longer ? b : a).rings) {
+        std::pair<double, double> least{HUGE_VAL, HUGE_VAL};
+        for (const Ring& ring : search.shape(of_b ? b : a).rings) {
             for (const Vec2 p : ring) {
-                const double height = here.b_is_longer
-                                          ? at.b_in_a.point(p).z
-                                          : dot(Vec3{p.x, p.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
+                const double height = of_b ? at.b_in_a.point(p).z
+                                           : dot(Vec3{p.x, p.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
                 const double off = std::abs(std::abs(height) - here.depth_mm);
-                if (off >= least) continue;
-                least = off;
+                const std::pair<double, double> order{off < kSameMm ? 0.0 : off, distance(p, meeting)};
+                if (order >= least) continue;
+                least = order;
                 best = p;
             }
         }

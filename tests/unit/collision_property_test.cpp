@@ -21,7 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 using PlatePair = std::pair<int, int>;
 
+// Sanitized, everything takes ten times as long, and fewer designs show as much.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kDesigns = 30;
+#else
 constexpr int kDesigns = 200;
+#endif
 constexpr int kLongDesigns = 3000;
 constexpr double kEndDeg = 0.02;       // so near the end of a contact either answer will do
 constexpr double kSlackMm = 2e-5;      // the same, for contacts that end slowly
