@@ -42,8 +42,14 @@ std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
 std::vector<double> cell_ends() {
     std::vector<double> ends;
     double at = 180.0;
-    for (; at > kHalvedBelowDeg; at -= kWidestDeg) ends.push_back(at);
-    for (; at > kLeastOpeningDeg; at *= 0.5) ends.push_back(at);
+    while (at > kHalvedBelowDeg) {
+        ends.push_back(at);
+        at -= kWidestDeg;
+    }
+    while (at > kLeastOpeningDeg) {
+        ends.push_back(at);
+        at *= 0.5;
+    }
     ends.push_back(kLeastOpeningDeg);
     std::reverse(ends.begin(), ends.end());
     return ends;

@@ -19,6 +19,7 @@ constexpr int kSamples = 24;       // where the depth is looked at
 // How far from a touch plates may have a side again, if they get as far as kTouchMm from each other.
 constexpr std::array kAsideDegs{0.001, 0.01, 0.1, 1.0};
 
+constexpr double kDeepestDeg = 1e-3;     // to which the angle of the greatest depth is found
 constexpr double kSameMm = 1e-6;         // heights no further apart are equal
 constexpr double kNearlyParallel = 0.1;  // sine of the angle between plates
 constexpr double kInnerMm = 0.1;
@@ -87,7 +88,8 @@ struct Pair {
         look(best);
         double step = (to - from) / kSamples;
         for (int i = 0; i <= kSamples; ++i) look(from + i * step);
-        for (step *= 0.5; step > 1e-3; step *= 0.5) {
+        while (step > kDeepestDeg) {
+            step *= 0.5;
             const double centre = best;
             if (centre - step > from) look(centre - step);
             if (centre + step < to) look(centre + step);

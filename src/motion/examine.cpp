@@ -23,7 +23,8 @@ constexpr double kFoldingDeg = 45.0;
 constexpr std::size_t kMostWork = 20'000'000;
 constexpr std::size_t kMostWorkPerPlate = 2'000;
 constexpr std::size_t kMostPairsPerPlate = 500;
-constexpr int kLooks = 64;  // where a smallest distance is looked for, before halving
+constexpr double kLeastDeg = 1e-4;  // to which the angle of the smallest distance is found
+constexpr int kLooks = 64;          // where a smallest distance is looked for, before halving
 
 struct PairStretch {
     int a, b;
@@ -105,7 +106,8 @@ class Approaches {
         };
         double step = (one.to_deg - one.from_deg) / kLooks;
         for (int i = 0; i <= kLooks; ++i) look(one.from_deg + i * step);
-        for (step *= 0.5; step > 1e-4; step *= 0.5) {
+        while (step > kLeastDeg) {
+            step *= 0.5;
             const double centre = one.least_deg;
             look(std::max(centre - step, one.from_deg));
             look(std::min(centre + step, one.to_deg));

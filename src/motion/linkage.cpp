@@ -10,6 +10,9 @@ namespace {
 
 std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
+// Where a plate, or the world (-1), stands among the nodes of a way.
+std::size_t node(int plate) { return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(plate) + 1); }
+
 // Equal for joints whose plates move alike: what drives them, how, and from where on the fold. Where a
 // parallel linkage stands along its fold makes no difference.
 using Likeness = std::array<long long, 10>;
@@ -81,7 +84,7 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
 }
 
 void Linkage::rise(std::size_t side, int plate, int turn, int from) {
-    int& seen = seen_.at(side)[static_cast<std::size_t>(plate + 1)];
+    int& seen = seen_.at(side)[node(plate)];
     if (seen >= 0) return;
     seen = static_cast<int>(visits_.at(side).size());
     visits_.at(side).push_back({plate, turn, from});
@@ -106,7 +109,7 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
                     const Turn& t = turns_[static_cast<std::size_t>(turn)];
                     const int to = t.plate == at.plate ? t.other : t.plate;
                     rise(side, to, turn, static_cast<int>(done.at(side)));
-                    if (seen_.at(1 - side)[static_cast<std::size_t>(to + 1)] >= 0) {
+                    if (seen_.at(1 - side)[node(to)] >= 0) {
                         meeting = to;
                         break;
                     }
@@ -115,7 +118,7 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
         }
     }
     const auto walk = [&](std::size_t side) {
-        for (int at = seen_.at(side)[static_cast<std::size_t>(meeting + 1)]; at > 0;) {
+        for (int at = seen_.at(side)[node(meeting)]; at > 0;) {
             const Visit& visit = visits_.at(side)[static_cast<std::size_t>(at)];
             turns.push_back(visit.turn);
             at = visit.from;
@@ -125,8 +128,7 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
     std::reverse(turns.begin(), turns.end());
     walk(1);
     for (std::size_t side = 0; side < 2; ++side) {
-        for (const Visit& visit : visits_.at(side))
-            seen_.at(side)[static_cast<std::size_t>(visit.plate + 1)] = -1;
+        for (const Visit& visit : visits_.at(side)) seen_.at(side)[node(visit.plate)] = -1;
         visits_.at(side).clear();
     }
 }

@@ -10,7 +10,7 @@
 namespace popup {
 namespace {
 
-constexpr double kFirstStepDeg = 2.5;
+constexpr int kSteps = 72;  // of 2.5°
 constexpr double kTurn =
     5.0 * std::numbers::pi / 180.0;  // a plate that turns further is looked at in between
 constexpr double kJumpDeg = 1e-6;    // who still turns that far in this, jumps
@@ -133,7 +133,8 @@ bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnost
         return false;
     }
     Pose next;
-    for (double deg = kFirstStepDeg; deg <= 180.0; deg += kFirstStepDeg) {
+    for (int step = 1; step <= kSteps; ++step) {
+        const double deg = 180.0 * step / kSteps;
         if (!walk.look(deg, next)) {
             walk.locks(here.deg, deg);
             return false;
