@@ -62,33 +62,33 @@ Assembly moved(const Assembly& assembly, const Move& move) {
 std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     const Linkage linkage(assembly);
-    std::optional<Move> best;
-    double shortest = kFurthestMm;
+    const auto along = [&](int joint, double mm) {
+        return Move{joint, mm * assembly.joints[static_cast<std::size_t>(joint)].left.fold_dir};
+    };
+    const auto free = [&](int joint, double mm) {
+        return !in_contact(moved(assembly, along(joint, mm)), shapes, pairs, budget);
+    };
+    std::vector<std::pair<int, double>> ways;  // element and sense
     for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
-        const Joint& element = assembly.joints[static_cast<std::size_t>(joint)];
-        if (element.kind == JointKind::drive) continue;
-        for (const double way : {1.0, -1.0}) {
-            const auto moved_by = [&](double mm) { return Move{joint, (way * mm) * element.left.fold_dir}; };
-            const auto free = [&](double mm) {
-                return !in_contact(moved(assembly, moved_by(mm)), shapes, pairs, budget);
-            };
-            double low = 0.0;
-            double high = kFirstMm;
-            while (high < shortest && !free(high)) {
-                low = high;
-                high *= 2.0;
+        if (assembly.joints[static_cast<std::size_t>(joint)].kind == JointKind::drive) continue;
+        ways.emplace_back(joint, 1.0);
+        ways.emplace_back(joint, -1.0);
+    }
+    // Further and further in all ways at once; of those that are free first, the shortest.
+    std::optional<Move> best;
+    double before = 0.0;
+    while (!best && before < kFurthestMm && budget.poses > 0) {
+        double shortest = std::clamp(2.0 * before, kFirstMm, kFurthestMm);
+        for (const auto& [joint, sense] : ways) {
+            if (!free(joint, sense * shortest)) continue;
+            double low = before;
+            while (shortest - low > kPreciseMm && budget.poses > 0) {
+                const double middle = 0.5 * (low + shortest);
+                (free(joint, sense * middle) ? shortest : low) = middle;
             }
-            if (high >= shortest) {
-                high = shortest;
-                if (low >= high || !free(high)) continue;
-            }
-            while (high - low > kPreciseMm) {
-                const double middle = 0.5 * (low + high);
-                (free(middle) ? high : low) = middle;
-            }
-            shortest = high;
-            best = moved_by(high);
+            best = along(joint, sense * shortest);
         }
+        before = shortest;
     }
     return best;
 }

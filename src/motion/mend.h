@@ -24,7 +24,7 @@ Assembly moved(const Assembly& assembly, const Move& move);
 // How many poses of pairs may still be looked at in search of moves: cards differ a thousandfold in what a
 // move costs.
 struct MoveBudget {
-    std::size_t poses = 60'000;
+    std::size_t poses = 30'000;
 };
 
 // The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
