@@ -21,7 +21,7 @@ struct Checker {
     std::shared_ptr<Skeleton> skeleton = std::make_shared<Skeleton>();
     Builder builder{*skeleton};
     FoldIndex index;
-    Paper paper;
+    PaperMap paper;
     std::vector<Fold>
         ghosts;     // folds of elements that could not be made, so that what stands on them is left in peace
     int pages = 1;  // pages that exist so far

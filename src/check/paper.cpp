@@ -43,18 +43,18 @@ bool inside(const Ring& outline, Vec2 p, double slack) {
 
 }  // namespace
 
-Paper::PageEdges& Paper::page(int number) {
+PaperMap::PageEdges& PaperMap::page(int number) {
     while (pages_.size() <= static_cast<std::size_t>(number)) pages_.emplace_back();
     return pages_[static_cast<std::size_t>(number)];
 }
 
-void Paper::add(int page_number, const Segment& at, int plate, bool seam) {
+void PaperMap::add(int page_number, const Segment& at, int plate, bool seam) {
     PageEdges& page_edges = page(page_number);
     page_edges.edges.insert(at, false);
     page_edges.obstacles.push_back({plate, seam});
 }
 
-void Paper::update(const Skeleton& skeleton) {
+void PaperMap::update(const Skeleton& skeleton) {
     const auto add_ring = [&](int number, const Ring& ring, int plate) {
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
             add(number, {ring[j], ring[i]}, plate, false);
@@ -85,8 +85,8 @@ void Paper::update(const Skeleton& skeleton) {
     }
 }
 
-bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint,
-                    Fit fit) const {
+bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint,
+                       Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
     if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
@@ -103,8 +103,8 @@ bool Paper::may_cut(int plate, int page_number, const DirectedLine& line, const 
     });
 }
 
-bool Paper::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam,
-                     Fit fit) const {
+bool PaperMap::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam,
+                        Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
     const double slack = fit == Fit::exact ? kOnLine : tolerances_.rounding_mm;

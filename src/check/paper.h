@@ -11,9 +11,9 @@ namespace popup {
 
 // Grows with the skeleton; each question looks only at what lies near. Cost a question: logarithmic in the
 // page's edges, linear in those near.
-class Paper {
+class PaperMap {
  public:
-    explicit Paper(const Tolerances& tolerances) : tolerances_(tolerances) {}
+    explicit PaperMap(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
     // Takes in the plates, cut-outs and seams that were added to the skeleton since the last call.
     void update(const Skeleton& skeleton);

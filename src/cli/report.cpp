@@ -97,8 +97,9 @@ void say_layers(const MessageOptions& options, const Compilation& compilation) {
     for (const CompiledDesign& one : compilation.designs) {
         if (!one.motion || !one.motion->examination) continue;
         const ClosedCard& closed = one.motion->examination->closed;
-        std::string line =
-            fmt::format("{}: closed, it has up to {} layers", one.source.name, closed.max_layers);
+        if (closed.max_layers == 0) continue;  // too many to count
+        std::string line = fmt::format("{}: closed, up to {} plates lie on one another, covers included",
+                                       one.source.name, closed.max_layers);
         if (closed.thickness_mm) line += fmt::format(", {:.2f} mm", *closed.thickness_mm);
         say(options, line);
     }

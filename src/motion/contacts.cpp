@@ -60,10 +60,10 @@ struct Pair {
     }
 
     // Whether they cross firmly anywhere in stretches that hold together.
-    [[nodiscard]] bool firm(std::span<const Stretch> stretches) const {
-        for (const Stretch& one : stretches) {
+    [[nodiscard]] bool firm(std::span<const ContactRange> stretches) const {
+        for (const ContactRange& one : stretches) {
             if (one.firm) return true;
-            if (one.kind != Stretch::crossing) continue;
+            if (one.kind != ContactRange::crossing) continue;
             const double step = (one.to - one.from) / kSamples;
             for (int i = 0; i <= kSamples; ++i) {
                 const auto at = search.at(a, b, one.from + i * step);
@@ -219,7 +219,8 @@ struct Pair {
 
 }  // namespace
 
-void find_contacts(int a, int b, std::span<const Stretch> stretches, PairSearch& search, Contacts& result) {
+void find_contacts(int a, int b, std::span<const ContactRange> stretches, PairSearch& search,
+                   Contacts& result) {
     const Pair pair{a, b, search};
     double limit = kLeastOpeningDeg;    // where the contact before this one ends
     double begin = kLeastOpeningDeg;    // and where it began
@@ -227,15 +228,15 @@ void find_contacts(int a, int b, std::span<const Stretch> stretches, PairSearch&
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t end = i + 1;
         while (end < stretches.size() && stretches[end].from == stretches[end - 1].to) ++end;
-        const Stretch* first = nullptr;
-        const Stretch* last = nullptr;
+        const ContactRange* first = nullptr;
+        const ContactRange* last = nullptr;
         for (std::size_t k = i; k < end; ++k) {
-            const Stretch& one = stretches[k];
-            if (one.kind == Stretch::crossing) {
+            const ContactRange& one = stretches[k];
+            if (one.kind == ContactRange::crossing) {
                 if (first == nullptr) first = &one;
                 last = &one;
             }
-            if (one.kind != Stretch::undecided) continue;
+            if (one.kind != ContactRange::undecided) continue;
             result.undecided.push_back({a, b, rounded_deg(one.from), rounded_deg(one.to)});
         }
         if (first != nullptr && !pair.firm(stretches.subspan(i, end - i))) first = nullptr;

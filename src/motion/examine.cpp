@@ -26,9 +26,9 @@ constexpr std::size_t kMostPairsPerPlate = 500;
 constexpr double kLeastDeg = 1e-4;  // to which the angle of the smallest distance is found
 constexpr int kLooks = 64;          // where a smallest distance is looked for, before halving
 
-struct PairStretch {
+struct PairRange {
     int a, b;
-    Stretch stretch;
+    ContactRange stretch;
 };
 
 // The nearest approaches of one pair, from its stretches in all cells.
@@ -47,7 +47,7 @@ class Approaches {
         if (!reached_ || joined(a, b)) return;
         search.approaches(cell, a, b, distance_mm_, stretches_);
         std::vector<Approach>& of_pair = found_[{a, b}];
-        for (const Stretch& one : stretches_) {
+        for (const ContactRange& one : stretches_) {
             if (!of_pair.empty() && of_pair.back().to_deg == one.from) {
                 of_pair.back().to_deg = one.to;
             } else {
@@ -127,7 +127,7 @@ class Approaches {
     std::vector<Frame> open_;
     bool reached_ = true;  // all those angles
     NearnessTest nearness_;
-    std::vector<Stretch> stretches_;
+    std::vector<ContactRange> stretches_;
     std::map<std::pair<int, int>, bool> joined_;
     std::map<std::pair<int, int>, std::vector<Approach>> found_;
 };
@@ -145,8 +145,8 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
     std::optional<Approaches> approaches;
     if (options.clearance_mm) approaches.emplace(assembly, shapes, *options.clearance_mm);
 
-    std::vector<PairStretch> all;
-    std::vector<Stretch> found;
+    std::vector<PairRange> all;
+    std::vector<ContactRange> found;
     Cell cell;
     const std::vector<double> ends = cell_ends();
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
@@ -158,7 +158,7 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
             if (search.work() > most_work) return false;
             ++result.pairs;
             search.contacts(range, a, b, found);
-            for (const Stretch& one : found) all.push_back({a, b, one});
+            for (const ContactRange& one : found) all.push_back({a, b, one});
             if (approaches) approaches->add(range, a, b, search);
         }
         return true;
@@ -168,7 +168,7 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
         result.decided_up_to_deg = cell.from;
         break;
     }
-    std::stable_sort(all.begin(), all.end(), [](const PairStretch& p, const PairStretch& q) {
+    std::stable_sort(all.begin(), all.end(), [](const PairRange& p, const PairRange& q) {
         return p.a != q.a ? p.a < q.a : p.b < q.b;
     });
     Contacts contacts;

@@ -19,8 +19,8 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
     Linkage linkage(assembly);
     PairSearch search(assembly, linkage, shapes);
     const std::vector<double> ends = cell_ends();
-    std::vector<std::vector<Stretch>> stretches(pairs.size());
-    std::vector<Stretch> found;
+    std::vector<std::vector<ContactRange>> stretches(pairs.size());
+    std::vector<ContactRange> found;
     Cell cell;
     const std::size_t most = std::min(kMostPoses, budget.poses);
     const auto crosses = [&] {
@@ -31,7 +31,7 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
                 stretches[k].insert(stretches[k].end(), found.begin(), found.end());
                 // What grazes takes most poses, and is no mend.
                 if (search.poses() >= most) return true;
-                if (std::any_of(found.begin(), found.end(), [](const Stretch& one) { return one.firm; }))
+                if (std::any_of(found.begin(), found.end(), [](const ContactRange& one) { return one.firm; }))
                     return true;
             }
         }

@@ -121,11 +121,11 @@ void PairSearch::split(const Range& range) {
     ranges_.push_back({range.from, middle, range.bends + 2 * n});
 }
 
-void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& found) {
+void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRange>& found) {
     found.clear();
     begin(cell, a, b);
     const std::size_t start = poses_;
-    const auto add = [&found](const Range& range, Stretch::Kind kind, bool firm = false) {
+    const auto add = [&found](const Range& range, ContactRange::Kind kind, bool firm = false) {
         if (found.empty() || found.back().kind != kind || found.back().to != range.from) {
             found.push_back({range.from, range.to, kind, firm});
         }
@@ -135,13 +135,13 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& 
     Range range{};
     while (next(range, cell)) {
         if (!reached_) {
-            add(range, Stretch::undecided);
+            add(range, ContactRange::undecided);
             continue;
         }
         const Sides sides = one_hinge_keeps_apart(range) ? Sides::one : sides_of(pose_);
         if (sides == Sides::one) continue;
         if (sides == Sides::one_nearly) {
-            add(range, Stretch::touching);
+            add(range, ContactRange::touching);
             continue;
         }
         const Found near = nearness_(pose_, 0.0, false);
@@ -153,11 +153,11 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<Stretch>& 
         for (const Arm& arm : from_b_) turns += arm.turn;
         if (here && here->firmness_mm() > kNearlyFirmMm &&
             (width <= kLeastHitDeg || crosses_throughout(*here, turns))) {
-            add(range, Stretch::crossing, firm);
+            add(range, ContactRange::crossing, firm);
         } else if (only_touches(here ? here->inside_at_most_mm : 0.0, turns) || width <= kLeastDeg) {
-            add(range, Stretch::touching, firm);
+            add(range, ContactRange::touching, firm);
         } else if (poses_ - start > kMostPoses) {
-            add(range, Stretch::undecided);
+            add(range, ContactRange::undecided);
         } else {
             split(range);
         }
@@ -214,7 +214,8 @@ bool PairSearch::only_touches(double inside_mm, double turns) {
     return (inside_mm + strayed / (sine - turns) + strayed) * sine <= kFirmMm;
 }
 
-void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm, std::vector<Stretch>& found) {
+void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm,
+                            std::vector<ContactRange>& found) {
     found.clear();
     begin(cell, a, b);
     Range range{};
@@ -232,7 +233,7 @@ void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm, 
         if (!found.empty() && found.back().to == range.from) {
             found.back().to = range.to;
         } else {
-            found.push_back({range.from, range.to, Stretch::crossing, false});
+            found.push_back({range.from, range.to, ContactRange::crossing, false});
         }
     }
 }

@@ -15,7 +15,7 @@
 namespace popup {
 
 // A stretch of angles in which two plates are not certainly clear.
-struct Stretch {
+struct ContactRange {
     enum Kind {
         touching,  // they come so near that the smallest range does not tell them apart; they do not cross in
                    // it
@@ -41,9 +41,9 @@ class PairSearch {
     PairSearch(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes);
 
     // Where plates a and b are not certainly clear within the cell: ascending, no two overlap.
-    void contacts(const Cell& cell, int a, int b, std::vector<Stretch>& found);
+    void contacts(const Cell& cell, int a, int b, std::vector<ContactRange>& found);
     // Where they are nearer than `distance_mm`, to 0.001°: stretches of kind crossing.
-    void approaches(const Cell& cell, int a, int b, double distance_mm, std::vector<Stretch>& found);
+    void approaches(const Cell& cell, int a, int b, double distance_mm, std::vector<ContactRange>& found);
 
     // The crossing of two plates at one angle, and a's frame there.
     struct At {

@@ -302,9 +302,10 @@ TEST_F(Cli, ClearanceAndThicknessAreLookedAtWhenAskedFor) {
     EXPECT_NE(near.err.find("[clearance-low]"), std::string::npos) << near.err;
     const RunResult thick = popupc({"check", boat, "--paper-thickness", "0.5", "-v"});
     EXPECT_EQ(thick.exit, 0);
-    EXPECT_EQ(thick.err,
-              fmt::format("popupc: {}: closed, it has up to {} layers, {:.2f} mm\n", boat,
-                          asked["max_layers"].get<int>(), asked["closed_thickness_mm"].get<double>()));
+    EXPECT_EQ(
+        thick.err,
+        fmt::format("popupc: {}: closed, up to {} plates lie on one another, covers included, {:.2f} mm\n",
+                    boat, asked["max_layers"].get<int>(), asked["closed_thickness_mm"].get<double>()));
 }
 
 TEST_F(Cli, WarningsFailABuildOnlyUnderWerrorOrDeny) {

@@ -158,5 +158,39 @@ TEST(IncludeOrder, TheCompilerFitsOnOnePage) {
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 150);
 }
 
+// Two types of one name in one namespace are one type to the linker, which then takes either's functions for
+// both.
+TEST(Headers, NoTwoDefineATypeOfTheSameName) {
+    std::map<std::string, std::string> seen;  // namespace and name: the header
+    const fs::path source = POPUP_SOURCE_DIR;
+    for (const fs::path& root : {source / "include", source / "src"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(root)) {
+            if (entry.path().extension() != ".h") continue;
+            std::istringstream text(test::read_file(entry.path()));
+            std::string space;
+            for (std::string line; std::getline(text, line);) {
+                std::istringstream words(line);
+                std::string kind;
+                std::string name;
+                words >> kind >> name;
+                if (kind == "namespace") space = name;
+                if (kind == "enum" && name == "class") words >> name;
+                // Only what begins a line is at the top; "struct Name;" declares and defines nothing.
+                const bool defines =
+                    line.find(';') == std::string::npos || line.find('{') != std::string::npos;
+                if (!(line.rfind("struct ", 0) == 0 || line.rfind("class ", 0) == 0 ||
+                      line.rfind("enum ", 0) == 0) ||
+                    !defines) {
+                    continue;
+                }
+                const auto [at, fresh] = seen.try_emplace(space + "::" + name, entry.path());
+                EXPECT_TRUE(fresh) << space << "::" << name << " is defined in " << at->second << " and "
+                                   << entry.path();
+            }
+        }
+    }
+    EXPECT_GT(seen.size(), 100u);
+}
+
 }  // namespace
 }  // namespace popup
