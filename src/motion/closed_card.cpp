@@ -10,6 +10,7 @@
 #include "base/hull.h"
 #include "base/regions.h"
 #include "motion/cells.h"
+#include "motion/nearness.h"
 
 namespace popup {
 namespace {
@@ -112,13 +113,6 @@ void clip(const Triangle2& by, std::vector<Vec2>& shape, std::vector<Vec2>& spar
     }
 }
 
-bool covers(const Triangle2& t, Vec2 p) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (cross(t.at((i + 1) % 3) - t.at(i), p - t.at(i)) < 0.0) return false;
-    }
-    return true;
-}
-
 // Plates over one another, and how.
 struct Overlap {
     int a, b;            // a < b
@@ -127,19 +121,18 @@ struct Overlap {
 
 class Layers {
  public:
-    Layers(const Assembly& assembly, std::span<const PlateShape> shapes) : frames_(assembly.plates.size()) {
+    Layers(const Assembly& assembly, std::span<const PlateShape> shapes)
+        : shapes_(shapes), frames_(assembly.plates.size()) {
         if (!place(assembly, Angle::degrees(kLeastOpeningDeg), frames_)) return;
-        std::vector<Triangle2> triangles;
+        // A plate is found by its box, which is that of its diagonal.
+        std::vector<Triangle2> diagonals;
         for (std::size_t i = 0; i < shapes.size(); ++i) {
-            for (const Triangle2& t : shapes[i].core.all()) {
-                Triangle2 seen{flat(frames_[i].point(t[0])), flat(frames_[i].point(t[1])),
-                               flat(frames_[i].point(t[2]))};
-                if (cross(seen[1] - seen[0], seen[2] - seen[0]) < 0.0) std::swap(seen[1], seen[2]);
-                triangles.push_back(seen);
-                plate_.push_back(static_cast<int>(i));
-            }
+            Box box;
+            for (const Vec2 p : shapes[i].hull) box.extend(flat(frames_[i].point(p)));
+            if (box.empty()) box.extend({});
+            diagonals.push_back({box.min, box.max, box.min});
         }
-        patches_ = Patches(std::move(triangles));
+        boxes_ = Patches(std::move(diagonals));
         look();
     }
 
@@ -155,24 +148,25 @@ class Layers {
         return (dot(n, frame.origin) - n.y * p.y - n.z * p.x) / n.x;
     }
 
+    // A triangle of a plate, seen from the side, counter-clockwise.
+    [[nodiscard]] Triangle2 seen(const Triangle2& t, const Frame& frame) const {
+        Triangle2 result{flat(frame.point(t[0])), flat(frame.point(t[1])), flat(frame.point(t[2]))};
+        if (cross(result[1] - result[0], result[2] - result[0]) < 0.0) std::swap(result[1], result[2]);
+        return result;
+    }
+
     void look() {
-        const auto& all = patches_.all();
         std::vector<int> near;
-        std::vector<Vec2> shape;
-        std::vector<Vec2> spare;
-        if (!all.empty()) points_.push_back(1.0 / 3.0 * (all[0][0] + all[0][1] + all[0][2]));
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            Box box;
-            for (const Vec2 p : all[i]) box.extend(p);
-            patches_.query(box, near);
-            if (too_much(near.size())) return;
-            for (const int number : near) {
-                const auto k = static_cast<std::size_t>(number);
-                if (plate_[k] <= plate_[i]) continue;
-                shape.assign(all[k].begin(), all[k].end());
-                clip(all[i], shape, spare);
-                if (shape.size() < 3 || std::abs(signed_area(shape)) < kAreaMm2) continue;
-                meet(plate_[i], plate_[k], shape);
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            if (const auto& own = shapes_[i].core.all(); !own.empty()) {
+                const Triangle2 first = seen(own[0], frames_[i]);
+                points_.push_back(1.0 / 3.0 * (first[0] + first[1] + first[2]));
+            }
+            const Triangle2& diagonal = boxes_.all()[i];
+            boxes_.query({diagonal[0], diagonal[1]}, near);
+            for (const int other : near) {
+                if (static_cast<std::size_t>(other) > i && !look_at(i, static_cast<std::size_t>(other)))
+                    return;
             }
         }
         // Points a thousandth of a millimetre apart count once.
@@ -197,6 +191,35 @@ class Layers {
             }
         }
         overlaps_.resize(kept);
+    }
+
+    // What two plates have over one another: the triangles of the one with fewer, looked up among the
+    // other's.
+    bool look_at(std::size_t a, std::size_t b) {
+        const bool a_has_more = shapes_[a].core.all().size() > shapes_[b].core.all().size();
+        const std::size_t few = a_has_more ? b : a;
+        const std::size_t many = a_has_more ? a : b;
+        for (const Triangle2& t : shapes_[few].core.all()) {
+            const Triangle2 by = seen(t, frames_[few]);
+            Box box;
+            for (const Vec2 p : t) {
+                // Seen square to the other plate and from the side differs by less than this.
+                const Vec2 there = on_page(frames_[many], frames_[few].point(p));
+                box.extend(there - Vec2{kTouchMm, kTouchMm});
+                box.extend(there + Vec2{kTouchMm, kTouchMm});
+            }
+            shapes_[many].core.query(box, found_);
+            if (too_much(1 + found_.size())) return false;
+            for (const int number : found_) {
+                const Triangle2 other =
+                    seen(shapes_[many].core.all()[static_cast<std::size_t>(number)], frames_[many]);
+                shape_.assign(other.begin(), other.end());
+                clip(by, shape_, spare_);
+                if (shape_.size() < 3 || std::abs(signed_area(shape_)) < kAreaMm2) continue;
+                meet(static_cast<int>(a), static_cast<int>(b), shape_);
+            }
+        }
+        return true;
     }
 
     // Adds to the work done; gives up when it was too much.
@@ -225,24 +248,22 @@ class Layers {
     }
 
     void count(Vec2 p) {
-        patches_.query({p, p}, here_);
-        std::size_t kept = 0;
-        for (const int number : here_) {
-            const auto k = static_cast<std::size_t>(number);
-            if (covers(patches_.all()[k], p)) here_[kept++] = plate_[k];
+        boxes_.query({p, p}, here_);
+        int layers = 0;
+        for (const int plate : here_) {
+            const auto i = static_cast<std::size_t>(plate);
+            if (shapes_[i].covers(on_page(frames_[i], {height(plate, p), p.y, p.x}))) ++layers;
         }
-        here_.resize(kept);
-        std::sort(here_.begin(), here_.end());
-        const auto layers = static_cast<int>(std::unique(here_.begin(), here_.end()) - here_.begin());
         if (layers <= most_) return;
         most_ = layers;
         thickest_ = p;
     }
 
+    std::span<const PlateShape> shapes_;
     std::vector<Frame> frames_;
-    Patches patches_;
-    std::vector<int> plate_;  // of each patch
-    std::vector<int> here_;
+    Patches boxes_;
+    std::vector<int> here_, found_;
+    std::vector<Vec2> shape_, spare_;
     std::vector<Vec2> points_;  // where layers are counted
     std::vector<Overlap> overlaps_;
     std::size_t work_ = 0;
