@@ -18,6 +18,7 @@ namespace {
 constexpr double kOutMm = 0.02;     // as far as a drawing may be rounded
 constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest angle are not told apart
 constexpr double kAreaMm2 = 1e-6;
+constexpr double kSameMm = 1e-9;                // corners no further apart are one
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 
 // The closed card seen from the side: x away from the gutter, y along it.
@@ -216,7 +217,8 @@ class Layers {
                 shape_.assign(other.begin(), other.end());
                 clip(by, shape_, spare_);
                 if (shape_.size() < 3 || std::abs(signed_area(shape_)) < kAreaMm2) continue;
-                meet(static_cast<int>(a), static_cast<int>(b), shape_);
+                meet(static_cast<int>(a), static_cast<int>(b), shape_,
+                     {by[0], by[1], by[2], other[0], other[1], other[2]});
             }
         }
         return true;
@@ -231,7 +233,7 @@ class Layers {
         return true;
     }
 
-    void meet(int a, int b, const std::vector<Vec2>& shape) {
+    void meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
         Overlap overlap{a, b, HUGE_VAL, -HUGE_VAL};
         Vec2 centre;
         for (const Vec2 p : shape) {
@@ -241,10 +243,19 @@ class Layers {
             centre = centre + (1.0 / static_cast<double>(shape.size())) * p;
         }
         overlaps_.push_back(overlap);
-        // Where most plates lie over one another is a region with a corner at which the edges of two of them
-        // end or cross: a corner of what some two have in common.
-        for (const Vec2 p : shape) points_.push_back(lerp(p, centre, 1e-2));
-        points_.push_back(centre);
+        // Where most plates lie over one another is a region with a corner at which the outline of one of two
+        // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
+        for (const Vec2 p : shape) {
+            const bool corner =
+                std::any_of(corners.begin(), corners.end(), [p](Vec2 q) { return distance(p, q) < kSameMm; });
+            if (corner || (by_outline(a, p) && by_outline(b, p))) points_.push_back(lerp(p, centre, 1e-2));
+        }
+    }
+
+    [[nodiscard]] bool by_outline(int plate, Vec2 p) const {
+        const auto i = static_cast<std::size_t>(plate);
+        const Vec2 there = on_page(frames_[i], {height(plate, p), p.y, p.x});
+        return shapes_[i].to_edge(there, 3.0 * kTouchMm) < 3.0 * kTouchMm;
     }
 
     void count(Vec2 p) {
