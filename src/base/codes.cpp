@@ -50,18 +50,18 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
      "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are only "
      "brought together by folding flat, below 45°. The message gives the smallest distance, and the angle "
-     "where it is reached. "
-     "Real paper is thick, bends, and is cut and glued a little off, so that such plates may rub or catch. "
+     "where it is reached. Real paper is thick, bends, and is cut and glued a little off, so that such "
+     "plates may rub or catch. "
      "Move the elements further apart, make one of them smaller, or ask for less."},
     {"collision", Severity::warning, "two plates go through each other",
      "At some opening angle two plates would need the same room. This is looked for at every angle between "
      "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
      "cross where a common point of both lies more than 0.01 mm inside the edges of both, and the paper "
-     "round "
-     "it stands out of the other plate on either side; plates that only touch, along folds, seams, corners "
+     "round it stands out of the other plate on either side; plates that only touch, along folds, seams, "
+     "corners "
      "and edges or flat on one another, do not. The message gives the first and last angle, and how far "
-     "one goes through the other. Real paper would bend, catch or tear there. Make the longer plate shorter, "
-     "or move one of the elements."},
+     "one goes through the other. Real paper would bend, catch or tear there. Move one of the "
+     "elements as the hint says, or make one of them smaller."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",
      "Steps, beaks and angled steps are cut across the fold they stand on. A seam is two pieces of paper "
      "glued together, so the cut would go through the glue and part what holds the design together. Stand a "

@@ -125,15 +125,14 @@ class Layers {
     Layers(const Assembly& assembly, std::span<const PlateShape> shapes)
         : shapes_(shapes), frames_(assembly.plates.size()) {
         if (!place(assembly, Angle::degrees(kLeastOpeningDeg), frames_)) return;
-        // A plate is found by its box, which is that of its diagonal.
-        std::vector<Triangle2> diagonals;
+        std::vector<Segment> diagonals;  // of the plates' boxes
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             Box box;
             for (const Vec2 p : shapes[i].hull) box.extend(flat(frames_[i].point(p)));
             if (box.empty()) box.extend({});
-            diagonals.push_back({box.min, box.max, box.min});
+            diagonals.push_back({box.min, box.max});
         }
-        boxes_ = Patches(std::move(diagonals));
+        boxes_ = EdgeIndex({}, diagonals);
         look();
     }
 
@@ -163,8 +162,8 @@ class Layers {
                 const Triangle2 first = seen(own[0], frames_[i]);
                 points_.push_back(1.0 / 3.0 * (first[0] + first[1] + first[2]));
             }
-            const Triangle2& diagonal = boxes_.all()[i];
-            boxes_.query({diagonal[0], diagonal[1]}, near);
+            const Segment& diagonal = boxes_[static_cast<int>(i)];
+            boxes_.query({diagonal.a, diagonal.b}, near);
             for (const int other : near) {
                 if (static_cast<std::size_t>(other) > i && !look_at(i, static_cast<std::size_t>(other)))
                     return;
@@ -272,7 +271,7 @@ class Layers {
 
     std::span<const PlateShape> shapes_;
     std::vector<Frame> frames_;
-    Patches boxes_;
+    EdgeIndex boxes_;
     std::vector<int> here_, found_;
     std::vector<Vec2> shape_, spare_;
     std::vector<Vec2> points_;  // where layers are counted

@@ -38,17 +38,18 @@ class Findings {
                 text += fmt::format(", by {:.2f} mm at {:.2f}°", worst.depth_mm, worst.deepest_deg);
             }
             if (const std::string more = others(all, worst); !more.empty()) text += more;
-            const Joint& joint = joint_of(worst.longer);
-            const Joint& second = joint_of(other);
+            const Joint& joint = linkage_.element(worst.longer);
             Diagnostic& finding = diagnostics_.warning("collision", joint.place, std::move(text));
             finding.about(joint.name);
-            if (&joint != &second) finding.with(second.place, fmt::format("\"{}\"", second.name));
+            also(finding, worst.longer, other);
             if (worst.excess_mm > 0.0) {
                 finding.hint(
                     fmt::format("\"{}\" reaches {:.2f} mm too far, with its corner at ({:.2f}, {:.2f}) mm",
                                 name(worst.longer), worst.excess_mm, worst.corner.x, worst.corner.y));
             }
-            if (&joint == &second || tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
+            if (joints.first == joints.second || tried++ == kMostTries ||
+                assembly_.plates.size() > kMostPlates)
+                continue;
             if (const auto move = freeing_move(assembly_, shapes(), all_pairs(joints), budget_)) {
                 finding.hint(
                     fmt::format("moving \"{}\" {:.2f} mm along its fold, by ({:.2f}, {:.2f}) mm on the page, "
@@ -99,12 +100,12 @@ class Findings {
             }
             text += ", and that under the first again";
         }
-        const Joint& first = joint_of(cycle[0]);
+        const Joint& first = linkage_.element(cycle[0]);
         Diagnostic& finding = diagnostics_.warning("layer-order", first.place, std::move(text));
         finding.about(first.name).hint("make one of them smaller, so that it no longer reaches over another");
         std::vector<const Joint*> told{&first};
         for (const int plate : cycle) {
-            const Joint& joint = joint_of(plate);
+            const Joint& joint = linkage_.element(plate);
             if (std::find(told.begin(), told.end(), &joint) != told.end()) continue;
             told.push_back(&joint);
             finding.with(joint.place, fmt::format("\"{}\"", joint.name));
@@ -120,8 +121,7 @@ class Findings {
             const Approach& worst = **std::min_element(
                 some.begin(), some.end(),
                 [](const Approach* p, const Approach* q) { return p->least_mm < q->least_mm; });
-            const Joint& joint = joint_of(worst.b);
-            const Joint& second = joint_of(worst.a);
+            const Joint& joint = linkage_.element(worst.b);
             Diagnostic& finding = diagnostics_.warning(
                 "clearance-low", joint.place,
                 fmt::format("\"{}\" and \"{}\" come as near as {:.2f} mm at an opening of {:.2f}°, although "
@@ -131,7 +131,7 @@ class Findings {
             finding.about(joint.name)
                 .hint(fmt::format("move them {:.2f} mm further apart",
                                   rounded_up(clearance_mm - worst.least_mm)));
-            if (&joint != &second) finding.with(second.place, fmt::format("\"{}\"", second.name));
+            also(finding, worst.b, worst.a);
         }
     }
 
@@ -149,8 +149,7 @@ class Findings {
         const std::vector<Undecided>& all = found.undecided;
         for (const auto& [joints, some] : by_elements(all)) {
             const Undecided& first = *some.front();
-            const Joint& joint = joint_of(first.b);
-            const Joint& second = joint_of(first.a);
+            const Joint& joint = linkage_.element(first.b);
             Diagnostic& finding = diagnostics_.remark(
                 "undecided", joint.place,
                 fmt::format(
@@ -158,7 +157,7 @@ class Findings {
                     "could not be decided",
                     name(first.b), name(first.a), first.from_deg, some.back()->to_deg));
             finding.about(joint.name).hint("leave a tenth of a millimetre between them");
-            if (&joint != &second) finding.with(second.place, fmt::format("\"{}\"", second.name));
+            also(finding, first.b, first.a);
         }
     }
 
@@ -166,8 +165,10 @@ class Findings {
     [[nodiscard]] const std::string& name(int plate) const {
         return assembly_.plates[static_cast<std::size_t>(plate)].name;
     }
-    [[nodiscard]] const Joint& joint_of(int plate) const {
-        return assembly_.joints[static_cast<std::size_t>(linkage_.joint_of(plate))];
+    // Names the element of a second plate, where it is another one.
+    void also(Diagnostic& finding, int plate, int second) const {
+        const Joint& other = linkage_.element(second);
+        if (&linkage_.element(plate) != &other) finding.with(other.place, fmt::format("\"{}\"", other.name));
     }
 
     template <typename Row>

@@ -46,6 +46,9 @@ class Linkage {
     [[nodiscard]] std::span<const Turn> turns() const { return turns_; }
     // The joint that places a plate.
     [[nodiscard]] int joint_of(int plate) const { return joint_of_[static_cast<std::size_t>(plate)]; }
+    [[nodiscard]] const Joint& element(int plate) const {
+        return assembly_.joints[static_cast<std::size_t>(joint_of(plate))];
+    }
     // The turn between a plate and the one that drives it, or the world.
     [[nodiscard]] int drive_turn(int plate) const { return drive_turn_[static_cast<std::size_t>(plate)]; }
     // The turn about the parent fold of a joint; -1 when that is the opening of the card itself.

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "motion/triangle_distance.h"
-
 namespace popup {
 namespace {
 
@@ -13,8 +11,7 @@ namespace {
 // near, but nothing moves far.
 constexpr double kUneven = 0.6;
 constexpr int kMostQuarterings = 12;
-constexpr double kParallel = 1e-12;   // sine of the angle between lines of one direction
-constexpr double kRoundingMm = 1e-9;  // of heights that are nought by construction
+constexpr double kParallel = 1e-12;  // sine of the angle between lines of one direction
 
 Triangle3 lifted(const Triangle2& t) {
     return {Vec3{t[0].x, t[0].y, 0}, {t[1].x, t[1].y, 0}, {t[2].x, t[2].y, 0}};
@@ -132,11 +129,7 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std:
         if (surely_apart(fixed, piece.corners, distance_mm + most)) continue;
         const ClosestPoints closest = closest_points(fixed, piece.corners);
         if (closest.distance > distance_mm + most) continue;
-        if (closest.distance < found.least_mm) {
-            found.least_mm = closest.distance;
-            found.on_a = closest.on_a;
-            found.on_b = closest.on_b;
-        }
+        found.least_mm = std::min(found.least_mm, closest.distance);
         if (distance_mm > 0.0 ? closest.distance + most < distance_mm : closest.distance == 0.0) {
             found.nearness = Nearness::within;
             return false;
@@ -201,7 +194,6 @@ Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool wh
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
             Found here;
             if (cleared(fixed, moving, arms(moving_is_a), distance_mm, here)) return true;
-            if (moving_is_a) std::swap(here.on_a, here.on_b);
             if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||
                 here.least_mm < found.least_mm) {
                 found = here;
@@ -223,17 +215,14 @@ double NearnessTest::stray_of_near(const PairPose& pose) {
     return most;
 }
 
-Found NearnessTest::least(const PairPose& pose, double limit_mm) {
-    Found found;
-    found.least_mm = limit_mm;
+ClosestPoints NearnessTest::least(const PairPose& pose, double limit_mm) {
+    ClosestPoints found{limit_mm, {}, {}};
     each_near(
-        pose, true, [&](const Triangle3&, bool) { return found.least_mm; },
+        pose, true, [&](const Triangle3&, bool) { return found.distance; },
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
             const ClosestPoints closest =
                 moving_is_a ? closest_points(moving, fixed) : closest_points(fixed, moving);
-            if (closest.distance < found.least_mm) {
-                found = {Nearness::within, closest.distance, closest.on_a, closest.on_b};
-            }
+            if (closest.distance < found.distance) found = closest;
             return true;
         });
     return found;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/plate_shape.h"
+#include "motion/triangle_distance.h"
 
 namespace popup {
 
@@ -57,9 +58,6 @@ enum class Nearness {
 struct Found {
     Nearness nearness = Nearness::clear;
     double least_mm = std::numeric_limits<double>::infinity();  // in this pose, of what could not be cleared
-    Vec3 on_a, on_b;                                            // the two points that far apart
-    double stray_mm =
-        0.0;  // how far points of either plate that may meet the other move at most within the range
 };
 
 // Compares `distance_mm` with the distance of the plates' cores (whole: of the plates). Memory is kept for
@@ -69,9 +67,9 @@ class NearnessTest {
     Found operator()(const PairPose& pose, double distance_mm, bool whole);
     // How far points of one plate's core that may meet the other's move at most within the range.
     double stray_of_near(const PairPose& pose);
-    // The smallest distance of the plates in this pose, and its points; nearness is clear when it is not less
-    // than `limit_mm`. The arms are not looked at.
-    Found least(const PairPose& pose, double limit_mm);
+    // The smallest distance of the plates in this pose and its points, in a's page coordinates; the distance
+    // is `limit_mm` when it is not less. The arms are not looked at.
+    ClosestPoints least(const PairPose& pose, double limit_mm);
 
  private:
     template <typename Margin, typename Use>

@@ -10,7 +10,6 @@ namespace popup {
 namespace {
 
 constexpr double kLeastDeg = 2e-6;      // no plate moves by more than 0.0001 mm in this
-constexpr double kRoundingMm = 1e-9;    // of distances that are nought by construction
 constexpr double kLeastHitDeg = 1e-3;   // crossing in the middle of so little is crossing in all of it
 constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
@@ -263,8 +262,8 @@ PairSearch::Distance PairSearch::distance(int a, int b, double deg, double limit
     pose.a = &shapes_[static_cast<std::size_t>(a)];
     pose.b = &shapes_[static_cast<std::size_t>(b)];
     pose.b_in_a = relative(frame, frames_[static_cast<std::size_t>(b)]);
-    const Found found = nearness_.least(pose, limit_mm);
-    return {found.least_mm, frame.point({found.on_a.x, found.on_a.y})};
+    const ClosestPoints found = nearness_.least(pose, limit_mm);
+    return {found.distance, frame.point({found.on_a.x, found.on_a.y})};
 }
 
 }  // namespace popup

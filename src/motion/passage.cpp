@@ -77,7 +77,7 @@ struct Walk {
     }
 
     bool jumps(int plate, double turn, double deg) {
-        const Joint& joint = assembly.joints[static_cast<std::size_t>(linkage.joint_of(plate))];
+        const Joint& joint = linkage.element(plate);
         diagnostics
             .error("jumps", joint.place,
                    fmt::format("\"{}\" jumps by {:.1f}° at an opening of {:.2f}°",

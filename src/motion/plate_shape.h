@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "base/edge_index.h"
@@ -14,6 +13,8 @@ namespace popup {
 // they reach less far than kFirmMm through each other round it (Crossing::firmness_mm).
 inline constexpr double kTouchMm = 0.01;
 inline constexpr double kFirmMm = 0.0025;
+// Distances that are nought by construction are less than this.
+inline constexpr double kRoundingMm = 1e-9;
 
 using Triangle2 = std::array<Vec2, 3>;
 using Triangle3 = std::array<Vec3, 3>;
@@ -22,19 +23,14 @@ using Triangle3 = std::array<Vec3, 3>;
 class Patches {
  public:
     explicit Patches(std::vector<Triangle2> triangles = {});
-    Patches(Patches&&) noexcept;
-    Patches& operator=(Patches&&) noexcept;
-    ~Patches();
 
     [[nodiscard]] const std::vector<Triangle2>& all() const { return triangles_; }
-    // Numbers of the triangles whose boxes touch the box, in an order that depends on the triangles alone.
-    void query(const Box& box, std::vector<int>& found) const;
+    // Numbers of the triangles whose boxes touch the box; ascending.
+    void query(const Box& box, std::vector<int>& found) const { boxes_.query(box, found); }
 
  private:
-    struct Tree;
     std::vector<Triangle2> triangles_;
-    std::vector<Box> boxes_;
-    std::unique_ptr<Tree> tree_;  // none while there are only a few
+    EdgeIndex boxes_;  // by their diagonals
 };
 
 // Coordinates of the plate's page.

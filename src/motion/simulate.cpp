@@ -18,21 +18,15 @@ std::vector<Angle> default_angles() {
     return angles;
 }
 
-const Joint* joint_of(const Assembly& assembly, int plate) {
-    for (const Joint& joint : assembly.joints) {
-        if (joint.left.plate == plate || joint.right.plate == plate) return &joint;
-    }
-    return nullptr;
-}
-
 struct Judge {
     const Assembly& assembly;
     const Tolerances& tolerances;
     Diagnostics& diagnostics;
+    const Linkage linkage;
     std::vector<Frame> here;
 
     Judge(const Assembly& a, const Tolerances& t, Diagnostics& d)
-        : assembly(a), tolerances(t), diagnostics(d), here(a.plates.size()) {}
+        : assembly(a), tolerances(t), diagnostics(d), linkage(a), here(a.plates.size()) {}
 
     bool closes(Angle at, double& largest) {
         int worst = 0;
@@ -41,15 +35,15 @@ struct Judge {
         if (open <= tolerances.closure_mm) return true;
         const Hinge& hinge = assembly.hinges[static_cast<std::size_t>(worst)];
         const auto name = [&](int plate) { return assembly.plates[static_cast<std::size_t>(plate)].name; };
-        const Joint* joint = joint_of(assembly, hinge.b);
+        const Joint& joint = linkage.element(hinge.b);
         diagnostics
-            .error("seam-open", joint != nullptr ? joint->place : Place{},
+            .error("seam-open", joint.place,
                    fmt::format("the {} between \"{}\" and \"{}\" opens by {:.2g} mm at {:.2f}°, {:.0e} mm is "
                                "the most allowed",
                                hinge.glued ? "seam" : "fold", name(hinge.a), name(hinge.b), open, at.deg,
                                tolerances.closure_mm))
             .hint("the element is too close to a shape that cannot fold: make its angles or widths larger")
-            .about(joint != nullptr ? joint->name : "");
+            .about(joint.name);
         return false;
     }
 
@@ -70,13 +64,13 @@ struct Judge {
         motion.flat_error_deg = error;
         motion.flat_closed = motion.flat_error_deg <= tolerances.flat_deg;
         if (motion.flat_closed) return true;
-        const Joint* joint = joint_of(assembly, static_cast<int>(worst));
+        const Joint& joint = linkage.element(static_cast<int>(worst));
         diagnostics
-            .error("not-flat", joint != nullptr ? joint->place : Place{},
+            .error("not-flat", joint.place,
                    fmt::format("\"{}\" stands {:.3f}° off the closed card, {:.3f}° is the most allowed",
                                assembly.plates[worst].name, motion.flat_error_deg, tolerances.flat_deg))
             .hint("its angles do not fold flat; let popupc repair the element")
-            .about(joint != nullptr ? joint->name : "");
+            .about(joint.name);
         return false;
     }
 };
@@ -117,8 +111,7 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
         return std::nullopt;
     }
     if (!judge.is_flat(motion)) return std::nullopt;
-    const Linkage linkage(assembly);
-    if (!passes_whole_way(assembly, linkage, diagnostics)) return std::nullopt;
+    if (!passes_whole_way(assembly, judge.linkage, diagnostics)) return std::nullopt;
     for (const Angle at : motion.angles) {
         if (!place(assembly, at, judge.here, &stuck)) {
             report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, at.deg, diagnostics);
@@ -128,7 +121,7 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
     }
     if (!options.examine) return motion;
     motion.examination = examine(assembly, options);
-    report_findings(assembly, linkage, *motion.examination, options, diagnostics);
+    report_findings(assembly, judge.linkage, *motion.examination, options, diagnostics);
     add_witnesses(motion);
     return motion;
 }
