@@ -95,6 +95,10 @@ TEST(Assemble, TowersAsDeepAsTheDocumentIsLong) {
     const auto motion = simulate(*built.assembly, {}, diagnostics);
     ASSERT_TRUE(motion) << findings(diagnostics);
     EXPECT_LE(motion->max_closure_mm, 1e-9);
+    // So high a tower is not examined to the end, which is said.
+    EXPECT_LT(motion->examination.value().decided_up_to_deg, 180.0);
+    EXPECT_NE(findings(diagnostics).find("remark undecided: so many plates"), std::string::npos)
+        << findings(diagnostics);
 }
 
 }  // namespace

@@ -326,6 +326,27 @@ TEST(Collision, WhatTouchesByRightDoesNotCollide) {
     EXPECT_TRUE(card.found.closed.order.has_value());
 }
 
+// Two tents of nearly one shape on a card of two metres, a hair apart at every angle: more poses than are
+// spent on a pair. Then that is said, of these two and these angles, and neither of the other answers is
+// given.
+TEST(Collision, WhatCannotBeDecidedIsSaidToBeSo) {
+    Design design = card(2000, 2000);
+    for (const double less : {0.0, 0.001}) {
+        const double p = 400 - less;
+        const double s = 600 - less;
+        add(design, "tent",
+            {{-p, -900}, {-p, 900}, {p, -900}, {p, 900}, {-s, -900}, {-s, 900}, {s, -900}, {s, 900}});
+    }
+    const Examined card = examined(design);
+    EXPECT_EQ(card.all(), "");
+    ASSERT_FALSE(card.found.undecided.empty());
+    for (const Undecided& one : card.found.undecided) {
+        EXPECT_EQ(card.name(one.a).substr(0, 2), "e1");
+        EXPECT_EQ(card.name(one.b).substr(0, 2), "e2");
+        EXPECT_LT(one.from_deg, one.to_deg);
+    }
+}
+
 // Two cards as one assembly, the second one's gutter at `shift` mm beside the first's.
 Assembly beside(Assembly first, const Assembly& second, double shift) {
     const Vec2 by{shift, 0.0};
