@@ -1,4 +1,6 @@
 // Every pair of plates, over the whole opening.
+#include "motion/examine.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -6,7 +8,6 @@
 #include "motion/cells.h"
 #include "motion/closed_card.h"
 #include "motion/contacts.h"
-#include "popup/motion.h"
 
 namespace popup {
 namespace {
@@ -134,13 +135,22 @@ class Approaches {
 
 }  // namespace
 
-Examination examine(const Assembly& assembly, const MotionOptions& options) {
-    Examination result;
-    result.undecided_below_deg = kLeastOpeningDeg;
+std::vector<PlateShape> plate_shapes(const Assembly& assembly) {
     std::vector<PlateShape> shapes;
     shapes.reserve(assembly.plates.size());
     for (const Plate& plate : assembly.plates) shapes.push_back(plate_shape(plate));
+    return shapes;
+}
+
+Examination examine(const Assembly& assembly, const MotionOptions& options) {
     Linkage linkage(assembly);
+    return examine(assembly, linkage, plate_shapes(assembly), options);
+}
+
+Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+                    const MotionOptions& options) {
+    Examination result;
+    result.undecided_below_deg = kLeastOpeningDeg;
     PairSearch search(assembly, linkage, shapes);
     std::optional<Approaches> approaches;
     if (options.clearance_mm) approaches.emplace(assembly, shapes, *options.clearance_mm);

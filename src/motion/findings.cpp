@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "motion/mend.h"
-#include "motion/plate_shape.h"
 
 namespace popup {
 namespace {
@@ -22,8 +21,9 @@ constexpr double kClosedDeg = 1.0;
 
 class Findings {
  public:
-    Findings(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics)
-        : assembly_(assembly), linkage_(linkage), diagnostics_(diagnostics) {}
+    Findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
+             Diagnostics& diagnostics)
+        : assembly_(assembly), linkage_(linkage), shapes_(shapes), diagnostics_(diagnostics) {}
 
     void collisions(const std::vector<Contact>& contacts) {
         int tried = 0;
@@ -50,7 +50,7 @@ class Findings {
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
-            if (const auto move = freeing_move(assembly_, shapes(), all_pairs(joints), budget_)) {
+            if (const auto move = freeing_move(assembly_, shapes_, all_pairs(joints), budget_)) {
                 finding.hint(
                     fmt::format("moving \"{}\" {:.2f} mm along its fold, by ({:.2f}, {:.2f}) mm on the page, "
                                 "frees the two",
@@ -226,13 +226,6 @@ class Findings {
         return pairs;
     }
 
-    std::span<const PlateShape> shapes() {
-        if (shapes_.empty()) {
-            for (const Plate& plate : assembly_.plates) shapes_.push_back(plate_shape(plate));
-        }
-        return shapes_;
-    }
-
     // "12.30 mm at the top and 4.00 mm at the side opposite the gutter".
     static std::string how_far(const Protrusion& one) {
         const double along = one.direction.y * one.by_mm;
@@ -249,17 +242,17 @@ class Findings {
     }
 
     MoveBudget budget_;
-    std::vector<PlateShape> shapes_;  // made when first asked for
     const Assembly& assembly_;
     const Linkage& linkage_;
+    std::span<const PlateShape> shapes_;
     Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void report_findings(const Assembly& assembly, const Linkage& linkage, const Examination& found,
-                     const MotionOptions& options, Diagnostics& diagnostics) {
-    Findings findings(assembly, linkage, diagnostics);
+void report_findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
+                     const Examination& found, const MotionOptions& options, Diagnostics& diagnostics) {
+    Findings findings(assembly, linkage, shapes, diagnostics);
     findings.collisions(found.contacts);
     findings.protrusions(found.closed.protrusions);
     findings.layers(found);

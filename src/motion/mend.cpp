@@ -46,18 +46,16 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
     return result;
 }
 
-}  // namespace
-
-Assembly moved(const Assembly& assembly, const Move& move) {
-    Assembly result = assembly;
-    Joint& joint = result.joints[static_cast<std::size_t>(move.joint)];
-    const double along = dot(move.by, joint.left.fold_dir);
+// The joint of an element that was drawn `mm` further along its fold. What stands on it follows.
+Joint moved(Joint joint, double mm) {
     for (Bar* bar : {&joint.left, &joint.right}) {
-        bar->fold_at = bar->fold_at + along * bar->fold_dir;
-        bar->seam_at = bar->seam_at + along * bar->fold_dir;
+        bar->fold_at = bar->fold_at + mm * bar->fold_dir;
+        bar->seam_at = bar->seam_at + mm * bar->fold_dir;
     }
-    return result;
+    return joint;
 }
+
+}  // namespace
 
 std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
@@ -65,8 +63,13 @@ std::optional<Move> freeing_move(const Assembly& assembly, std::span<const Plate
     const auto along = [&](int joint, double mm) {
         return Move{joint, mm * assembly.joints[static_cast<std::size_t>(joint)].left.fold_dir};
     };
-    const auto free = [&](int joint, double mm) {
-        return !in_contact(moved(assembly, along(joint, mm)), shapes, pairs, budget);
+    Assembly trial = assembly;
+    const auto free = [&](int number, double mm) {
+        const auto joint = static_cast<std::size_t>(number);
+        trial.joints[joint] = moved(assembly.joints[joint], mm);
+        const bool result = !in_contact(trial, shapes, pairs, budget);
+        trial.joints[joint] = assembly.joints[joint];
+        return result;
     };
     std::vector<std::pair<int, double>> ways;  // element and sense
     for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {

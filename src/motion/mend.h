@@ -11,15 +11,12 @@
 
 namespace popup {
 
-// An element moved along its parent fold, as if its points had been drawn there.
+// An element moved along its parent fold, as if its points had been drawn there. Whether there is paper at
+// the new place is not looked at.
 struct Move {
     int joint = 0;  // which element
     Vec2 by;        // mm, on the page of its left driving plate
 };
-
-// The assembly with that element, and what stands on it, moved. That there is paper at the new place is not
-// looked at.
-Assembly moved(const Assembly& assembly, const Move& move);
 
 // How many poses of pairs may still be looked at in search of moves: cards differ a thousandfold in what a
 // move costs.

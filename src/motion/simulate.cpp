@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "motion/examine.h"
 #include "motion/findings.h"
 #include "motion/passage.h"
 #include "popup/motion.h"
@@ -22,7 +23,7 @@ struct Judge {
     const Assembly& assembly;
     const Tolerances& tolerances;
     Diagnostics& diagnostics;
-    const Linkage linkage;
+    Linkage linkage;
     std::vector<Frame> here;
 
     Judge(const Assembly& a, const Tolerances& t, Diagnostics& d)
@@ -120,8 +121,9 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
         if (!judge.closes(at, motion.max_closure_mm)) return std::nullopt;
     }
     if (!options.examine) return motion;
-    motion.examination = examine(assembly, options);
-    report_findings(assembly, judge.linkage, *motion.examination, options, diagnostics);
+    const std::vector<PlateShape> shapes = plate_shapes(assembly);
+    motion.examination = examine(assembly, judge.linkage, shapes, options);
+    report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
     add_witnesses(motion);
     return motion;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/examine.h"
 #include "motion/mend.h"
 #include "support/designs.h"
 
@@ -168,8 +169,7 @@ TEST(Collision, ExcessSaysHowMuchShorterThePieceMustBe) {
 TEST(Collision, MoveThatIsSaidToFreeTwoElementsDoes) {
     const TipUnderTent tip;
     const Built built = build(tip.design());
-    std::vector<PlateShape> shapes;
-    for (const Plate& plate : built.assembly->plates) shapes.push_back(plate_shape(plate));
+    const std::vector<PlateShape> shapes = plate_shapes(*built.assembly);
     // The page's two plates come first, then those of each element.
     const std::vector<std::pair<int, int>> pairs{{2, 4}, {2, 5}, {3, 4}, {3, 5}};
     MoveBudget budget;

@@ -1,0 +1,20 @@
+// The examination with what it looks at made once.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "motion/linkage.h"
+#include "motion/plate_shape.h"
+#include "popup/motion.h"
+
+namespace popup {
+
+// Of all plates, by number.
+std::vector<PlateShape> plate_shapes(const Assembly& assembly);
+
+// As examine(assembly, options) of popup/motion.h, from the assembly's linkage and shapes.
+Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+                    const MotionOptions& options);
+
+}  // namespace popup
