@@ -12,8 +12,17 @@
 namespace popup {
 namespace {
 
+// The shorter way of parts that do not move.
+void compile_parts(CompiledDesign& one, const Language& language, const CompileOptions& options) {
+    one.parts = language.read_parts(one.source, options.read, one.diagnostics);
+    if (!one.parts || options.until < Stage::pattern) return;
+    one.pattern = make_pattern(*one.parts, options.pattern, one.diagnostics);
+}
+
 // The stages of one design, in order.
 void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    const Language* language = find_language(one.source, options.read.language);
+    if (language != nullptr && language->read_parts != nullptr) return compile_parts(one, *language, options);
     one.design = read_design(one.source, options.read, one.diagnostics);
     if (!one.design) return;
     one.design->stem = one.stem;
@@ -109,7 +118,9 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     for (const CompiledDesign& one : run.designs) {
         patterns.push_back({one.source.name, one.stem, *one.pattern});
     }
-    run.layout = lay_out(std::move(patterns), options.layout, run.run_diagnostics);
+    LayoutOptions layout = options.layout;
+    layout.nesting.threads = options.threads;
+    run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
     return run;
 }
 

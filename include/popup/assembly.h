@@ -9,32 +9,22 @@
 
 #include "popup/design.h"
 #include "popup/geometry.h"
+#include "popup/lines.h"
 
 namespace popup {
 
 class CheckedDesign;
 
-// What a line of a pattern means to the one who makes it.
-enum class LineKind { cut, mountain, valley, seam, mark };
-std::string_view to_string(LineKind kind);
-
-// A drawn line as it lies on one plate: clipped to it. Points in page coordinates.
-struct Stroke {
-    std::vector<Vec2> points;  // at least two
-    double width_mm = 0.0;
-    Color color;
-};
-
 // A rigid panel, in the coordinates of its pattern page.
 struct Plate {
-    std::string name;           // "page/left", "bird/right"
-    int piece = 0;              // index into Assembly::pieces
-    Polygon outline;            // what is left of it once all cut-outs are made
-    Ring uncut;                 // its outer ring before any cut-out
-    std::optional<Color> fill;  // none: bare paper
-    std::vector<Stroke> strokes;
-    int parent = -1;  // plate it is hinged to; -1: stands in the world
-    Vec2 pivot;       // a point of the hinge line, in this plate's page coordinates
+    std::string name;             // "page/left", "bird/right"
+    int piece = 0;                // index into Assembly::pieces
+    Polygon outline;              // what is left of it once all cut-outs are made
+    Ring uncut;                   // its outer ring before any cut-out
+    std::optional<Color> fill;    // none: bare paper
+    std::vector<Stroke> strokes;  // clipped to the plate
+    int parent = -1;              // plate it is hinged to; -1: stands in the world
+    Vec2 pivot;                   // a point of the hinge line, in this plate's page coordinates
 };
 
 // What is cut out as one.

@@ -15,6 +15,7 @@
 #include "popup/layout.h"
 #include "popup/motion.h"
 #include "popup/output.h"
+#include "popup/part_list.h"
 #include "popup/pattern.h"
 
 namespace popup {
@@ -33,12 +34,13 @@ struct CompileOptions {
     LayoutOptions layout;
     OutputOptions output;
     Stage until = Stage::layout;
-    int threads = 1;  // ≥ 1; results do not depend on it
+    int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Called after each finished design, one call at a time but from any thread; may be empty.
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
-// Everything known of one input. A stage that failed, or was not asked for, is empty.
+// Everything known of one input. A stage that failed, or was not asked for, is empty. An input that describes
+// parts has those and their pattern, and nothing in between.
 struct CompiledDesign {
     Source source;
     std::string stem;  // unique in the run
@@ -47,6 +49,7 @@ struct CompiledDesign {
     std::optional<CheckedDesign> checked;
     std::optional<Assembly> assembly;
     std::optional<Motion> motion;
+    std::optional<PartList> parts;
     std::optional<Pattern> pattern;
 };
 

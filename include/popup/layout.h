@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/nest.h"
 #include "popup/pattern.h"
 #include "popup/units.h"
 
@@ -37,13 +38,51 @@ struct Rotation {
 // Parses none, 180, 90, any, or a count N ≥ 1.
 std::optional<Rotation> parse_rotation(std::string_view text);
 
+// Sheets of one size, and how many there are.
+struct StockRow {
+    SheetChoice size;
+    int count = -1;  // -1: as many as wanted
+};
+// Parses "SIZE[:COUNT],SIZE[:COUNT]…", sizes as parse_sheet() has them but not "auto"; nullopt when it is not
+// that.
+std::optional<std::vector<StockRow>> parse_stock(std::string_view text);
+
+// Paper has a grain, along which it folds and bends better.
+enum class Grain {
+    none,    // pieces turn as they may
+    keep,    // no piece turns
+    either,  // pieces turn by 0° or 180°, identical pieces all alike
+};
+
+// A place on a sheet that a piece keeps: what a report says of a placement.
+struct PieceLock {
+    int sheet = 0;
+    Vec2 offset;  // mm, from the corner of the sheet, margin included
+    Angle angle;
+};
+
+// What holds for the pieces of one name, as outputs give it ("page", "castle:page"); "page" is every
+// design's.
+struct PieceRule {
+    std::string piece;
+    int copy = 0;                      // of a lock: which copy of the piece, from 0
+    std::optional<Rotation> rotation;  // instead of the run's
+    std::optional<PieceLock> lock;
+};
+
 struct LayoutOptions {
     SheetChoice sheet;
+    std::vector<StockRow> stock;                // if not empty, instead of `sheet`
     Length margin = Length::millimetres(5.0);   // free edge of the sheet, ≥ 0
     Length spacing = Length::millimetres(2.0);  // between pieces, ≥ 0
     Rotation rotation;
+    Grain grain = Grain::none;   // if not none, instead of all rotations
+    bool part_in_hole = true;    // whether pieces may lie in the holes of others
+    bool group_designs = false;  // whether all pieces of one copy of a design share a sheet
+    std::vector<PieceRule> rules;
     double scale = 1.0;  // of all pieces, > 0
     int copies = 1;      // of all inputs, ≥ 1
+    NestEffort nesting;
 };
 
 // One design's share of a production run.
@@ -66,24 +105,30 @@ struct Placement {
     [[nodiscard]] Vec2 apply(Vec2 p) const;
 };
 
-struct Layout {
+struct LayoutSheet {
     double width_mm = 0.0;
     double height_mm = 0.0;
+    double utilisation = 0.0;  // area of paper in pieces / usable area
+    Vec2 used_mm;              // width and height really used, margin not counted
+};
+
+struct Layout {
     double margin_mm = 0.0;
-    int sheets = 0;
+    std::vector<LayoutSheet> sheets;
     std::vector<DesignPattern> designs;
     std::vector<Placement> placements;  // by sheet, then design, copy and piece
-    std::vector<double> utilisation;    // a sheet: area of paper in pieces / usable area
-    std::vector<Vec2> used_mm;          // a sheet: width and height really used, margin not counted
-    bool prefix_names = false;          // several inputs: names carry "STEM:"
+    Box leftover;  // on the last sheet, the largest free rectangle, in sheet coordinates; clear of the margin
+                   // and of the spacing round pieces
+    bool prefix_names = false;  // several inputs: names carry "STEM:"
 
     // The piece's name as outputs give it.
     [[nodiscard]] std::string piece_name(const Placement& placement) const;
 };
 
-// Places all copies of all pieces; each inside the margin, no two closer than the spacing (their boxes, for
-// now). Errors: `piece-too-large` names piece, size and usable sheet. Cost: near linear in pieces, as a sheet
-// holds a bounded number of them.
+// Places all copies of all pieces by their outlines; each inside the margin, no two closer than the spacing,
+// as nest() promises. Errors name piece, size and usable sheet (`piece-too-large`), or what else stands in
+// the way: `sheet-too-small`, `too-many-pieces`, `unknown-piece`, `lock-impossible`, `stock-used-up`,
+// `group-too-large`.
 std::optional<Layout> lay_out(std::vector<DesignPattern> designs, const LayoutOptions& options,
                               Diagnostics& diagnostics);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "popup/assembly.h"
+#include "popup/part_list.h"
 #include "popup/units.h"
 
 namespace popup {
@@ -79,6 +80,13 @@ struct PatternOptions {
 // warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees: cuts chained into as
 // few paths as possible; no segment twice; every target inside its plate. Cost: near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
+                                    Diagnostics& diagnostics);
+
+// Makes a piece of every part, in their order. Guarantees: the edges of a part's paper are cuts, inner ones
+// before outer ones; no fold and no seam is drawn twice; a part without texts is labelled with its name,
+// where that fits. Nothing is wrong with a part that its reader accepts: there are no findings. Cost: near
+// linear.
+std::optional<Pattern> make_pattern(const PartList& list, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 
 }  // namespace popup

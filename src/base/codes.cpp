@@ -37,11 +37,24 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "own piece, numbered from 1 in the order of the list. All of a parent fold, and all of a drawn line, "
      "lies on one page; where a page is written more than once in it, the numbers must agree. Correct the "
      "number."},
+    {"bad-path", Severity::error, "path data that cannot be read",
+     "The d of a path, or the points of a polygon or polyline, is not what SVG allows: a letter that is no "
+     "command, a command without all its numbers, an arc's flag that is neither 0 nor 1, or a point with "
+     "one coordinate. Browsers draw such a path up to the mistake; a cut must not end there. Correct the "
+     "path, or draw it anew."},
     {"bad-point", Severity::error, "a point that is not two numbers",
      "A point has two coordinates, written as attributes x and y, as child elements of these names, or as "
      "the text x,y. A list of points written as text needs an even number of numbers, with commas or blanks "
      "between them; a decimal comma looks like one more number there. Write the missing number, or a decimal "
      "point for the comma."},
+    {"bad-reference", Severity::error, "a reference to what cannot be drawn",
+     "A use element names something that is not in the drawing, is in another file, or holds the use "
+     "itself. What it should have drawn would be missing from the sheets, or never come to an end. Correct "
+     "the id, or take the element out; in Inkscape Edit > Clone > Unlink makes a plain shape of it."},
+    {"bad-transform", Severity::error, "a transform that cannot be read",
+     "A transform is a list of matrix, translate, scale, rotate, skewX and skewY, each with its numbers in "
+     "brackets. This one has another word, or a wrong count of numbers, so it is not known where the "
+     "shapes below it are. Correct it, or let a drawing program apply the transforms to the shapes."},
     {"bad-unit", Severity::error, "a unit that is not known",
      "The units of a document are in (inches, when nothing is said), mm, cm, pt or px, the last two both "
      "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of drawn "
@@ -53,6 +66,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "where it is reached. Real paper is thick, bends, and is cut and glued a little off, so that such "
      "plates may rub or catch. "
      "Move the elements further apart, make one of them smaller, or ask for less."},
+    {"clip-ignored", Severity::warning, "a clip path or a mask that is not applied",
+     "The drawing hides parts of its shapes behind clip paths or masks. A cutter follows whole contours, "
+     "so these shapes are cut as they are, hidden parts included. Intersect the shapes with what clips "
+     "them, and take the clip paths out."},
     {"collision", Severity::warning, "two plates go through each other",
      "At some opening angle two plates would need the same room. This is looked for at every angle between "
      "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
@@ -62,6 +79,15 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "and edges or flat on one another, do not. The message gives the first and last angle, and how far "
      "one goes through the other. Real paper would bend, catch or tear there. Move one of the "
      "elements as the hint says, or make one of them smaller."},
+    {"contour-crosses-itself", Severity::warning, "a contour that crosses itself",
+     "The path of a contour runs across itself, so what it encloses can be understood in several ways. All "
+     "that it goes round was taken for inside, and the outline of that is cut. Mostly this is a slip of a "
+     "node, or a loop that an offset has left. Draw the outline without the crossing."},
+    {"contours-overlap", Severity::error, "two contours that overlap partly",
+     "Neither contour lies in the other, but they have an area in common. If they are two parts they "
+     "cannot both be cut from one sheet as they are drawn, and if they are one part its outline is not "
+     "drawn. Move the parts apart, or unite the contours, or subtract one from the other. Contours that "
+     "only touch, or overlap by a hundredth of a millimetre, are two parts."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",
      "Steps, beaks and angled steps are cut across the fold they stand on. A seam is two pieces of paper "
      "glued together, so the cut would go through the glue and part what holds the design together. Stand a "
@@ -84,6 +110,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "
      "pulled towards its fold, or shortened along it, until it fits. Where even the smallest form finds no "
      "room it is an error. Make the element smaller or move it."},
+    {"doubled-line", Severity::remark, "lines that are drawn twice",
+     "Some lines lie exactly on others: a contour that is drawn once for its stroke and once for its fill, "
+     "or an edge that two parts share in the drawing. A cutter would go over them twice and burn or fray "
+     "the edge, so each is cut once. There is nothing to do, but the drawing is tidier without them."},
     {"dropped", Severity::warning, "an element was taken out",
      "With --drop, elements that are too small to fold are taken out of the document, and with them "
      "everything that stands on them; pages of pieces that went are closed up. The document before is "
@@ -140,6 +170,19 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "so that sheets look the same on every machine. The file named in the message is not there, may not be "
      "read, or is no font. Nothing has been written. Install the font where the message says (on Debian the "
      "package fonts-dejavu-core brings it), or write SVG, which only names the font."},
+    {"group-too-large", Severity::error, "the pieces of a design do not fit on one sheet together",
+     "Under --group design all pieces of one copy of a design are put on the same sheet, so that a kit can "
+     "be "
+     "handed out as one. No arrangement of these pieces was found that fits on a single sheet. Take a larger "
+     "sheet, a smaller --scale, or leave --group out."},
+    {"hidden-shape", Severity::remark, "shapes that are hidden",
+     "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut. "
+     "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "
+     "are to be cut."},
+    {"holes-overlap", Severity::warning, "two holes of a part that overlap partly",
+     "Two contours within one part have an area in common though neither lies in the other. The paper that "
+     "is left is what both leave, and the outline of that is cut. Unite the two contours if one opening is "
+     "meant, or move them apart if they are two."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: the "
      "linkage passes from one of its two solutions to the other, its mirror image, or is so close to locking "
@@ -151,6 +194,17 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "below the next and the last below the first; the message names them. Paper would have to be woven, and "
      "the card bulges or does not close. Make one of the plates smaller, so that it no longer reaches over "
      "the next, or move its element."},
+    {"line-outside", Severity::warning, "an open line that lies outside of every part",
+     "Lines that do not close are slits or folds of the part they lie in. This one lies in none, or not "
+     "wholly, and what lies outside is left out. Often it is the side of an outline that does not close: "
+     "the ends of lines must be within 0.02 mm of each other to be one corner. Join them, end the line at "
+     "the outline, or take it out."},
+    {"lock-impossible", Severity::error, "a piece cannot stay where it is locked",
+     "--lock keeps a piece in a place, given as a report gives it: where the origin of the piece's page goes "
+     "on the sheet, in millimetres from its lower left corner, and by how much the piece is turned. There, "
+     "the "
+     "piece would reach over the margin, or come closer to another locked piece than the spacing. Lock it "
+     "elsewhere, or leave it free."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
      "of piece and page together exceed 360°), so that the card stops before it is open. This is looked for "
@@ -172,10 +226,27 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"moved-with-fold", Severity::warning, "an element moved because its fold was repaired",
      "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the element "
      "was moved, or turned, with it. Mending the element below makes this repair unnecessary."},
+    {"nest-stopped", Severity::remark, "the search for places was interrupted",
+     "With --nest-time an interrupt (Ctrl-C) ends the search and the best layout found so far is written, "
+     "checked as any other. Let it run on for a tighter one, or use --nest-effort for one that is the same "
+     "every time."},
     {"newer-element", Severity::warning, "an element that the document's version does not have",
      "The document says it is of version 2.0, or says nothing, and uses an element that Popup Workshop did "
      "not have. It is read all the same. Write version=\"3.0\" at the root, so that other programs know what "
      "to expect."},
+    {"no-contours", Severity::error, "a drawing without any closed contour",
+     "Parts are what closed contours enclose, and the drawing has no contour that closes. Perhaps its "
+     "outlines have gaps of more than 0.02 mm at the corners, are texts that were not made into paths, are "
+     "hidden, or have neither stroke nor fill. Close the outlines: in Inkscape by joining selected nodes."},
+    {"no-design", Severity::error, "an input that is not the design of a card",
+     "The input describes flat parts that do not move: a drawing. What was asked for needs the design of a "
+     "pop-up card, which a drawing is not. Give it to popupc build for sheets (.svg, .pdf) or the report "
+     "(.json), or name a popup document."},
+    {"not-cut", Severity::warning, "texts, images and the like in a drawing",
+     "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
+     "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path), "
+     "images traced. If they are only notes, accept this with --allow not-cut, or put them on a hidden "
+     "layer."},
     {"not-flat", Severity::error, "a plate is not flat when the card is closed",
      "At the closed card every plate must lie in one plane, or the card does not shut. An element of this "
      "design does not fold flat; usually its angles were taken as they are because a repair was not "
@@ -192,6 +263,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The points of an element, in the order of its type, do not go round a piece of paper: two edges cross "
      "where the message says, so there is no telling which side of them is paper. Usually two points are "
      "exchanged; the manual page popup(5) gives the order for each type."},
+    {"page-frame", Severity::remark, "a contour as large as the page that holds all else",
+     "The outermost contour has the size of the drawing's page, and everything lies in it, so the whole "
+     "drawing is one part. If it is a frame, the edge of the sheet or of the picture, take it out: then "
+     "what lies in it are parts, and can be placed anew."},
     {"page-not-there", Severity::error, "a page is named that does not exist yet",
      "Page 0 is the base page. Every v-fold and every tent adds one page for its own piece: page 1 for the "
      "first of them in the list, 2 for the second. An element or a drawn line can only be on a page whose "
@@ -201,6 +276,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "numbers are in the document's unit, which is inches when nothing is said; a size like 279 without "
      "units=\"mm\" is a page of seven metres. Correct the size or the unit; without either the page has 11 "
      "by 8.5 inches."},
+    {"part-divided", Severity::warning, "a cut that divides a part",
+     "An open cut runs from a part's edge to the same edge. Each outermost contour is one part, and is "
+     "placed as one, but this one will come off the machine in two pieces. If they are meant to be two "
+     "parts that share an edge, draw each as a closed contour of its own."},
     {"pdf-failed", Severity::error, "the PDF library gave up",
      "The library that makes PDF documents reported the error in the message, for example that memory ran "
      "out or that the font of the labels is damaged. Nothing has been written. Reinstall the font, or write "
@@ -251,6 +330,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The plates on both sides of this seam lie in one plane, facing the same way, when the card is closed. "
      "Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley folds do "
      "open and close."},
+    {"shape-outside", Severity::warning, "a painted shape that is not cut",
+     "In a drawing that has stroked contours, these are what is cut, and shapes that have a fill and no "
+     "stroke are printed on the parts they lie on. This one lies on none. Give it a stroke if it is a "
+     "part, or take it out. In a drawing without any stroked contour the painted shapes are the parts."},
     {"sheet-too-small", Severity::error, "the margins leave nothing of the sheet",
      "The margin is kept free along all four edges of a sheet. When twice the margin is as much as the "
      "sheet's width or height, no paper is left to put pieces on. Choose a larger --sheet or a smaller "
@@ -266,6 +349,24 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "Left is the left-hand side when looking from the parent fold's begin to its end. All points given as "
      "left lie right of it and the other way round, so the points changed places; the colours stay with the "
      "sides they are named for."},
+    {"size-in-pixels", Severity::remark, "a drawing whose size is in pixels",
+     "Pixels are taken for 96 to the inch, as CSS has it. Programs have used 72 and 90 as well, so that "
+     "parts may come out too small by a quarter. Compare the size in the message with what it should be, "
+     "and set the document's units to millimetres if it is not."},
+    {"size-missing", Severity::warning, "a drawing that does not say how large it is",
+     "The drawing has no width and height with a length in them, only numbers without a unit. They are "
+     "taken for pixels, 96 to the inch, but programs that export such drawings often mean points, 72 to "
+     "the inch. Look at the size in the message. Write width and height with mm, export the drawing with "
+     "its size, or use --scale."},
+    {"stock-used-up", Severity::error, "there are not enough sheets in the stock",
+     "--stock says how many sheets of which sizes there are. All of them were filled and pieces were left, "
+     "even after a search for a tighter arrangement. Add sheets, or let the search look longer with a higher "
+     "--nest-effort; it may find room if only little is missing."},
+    {"style-ignored", Severity::warning, "style rules that are not understood",
+     "Rules of style elements are read when they are for a tag, a class, an id, or a class of a tag. "
+     "Others, such as those for elements inside of others, and conditions such as @media, are not. What "
+     "they say of strokes, fills and hidden shapes may be missed. Let the drawing program write styles as "
+     "attributes, or inline."},
     {"tab-too-small", Severity::warning, "little is left of a glue tab",
      "A glue tab runs along each seam of a piece, and its target on the plate it is glued to. Both are "
      "trimmed so that they stay 1 mm clear of folds, cuts, edges and earlier tabs. Of this one less than 3 "
@@ -292,6 +393,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The document holds markup that the reader does not know in that place, and disregards with all that is "
      "in it. Often it is a slip in a name, and then something that you meant is missing from the result. "
      "Correct the name, or take the markup out. With --strict this is an error."},
+    {"unknown-piece", Severity::error, "an option names a piece that is not there",
+     "--lock and --rotate PIECE=… name pieces as the outputs do: \"page\" for the base page, the id of an "
+     "element for its extra piece, the name of a part of a drawing, and with several inputs the file's stem "
+     "before a colon, such as \"castle:roof\". No piece of the run has this name, or not so many copies. "
+     "The labels on the sheets and the report list the names."},
     {"unknown-type", Severity::error, "a structure of an unknown type",
      "The type of a structure is the name of an element, such as beak or inverted-step, or its number in "
      "Popup Workshop, from 0 to 8. Case, hyphens and underscores do not matter. `popupc list elements` shows "
@@ -316,8 +422,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "Points of an element lie on the planes beside its parent fold. On a seam these planes are on two "
      "pages: each point must name the page of its side. On a fold both sides are on one page."},
     {"wrong-root", Severity::error, "an XML document of another kind",
-     "The file is XML, but its outermost element is not <popup>, so it is no popup document. Perhaps it is a "
-     "drawing, or an output of this program (an .svg, say) in place of its input. Name the right file."},
+     "The file is XML, but its outermost element is not the one that its language begins with: <popup> of a "
+     "popup document, <svg> of a drawing. Perhaps it is another kind of file with a wrong name, or an output "
+     "of "
+     "this program in place of its input. Name the right file, or its language with --from."},
     {"xml-syntax", Severity::error, "a text that is not well-formed XML",
      "Tags must be closed in the order they were opened, values stand in quotes, no attribute stands twice "
      "in a tag, the characters < and & are written &lt; and &amp; in texts and values, and nesting is at "

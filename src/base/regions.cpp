@@ -20,6 +20,7 @@ constexpr double kRangeMm = 1e9;
 constexpr double kArcMm = 0.01;
 // The cosecant of half the sharpest angle that keeps its corner.
 constexpr double kMitreLimit = 4.0;
+constexpr double kBluntLimit = 2.0;
 // How far off an edge a line still counts as lying on it.
 constexpr double kOnEdgeMm = 2.0 * kGridMm;
 
@@ -170,12 +171,30 @@ std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<
     return to_polygons(run(ClipperLib::ctIntersection, a, b));
 }
 
+std::vector<Polygon> filled(const std::vector<Ring>& rings, FillRule rule) {
+    Paths paths;
+    for (const Ring& ring : rings) {
+        Path& path = paths.emplace_back();
+        path.reserve(ring.size());
+        for (const Vec2 p : ring) path.push_back(to_int(p));
+    }
+    ClipperLib::Clipper clipper;
+    if (!clipper.AddPaths(paths, ClipperLib::ptSubject, true)) return {};
+    const ClipperLib::PolyFillType type =
+        rule == FillRule::even_odd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero;
+    Paths result;
+    const bool done = clipper.Execute(ClipperLib::ctUnion, result, type, type);
+    POPUP_INVARIANT(done);
+    return to_polygons(std::move(result));
+}
+
 std::vector<Polygon> offset(const std::vector<Polygon>& regions, double delta, Corners corners) {
     // One outline first: overlapping rings would each be offset on their own.
     const Paths united = run(ClipperLib::ctUnion, regions, {});
     if (united.empty()) return {};
-    ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcMm * kPerMm);
-    offsetter.AddPaths(united, corners == Corners::sharp ? ClipperLib::jtMiter : ClipperLib::jtRound,
+    ClipperLib::ClipperOffset offsetter(corners == Corners::blunt ? kBluntLimit : kMitreLimit,
+                                        kArcMm * kPerMm);
+    offsetter.AddPaths(united, corners == Corners::rounded ? ClipperLib::jtRound : ClipperLib::jtMiter,
                        ClipperLib::etClosedPolygon);
     Paths result;
     offsetter.Execute(result, delta * kPerMm);

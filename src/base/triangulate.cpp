@@ -17,8 +17,6 @@
 namespace popup {
 namespace {
 
-// GEOS's time grows with the square of the corners; parts of this size keep the whole near linear.
-constexpr std::size_t kMostCorners = 300;
 // A part smaller than this on which GEOS fails is left out: it is below every tolerance.
 constexpr double kSpeckMm = 1e-5;
 // Share of the area by which triangles may miss their polygon, for rounding.
@@ -213,7 +211,7 @@ Triangulation indexed(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-Triangulation triangulate(const Polygon& polygon) {
+Triangulation triangulate(const Polygon& polygon, std::size_t uncut) {
     if (polygon.outer.size() < 3) return {};
     if (is_convex(polygon)) return fan(polygon.outer);
 
@@ -230,7 +228,7 @@ Triangulation triangulate(const Polygon& polygon) {
             }
             continue;
         }
-        if (corners_of(part) <= kMostCorners) {
+        if (corners_of(part) <= uncut) {
             if (const auto some = by_geos(geos.handle, part)) {
                 triangles.insert(triangles.end(), some->begin(), some->end());
                 continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Triangulation {
 // The answer depends on the polygon alone. Empty when the polygon has no area.
 // Preconditions: finite coordinates within ±1e9 mm; rings do not cross themselves or each other, but may
 // touch. Cost: near linear.
-Triangulation triangulate(const Polygon& polygon);
+// `uncut`: up to so many corners the polygon is not cut first; the time grows with their square.
+Triangulation triangulate(const Polygon& polygon, std::size_t uncut = 300);
 
 }  // namespace popup

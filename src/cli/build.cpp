@@ -68,15 +68,25 @@ void add_output_options(CLI::App& verb, Options& options) {
         ->group("Output");
 }
 
+// "297.0 x 210.0 mm", or of several sizes each once: "305.0 x 305.0 and 420.0 x 297.0 mm".
+std::string sheet_sizes(const Layout& layout) {
+    std::vector<std::string> sizes;
+    for (const LayoutSheet& sheet : layout.sheets) {
+        std::string size = fmt::format("{:.1f} x {:.1f}", sheet.width_mm, sheet.height_mm);
+        if (std::find(sizes.begin(), sizes.end(), size) == sizes.end()) sizes.push_back(std::move(size));
+    }
+    return fmt::format("{} mm", fmt::join(sizes, " and "));
+}
+
 void tell(const Options& options, const Compilation& compilation, const std::vector<PendingFile>& files) {
     if (!options.messages.verbose) return;
     say_layers(options.messages, compilation);
     if (compilation.layout) {
         const Layout& layout = *compilation.layout;
         say(options.messages,
-            fmt::format("{} sheet{} of {:.1f} x {:.1f} mm, {} piece{}", layout.sheets,
-                        layout.sheets == 1 ? "" : "s", layout.width_mm, layout.height_mm,
-                        layout.placements.size(), layout.placements.size() == 1 ? "" : "s"));
+            fmt::format("{} sheet{} of {}, {} piece{}", layout.sheets.size(),
+                        layout.sheets.size() == 1 ? "" : "s", sheet_sizes(layout), layout.placements.size(),
+                        layout.placements.size() == 1 ? "" : "s"));
     }
     for (const PendingFile& file : files) {
         say(options.messages,
@@ -93,6 +103,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     add_output_options(*verb, options);
     add_check_options(*verb, options);
     add_sheet_options(*verb, options);
+    add_nest_options(*verb, options);
     add_motion_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);

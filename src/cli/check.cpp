@@ -11,6 +11,7 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_input_options(*verb, options);
     add_check_options(*verb, options);
     add_sheet_options(*verb, options);
+    add_nest_options(*verb, options);
     add_motion_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);

@@ -48,11 +48,22 @@ void check_usage(const Options& options) {
     }
 }
 
+// Only designs have repairs.
+void check_languages(const Options& options, const Compilation& compilation) {
+    for (const CompiledDesign& one : compilation.designs) {
+        const Language& language = language_of(options.inputs, one.source);
+        if (language.patch != nullptr) continue;
+        throw UsageError(
+            fmt::format("{}: fix mends popup documents, and this describes flat parts", one.source.name),
+            {"popupc check tells what is wrong with it; popupc build writes its sheets"});
+    }
+}
+
 // The document with its repairs, and those of what the repairs uncover, until nothing is left to repair; so a
 // second `fix` finds nothing to do. nullopt when that does not come to an end: a finding is added.
 std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     std::string text = one.source.text;
-    const Language& language = language_of(options.inputs, one.source.name);
+    const Language& language = language_of(options.inputs, one.source);
     CompileOptions again = options.compile;
     again.read.language = language.name;
     again.until = Stage::motion;
@@ -110,6 +121,7 @@ int run_fix(const Options& options) {
     check_usage(options);
     Run run = run_inputs(options, Stage::motion);
     Compilation& compilation = run.compilation;
+    check_languages(options, compilation);
     bool written = true;
     bool changed = false;
     if (run.usable() && !compilation.has_errors()) {

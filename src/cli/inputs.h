@@ -20,8 +20,8 @@ struct Run {
     [[nodiscard]] bool usable() const { return unreadable.empty(); }
 };
 
-// The language a name is read as: --from, else by suffix; UsageError when neither tells.
-const Language& language_of(const InputOptions& options, const std::string& name);
+// The language a source is read as: --from, else as find_language() finds it; UsageError when there is none.
+const Language& language_of(const InputOptions& options, const Source& source);
 
 // Reads and compiles up to `until`. Unreadable inputs do not keep the others from being looked at.
 // UsageError on a suffix that names no language and on standard input named twice.

@@ -166,18 +166,6 @@ void add_sheet_options(CLI::App& verb, Options& options) {
               layout.spacing = length_option("--spacing", text, 0.0);
               given = true;
           });
-    value(verb, "--rotate", "TURNS", "turns of pieces: none, 180, 90 (default), any, or N in a circle",
-          "Sheet", [&layout, &given](std::string_view text) {
-              const std::optional<Rotation> rotation = parse_rotation(text);
-              if (!rotation) {
-                  throw UsageError(
-                      fmt::format("--rotate takes none, 180, 90, any, or a count of turns in a circle, "
-                                  "not \"{}\"",
-                                  text));
-              }
-              layout.rotation = *rotation;
-              given = true;
-          });
     value(verb, "--scale", "FACTOR", "size of everything (default 1)", "Sheet",
           [&layout, &given](std::string_view text) {
               layout.scale = number_option("--scale", text, 0.001, 1000.0);

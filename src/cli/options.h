@@ -87,6 +87,7 @@ void add_message_options(CLI::App& verb, Options& options);
 void add_policy_options(CLI::App& verb, Options& options);
 void add_check_options(CLI::App& verb, Options& options);
 void add_sheet_options(CLI::App& verb, Options& options);
+void add_nest_options(CLI::App& verb, Options& options);
 void add_motion_options(CLI::App& verb, Options& options);
 void add_thread_option(CLI::App& verb, Options& options);
 
@@ -97,6 +98,11 @@ void check_motion_options(const Options& options);
 std::optional<double> parse_number(std::string_view text);
 // A number with an optional unit (mm, cm, in, pt); without one millimetres.
 std::optional<Length> parse_length(std::string_view text);
+// "[PIECE=]TURNS" of --rotate and "PIECE[#COPY]=X,Y[,DEGREES][@SHEET]" of --lock, as rules of a layout; the
+// piece's name is empty where none is given. Copies and sheets count from 1 in the text. nullopt when they
+// are not that.
+std::optional<PieceRule> parse_turn_rule(std::string_view text);
+std::optional<PieceRule> parse_lock_rule(std::string_view text);
 // "FIRST:LAST:STEP" or "A,B,C", in degrees, each in [0, 180]; sorted, without doubles. nullopt when it is
 // neither.
 std::optional<std::vector<Angle>> parse_angles(std::string_view text);

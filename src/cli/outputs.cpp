@@ -132,6 +132,27 @@ std::optional<std::vector<std::string>> write_format(const Format& format, const
         format.write);
 }
 
+// Parts that do not move have sheets and a report, and no more.
+void check_parts(const std::string& input, const std::vector<PlannedOutput>& outputs,
+                 const std::optional<Stage>& emit) {
+    const auto refuse = [&](const std::string& what) {
+        throw UsageError(fmt::format("{}: this describes flat parts, and has no {}", input, what),
+                         {"of flat parts there are sheets (.svg, .pdf), the report (.json), and --emit "
+                          "pattern or layout"});
+    };
+    for (const PlannedOutput& output : outputs) {
+        if (std::holds_alternative<SceneWriter>(output.format->write)) {
+            refuse(fmt::format("moving model for {}", output.path));
+        }
+        if (std::holds_alternative<DocumentWriter>(output.format->write)) {
+            refuse(fmt::format("popup document for {}", output.path));
+        }
+    }
+    if (emit == Stage::design) refuse("design");
+    if (emit == Stage::assembly) refuse("assembly");
+    if (emit == Stage::motion) refuse("motion");
+}
+
 }  // namespace
 
 bool same_place(const std::string& a, const std::string& b) {
@@ -196,6 +217,12 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
                 {"to write the repaired document over the old one use \"popupc fix --in-place\""});
         }
     }
+    for (const std::string& name : options.inputs.names) {
+        const Language* language = find_language(Source{name, {}}, options.inputs.language);
+        if (name != "-" && language != nullptr && language->read_parts != nullptr) {
+            check_parts(name, planned, build.emit);
+        }
+    }
     return planned;
 }
 
@@ -215,6 +242,10 @@ Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optiona
 
 std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
                                                    const Options& options, Compilation& compilation) {
+    // Of standard input it is known only now.
+    for (const CompiledDesign& one : compilation.designs) {
+        if (one.parts) check_parts(one.source.name, outputs, options.build.emit);
+    }
     std::vector<PendingFile> files;
     bool good = true;
     OutputOptions writing = options.compile.output;

@@ -17,7 +17,8 @@ struct PlannedOutput {
 };
 
 // Finds the format of every output. UsageError on an unknown one, on two users of standard output, on an
-// output that is named twice or is an input, and on one document for several inputs.
+// output that is named twice or is an input, on one document for several inputs, and when an output needs
+// what an input does not have: parts that do not move have no model.
 std::vector<PlannedOutput> plan_outputs(const Options& options);
 
 // True when both names are the same file now, or would be once written.
@@ -33,7 +34,8 @@ Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optiona
 bool output_refused(const Diagnostics& diagnostics);
 
 // Every file of the run with its bytes, the --emit document included; sheets after the first as "card-2.svg".
-// nullopt when a writer failed; why stands in the run's diagnostics.
+// nullopt when a writer failed; why stands in the run's diagnostics. UsageError when standard input turns out
+// not to have what an output needs.
 // Precondition: no design has errors.
 std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
                                                    const Options& options, Compilation& compilation);

@@ -53,6 +53,59 @@ std::optional<Length> parse_length(std::string_view text) {
     return Length::millimetres(*value * scale);
 }
 
+std::optional<PieceRule> parse_turn_rule(std::string_view text) {
+    PieceRule rule;
+    if (const std::size_t equals = text.rfind('='); equals != std::string_view::npos) {
+        rule.piece = text.substr(0, equals);
+        if (rule.piece.empty()) return std::nullopt;
+        text.remove_prefix(equals + 1);
+    }
+    rule.rotation = parse_rotation(text);
+    if (!rule.rotation) return std::nullopt;
+    return rule;
+}
+
+namespace {
+
+// What follows the last `mark` of the text, as a whole number from 1; takes both off. True when there is no
+// mark; false when what follows is no such number.
+bool take_ordinal(std::string_view& text, char mark, int& number) {
+    const std::size_t at = text.rfind(mark);
+    if (at == std::string_view::npos) return true;
+    const std::optional<double> value = parse_number(text.substr(at + 1));
+    if (!value || *value < 1.0 || *value > 1e6 || *value != std::floor(*value)) return false;
+    number = static_cast<int>(*value) - 1;
+    text = text.substr(0, at);
+    return true;
+}
+
+}  // namespace
+
+std::optional<PieceRule> parse_lock_rule(std::string_view text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string_view::npos) return std::nullopt;
+    std::string_view name = text.substr(0, equals);
+    std::string_view place = text.substr(equals + 1);
+    PieceRule rule;
+    rule.lock.emplace();
+    if (!take_ordinal(name, '#', rule.copy) || !take_ordinal(place, '@', rule.lock->sheet))
+        return std::nullopt;
+    rule.piece = name;
+    const std::vector<std::string_view> parts = split(place, ',');
+    if (rule.piece.empty() || parts.size() < 2 || parts.size() > 3) return std::nullopt;
+    const std::optional<Length> x = parse_length(parts[0]);
+    const std::optional<Length> y = parse_length(parts[1]);
+    const std::optional<double> turn = parts.size() == 3 ? parse_number(parts[2]) : 0.0;
+    constexpr double kFurthestMm = 1e6;
+    if (!x || !y || !turn || std::abs(x->mm) > kFurthestMm || std::abs(y->mm) > kFurthestMm ||
+        std::abs(*turn) > 360.0) {
+        return std::nullopt;
+    }
+    rule.lock->offset = {x->mm, y->mm};
+    rule.lock->angle = Angle::degrees(*turn < 0.0 ? *turn + 360.0 : *turn == 360.0 ? 0.0 : *turn);
+    return rule;
+}
+
 std::optional<std::vector<Angle>> parse_angles(std::string_view text) {
     std::vector<double> degrees;
     if (text.find(':') != std::string_view::npos) {

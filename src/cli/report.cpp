@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 #include "base/render_diagnostics.h"
 
@@ -119,6 +123,45 @@ std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOption
             to_standard_error("\r\x1b[K");
         }
     };
+}
+
+std::function<void(const NestProgress&)> nesting_meter(const MessageOptions& options) {
+    const bool terminal = ::isatty(STDERR_FILENO) != 0;
+    if (options.progress == When::never) return {};
+    if (options.progress == When::automatic && (!terminal || options.quiet)) return {};
+    using Clock = std::chrono::steady_clock;
+    const auto shown = std::make_shared<std::pair<Clock::time_point, bool>>(Clock::now(), false);
+    return [terminal, shown](const NestProgress& progress) {
+        auto& [last, any] = *shown;
+        const bool over = progress.done >= 1.0;
+        const auto pause = std::chrono::milliseconds(terminal ? 200 : 1000);
+        if (!over && Clock::now() - last < pause) return;
+        if (over && !any) return;
+        last = Clock::now();
+        if (terminal && over) {
+            any = false;
+            to_standard_error("\r\x1b[K");
+            return;
+        }
+        any = true;
+        to_standard_error(fmt::format("{}{} sheet{}, {:.1f} % used, {:.1f} mm of the last, {:.0f} % done{}",
+                                      terminal ? "\r\x1b[K" : "popupc: nesting: ", progress.sheets,
+                                      progress.sheets == 1 ? "" : "s", 100.0 * progress.utilisation,
+                                      progress.last_length, 100.0 * progress.done, terminal ? "" : "\n"));
+    };
+}
+
+namespace {
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+}  // namespace
+
+const std::atomic<bool>* stop_on_interrupt() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted.store(true); };
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    ::sigaction(SIGINT, &action, nullptr);
+    return &interrupted;
 }
 
 void report_usage(const UsageError& error) {

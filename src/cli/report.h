@@ -1,6 +1,8 @@
 // Findings on their way to the user.
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +37,12 @@ void say_layers(const MessageOptions& options, const Compilation& compilation);
 // function.
 std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,
                                                              std::size_t inputs);
+
+// The same for the search for places on sheets: at most one line a second, and none for what is done at once.
+std::function<void(const NestProgress&)> nesting_meter(const MessageOptions& options);
+
+// From now on the first interrupt (Ctrl-C) sets the flag that is returned, and the second ends the process.
+const std::atomic<bool>* stop_on_interrupt();
 
 // "popupc: error: …" with its hints, on standard error.
 void report_usage(const UsageError& error);

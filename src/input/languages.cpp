@@ -5,50 +5,59 @@
 #include <string>
 #include <string_view>
 
+#include "input/drawing/read.h"
 #include "input/text.h"
 #include "input/xml/read.h"
 #include "popup/design.h"
+#include "popup/part_list.h"
 
 namespace popup {
-namespace {
-
-// The row that is named, or else the one of the suffix; null when there is none.
-const Language* choose(const Source& source, std::string_view name) {
-    const std::vector<Language>& table = language_table();
-    const std::string wanted = lower(name.empty() ? std::string_view(source.name) : name);
-    const auto row = std::find_if(table.begin(), table.end(), [&](const Language& candidate) {
-        return name.empty() ? wanted.ends_with(candidate.suffix) : wanted == candidate.name;
-    });
-    if (row != table.end()) return &*row;
-    // Standard input has no suffix; while there is one language only, that one is meant.
-    if (name.empty() && source.name == "-" && table.size() == 1) return &table.front();
-    return nullptr;
-}
-
-}  // namespace
 
 std::vector<Language> const& language_table() {
     static const std::vector<Language> table{
         {"xml", ".xml", "popup document, as Popup Workshop's thesis describes it", xml::read, xml::patch},
+        {"svg", ".svg", "drawing of closed cut contours, each a flat part", nullptr, nullptr, drawing::read,
+         drawing::recognises},
     };
     return table;
 }
 
-std::optional<Design> read_design(const Source& source, const ReadOptions& options,
-                                  Diagnostics& diagnostics) {
-    if (const Language* language = choose(source, options.language)) {
-        return language->read(source, options, diagnostics);
-    }
+const Language* find_language(const Source& source, std::string_view language) {
+    const std::vector<Language>& table = language_table();
+    const std::string wanted = lower(language.empty() ? std::string_view(source.name) : language);
+    const bool standard_input = language.empty() && source.name == "-";
+    const auto row = std::find_if(table.begin(), table.end(), [&](const Language& candidate) {
+        if (standard_input) return candidate.recognises != nullptr && candidate.recognises(source.text);
+        return language.empty() ? wanted.ends_with(candidate.suffix) : wanted == candidate.name;
+    });
+    if (row != table.end()) return &*row;
+    return standard_input ? &table.front() : nullptr;
+}
+
+std::string known_languages() {
     std::string known;
     for (const Language& row : language_table()) {
         known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", row.name, row.suffix);
+    }
+    return known;
+}
+
+std::optional<Design> read_design(const Source& source, const ReadOptions& options,
+                                  Diagnostics& diagnostics) {
+    const Language* language = find_language(source, options.language);
+    if (language != nullptr && language->read != nullptr) {
+        return language->read(source, options, diagnostics);
+    }
+    if (language != nullptr) {
+        diagnostics.error("no-design", {}, "this describes flat parts, not the design of a pop-up card");
+        return std::nullopt;
     }
     diagnostics
         .error("unknown-language", {},
                options.language.empty()
                    ? std::string("the name of the input does not tell its language")
                    : fmt::format("the language '{}' is not known", shown(options.language)))
-        .hint("--from names the language; known are " + known);
+        .hint("--from names the language; known are " + known_languages());
     return std::nullopt;
 }
 

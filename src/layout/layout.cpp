@@ -8,9 +8,11 @@
 #include <tuple>
 #include <utility>
 
-#include "layout/pack.h"
+#include "base/hull.h"
+#include "layout/leftover.h"
 #include "layout/scale.h"
 #include "layout/turns.h"
+#include "nest/shapes.h"
 
 namespace popup {
 
@@ -25,101 +27,26 @@ std::string Layout::piece_name(const Placement& placement) const {
 namespace {
 
 constexpr std::size_t kMostPieces = 1'000'000;
-constexpr double kMostMm = 1e8;
+constexpr double kMostMm = 1e5;
 
-struct Sheet {
+// A piece of a design, before it is copied.
+struct PieceSource {
+    int design = 0;
+    int piece = 0;
+    Ring hull;
+    std::vector<Angle> turns;
+    int kind = -1;
+};
+
+// Sheets of one size, margins included.
+struct SheetRow {
     double width = 0.0;
     double height = 0.0;
+    int count = -1;
     [[nodiscard]] SheetArea usable(double margin) const {
         return {width - 2.0 * margin, height - 2.0 * margin};
     }
 };
-
-// A piece of a design, before it is copied.
-struct Source {
-    int design = 0;
-    int piece = 0;
-};
-
-bool takes_all(const std::vector<Shape>& shapes, const Sheet& sheet, const LayoutOptions& options) {
-    const SheetArea area = sheet.usable(options.margin.mm);
-    return area.width > 0.0 && area.height > 0.0 &&
-           std::all_of(shapes.begin(), shapes.end(),
-                       [&](const Shape& s) { return fits(s, area, options.rotation); });
-}
-
-// The paper landscape or portrait, as takes all shapes; nullopt when neither does.
-std::optional<Sheet> oriented(const Paper& paper, const std::vector<Shape>& shapes,
-                              const LayoutOptions& options) {
-    for (const Sheet& sheet :
-         {Sheet{paper.height_mm, paper.width_mm}, Sheet{paper.width_mm, paper.height_mm}}) {
-        if (takes_all(shapes, sheet, options)) return sheet;
-    }
-    return std::nullopt;
-}
-
-// The sheet to use. Where no choice takes all shapes it is one on which to say what does not fit.
-Sheet choose_sheet(const std::vector<Shape>& shapes, const LayoutOptions& options) {
-    const SheetChoice& choice = options.sheet;
-    if (choice.name.empty()) return {choice.width_mm, choice.height_mm};
-    for (const Paper& paper : paper_table()) {
-        if (choice.name != "auto" && choice.name != paper.name) continue;
-        if (const auto sheet = oriented(paper, shapes, options)) return *sheet;
-    }
-    const Paper* last = &paper_table().back();
-    for (const Paper& paper : paper_table()) {
-        if (choice.name == paper.name) last = &paper;
-    }
-    return {last->height_mm, last->width_mm};
-}
-
-// The largest scale at which a box fits.
-double scale_that_fits(const Box& bounds, const SheetArea& area, Rotation rotation) {
-    double scale = std::min(area.width / bounds.width(), area.height / bounds.height());
-    if (rotation.count == 0 || rotation.count % 4 == 0) {
-        scale = std::max(scale, std::min(area.width / bounds.height(), area.height / bounds.width()));
-    }
-    return scale;
-}
-
-// A placed piece's box on the grid.
-struct GridBox {
-    int sheet;
-    GridLength x0, y0, x1, y1;
-};
-
-// Turned corners are rounded to the grid once when a place is looked for and once when it is checked.
-constexpr GridLength kSlack = 2;
-
-// Whether no two boxes of a sheet are closer than the spacing: a sweep from left to right over the boxes,
-// each widened by the spacing, that keeps those under the sweep ordered from bottom to top.
-bool are_apart(std::vector<GridBox> boxes, GridLength spacing) {
-    std::sort(boxes.begin(), boxes.end(), [](const GridBox& a, const GridBox& b) {
-        return std::tuple(a.sheet, a.x0, a.y0) < std::tuple(b.sheet, b.x0, b.y0);
-    });
-    const GridLength widened = spacing - kSlack;
-    std::map<GridLength, GridLength> under;         // from bottom to top
-    std::multimap<GridLength, GridLength> leaving;  // right end, bottom
-    int sheet = -1;
-    for (const GridBox& box : boxes) {
-        if (box.sheet != sheet) {
-            sheet = box.sheet;
-            under.clear();
-            leaving.clear();
-        }
-        for (; !leaving.empty() && leaving.begin()->first <= box.x0; leaving.erase(leaving.begin())) {
-            under.erase(leaving.begin()->second);
-        }
-        const GridLength top = box.y1 + widened;
-        if (top <= box.y0 || box.x1 + widened <= box.x0) continue;
-        const auto above = under.lower_bound(box.y0);
-        if (above != under.end() && above->first < top) return false;
-        if (above != under.begin() && std::prev(above)->second > box.y0) return false;
-        under.emplace(box.y0, top);
-        leaving.emplace(box.x1 + widened, box.y0);
-    }
-    return true;
-}
 
 class Layouter {
  public:
@@ -131,40 +58,33 @@ class Layouter {
     }
 
     std::optional<Layout> run() {
-        if (!gather()) return std::nullopt;
-        const Sheet sheet = choose_sheet(shapes_, options_);
-        const SheetArea area = sheet.usable(options_.margin.mm);
-        layout_.width_mm = sheet.width;
-        layout_.height_mm = sheet.height;
-        if (to_grid(area.width) <= 0 || to_grid(area.height) <= 0) {
-            diagnostics_
-                .error("sheet-too-small", {},
-                       fmt::format("margins of {:.2f} mm leave nothing of a sheet of {:.2f} × {:.2f} mm",
-                                   options_.margin.mm, sheet.width, sheet.height))
-                .hint("choose a larger --sheet or a smaller --margin");
+        if (!gather() || !choose_sheets() || !make_job()) return std::nullopt;
+        const NestResult result = nest(job_, options_.nesting);
+        if (result.refusal) {
+            complain(*result.refusal);
             return std::nullopt;
         }
-        bool all_fit = true;
-        for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            if (fits(shapes_[i], area, options_.rotation)) continue;
-            complain(i, area);
-            all_fit = false;
+        take(*result.plan);
+        if (options_.nesting.stop != nullptr && options_.nesting.stop->load()) {
+            diagnostics_.remark("nest-stopped", {},
+                                "the search was stopped; the best layout that it had found is taken");
         }
-        if (!all_fit) return std::nullopt;
-        place(area);
-        verify();
-        account(area);
         return std::move(layout_);
     }
 
  private:
-    [[nodiscard]] const PatternPiece& piece_of(const Source& source) const {
+    [[nodiscard]] const PatternPiece& piece_of(const PieceSource& source) const {
         return layout_.designs[static_cast<std::size_t>(source.design)]
             .pattern.pieces[static_cast<std::size_t>(source.piece)];
     }
-
-    [[nodiscard]] std::string name_of(const Source& source) const {
+    [[nodiscard]] std::string name_of(const PieceSource& source) const {
         return layout_.piece_name({source.design, source.piece, 0, 0, {}, {}});
+    }
+    [[nodiscard]] const PieceSource& source_of(int item) const {
+        return sources_[static_cast<std::size_t>(item) % sources_.size()];
+    }
+    [[nodiscard]] bool is_meant(const PieceRule& rule, const PieceSource& source) const {
+        return rule.piece == name_of(source) || rule.piece == piece_of(source).name;
     }
 
     bool gather() {
@@ -173,21 +93,27 @@ class Layouter {
             Pattern& pattern = layout_.designs[d].pattern;
             if (options_.scale != 1.0) scale_pattern(pattern, options_.scale);
             for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
-                const Source source{static_cast<int>(d), static_cast<int>(p)};
                 const PatternPiece& piece = pattern.pieces[p];
                 POPUP_INVARIANT(!piece.silhouette.empty());
-                sources_.push_back(source);
+                PieceSource source{static_cast<int>(d), static_cast<int>(p), {}, {}, -1};
                 const Box& b = piece.bounds;
                 const double reach =
                     std::max({std::abs(b.min.x), std::abs(b.min.y), std::abs(b.max.x), std::abs(b.max.y)});
-                if (reach <= kMostMm) continue;
+                if (reach <= kMostMm) {
+                    std::vector<Vec2> points;
+                    for (const Polygon& part : piece.silhouette)
+                        points.insert(points.end(), part.outer.begin(), part.outer.end());
+                    source.hull = convex_hull(std::move(points));
+                    sources_.push_back(std::move(source));
+                    continue;
+                }
                 in_range = false;
                 diagnostics_
                     .error("piece-too-large", {},
                            fmt::format(
                                "piece \"{}\" reaches {:.3g} mm from the middle of its page, which is further "
-                               "than {:.0f} km",
-                               name_of(source), reach, kMostMm / 1e6))
+                               "than {:.0f} m",
+                               name_of(source), reach, kMostMm / 1e3))
                     .hint("choose a smaller --scale")
                     .about(piece.name);
             }
@@ -201,48 +127,288 @@ class Layouter {
                 .hint("ask for fewer --copies, or split the run");
             return false;
         }
-        for (const Source& source : sources_) shapes_.push_back(make_shape(piece_of(source).silhouette));
         return true;
     }
 
-    void complain(std::size_t number, const SheetArea& area) {
-        const PatternPiece& piece = piece_of(sources_[number]);
-        Diagnostic& finding =
-            diagnostics_.error("piece-too-large", {},
-                               fmt::format("piece \"{}\" of {:.2f} × {:.2f} mm does not fit on the sheet, of "
-                                           "which {:.2f} × {:.2f} mm are "
-                                           "usable",
-                                           name_of(sources_[number]), piece.bounds.width(),
-                                           piece.bounds.height(), area.width, area.height));
-        finding.about(piece.name);
-        finding.file = layout_.designs[static_cast<std::size_t>(sources_[number].design)].file;
+    // The turns a piece may be given on sheets of these areas.
+    [[nodiscard]] std::vector<Angle> turns_on(const PieceSource& source,
+                                              const std::vector<SheetArea>& areas) const {
+        if (options_.grain == Grain::keep) return {Angle{}};
+        if (options_.grain == Grain::either) return {Angle{}, Angle::degrees(180.0)};
+        Rotation rotation = options_.rotation;
+        for (const PieceRule& rule : options_.rules) {
+            if (rule.rotation && is_meant(rule, source)) rotation = *rule.rotation;
+        }
+        return turns_of(source.hull, rotation, areas);
+    }
+
+    [[nodiscard]] bool takes(const SheetRow& sheet, const PieceSource& source) const {
+        const SheetArea area = sheet.usable(options_.margin.mm);
+        if (area.width <= 0.0 || area.height <= 0.0) return false;
+        const std::vector<Angle> turns = turns_on(source, {area});
+        return std::any_of(turns.begin(), turns.end(),
+                           [&](Angle turn) { return fits(source.hull, turn, area); });
+    }
+
+    [[nodiscard]] std::size_t taken_by(const SheetRow& sheet) const {
+        return static_cast<std::size_t>(
+            std::count_if(sources_.begin(), sources_.end(),
+                          [&](const PieceSource& source) { return takes(sheet, source); }));
+    }
+
+    // A paper as takes most of the pieces; landscape if either way serves.
+    [[nodiscard]] SheetRow oriented(const Paper& paper) const {
+        const SheetRow lying{paper.height_mm, paper.width_mm, -1};
+        const SheetRow standing{paper.width_mm, paper.height_mm, -1};
+        return taken_by(standing) > taken_by(lying) ? standing : lying;
+    }
+
+    [[nodiscard]] SheetRow row_of(const SheetChoice& choice) const {
+        if (choice.name.empty()) return {choice.width_mm, choice.height_mm, -1};
+        SheetRow row;
         for (const Paper& paper : paper_table()) {
-            if (oriented(paper, {shapes_[number]}, options_)) {
+            if (choice.name != "auto" && choice.name != paper.name) continue;
+            row = oriented(paper);
+            // Of no paper that takes all the largest remains, to say on it what does not fit.
+            if (choice.name == paper.name || taken_by(row) == sources_.size()) break;
+        }
+        return row;
+    }
+
+    bool choose_sheets() {
+        if (options_.stock.empty()) {
+            rows_.push_back(row_of(options_.sheet));
+        } else {
+            for (const StockRow& row : options_.stock) {
+                rows_.push_back(row_of(row.size));
+                rows_.back().count = row.count;
+            }
+        }
+        bool all = true;
+        for (const SheetRow& row : rows_) {
+            const SheetArea area = row.usable(options_.margin.mm);
+            if (to_grid(area.width) > 0 && to_grid(area.height) > 0) {
+                areas_.push_back(area);
+                continue;
+            }
+            all = false;
+            diagnostics_
+                .error("sheet-too-small", {},
+                       fmt::format("margins of {:.2f} mm leave nothing of a sheet of {:.2f} × {:.2f} mm",
+                                   options_.margin.mm, row.width, row.height))
+                .hint("choose a larger --sheet or a smaller --margin");
+        }
+        return all;
+    }
+
+    bool make_job() {
+        // Pieces of one outline and the same turns are of one kind, whatever design they come from.
+        std::map<std::vector<double>, int> known;
+        bool all_fit = true;
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            PieceSource& source = sources_[i];
+            source.turns = turns_on(source, areas_);
+            const std::vector<Polygon>& outline = piece_of(source).silhouette;
+            std::vector<double> key;
+            for (const Angle turn : source.turns) key.push_back(turn.deg);
+            for (const Polygon& polygon : outline) {
+                add_ring(key, polygon.outer);
+                for (const Ring& hole : polygon.holes) add_ring(key, hole);
+                key.push_back(HUGE_VAL);
+            }
+            const auto [row, is_new] = known.emplace(std::move(key), static_cast<int>(job_.kinds.size()));
+            source.kind = row->second;
+            if (is_new) job_.kinds.push_back({outline, source.turns, options_.grain == Grain::either});
+            const bool fits_one = std::any_of(areas_.begin(), areas_.end(), [&](const SheetArea& area) {
+                return std::any_of(source.turns.begin(), source.turns.end(),
+                                   [&](Angle turn) { return fits(source.hull, turn, area); });
+            });
+            if (!fits_one) complain_of_size(source);
+            all_fit = all_fit && fits_one;
+        }
+        const int designs = static_cast<int>(layout_.designs.size());
+        for (int copy = 0; copy < options_.copies; ++copy) {
+            for (const PieceSource& source : sources_) {
+                job_.items.push_back(
+                    {source.kind, options_.group_designs ? copy * designs + source.design : -1, {}});
+            }
+        }
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            job_.stock.push_back({areas_[r].width, areas_[r].height, rows_[r].count});
+        job_.spacing = options_.spacing.mm;
+        job_.use_holes = options_.part_in_hole;
+        return apply_rules() && all_fit;
+    }
+
+    static void add_ring(std::vector<double>& key, const Ring& ring) {
+        key.push_back(static_cast<double>(ring.size()));
+        for (const Vec2 p : ring) {
+            key.push_back(p.x);
+            key.push_back(p.y);
+        }
+    }
+
+    // Names that mean no piece are errors, and so are two locks of one piece.
+    bool apply_rules() {
+        bool good = true;
+        for (const PieceRule& rule : options_.rules) {
+            bool found = false;
+            for (std::size_t i = 0; i < sources_.size(); ++i) {
+                if (!is_meant(rule, sources_[i])) continue;
+                found = true;
+                if (rule.lock && rule.copy < options_.copies)
+                    lock(static_cast<std::size_t>(rule.copy) * sources_.size() + i, *rule.lock);
+            }
+            if (!found) {
+                std::string known;
+                for (std::size_t i = 0; i < std::min<std::size_t>(sources_.size(), 8); ++i)
+                    known += (i == 0 ? "" : ", ") + name_of(sources_[i]);
+                if (sources_.size() > 8) known += fmt::format(" and {} more", sources_.size() - 8);
+                diagnostics_.error("unknown-piece", {}, fmt::format("there is no piece \"{}\"", rule.piece))
+                    .hint("the pieces are " + known);
+                good = false;
+            } else if (rule.lock && rule.copy >= options_.copies) {
+                diagnostics_
+                    .error("unknown-piece", {},
+                           fmt::format("there is no copy {} of piece \"{}\": {} {} made", rule.copy + 1,
+                                       rule.piece, options_.copies, options_.copies == 1 ? "is" : "are"))
+                    .hint("ask for more --copies, or lock another");
+                good = false;
+            }
+        }
+        return good;
+    }
+
+    void lock(std::size_t item, const PieceLock& lock) {
+        job_.items[item].locked =
+            NestSpot{lock.sheet, lock.offset - Vec2{options_.margin.mm, options_.margin.mm}, lock.angle};
+        // A lock may ask for a turn that the search would not choose: then the piece is of a kind of its own.
+        const NestKind& kind = job_.kinds[static_cast<std::size_t>(job_.items[item].kind)];
+        if (std::find(kind.turns.begin(), kind.turns.end(), lock.angle) != kind.turns.end()) return;
+        job_.kinds.push_back({kind.outline, {lock.angle}, false});
+        job_.items[item].kind = static_cast<int>(job_.kinds.size()) - 1;
+    }
+
+    [[nodiscard]] std::string item_name(int item) const {
+        const auto copy = static_cast<std::size_t>(item) / sources_.size();
+        const std::string name = name_of(source_of(item));
+        return options_.copies == 1 ? fmt::format("\"{}\"", name)
+                                    : fmt::format("\"{}\" (copy {})", name, copy + 1);
+    }
+
+    void complain_of_size(const PieceSource& source) {
+        const PatternPiece& piece = piece_of(source);
+        std::string sheets;
+        for (std::size_t i = 0; i < areas_.size(); ++i) {
+            sheets +=
+                fmt::format("{}{:.2f} × {:.2f} mm", i == 0 ? "" : " or ", areas_[i].width, areas_[i].height);
+        }
+        Diagnostic& finding = diagnostics_.error(
+            "piece-too-large", {},
+            fmt::format(
+                "piece \"{}\" of {:.2f} × {:.2f} mm does not fit on the sheet, of which {} are usable",
+                name_of(source), piece.bounds.width(), piece.bounds.height(), sheets));
+        finding.about(piece.name);
+        finding.file = layout_.designs[static_cast<std::size_t>(source.design)].file;
+        for (const Paper& paper : paper_table()) {
+            if (takes({paper.height_mm, paper.width_mm, -1}, source) ||
+                takes({paper.width_mm, paper.height_mm, -1}, source)) {
                 finding.hint(fmt::format("--sheet {} would take it", paper.name));
                 break;
             }
         }
-        const double scale = options_.scale * scale_that_fits(piece.bounds, area, options_.rotation);
+        double scale = 0.0;
+        for (const SheetArea& area : areas_) {
+            for (const Angle turn : source.turns) {
+                const GridBox box = turned_box(source.hull, turn);
+                scale = std::max(scale, options_.scale * std::min(area.width / from_grid(box.width()),
+                                                                  area.height / from_grid(box.height())));
+            }
+        }
         const double rounded = std::floor(100.0 * scale + 1e-6) / 100.0;
         if (rounded > 0.0) finding.hint(fmt::format("--scale {:.2f} would make it fit", rounded));
     }
 
-    void place(const SheetArea& area) {
-        std::vector<int> items;
-        items.reserve(sources_.size() * static_cast<std::size_t>(options_.copies));
-        for (int copy = 0; copy < options_.copies; ++copy) {
-            for (std::size_t i = 0; i < sources_.size(); ++i) items.push_back(static_cast<int>(i));
+    void complain(const NestRefusal& refusal) {
+        std::string names;
+        constexpr std::size_t kNamed = 5;
+        for (std::size_t i = 0; i < std::min(refusal.items.size(), kNamed); ++i)
+            names += (i == 0 ? "" : ", ") + item_name(refusal.items[i]);
+        if (refusal.items.size() > kNamed)
+            names += fmt::format(" and {} more", refusal.items.size() - kNamed);
+        const bool one = refusal.items.size() == 1;
+        switch (refusal.reason) {
+            case NestRefusal::Reason::too_large:
+                for (const int item : refusal.items) complain_of_size(source_of(item));
+                return;
+            case NestRefusal::Reason::lock_outside:
+                diagnostics_
+                    .error(
+                        "lock-impossible", {},
+                        fmt::format("locked where they are, {} would not lie inside the margins of a sheet",
+                                    names))
+                    .hint(
+                        "the numbers of a lock are those of a placement in a report: where the origin of the "
+                        "piece's page goes");
+                return;
+            case NestRefusal::Reason::lock_overlap:
+                diagnostics_
+                    .error(
+                        "lock-impossible", {},
+                        fmt::format("locked where they are, {} would be closer than {:.2f} mm to each other",
+                                    names, options_.spacing.mm))
+                    .hint("lock one of them elsewhere, or leave it free");
+                return;
+            case NestRefusal::Reason::stock_used_up:
+                diagnostics_
+                    .error("stock-used-up", {},
+                           fmt::format("the stock of sheets has no place for {} piece{}: {}",
+                                       refusal.items.size(), one ? "" : "s", names))
+                    .hint("more sheets in --stock would take them; so may a higher --nest-effort");
+                return;
+            case NestRefusal::Reason::group_too_large:
+                diagnostics_
+                    .error(
+                        "group-too-large", {},
+                        fmt::format("no sheet has place for all pieces of {} together", design_name(refusal)))
+                    .hint("a larger sheet, a smaller --scale, or no --group would help");
+                return;
         }
-        const auto spots = pack(shapes_, items, area, {options_.spacing.mm, options_.rotation});
-        POPUP_INVARIANT(spots.has_value());
+    }
+
+    [[nodiscard]] std::string design_name(const NestRefusal& refusal) const {
+        const PieceSource& source = source_of(refusal.items.front());
+        return fmt::format("\"{}\"", layout_.designs[static_cast<std::size_t>(source.design)].stem);
+    }
+
+    void take(const NestPlan& plan) {
         const double margin = from_grid(to_grid(options_.margin.mm));
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            const Spot& spot = (*spots)[i];
-            const Source& source = sources_[static_cast<std::size_t>(items[i])];
-            const int copy = static_cast<int>(i / sources_.size());
-            layout_.placements.push_back({source.design, source.piece, copy, spot.sheet,
-                                          spot.offset + Vec2{margin, margin}, spot.angle});
-            layout_.sheets = std::max(layout_.sheets, spot.sheet + 1);
+        std::vector<double> areas;
+        for (const PieceSource& source : sources_) areas.push_back(area(piece_of(source).silhouette));
+        for (std::size_t s = 0; s < plan.sheets.size(); ++s) {
+            const SheetRow& row = rows_[static_cast<std::size_t>(plan.sheets[s])];
+            layout_.sheets.push_back({row.width, row.height, 0.0, plan.used[s]});
+        }
+        std::vector<std::vector<GridRegion>> last;
+        for (std::size_t i = 0; i < plan.spots.size(); ++i) {
+            const NestSpot& spot = plan.spots[i];
+            const std::size_t number = i % sources_.size();
+            const PieceSource& source = sources_[number];
+            LayoutSheet& sheet = layout_.sheets[static_cast<std::size_t>(spot.sheet)];
+            const SheetArea& usable =
+                areas_[static_cast<std::size_t>(plan.sheets[static_cast<std::size_t>(spot.sheet)])];
+            sheet.utilisation += areas[number] / (usable.width * usable.height);
+            layout_.placements.push_back({source.design, source.piece, static_cast<int>(i / sources_.size()),
+                                          spot.sheet, spot.offset + Vec2{margin, margin}, spot.angle});
+            if (static_cast<std::size_t>(spot.sheet) + 1 == plan.sheets.size())
+                last.push_back(placed(turned_outline(piece_of(source).silhouette, spot.angle), spot.offset));
+        }
+        const SheetArea& usable = areas_[static_cast<std::size_t>(plan.sheets.back())];
+        const Box free = largest_free(last, usable, options_.spacing.mm);
+        layout_.leftover = free;
+        if (!free.empty()) {
+            layout_.leftover.min = free.min + Vec2{margin, margin};
+            layout_.leftover.max = free.max + Vec2{margin, margin};
         }
         std::sort(layout_.placements.begin(), layout_.placements.end(),
                   [](const Placement& a, const Placement& b) {
@@ -251,62 +417,24 @@ class Layouter {
                   });
     }
 
-    [[nodiscard]] GridBox box_of(const Placement& placement) const {
-        Box box;
-        for (const Polygon& part : piece_of({placement.design, placement.piece}).silhouette) {
-            for (const Vec2 p : part.outer) box.extend(placement.apply(p));
-        }
-        return {placement.sheet, to_grid(box.min.x), to_grid(box.min.y), to_grid(box.max.x),
-                to_grid(box.max.y)};
-    }
-
-    // A layout in which something overlaps must not leave this room, whoever made it. Also keeps the boxes.
-    void verify() {
-        const GridLength margin = to_grid(layout_.margin_mm) - kSlack;
-        const GridLength width = to_grid(layout_.width_mm);
-        const GridLength height = to_grid(layout_.height_mm);
-        for (const Placement& placement : layout_.placements) {
-            const GridBox box = box_of(placement);
-            boxes_.push_back(box);
-            POPUP_INVARIANT(box.x0 >= margin && box.y0 >= margin && box.x1 <= width - margin &&
-                            box.y1 <= height - margin);
-        }
-        POPUP_INVARIANT(are_apart(boxes_, to_grid(options_.spacing.mm)));
-    }
-
-    void account(const SheetArea& area) {
-        const auto count = static_cast<std::size_t>(layout_.sheets);
-        layout_.utilisation.assign(count, 0.0);
-        layout_.used_mm.assign(count, {0.0, 0.0});
-        const GridLength margin = to_grid(layout_.margin_mm);
-        std::vector<double> areas;
-        std::vector<std::size_t> first_of_design{0};
-        for (const DesignPattern& design : layout_.designs) {
-            for (const PatternPiece& piece : design.pattern.pieces) {
-                double sum = 0.0;
-                for (const Polygon& part : piece.silhouette) sum += popup::area(part);
-                areas.push_back(sum);
+    static std::vector<GridRegion> placed(std::vector<GridRegion> outline, Vec2 offset) {
+        const GridPoint by{to_grid(offset.x), to_grid(offset.y)};
+        for (GridRegion& region : outline) {
+            for (GridPoint& p : region.outer) p = p + by;
+            for (GridRing& hole : region.holes) {
+                for (GridPoint& p : hole) p = p + by;
             }
-            first_of_design.push_back(areas.size());
         }
-        for (std::size_t i = 0; i < layout_.placements.size(); ++i) {
-            const Placement& placement = layout_.placements[i];
-            const auto sheet = static_cast<std::size_t>(placement.sheet);
-            const std::size_t piece = first_of_design[static_cast<std::size_t>(placement.design)] +
-                                      static_cast<std::size_t>(placement.piece);
-            layout_.utilisation[sheet] += areas[piece] / (area.width * area.height);
-            Vec2& used = layout_.used_mm[sheet];
-            used.x = std::max(used.x, from_grid(boxes_[i].x1 - margin));
-            used.y = std::max(used.y, from_grid(boxes_[i].y1 - margin));
-        }
+        return outline;
     }
 
     const LayoutOptions& options_;
     Diagnostics& diagnostics_;
     Layout layout_;
-    std::vector<Source> sources_;
-    std::vector<Shape> shapes_;   // of each source
-    std::vector<GridBox> boxes_;  // of each placement
+    std::vector<PieceSource> sources_;
+    std::vector<SheetRow> rows_;
+    std::vector<SheetArea> areas_;  // of each row
+    NestJob job_;
 };
 
 }  // namespace

@@ -58,6 +58,27 @@ std::optional<SheetChoice> parse_sheet(std::string_view text) {
     return choice;
 }
 
+std::optional<std::vector<StockRow>> parse_stock(std::string_view text) {
+    std::vector<StockRow> stock;
+    for (;;) {
+        const std::size_t end = text.find(',');
+        std::string_view row = text.substr(0, end);
+        StockRow& next = stock.emplace_back();
+        if (const std::size_t colon = row.find(':'); colon != std::string_view::npos) {
+            const std::string_view count = row.substr(colon + 1);
+            const auto [stop, error] = std::from_chars(count.data(), count.data() + count.size(), next.count);
+            if (error != std::errc{} || stop != count.data() + count.size() || next.count < 1)
+                return std::nullopt;
+            row = row.substr(0, colon);
+        }
+        const std::optional<SheetChoice> size = parse_sheet(row);
+        if (!size || size->name == "auto") return std::nullopt;
+        next.size = *size;
+        if (end == std::string_view::npos) return stock;
+        text.remove_prefix(end + 1);
+    }
+}
+
 std::optional<Rotation> parse_rotation(std::string_view text) {
     if (same_word(text, "none")) return Rotation{1};
     if (same_word(text, "180")) return Rotation{2};

@@ -9,6 +9,16 @@ namespace {
 
 // Angles are whole multiples of this, in degrees, so that what is written is what was used.
 constexpr double kAngleStep = 1e-7;
+// Counts up to this are all looked at.
+constexpr int kFewTurns = 12;
+// Of more turns, how many are looked at besides the drawn one, quarter turns not counted; and how far apart
+// they are at the least, in degrees.
+constexpr std::size_t kFamilies = 3;
+constexpr double kAlike = 0.05;
+// Of very round shapes only the longest edges are tried.
+constexpr std::size_t kEdges = 64;
+// Steps of a circle that are tried for a shape that fits in none of the likely turns.
+constexpr int kAllTurns = 720;
 
 double normal_degrees(double degrees) {
     double rounded = std::round(degrees / kAngleStep) * kAngleStep;
@@ -20,16 +30,26 @@ double normal_degrees(double degrees) {
     return rounded == 360.0 ? 0.0 : rounded;
 }
 
-bool allows_quarters(Rotation rotation) { return rotation.count == 0 || rotation.count % 4 == 0; }
+// The step next to an angle, or the angle itself where any will do.
+double nearest_step(double degrees, Rotation rotation) {
+    if (rotation.count == 0) return degrees;
+    const double step = 360.0 / rotation.count;
+    return step * std::round(degrees / step);
+}
 
-// Turns worth a look: the smallest box has a side along an edge of the hull, or, if the turns come in steps,
-// is one of the two steps next to such a turn.
-std::vector<double> candidates(const Ring& hull, Rotation rotation) {
-    std::vector<double> angles{0.0};
-    if (rotation.count == 1) return angles;
-    if (allows_quarters(rotation)) angles.push_back(90.0);
-    if (rotation.count == 2 || rotation.count == 4) return angles;
-    constexpr std::size_t kEdges = 64;  // of very round shapes only the longest edges are tried
+// How many of the four quarter turns lead from one allowed turn to another.
+int quarters(Rotation rotation) {
+    if (rotation.count == 0 || rotation.count % 4 == 0) return 4;
+    return rotation.count % 2 == 0 ? 2 : 1;
+}
+
+double box_area(const Ring& hull, double degrees) {
+    const GridBox box = turned_box(hull, Angle::degrees(normal_degrees(degrees)));
+    return static_cast<double>(box.width()) * static_cast<double>(box.height());
+}
+
+// Turns by less than a quarter in which an edge lies level or upright, the smallest box first.
+std::vector<double> flush_turns(const Ring& hull, Rotation rotation) {
     std::vector<Segment> edges;
     edges.reserve(hull.size());
     for (std::size_t i = 0; i < hull.size(); ++i) edges.push_back({hull[i], hull[(i + 1) % hull.size()]});
@@ -39,88 +59,83 @@ std::vector<double> candidates(const Ring& hull, Rotation rotation) {
         });
         edges.resize(kEdges);
     }
+    struct Turn {
+        double degrees, area;
+    };
+    std::vector<Turn> turns;
     for (const Segment& edge : edges) {
         const Vec2 along = edge.b - edge.a;
         const double level = -std::atan2(along.y, along.x) * 180.0 / std::numbers::pi;
-        for (const double quarter : {0.0, 90.0}) {
-            const double flush = std::fmod(level + quarter + 720.0, 180.0);
-            if (rotation.count == 0) {
-                angles.push_back(flush);
-            } else {
-                const double step = 360.0 / rotation.count;
-                angles.push_back(std::floor(flush / step) * step);
-                angles.push_back(std::ceil(flush / step) * step);
-                // An odd count has no half turns: the other side of the circle gives other turns.
-                angles.push_back(std::floor((flush + 180.0) / step) * step);
-                angles.push_back(std::ceil((flush + 180.0) / step) * step);
-            }
+        // An odd count has no half turns: the other side of the circle gives other turns.
+        for (const double more : {0.0, 90.0, 180.0, 270.0}) {
+            const double degrees = normal_degrees(nearest_step(level + more, rotation));
+            turns.push_back({quarters(rotation) == 4 ? std::fmod(degrees, 90.0) : degrees, 0.0});
         }
     }
-    return angles;
-}
-
-// All turns there are, or steps of half a degree: for shapes that fit only in a turn that is not the smallest
-// box's.
-std::vector<double> all_turns(Rotation rotation) {
-    constexpr int kMost = 720;
-    const int count = rotation.count == 0 ? kMost : std::min(rotation.count, kMost);
-    const double step = rotation.count == 0 ? 360.0 / kMost : 360.0 / rotation.count;
-    const int stride = rotation.count > kMost ? rotation.count / kMost : 1;
-    std::vector<double> angles;
-    angles.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) angles.push_back(step * stride * i);
-    return angles;
+    for (Turn& turn : turns) turn.area = std::round(box_area(hull, turn.degrees) * 1e-6);
+    std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+        return a.area != b.area ? a.area < b.area : a.degrees < b.degrees;
+    });
+    std::vector<double> result;
+    for (const Turn& turn : turns) result.push_back(turn.degrees);
+    return result;
 }
 
 }  // namespace
 
-Vec2 turned(Vec2 p, Angle angle) {
-    if (angle.deg == 0.0) return p;
-    if (angle.deg == 90.0) return {-p.y, p.x};
-    if (angle.deg == 180.0) return {-p.x, -p.y};
-    if (angle.deg == 270.0) return {p.y, -p.x};
-    return rotated(p, angle.rad());
+GridBox turned_box(const Ring& ring, Angle angle) {
+    GridBox box;
+    for (const GridPoint p : turned_ring(ring, angle)) box.extend(p);
+    return box;
 }
 
-GridLength to_grid(double mm) { return std::llround(mm * 1e6); }
-double from_grid(GridLength length) { return static_cast<double>(length) / 1e6; }
-
-Pose pose_of(const Ring& hull, Angle angle) {
-    Box box;
-    for (const Vec2 p : hull) box.extend(turned(p, angle));
-    Pose pose{angle, to_grid(box.min.x), to_grid(box.min.y), 0, 0};
-    pose.width = to_grid(box.max.x) - pose.x;
-    pose.height = to_grid(box.max.y) - pose.y;
-    return pose;
+bool fits(const Ring& hull, Angle angle, const SheetArea& area) {
+    const GridBox box = turned_box(hull, angle);
+    return box.width() <= to_grid(area.width) && box.height() <= to_grid(area.height);
 }
 
-std::vector<Pose> poses_in(const Ring& hull, const SheetArea& area, Rotation rotation) {
-    const GridLength width = to_grid(area.width);
-    const GridLength height = to_grid(area.height);
-    const auto lies_in = [&](const Pose& pose) { return pose.width <= width && pose.height <= height; };
-    const auto size = [](const Pose& pose) {
-        return static_cast<double>(pose.width) * static_cast<double>(pose.height);
+std::vector<Angle> turns_of(const Ring& hull, Rotation rotation, const std::vector<SheetArea>& areas) {
+    std::vector<Angle> turns;
+    const auto add = [&](double degrees) {
+        const double normal = normal_degrees(degrees);
+        const bool known = std::any_of(turns.begin(), turns.end(), [&](Angle turn) {
+            const double apart = std::abs(turn.deg - normal);
+            return std::min(apart, 360.0 - apart) < kAlike;
+        });
+        if (!known) turns.push_back(Angle::degrees(normal));
+        return !known;
     };
-    std::vector<Pose> result;
-    const auto look = [&](const std::vector<double>& angles) {
-        for (const double degrees : angles) {
-            const Pose pose = pose_of(hull, Angle::degrees(normal_degrees(degrees)));
-            if (!lies_in(pose)) continue;
-            if (result.empty()) {
-                result.push_back(pose);
-            } else if (size(pose) < 0.999 * size(result[0])) {
-                result[0] = pose;
-            }
-        }
-    };
-    look(candidates(hull, rotation));
-    if (result.empty() && rotation.count != 1 && rotation.count != 2 && rotation.count != 4)
-        look(all_turns(rotation));
-    if (!result.empty() && allows_quarters(rotation)) {
-        const Pose quarter = pose_of(hull, Angle::degrees(normal_degrees(result[0].angle.deg + 90.0)));
-        if (lies_in(quarter) && quarter.width != result[0].width) result.push_back(quarter);
+    if (rotation.count >= 1 && rotation.count <= kFewTurns) {
+        for (int i = 0; i < rotation.count; ++i) add(360.0 * i / rotation.count);
+        return turns;
     }
-    return result;
+    const int count = quarters(rotation);
+    const auto add_family = [&](double degrees) {
+        bool any = false;
+        for (int i = 0; i < count; ++i) any = add(degrees + i * 360.0 / count) || any;
+        return any;
+    };
+    add_family(0.0);
+    std::size_t families = 0;
+    for (const double degrees : flush_turns(hull, rotation)) {
+        if (families == kFamilies) break;
+        if (add_family(degrees)) ++families;
+    }
+    const auto fits_somewhere = [&](Angle angle) {
+        return std::any_of(areas.begin(), areas.end(),
+                           [&](const SheetArea& area) { return fits(hull, angle, area); });
+    };
+    if (std::any_of(turns.begin(), turns.end(), fits_somewhere)) return turns;
+    const int steps = rotation.count == 0 ? kAllTurns : std::min(rotation.count, kAllTurns);
+    const int stride = rotation.count > kAllTurns ? rotation.count / kAllTurns : 1;
+    const double step = rotation.count == 0 ? 360.0 / kAllTurns : 360.0 / rotation.count * stride;
+    for (int i = 0; i < steps; ++i) {
+        const Angle angle = Angle::degrees(normal_degrees(i * step));
+        if (!fits_somewhere(angle)) continue;
+        turns.push_back(angle);
+        break;
+    }
+    return turns;
 }
 
 }  // namespace popup

@@ -1,31 +1,30 @@
-// Ways to turn a shape, and the box it then takes.
+// Ways to turn a piece.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "layout/pack.h"
+#include "nest/grid.h"
+#include "popup/layout.h"
 
 namespace popup {
 
-// p turned counter-clockwise about the origin; exact for quarter turns.
-Vec2 turned(Vec2 p, Angle angle);
-
-// Lengths on the grid of 1e-6 mm, on which places are found and checked exactly.
-using GridLength = std::int64_t;
-GridLength to_grid(double mm);
-double from_grid(GridLength length);
-
-// A shape turned: the box it takes and where its lower left corner lies.
-struct Pose {
-    Angle angle;
-    GridLength x = 0, y = 0;
-    GridLength width = 0, height = 0;
+// The usable part of a sheet, in mm.
+struct SheetArea {
+    double width = 0.0;
+    double height = 0.0;
 };
-Pose pose_of(const Ring& hull, Angle angle);
 
-// The allowed turn with the smallest box that lies in the area, and the same with a quarter turn more where
-// that is allowed and fits. Turns that save less than 0.1 % of the box are not taken. Empty: none fits.
-std::vector<Pose> poses_in(const Ring& hull, const SheetArea& area, Rotation rotation);
+// The box of a ring turned, on the grid.
+GridBox turned_box(const Ring& ring, Angle angle);
+
+// Whether the ring, turned so, fits into the area.
+bool fits(const Ring& hull, Angle angle, const SheetArea& area);
+
+// The turns of a shape that are worth a look, each allowed by the rotation. Up to 12 in a circle: all. More,
+// or any: as drawn, and those in which an edge of the hull lies level or upright and the box is smallest,
+// each with its quarter turns as far as they are allowed; if none of them fits into any of the areas, also
+// one that does, if there is one among the first 720 steps. At least one, no doubles. Angles are whole
+// multiples of 1e-7°.
+std::vector<Angle> turns_of(const Ring& hull, Rotation rotation, const std::vector<SheetArea>& areas);
 
 }  // namespace popup

@@ -406,12 +406,16 @@ std::string emit_pattern(const Pattern& pattern) { return json_text(json(pattern
 
 std::string emit_layout(const Layout& layout) {
     return json_text(
-        {{"sheet_mm", json(Vec2{layout.width_mm, layout.height_mm})},
-         {"margin_mm", mm(layout.margin_mm)},
-         {"sheets", layout.sheets},
-         {"utilisation",
-          list(layout.utilisation, [](double share) { return Json(rounded(share, kLength)); })},
-         {"used_mm", json(layout.used_mm)},
+        {{"margin_mm", mm(layout.margin_mm)},
+         {"sheets", list(layout.sheets,
+                         [](const LayoutSheet& sheet) {
+                             return Json{{"size_mm", json(Vec2{sheet.width_mm, sheet.height_mm})},
+                                         {"utilisation", rounded(sheet.utilisation, kLength)},
+                                         {"used_mm", json(sheet.used_mm)}};
+                         })},
+         {"leftover_mm", layout.leftover.empty()
+                             ? Json()
+                             : Json::array({json(layout.leftover.min), json(layout.leftover.max)})},
          {"placements", list(layout.placements, [&layout](const Placement& p) { return json(p, layout); })},
          {"designs", list(layout.designs, [](const DesignPattern& one) {
               return Json{{"file", one.file}, {"stem", one.stem}, {"pattern", json(one.pattern)}};

@@ -55,7 +55,7 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion);
 //    labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon]}]}
 std::string emit_pattern(const Pattern& pattern);
 
-// {sheet_mm: [w, h], margin_mm, sheets, utilisation, used_mm,
+// {margin_mm, sheets: [{size_mm, utilisation, used_mm}], leftover_mm: [min, max] or null,
 //  placements: [{piece, design, copy, sheet, offset, angle_deg}],
 //  designs: [{file, stem, pattern: as in emit_pattern, scaled}]}
 // Copies and sheets count from 1, as in the report.

@@ -164,8 +164,9 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 }
 
 cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std::string& bytes) {
-    const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, layout.width_mm * kPointsPerMm,
-                                                              layout.height_mm * kPointsPerMm));
+    const LayoutSheet& first = layout.sheets.front();
+    const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, first.width_mm * kPointsPerMm,
+                                                              first.height_mm * kPointsPerMm));
     set_metadata(surface.get(), layout);
     {
         const Context context(cairo_create(surface.get()));
@@ -176,8 +177,11 @@ cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std:
         cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
         cairo_set_font_options(context.get(), options.get());
         cairo_set_font_face(context.get(), font);
-        for (int i = 0; i < layout.sheets; ++i) {
+        const int count = static_cast<int>(layout.sheets.size());
+        for (int i = 0; i < count; ++i) {
             const SheetDrawing drawing = draw_sheet(layout, i);
+            cairo_pdf_surface_set_size(surface.get(), drawing.width_mm * kPointsPerMm,
+                                       drawing.height_mm * kPointsPerMm);
             PdfPage(context.get(), drawing).draw();
             cairo_show_page(context.get());
         }
@@ -194,12 +198,13 @@ cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std:
 std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout,
                                                             const std::string& font_file,
                                                             Diagnostics& diagnostics) {
-    if (std::max(layout.width_mm, layout.height_mm) > kLargestPageMm) {
+    for (const LayoutSheet& sheet : layout.sheets) {
+        if (std::max(sheet.width_mm, sheet.height_mm) <= kLargestPageMm) continue;
         diagnostics
             .error("pdf-page-size", {},
                    fmt::format("a sheet of {:.1f} × {:.1f} mm is too large for a PDF page, which has at most "
                                "5080 mm a side",
-                               layout.width_mm, layout.height_mm))
+                               sheet.width_mm, sheet.height_mm))
             .hint("choose a smaller sheet with --sheet, or write SVG");
         return std::nullopt;
     }

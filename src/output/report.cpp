@@ -55,10 +55,15 @@ Json input(const CompiledDesign& one) {
         const auto& all = one.checked ? one.checked->design().structures : one.design->structures;
         elements = std::count_if(all.begin(), all.end(), [](const Structure& s) { return !s.dropped; });
     }
+    if (one.parts) elements = 0;
     return {{"file", one.source.name},
             {"elements", std::move(elements)},
-            {"plates", one.assembly ? Json(one.assembly->plates.size()) : Json()},
-            {"pieces", one.assembly ? Json(one.assembly->pieces.size()) : Json()},
+            {"plates", one.assembly ? Json(one.assembly->plates.size())
+                       : one.parts  ? Json(0)
+                                    : Json()},
+            {"pieces", one.assembly ? Json(one.assembly->pieces.size())
+                       : one.parts  ? Json(one.parts->parts.size())
+                                    : Json()},
             {"repairs", repairs(one.diagnostics)},
             {"diagnostics", findings(one.diagnostics)},
             {"motion", one.motion ? motion(*one.assembly, *one.motion) : Json()}};
@@ -68,9 +73,15 @@ Json point(Vec2 p) { return Json::array({rounded(p.x, kLength), rounded(p.y, kLe
 
 Json layout(const Layout& layout) {
     Json utilisation = Json::array();
-    for (const double share : layout.utilisation) utilisation.push_back(rounded(share, kShare));
     Json used = Json::array();
-    for (const Vec2 size : layout.used_mm) used.push_back(point(size));
+    Json sizes = Json::array();
+    for (const LayoutSheet& sheet : layout.sheets) {
+        utilisation.push_back(rounded(sheet.utilisation, kShare));
+        used.push_back(point(sheet.used_mm));
+        sizes.push_back(point({sheet.width_mm, sheet.height_mm}));
+    }
+    const bool one_size =
+        std::all_of(sizes.begin(), sizes.end(), [&sizes](const Json& size) { return size == sizes.front(); });
     const bool copies = std::any_of(layout.placements.begin(), layout.placements.end(),
                                     [](const Placement& p) { return p.copy > 0; });
     Json placements = Json::array();
@@ -84,11 +95,19 @@ Json layout(const Layout& layout) {
         row["rotation_deg"] = rounded(one.angle.deg, kAngle);
         placements.push_back(std::move(row));
     }
-    return {{"sheet_mm", point({layout.width_mm, layout.height_mm})},
-            {"sheets", layout.sheets},
-            {"utilisation", std::move(utilisation)},
-            {"used_mm", std::move(used)},
-            {"placements", std::move(placements)}};
+    const Box& free = layout.leftover;
+    Json report{{"sheet_mm", sizes.empty() ? Json() : sizes.front()},
+                {"sheets", layout.sheets.size()},
+                {"utilisation", std::move(utilisation)},
+                {"used_mm", std::move(used)},
+                {"leftover_mm", free.empty() ? Json()
+                                             : Json{{"x", rounded(free.min.x, kLength)},
+                                                    {"y", rounded(free.min.y, kLength)},
+                                                    {"width", rounded(free.width(), kLength)},
+                                                    {"height", rounded(free.height(), kLength)}}},
+                {"placements", std::move(placements)}};
+    if (!one_size) report["sheets_mm"] = std::move(sizes);
+    return report;
 }
 
 }  // namespace

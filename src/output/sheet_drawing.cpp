@@ -259,10 +259,11 @@ double SheetDrawing::length_of(const SheetShape& shape) const {
 
 SheetDrawing draw_sheet(const Layout& layout, int sheet) {
     SheetDrawing drawing;
-    drawing.width_mm = layout.width_mm;
-    drawing.height_mm = layout.height_mm;
+    drawing.width_mm = layout.sheets.at(static_cast<std::size_t>(sheet)).width_mm;
+    drawing.height_mm = layout.sheets[static_cast<std::size_t>(sheet)].height_mm;
     drawing.title = layout_title(layout);
-    if (layout.sheets > 1) drawing.title += fmt::format(", sheet {} of {}", sheet + 1, layout.sheets);
+    if (layout.sheets.size() > 1)
+        drawing.title += fmt::format(", sheet {} of {}", sheet + 1, layout.sheets.size());
     const auto first_on = [&layout](int number) {
         return std::partition_point(layout.placements.begin(), layout.placements.end(),
                                     [number](const Placement& p) { return p.sheet < number; });

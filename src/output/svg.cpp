@@ -233,8 +233,9 @@ std::string SvgText::sheet(int index) {
 std::optional<std::vector<std::string>> write_svg(const Layout& layout, const OutputOptions& /*options*/,
                                                   Diagnostics& /*diagnostics*/) {
     std::vector<std::string> sheets;
-    sheets.reserve(static_cast<std::size_t>(layout.sheets));
-    for (int i = 0; i < layout.sheets; ++i) sheets.push_back(SvgText(draw_sheet(layout, i)).sheet(i));
+    const int count = static_cast<int>(layout.sheets.size());
+    sheets.reserve(layout.sheets.size());
+    for (int i = 0; i < count; ++i) sheets.push_back(SvgText(draw_sheet(layout, i)).sheet(i));
     return sheets;
 }
 

@@ -263,6 +263,8 @@ void split_loops(const std::vector<int>& walk, const std::vector<Vec2>& points, 
 
 bool before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
+}  // namespace
+
 void put_in_order(std::vector<Contour>& contours) {
     std::vector<Segment> edges;
     for (Contour& c : contours) {
@@ -304,8 +306,6 @@ void put_in_order(std::vector<Contour>& contours) {
     for (const Ranked& r : ranked) sorted.push_back(std::move(contours[r.number]));
     contours = std::move(sorted);
 }
-
-}  // namespace
 
 std::vector<Contour> chained(const std::vector<TaggedSegment>& segments) {
     const Graph graph = connect(segments);

@@ -27,11 +27,14 @@ std::vector<TaggedSegment> merged(std::vector<TaggedSegment> segments);
 // `segments` without what lies on any of `taken` (collinear overlaps only). Cost: near linear.
 std::vector<TaggedSegment> without(std::vector<TaggedSegment> segments, std::span<const Segment> taken);
 
+// Outer contours run counter-clockwise, those inside them clockwise, and so on inwards; inner ones come
+// first, then the lower, then the more to the left; closed contours start at their leftmost, then lowest,
+// corner. Precondition: no two closed contours cross.
+void put_in_order(std::vector<Contour>& contours);
+
 // Joins merged segments into as few paths as possible in which every loop is a closed contour of its own and
 // no path passes a point twice; where more than two meet, the straightest continue. Each segment is used
-// exactly once. Outer contours run counter-clockwise, those inside them clockwise, and so on inwards; inner
-// ones come first, then the lower, then the more to the left; closed contours start at their leftmost, then
-// lowest, corner. Cost: near linear.
+// exactly once. They are put in order. Cost: near linear.
 std::vector<Contour> chained(const std::vector<TaggedSegment>& segments);
 
 }  // namespace popup

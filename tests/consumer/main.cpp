@@ -28,7 +28,7 @@ int main() {
     }
     if (run.has_findings() || !run.layout) return 1;
     const popup::Assembly& assembly = *run.designs.front().assembly;
-    if (assembly.plates.size() != 4 || run.layout->sheets != 1 || popup::element_table().size() != 9)
+    if (assembly.plates.size() != 4 || run.layout->sheets.size() != 1 || popup::element_table().size() != 9)
         return 1;
     const popup::Format* format = popup::find_format("svg");
     if (format == nullptr) return 1;
@@ -36,6 +36,6 @@ int main() {
     const auto sheets = write(*run.layout, {}, run.run_diagnostics);
     if (!sheets || sheets->size() != 1 || sheets->front().find("<svg") == std::string::npos) return 1;
     std::printf("popup %s: %zu plates on %d sheet\n", std::string(popup::version()).c_str(),
-                assembly.plates.size(), run.layout->sheets);
+                assembly.plates.size(), run.layout->sheets.size());
     return 0;
 }

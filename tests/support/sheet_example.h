@@ -58,16 +58,14 @@ inline Pattern example_pattern() {
 // Two A4 sheets: the page on the first; on the second the house as it is and, a second copy, turned by 90°.
 inline Layout example_layout(const std::string& stem = "castle") {
     Layout layout;
-    layout.width_mm = 297;
-    layout.height_mm = 210;
     layout.margin_mm = 5;
-    layout.sheets = 2;
+    layout.sheets = {{297, 210, 0.5562, {200, 160}}, {297, 210, 0.2, {180, 110}}};
+    layout.leftover.extend({192, 5});
+    layout.leftover.extend({292, 205});
     layout.designs = {{stem + ".xml", stem, example_pattern()}};
     layout.placements = {{0, 0, 0, 0, {148.5, 105}, Angle::degrees(0)},
                          {0, 1, 0, 1, {60.25, 40.125}, Angle::degrees(0)},
                          {0, 1, 1, 1, {200, 100}, Angle::degrees(90)}};
-    layout.utilisation = {0.5562, 0.2};
-    layout.used_mm = {{200, 160}, {180, 110}};
     return layout;
 }
 

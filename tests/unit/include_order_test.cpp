@@ -27,7 +27,8 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"check", {"base", "mechanism"}},
         {"motion", {"base"}},
         {"pattern", {"base"}},
-        {"layout", {"base"}},
+        {"nest", {"base"}},
+        {"layout", {"base", "nest"}},
         {"output", {"base"}},
         {"compile.cpp", {"base"}},
         {"cli", {"base", "output"}},
@@ -39,9 +40,9 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // The public headers in the order of the stages: a header, and a room that makes a stage, may include those
 // up to it.
 const std::vector<std::string>& stages() {
-    static const std::vector<std::string> order{"units",     "diagnostics", "geometry", "files",  "design",
-                                                "mechanism", "check",       "assembly", "motion", "pattern",
-                                                "layout",    "output",      "compile"};
+    static const std::vector<std::string> order{
+        "units",     "diagnostics", "geometry", "nest",   "files",   "design", "lines",  "part_list",
+        "mechanism", "check",       "assembly", "motion", "pattern", "layout", "output", "compile"};
     return order;
 }
 
@@ -58,7 +59,7 @@ std::string last_stage(const std::string& room, const std::string& file) {
     if (room == "mechanism") return "assembly";
     if (room == "check") return "check";
     if (room == "output" && file != "report.cpp" && file != "report.h") return "output";
-    if (room == "motion" || room == "pattern" || room == "layout") return room;
+    if (room == "motion" || room == "nest" || room == "pattern" || room == "layout") return room;
     return "compile";
 }
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "layout/boxes.h"
+#include "base/regions.h"
 #include "layout/turns.h"
 
 namespace popup {
@@ -61,13 +61,44 @@ Box placed_box(const Layout& layout, const Placement& placement) {
     return box;
 }
 
+Ring outline_of(const Layout& layout, const Placement& placement) {
+    Ring ring;
+    for (const Vec2 p : layout.designs[static_cast<std::size_t>(placement.design)]
+                            .pattern.pieces[static_cast<std::size_t>(placement.piece)]
+                            .silhouette[0]
+                            .outer) {
+        ring.push_back(placement.apply(p));
+    }
+    return ring;
+}
+
+// The distance of two outlines, edge by edge; negative when a corner of one lies deeper than rounding in the
+// other.
+double gap(const Ring& a, const Ring& b) {
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            least = std::min(
+                least, distance(Segment{a[i], a[(i + 1) % a.size()]}, Segment{b[j], b[(j + 1) % b.size()]}));
+        }
+    }
+    for (const auto& [ring, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        for (const Vec2 p : *ring) {
+            if (!contains({*other, {}}, p)) continue;
+            double depth = HUGE_VAL;
+            for (std::size_t j = 0; j < other->size(); ++j)
+                depth = std::min(depth, distance(p, Segment{(*other)[j], (*other)[(j + 1) % other->size()]}));
+            least = std::min(least, -depth);
+        }
+    }
+    return least;
+}
+
 // Everything lay_out() promises, looked at two by two.
 void expect_sound(const Layout& layout, const LayoutOptions& options) {
     std::size_t pieces = 0;
     for (const DesignPattern& design : layout.designs) pieces += design.pattern.pieces.size();
     EXPECT_EQ(layout.placements.size(), pieces * static_cast<std::size_t>(options.copies));
-    EXPECT_EQ(layout.utilisation.size(), static_cast<std::size_t>(layout.sheets));
-    EXPECT_EQ(layout.used_mm.size(), static_cast<std::size_t>(layout.sheets));
     constexpr double kRounding = 3e-6;
     std::vector<Box> boxes;
     std::set<std::tuple<int, int, int>> seen;
@@ -75,11 +106,12 @@ void expect_sound(const Layout& layout, const LayoutOptions& options) {
         EXPECT_TRUE(seen.insert({p.design, p.piece, p.copy}).second);
         boxes.push_back(placed_box(layout, p));
         const Box& box = boxes.back();
+        ASSERT_LT(static_cast<std::size_t>(p.sheet), layout.sheets.size());
+        const LayoutSheet& sheet = layout.sheets[static_cast<std::size_t>(p.sheet)];
         EXPECT_GE(box.min.x, options.margin.mm - kRounding);
         EXPECT_GE(box.min.y, options.margin.mm - kRounding);
-        EXPECT_LE(box.max.x, layout.width_mm - options.margin.mm + kRounding);
-        EXPECT_LE(box.max.y, layout.height_mm - options.margin.mm + kRounding);
-        EXPECT_LT(p.sheet, layout.sheets);
+        EXPECT_LE(box.max.x, sheet.width_mm - options.margin.mm + kRounding);
+        EXPECT_LE(box.max.y, sheet.height_mm - options.margin.mm + kRounding);
         if (options.rotation.count > 0) {
             const double steps = p.angle.deg * options.rotation.count / 360.0;
             EXPECT_NEAR(steps, std::round(steps), 1e-6);
@@ -90,12 +122,14 @@ void expect_sound(const Layout& layout, const LayoutOptions& options) {
             if (layout.placements[i].sheet != layout.placements[j].sheet) break;  // they are sorted by sheet
             const double dx = std::max(boxes[i].min.x - boxes[j].max.x, boxes[j].min.x - boxes[i].max.x);
             const double dy = std::max(boxes[i].min.y - boxes[j].max.y, boxes[j].min.y - boxes[i].max.y);
-            EXPECT_GE(std::max(dx, dy), options.spacing.mm - kRounding);
+            if (std::max(dx, dy) >= options.spacing.mm) continue;
+            EXPECT_GE(gap(outline_of(layout, layout.placements[i]), outline_of(layout, layout.placements[j])),
+                      options.spacing.mm - kRounding);
         }
     }
-    for (const double share : layout.utilisation) {
-        EXPECT_GT(share, 0.0);
-        EXPECT_LE(share, 1.0 + 1e-9);
+    for (const LayoutSheet& sheet : layout.sheets) {
+        EXPECT_GT(sheet.utilisation, 0.0);
+        EXPECT_LE(sheet.utilisation, 1.0 + 1e-9);
     }
     EXPECT_TRUE(std::is_sorted(layout.placements.begin(), layout.placements.end(),
                                [](const Placement& a, const Placement& b) {
@@ -122,6 +156,7 @@ TEST(Layout, RandomPiecesStayApartAndInsideTheMargin) {
         options.spacing = Length::millimetres(round % 5 == 0 ? 0.0 : number(random, 0, 4));
         options.rotation = Rotation{std::array{1, 2, 4, 0, 7, 12}[static_cast<std::size_t>(round % 6)]};
         options.copies = 1 + round % 4;
+        options.nesting.work = 3e3;
         Diagnostics diagnostics;
         const auto layout = lay_out(designs, options, diagnostics);
         ASSERT_TRUE(layout.has_value()) << round;
@@ -135,19 +170,18 @@ TEST(Layout, ManyPiecesAreSoundToo) {
     for (int i = 0; i < 400; ++i) pieces.push_back(piece_of("p", random_polygon(random, 3, 40)));
     LayoutOptions options;
     options.sheet = parse_sheet("a3").value();
-    for (const int copies : {1, 5}) {  // either side of the line between the two ways of packing
+    options.nesting.work = 1e3;
+    for (const int copies : {1, 3}) {
         options.copies = copies;
         Diagnostics diagnostics;
         const auto layout = lay_out({design_of("d", pieces)}, options, diagnostics);
         ASSERT_TRUE(layout.has_value());
         expect_sound(*layout, options);
         double used = 0.0;
-        for (const Placement& p : layout->placements) {
-            const Box box = placed_box(*layout, p);
-            used += (box.width() + 2) * (box.height() + 2);
-        }
-        const double whole = used / ((layout->width_mm - 8) * (layout->height_mm - 8));
-        EXPECT_LE(layout->sheets, std::ceil(whole / 0.85)) << copies;
+        for (const PatternPiece& piece : layout->designs[0].pattern.pieces)
+            used += copies * area(offset(piece.silhouette, 1.0, Corners::sharp)[0]);
+        const double whole = used / ((layout->sheets[0].width_mm - 8) * (layout->sheets[0].height_mm - 8));
+        EXPECT_LE(static_cast<double>(layout->sheets.size()), std::ceil(whole / 0.75)) << copies;
     }
 }
 
@@ -176,8 +210,8 @@ TEST(Layout, PiecesThatTileASheetAreFoundToFillIt) {
         Diagnostics diagnostics;
         const auto layout = lay_out({design_of("d", pieces)}, options, diagnostics);
         ASSERT_TRUE(layout.has_value());
-        EXPECT_EQ(layout->sheets, 1);
-        EXPECT_NEAR(layout->utilisation[0], 1.0, 1e-6);
+        EXPECT_EQ(layout->sheets.size(), 1U);
+        EXPECT_NEAR(layout->sheets[0].utilisation, 1.0, 1e-6);
         expect_sound(*layout, options);
     }
 }
@@ -191,15 +225,16 @@ TEST(Layout, TheLastSheetIsUsedOverAShortLength) {
     Diagnostics diagnostics;
     const auto layout = lay_out({design_of("d", pieces)}, options, diagnostics);
     ASSERT_TRUE(layout.has_value());
-    EXPECT_NEAR(layout->used_mm[0].x, 4 * 50 + 3 * 2, 1e-6);
-    EXPECT_NEAR(layout->used_mm[0].y, 2 * 98 + 2, 1e-6);
+    EXPECT_NEAR(layout->sheets[0].used_mm.x, 4 * 50 + 3 * 2, 1e-6);
+    EXPECT_NEAR(layout->sheets[0].used_mm.y, 2 * 98 + 2, 1e-6);
 }
 
 TEST(Layout, AutoTakesTheFirstPaperThatTakesTheLargestPiece) {
     const auto sheet_for = [](double w, double h) {
         Diagnostics diagnostics;
         const auto layout = lay_out({design_of("d", {piece_of("page", rectangle(w, h))})}, {}, diagnostics);
-        return layout ? std::pair{layout->width_mm, layout->height_mm} : std::pair{0.0, 0.0};
+        return layout ? std::pair{layout->sheets[0].width_mm, layout->sheets[0].height_mm}
+                      : std::pair{0.0, 0.0};
     };
     EXPECT_EQ(sheet_for(100, 100), (std::pair{279.4, 215.9}));      // letter, landscape if either way serves
     EXPECT_EQ(sheet_for(269.4, 205.9), (std::pair{279.4, 215.9}));  // exactly the usable part
@@ -217,8 +252,8 @@ TEST(Layout, ANamedPaperStandsUprightWhenThePieceNeedsIt) {
     Diagnostics diagnostics;
     const auto layout = lay_out({design_of("d", {piece_of("p", rectangle(190, 250))})}, options, diagnostics);
     ASSERT_TRUE(layout.has_value());
-    EXPECT_EQ(layout->width_mm, 210.0);
-    EXPECT_EQ(layout->height_mm, 297.0);
+    EXPECT_EQ(layout->sheets[0].width_mm, 210.0);
+    EXPECT_EQ(layout->sheets[0].height_mm, 297.0);
 }
 
 TEST(Layout, APieceThatDoesNotFitIsNamedWithItsSizeAndTheSheets) {
@@ -292,25 +327,51 @@ TEST(Layout, ScaleAppliesToEverythingWithASize) {
     EXPECT_EQ(scaled.lines[0].at.b, (Vec2{20, 2}));
     EXPECT_EQ(scaled.fills[0].area.holes[0][2], (Vec2{2, 2}));
     EXPECT_EQ(scaled.bounds.max, (Vec2{20, 40}));
-    EXPECT_NEAR(layout->used_mm[0].x * layout->used_mm[0].y, 800.0, 1e-3);
+    EXPECT_NEAR(layout->sheets[0].used_mm.x * layout->sheets[0].used_mm.y, 800.0, 1e-3);
 }
 
-TEST(Layout, AnyRotationFindsTheSmallestBox) {
+TEST(Layout, AnyRotationLooksAtTheSmallestBox) {
     const Ring ring = rectangle(80, 20);
+    const auto smallest = [](const Ring& hull, const std::vector<Angle>& turns) {
+        double least = HUGE_VAL;
+        for (const Angle turn : turns) {
+            const GridBox box = turned_box(hull, turn);
+            least = std::min(least, from_grid(box.width()) * from_grid(box.height()));
+        }
+        return least;
+    };
     for (const double degrees : {0.0, 13.7, 45.0, 77.0, 90.0, 160.0}) {
         Ring tilted;
         for (const Vec2 p : ring) tilted.push_back(rotated(p, degrees * 3.14159265358979323846 / 180));
-        const auto poses = poses_in(tilted, {200, 200}, {0});
-        ASSERT_FALSE(poses.empty());
-        EXPECT_NEAR(from_grid(poses[0].width) * from_grid(poses[0].height), 1600.0, 0.01) << degrees;
-        const auto stepped = poses_in(tilted, {200, 200}, {24});
-        ASSERT_FALSE(stepped.empty());
-        double smallest = HUGE_VAL;
-        for (int i = 0; i < 24; ++i) {
-            const Pose pose = pose_of(tilted, Angle::degrees(15.0 * i));
-            smallest = std::min(smallest, from_grid(pose.width) * from_grid(pose.height));
+        const std::vector<Angle> any = turns_of(tilted, {0}, {{200, 200}});
+        EXPECT_NEAR(smallest(tilted, any), 1600.0, 0.01) << degrees;
+        EXPECT_EQ(any.front(), Angle{}) << "as drawn comes first";
+        std::vector<Angle> all;
+        for (int i = 0; i < 24; ++i) all.push_back(Angle::degrees(15.0 * i));
+        EXPECT_NEAR(smallest(tilted, turns_of(tilted, {24}, {{200, 200}})), smallest(tilted, all), 1e-6)
+            << degrees;
+    }
+}
+
+TEST(Layout, TurnsAreThoseAllowedAndEachOnce) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 50; ++round) {
+        const Ring ring = random_polygon(random, 5, 50);
+        for (const int count : {1, 2, 3, 4, 7, 12, 13, 24, 360, 1000, 0}) {
+            const std::vector<Angle> turns = turns_of(ring, {count}, {{300, 300}});
+            ASSERT_FALSE(turns.empty());
+            EXPECT_LE(turns.size(), 17U);
+            for (std::size_t i = 0; i < turns.size(); ++i) {
+                EXPECT_TRUE(turns[i].deg >= 0.0 && turns[i].deg < 360.0);
+                for (std::size_t j = 0; j < i; ++j) EXPECT_NE(turns[i], turns[j]);
+                if (count == 0) continue;
+                const double steps = turns[i].deg * count / 360.0;
+                EXPECT_NEAR(steps, std::round(steps), 1e-6) << count;
+            }
+            if (count > 0 && count <= 12) {
+                EXPECT_EQ(turns.size(), static_cast<std::size_t>(count));
+            }
         }
-        EXPECT_LE(from_grid(stepped[0].width) * from_grid(stepped[0].height), smallest / 0.998) << degrees;
     }
 }
 

@@ -46,8 +46,10 @@ std::vector<std::array<double, 4>> media_boxes(const std::string& pdf) {
 
 TEST(Pdf, HasAPageASheetInItsTrueSize) {
     Layout layout = example_layout();
-    layout.width_mm = 210;
-    layout.height_mm = 297;
+    for (LayoutSheet& sheet : layout.sheets) {
+        sheet.width_mm = 210;
+        sheet.height_mm = 297;
+    }
     const auto boxes = media_boxes(written(layout));
     ASSERT_EQ(boxes.size(), 2U);
     for (const auto& box : boxes) {
@@ -109,12 +111,12 @@ TEST(Pdf, AMissingFontIsAnErrorThatNamesTheFile) {
 
 TEST(Pdf, ASheetLargerThanAPageCanBeIsAnError) {
     Layout layout = example_layout();
-    layout.height_mm = 5081;
+    layout.sheets[1].height_mm = 5081;
     Diagnostics diagnostics;
     EXPECT_FALSE(write_pdf(layout, OutputOptions{}, diagnostics).has_value());
     ASSERT_EQ(diagnostics.sorted().size(), 1U);
     EXPECT_EQ(diagnostics.sorted()[0].code, "pdf-page-size");
-    layout.height_mm = 5080;
+    layout.sheets[1].height_mm = 5080;
     Diagnostics good;
     EXPECT_TRUE(write_pdf(layout, OutputOptions{}, good).has_value());
 }

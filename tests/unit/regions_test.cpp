@@ -227,6 +227,25 @@ TEST(EdgeIndex, AnswersAsALookAtEverySegmentWould) {
     }
 }
 
+TEST(Regions, FilledTellsRingsByTheirDirectionsOrByHowManyThereAre) {
+    const Ring outer{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const Ring inner{{2, 2}, {5, 2}, {5, 5}, {2, 5}};
+    const Ring turned(inner.rbegin(), inner.rend());
+    const auto filled_area = [](const std::vector<Ring>& rings, FillRule rule) {
+        double sum = 0.0;
+        for (const Polygon& one : filled(rings, rule)) sum += area(one);
+        return sum;
+    };
+    EXPECT_DOUBLE_EQ(filled_area({outer, inner}, FillRule::even_odd), 91.0);
+    EXPECT_DOUBLE_EQ(filled_area({outer, inner}, FillRule::non_zero), 100.0);
+    EXPECT_DOUBLE_EQ(filled_area({outer, turned}, FillRule::non_zero), 91.0);
+    const Ring eight{{0, 0}, {10, 10}, {10, 0}, {0, 10}};  // both lobes
+    EXPECT_DOUBLE_EQ(filled_area({eight}, FillRule::even_odd), 50.0);
+    EXPECT_DOUBLE_EQ(filled_area({eight}, FillRule::non_zero), 50.0);
+    EXPECT_TRUE(filled({}, FillRule::non_zero).empty());
+    EXPECT_TRUE(filled({{{0, 0}, {1, 1}}}, FillRule::non_zero).empty());
+}
+
 TEST(EdgeIndex, WindingCountsRingsAndNothingElse) {
     for (const Vec2 size : {Vec2{100, 10}, Vec2{10, 100}}) {  // both ways the ray may run
         EdgeIndex index(edges_of(box(0, 0, size.x, size.y)));

@@ -115,7 +115,8 @@ TEST(Report, HasExactlyTheStructureThatIsPromised) {
               (Keys{"angles", "max_closure_error_mm", "flat_closed", "flat_error_deg", "collisions",
                     "undecided_below_deg", "decided_up_to_deg", "undecided", "clearance", "protrusion_mm",
                     "protrusions", "max_layers", "layer_order", "closed_thickness_mm"}));
-    EXPECT_EQ(keys(report["layout"]), (Keys{"sheet_mm", "sheets", "utilisation", "used_mm", "placements"}));
+    EXPECT_EQ(keys(report["layout"]),
+              (Keys{"sheet_mm", "sheets", "utilisation", "used_mm", "leftover_mm", "placements"}));
     EXPECT_EQ(keys(report["layout"]["placements"][0]),
               (Keys{"piece", "design", "copy", "sheet", "x_mm", "y_mm", "rotation_deg"}));
 }

@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 
 const fs::path kSamples = fs::path(POPUP_SOURCE_DIR) / "samples";
 
-std::vector<std::string> sample_names() {
+std::vector<std::string> names_with(const std::string& suffix) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(kSamples)) {
-        if (entry.path().extension() == ".xml") names.push_back(entry.path().stem());
+        if (entry.path().extension() == suffix) names.push_back(entry.path().stem());
     }
     std::sort(names.begin(), names.end());
     return names;
 }
+std::vector<std::string> sample_names() { return names_with(".xml"); }
 
 class Sample : public testing::TestWithParam<std::string> {
  protected:
@@ -114,6 +115,55 @@ TEST_P(Sample, SheetsPassQpdf) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Sample, testing::ValuesIn(sample_names()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+// Drawings of flat parts.
+class SampleDrawing : public testing::TestWithParam<std::string> {
+ protected:
+    [[nodiscard]] fs::path drawing() const { return kSamples / (GetParam() + ".svg"); }
+};
+
+TEST_P(SampleDrawing, HasNothingDoubtful) {
+    const RunResult result = popupc({"check", "--strict", drawing()});
+    EXPECT_EQ(result.exit, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_P(SampleDrawing, CompilesToSheetsTheSameTwiceAndTheyReadBackTheSame) {
+    const ScratchDirectory out;
+    for (const std::string run : {"a", "b"}) {
+        RunOptions options;
+        if (run == "b")
+            options.environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA4,-AVX2";
+        const RunResult result =
+            popupc({"build", drawing(), "-j", run == "a" ? "1" : "2", "-o", out / (run + ".svg"), "-o",
+                    out / (run + ".pdf"), "-o", out / (run + ".json")},
+                   options);
+        ASSERT_EQ(result.exit, 0) << result.err;
+    }
+    for (const std::string suffix : {".svg", ".pdf"}) {
+        EXPECT_TRUE(read_file(out / ("a" + suffix)) == read_file(out / ("b" + suffix))) << suffix;
+    }
+    const RunResult again = popupc({"build", out / "a.svg", "-o", out / "c.json"});
+    EXPECT_EQ(again.err, "");
+    const auto pieces = [&](const std::string& file) {
+        std::vector<std::string> names;
+        const auto report = nlohmann::json::parse(read_file(out / file));
+        for (const auto& row : report.at("layout").at("placements")) names.push_back(row.at("piece"));
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+    EXPECT_EQ(pieces("a.json"), pieces("c.json"));
+    EXPECT_GE(pieces("a.json").size(), 5U);
+    if (have_program("xmllint")) {
+        EXPECT_EQ(run({"xmllint", "--noout", drawing(), out / "a.svg"}).exit, 0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, SampleDrawing, testing::ValuesIn(names_with(".svg")), [](const auto& info) {
     std::string name = info.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
@@ -211,6 +261,9 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
     for (const std::string& name : sample_names()) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
+    }
+    for (const std::string& name : names_with(".svg")) {
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
     }
     std::vector<std::string> again = make;
     again.push_back("-q");

@@ -187,7 +187,7 @@ TEST(Svg, HoldsAllLayersInDrawingOrderEvenEmptyOnes) {
 TEST(Svg, ShowsEveryLineOfTheLayoutOnceAndInItsLength) {
     const Layout layout = example_layout();
     const auto sheets = written(layout);
-    for (int sheet = 0; sheet < layout.sheets; ++sheet) {
+    for (int sheet = 0; sheet < static_cast<int>(layout.sheets.size()); ++sheet) {
         const Svg svg(sheets[static_cast<std::size_t>(sheet)]);
         std::map<std::string, double> length;
         std::map<std::string, std::size_t> count;
@@ -391,7 +391,7 @@ TEST(Svg, IsTheSameEveryTime) { EXPECT_EQ(written(example_layout()), written(exa
 TEST(Svg, ALayoutOfManyPiecesIsWrittenOnceEach) {
     Layout layout = example_layout();
     layout.placements.clear();
-    layout.sheets = 3;
+    layout.sheets.resize(3, layout.sheets.front());
     for (int i = 0; i < 300; ++i) {
         layout.placements.push_back({0, 1, i, i / 100, {1.0 * i, 0}, Angle::degrees(0)});
     }

@@ -24,8 +24,8 @@ bool continues_name(char c) { return starts_name(c) || (c >= '0' && c <= '9') ||
 
 class Scanner {
  public:
-    Scanner(std::string_view text, Diagnostics& diagnostics)
-        : text_(text), places_(text), diagnostics_(diagnostics) {
+    Scanner(std::string_view text, Doctype doctype, Diagnostics& diagnostics)
+        : text_(text), doctype_(doctype), places_(text), diagnostics_(diagnostics) {
         out_.text = text;
     }
 
@@ -66,6 +66,9 @@ class Scanner {
         if (rest.starts_with("</")) return end_tag();
         if (rest.starts_with("<!--")) return skip_to("-->", 4, "comment") && count_aside();
         if (rest.starts_with("<![CDATA[")) return cdata();
+        if (doctype_ == Doctype::skip && rest.starts_with("<!DOCTYPE") && out_.elements.empty()) {
+            return skip_doctype() && count_aside();
+        }
         if (rest.starts_with("<!")) {
             error(at_, "doctype",
                   "a document type declaration (DTD) is not read, nor are entities defined in one")
@@ -74,6 +77,30 @@ class Scanner {
         }
         if (rest.starts_with("<?")) return instruction();
         return start_tag();
+    }
+
+    // Up to the ">" that stands in no quotes, comment or brackets.
+    bool skip_doctype() {
+        const std::size_t begin = at_;
+        int brackets = 0;
+        for (std::size_t at = at_; at < text_.size(); ++at) {
+            const char c = text_[at];
+            if (c == '"' || c == '\'') {
+                at = text_.find(c, at + 1);
+            } else if (text_.substr(at, 4) == "<!--") {
+                at = text_.find("-->", at + 4);
+            } else if (c == '[') {
+                ++brackets;
+            } else if (c == ']') {
+                --brackets;
+            } else if (c == '>' && brackets <= 0) {
+                at_ = at + 1;
+                return true;
+            }
+            if (at == std::string_view::npos) break;
+        }
+        error(begin, "xml-syntax", "this document type declaration has no end (\">\")");
+        return false;
     }
 
     bool piece_of_text(std::size_t end) {
@@ -328,6 +355,7 @@ class Scanner {
                     error(at, "xml-syntax", "\"&\" does not begin a reference here").hint("write &amp;");
                     return false;
                 case Fault::unknown_entity:
+                    if (doctype_ == Doctype::skip) break;
                     error(at, "xml-syntax", fmt::format("the entity {} is not defined", written));
                     return false;
                 case Fault::forbidden_character:
@@ -371,6 +399,7 @@ class Scanner {
     }
 
     std::string_view text_;
+    Doctype doctype_;
     PlaceCounter places_;
     Diagnostics& diagnostics_;
     Located out_;
@@ -390,12 +419,12 @@ std::string_view Located::name(Offset element) const {
     return text.substr(begin, end - begin);
 }
 
-std::optional<Located> locate(std::string_view text, Diagnostics& diagnostics) {
+std::optional<Located> locate(std::string_view text, Diagnostics& diagnostics, Doctype doctype) {
     if (text.size() >= std::numeric_limits<Offset>::max()) {
         diagnostics.error("document-too-large", {}, fmt::format("the document has {} bytes", text.size()));
         return std::nullopt;
     }
-    return Scanner(text, diagnostics).run();
+    return Scanner(text, doctype, diagnostics).run();
 }
 
 std::vector<Offset> decoded_offsets(std::string_view raw, bool references) {

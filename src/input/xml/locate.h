@@ -63,11 +63,16 @@ inline constexpr std::size_t kAttributesLimit = 1000;
 // Documents with more elements, attributes, texts and comments than this are refused, to bound the memory.
 inline constexpr std::size_t kMarkupLimit = 8'000'000;
 
+// What is made of a document type declaration: an error, or nothing, for languages whose files often have
+// one. Entities that it defines are never read: a reference to one then stands for its own letters.
+enum class Doctype { refuse, skip };
+
 // Preconditions: check_encoding() is true of `text`, which must outlive the result.
 // Errors, located, each the last thing looked at: `xml-syntax`, `doctype`, `encoding` (a declaration that
 // names another), `bad-character` (a reference to one that XML forbids), `document-too-large`. Cost: linear
 // in bytes, but for tags with many attributes (n log n). No recursion.
-std::optional<Located> locate(std::string_view text, Diagnostics& diagnostics);
+std::optional<Located> locate(std::string_view text, Diagnostics& diagnostics,
+                              Doctype doctype = Doctype::refuse);
 
 // The bytes that each byte of decoded text comes from: `raw` with line ends made "\n" and, where `references`
 // are read (not in CDATA), these resolved. Returns one offset into `raw` a decoded byte, and raw.size()

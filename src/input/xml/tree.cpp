@@ -105,8 +105,9 @@ std::vector<Text> Node::texts() const {
 std::optional<Tree> Tree::parse(const Located& located, Offset element, Extent extent,
                                 Diagnostics& diagnostics) {
     const LocatedElement& root = located.elements[element];
-    const bool shell = extent == Extent::shell;
-    const std::vector<Offset> own = shell ? own_texts(located, element) : std::vector<Offset>{};
+    const bool shell = extent != Extent::whole;
+    const std::vector<Offset> own =
+        extent == Extent::shell ? own_texts(located, element) : std::vector<Offset>{};
     const std::size_t parts = shell ? own.size() : parts_of(located, element);
     if (parts > kPartsLimit) {
         diagnostics.error("document-too-large", root.place,

@@ -65,6 +65,7 @@ class Tree {
     enum class Extent {
         whole,
         shell,  // its start tag and its own text; elements inside it are left out
+        tag,    // its start tag alone
     };
     // Parses one element. `located` must outlive the tree. On failure an `xml-syntax` error, or
     // `document-too-large` for an element that alone has more than a million parts.

@@ -1,0 +1,38 @@
+#include "input/drawing/read.h"
+
+#include "input/drawing/parts.h"
+#include "input/drawing/trace.h"
+#include "input/text.h"
+#include "input/xml/encoding.h"
+#include "input/xml/locate.h"
+
+namespace popup::drawing {
+
+std::optional<PartList> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    if (!xml::check_encoding(source.text, diagnostics)) return std::nullopt;
+    const auto located = xml::locate(source.text, diagnostics, xml::Doctype::skip);
+    if (!located) return std::nullopt;
+    const auto tracing = trace(*located, options, diagnostics);
+    if (!tracing) return std::nullopt;
+    return make_parts(*tracing, diagnostics);
+}
+
+bool recognises(std::string_view text) {
+    if (text.starts_with(xml::kByteOrderMark)) text.remove_prefix(xml::kByteOrderMark.size());
+    while (true) {
+        text = trimmed(text);
+        std::string_view closing;
+        if (text.starts_with("<?")) closing = "?>";
+        if (text.starts_with("<!--")) closing = "-->";
+        if (text.starts_with("<!DOCTYPE")) return trimmed(text.substr(9)).starts_with("svg");
+        if (closing.empty()) break;
+        const std::size_t end = text.find(closing);
+        if (end == std::string_view::npos) return false;
+        text.remove_prefix(end + closing.size());
+    }
+    if (!text.starts_with('<')) return false;
+    const std::string_view name = text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
+    return name == "svg" || name.ends_with(":svg");
+}
+
+}  // namespace popup::drawing

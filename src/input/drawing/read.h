@@ -1,0 +1,19 @@
+// Drawings as an input language: SVG.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "popup/design.h"
+#include "popup/part_list.h"
+
+namespace popup::drawing {
+
+// The row's functions, as design.h promises them. Every outermost closed contour is a part, with what lies in
+// it; see "Drawings" in popupc(1). The origin is the drawing's lower left corner.
+// Errors, located: those of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`,
+// `contours-overlap`, `document-too-large`.
+std::optional<PartList> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+bool recognises(std::string_view text);
+
+}  // namespace popup::drawing

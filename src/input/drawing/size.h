@@ -1,0 +1,34 @@
+// Lengths, and how a drawing's units become millimetres.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "input/drawing/transform.h"
+#include "popup/geometry.h"
+
+namespace popup::drawing {
+
+// CSS: 96 pixels an inch.
+inline constexpr double kMmPerPixel = 25.4 / 96.0;
+
+// A length in pixels, which are user units too: a number, or one with px, mm, cm, in, pt, pc, q, or in
+// percent of `whole`. Nullopt when it is none of these, or not finite.
+std::optional<double> parse_length(std::string_view text, double whole);
+// True of a length that has a unit other than px and %.
+bool has_real_unit(std::string_view text);
+
+// The part of a picture's coordinates that is shown.
+struct ViewBox {
+    Vec2 corner;
+    double width = 0.0;   // > 0
+    double height = 0.0;  // > 0
+};
+// Nullopt unless it is four numbers, the last two positive.
+std::optional<ViewBox> parse_view_box(std::string_view text);
+
+// Fits the box into a rectangle from the origin, as preserveAspectRatio says ("xMidYMid meet" when empty or
+// not understood).
+Affine fitted(const ViewBox& box, double width, double height, std::string_view preserve);
+
+}  // namespace popup::drawing

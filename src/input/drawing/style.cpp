@@ -1,0 +1,239 @@
+#include "input/drawing/style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "input/color.h"
+#include "input/drawing/numbers.h"
+#include "input/drawing/size.h"
+#include "input/text.h"
+
+namespace popup::drawing {
+namespace {
+
+constexpr int kImportant = 1'000'000;
+
+constexpr std::array<std::pair<std::string_view, Property>, kProperties> kNames{{
+    {"stroke", Property::stroke},
+    {"fill", Property::fill},
+    {"display", Property::display},
+    {"visibility", Property::visibility},
+    {"stroke-dasharray", Property::dashes},
+    {"stroke-width", Property::width},
+    {"fill-rule", Property::fill_rule},
+    {"clip-path", Property::clip},
+    {"mask", Property::mask},
+}};
+
+bool is_word(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0x80U || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    });
+}
+
+// How much a selector of one element weighs; -1 when it is none.
+int weight_of(std::string_view selector) {
+    if (selector == "*") return Declarations::kAny;
+    if (selector.starts_with('#')) return is_word(selector.substr(1)) ? Declarations::kId : -1;
+    const std::size_t dot = selector.find('.');
+    const std::string_view tag = selector.substr(0, dot);
+    if (!tag.empty() && !is_word(tag)) return -1;
+    if (dot == std::string_view::npos) return tag.empty() ? -1 : Declarations::kTag;
+    if (!is_word(selector.substr(dot + 1))) return -1;
+    return Declarations::kClass + (tag.empty() ? 0 : Declarations::kTag);
+}
+
+std::string without_comments(std::string_view css) {
+    std::string out;
+    while (!css.empty()) {
+        const std::size_t begin = css.find("/*");
+        out += css.substr(0, begin);
+        if (begin == std::string_view::npos) break;
+        out += ' ';
+        const std::size_t end = css.find("*/", begin + 2);
+        css = end == std::string_view::npos ? std::string_view{} : css.substr(end + 2);
+    }
+    return out;
+}
+
+// Calls `use` with the words of a list.
+template <typename Use>
+void split(std::string_view text, std::string_view separators, Use use) {
+    while (!text.empty()) {
+        const std::size_t end = text.find_first_of(separators);
+        const std::string_view word = trimmed(text.substr(0, end));
+        if (!word.empty()) use(word);
+        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+    }
+}
+
+// "255, 0, 0" or "100% 0% 0%", what follows a third value disregarded.
+std::optional<Color> parse_components(std::string_view text) {
+    NumberScanner scanner(text);
+    std::array<std::uint8_t, 3> parts{};
+    for (std::uint8_t& part : parts) {
+        auto value = scanner.number();
+        if (!value) return std::nullopt;
+        if (scanner.peek() == '%') {
+            scanner.skip(1);
+            *value *= 2.55;
+        }
+        part = static_cast<std::uint8_t>(std::lround(std::clamp(*value, 0.0, 255.0)));
+    }
+    return Color{parts[0], parts[1], parts[2]};
+}
+
+}  // namespace
+
+std::optional<Property> find_property(std::string_view name) {
+    const auto* row =
+        std::find_if(kNames.begin(), kNames.end(), [&](const auto& r) { return r.first == name; });
+    return row == kNames.end() ? std::nullopt : std::optional(row->second);
+}
+
+void Declarations::set(Property property, const Value& value) {
+    std::optional<Value>& mine = values_.at(static_cast<std::size_t>(property));
+    if (!mine || std::pair(value.weight, value.order) >= std::pair(mine->weight, mine->order)) mine = value;
+}
+
+void Declarations::set(Property property, std::string_view value, int weight, std::uint32_t order) {
+    value = trimmed(value);
+    if (const std::size_t mark = value.find('!'); mark != std::string_view::npos) {
+        if (trimmed(value.substr(mark + 1)) == "important") weight += kImportant;
+        value = trimmed(value.substr(0, mark));
+    }
+    if (!value.empty()) set(property, Value{std::string(value), weight, order});
+}
+
+void Declarations::set_all(std::string_view list, int weight, std::uint32_t order) {
+    split(list, ";", [&](std::string_view one) {
+        const std::size_t colon = one.find(':');
+        if (colon == std::string_view::npos) return;
+        const auto property = find_property(lower(trimmed(one.substr(0, colon))));
+        if (property) set(*property, one.substr(colon + 1), weight, order);
+    });
+}
+
+void Declarations::add(const Declarations& other) {
+    for (std::size_t i = 0; i < kProperties; ++i) {
+        if (other.values_.at(i)) set(static_cast<Property>(i), *other.values_.at(i));
+    }
+}
+
+const std::string* Declarations::find(Property property) const {
+    const std::optional<Value>& value = values_.at(static_cast<std::size_t>(property));
+    return value ? &value->text : nullptr;
+}
+
+void StyleSheet::add(std::string_view css) {
+    const std::string text = without_comments(css);
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::size_t open = rest.find_first_of("{;");
+        if (open == std::string_view::npos) return;
+        if (rest[open] == ';') {  // "@import …;"
+            rest.remove_prefix(open + 1);
+            continue;
+        }
+        const std::string_view selectors = trimmed(rest.substr(0, open));
+        std::size_t end = open + 1;
+        for (int depth = 1; end < rest.size(); ++end) {
+            if (rest[end] == '{') ++depth;
+            if (rest[end] == '}' && --depth == 0) break;
+        }
+        if (selectors.starts_with('@')) {
+            if (!selectors.starts_with("@font-face")) ++not_read_;
+        } else {
+            add_rule(selectors, rest.substr(open + 1, end - open - 1));
+        }
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+}
+
+void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
+    ++order_;
+    split(selectors, ",", [&](std::string_view selector) {
+        const int weight = weight_of(selector);
+        Declarations declarations;
+        declarations.set_all(body, weight, order_);
+        if (weight >= 0) {
+            rules_[std::string(selector)].add(declarations);
+            return;
+        }
+        bool matters = false;
+        for (std::size_t i = 0; i < kProperties; ++i) {
+            matters = matters || declarations.find(static_cast<Property>(i)) != nullptr;
+        }
+        if (matters) ++not_read_;
+    });
+}
+
+void StyleSheet::apply(std::string_view tag, std::string_view id, std::string_view classes,
+                       Declarations& declarations) const {
+    if (rules_.empty()) return;
+    const auto take = [&](std::string_view selector) {
+        const auto rule = rules_.find(selector);
+        if (rule != rules_.end()) declarations.add(rule->second);
+    };
+    take("*");
+    take(tag);
+    split(classes, " \t\r\n", [&](std::string_view name) {
+        const std::string selector = "." + std::string(name);
+        take(selector);
+        take(std::string(tag) + selector);
+    });
+    if (!id.empty()) take("#" + std::string(id));
+}
+
+Paint parse_paint(std::string_view text) {
+    text = trimmed(text);
+    const std::string word = lower(text);
+    if (word == "none" || word == "transparent") return {};
+    if (word.starts_with("rgb")) {
+        const std::size_t open = word.find('(');
+        if (open == std::string::npos) return {Paint::Kind::other, {}};
+        const auto color = parse_components(std::string_view(word).substr(open + 1));
+        return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {}};
+    }
+    std::string_view plain = text;
+    // Transparency is disregarded: #rgba, #rrggbbaa.
+    if (plain.starts_with('#') && plain.size() == 5) plain = plain.substr(0, 4);
+    if (plain.starts_with('#') && plain.size() == 9) plain = plain.substr(0, 7);
+    const auto color = parse_color(plain);
+    return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {0, 0, 0}};
+}
+
+void Style::take(const Declarations& declarations) {
+    const auto value = [&](Property property) -> const std::string* {
+        const std::string* found = declarations.find(property);
+        return found != nullptr && *found != "inherit" ? found : nullptr;
+    };
+    if (const auto* text = value(Property::stroke)) stroke = parse_paint(*text);
+    if (const auto* text = value(Property::fill)) {
+        fill = parse_paint(*text);
+        fill_written = true;
+    }
+    if (const auto* text = value(Property::visibility)) visible = *text == "visible";
+    if (const auto* text = value(Property::dashes)) {
+        NumberScanner scanner(*text);
+        double sum = 0.0;
+        while (const auto number = scanner.number()) {
+            sum += *number;
+            while (scanner.peek() == '%' || (scanner.peek() | 0x20) >= 'a') scanner.skip(1);  // a unit
+        }
+        dashed = sum > 0.0;
+    }
+    if (const auto* text = value(Property::width)) {
+        if (const auto length = parse_length(*text, 1.0); length && *length >= 0.0) width = *length;
+    }
+    if (const auto* text = value(Property::fill_rule)) even_odd = *text == "evenodd";
+    // Not inherited: an element that is not displayed is not looked into.
+    const std::string* display = declarations.find(Property::display);
+    displayed = display == nullptr || *display != "none";
+}
+
+}  // namespace popup::drawing

@@ -1,0 +1,85 @@
+// What of CSS decides whether, and as what, a shape is drawn.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "popup/design.h"
+
+namespace popup::drawing {
+
+enum class Property { stroke, fill, display, visibility, dashes, width, fill_rule, clip, mask };
+inline constexpr std::size_t kProperties = 9;
+// The property called `name` in CSS and as an attribute.
+std::optional<Property> find_property(std::string_view name);
+
+// Values for an element, each with how much it weighs against others of the same property.
+class Declarations {
+ public:
+    // Weights of SVG's own attributes, of style sheets by what their selectors name, and of style="…".
+    static constexpr int kAttribute = -1, kAny = 0, kTag = 1, kClass = 10, kId = 100, kElement = 1000;
+
+    // Takes `value` where no heavier one is there; of equal ones the later counts (by `order`). A value that
+    // ends in "!important" outweighs all without it.
+    void set(Property property, std::string_view value, int weight, std::uint32_t order);
+    // "stroke: red; fill: none"; what is not a property of ours is disregarded.
+    void set_all(std::string_view list, int weight, std::uint32_t order);
+    // Those of `other` are taken in the same way.
+    void add(const Declarations& other);
+    [[nodiscard]] const std::string* find(Property property) const;
+
+ private:
+    struct Value {
+        std::string text;
+        int weight = 0;
+        std::uint32_t order = 0;
+    };
+    void set(Property property, const Value& value);
+    std::array<std::optional<Value>, kProperties> values_;
+};
+
+// The rules of all style elements. Read are selectors of one element (*, tag, .class, #id, tag.class);
+// others, such as "g > path", are counted.
+class StyleSheet {
+ public:
+    void add(std::string_view css);
+    // Adds what the rules say of an element.
+    void apply(std::string_view tag, std::string_view id, std::string_view classes,
+               Declarations& declarations) const;
+    [[nodiscard]] int not_read() const { return not_read_; }
+
+ private:
+    void add_rule(std::string_view selectors, std::string_view body);
+    std::map<std::string, Declarations, std::less<>> rules_;
+    std::uint32_t order_ = 0;
+    int not_read_ = 0;
+};
+
+struct Paint {
+    enum class Kind { none, color, other };  // other: a gradient, a pattern, a colour that is not understood
+    Kind kind = Kind::none;
+    Color color{0, 0, 0};
+    friend bool operator==(const Paint&, const Paint&) = default;
+};
+Paint parse_paint(std::string_view text);
+
+// How a shape is drawn; children of an element begin with its values.
+struct Style {
+    Paint stroke;
+    Paint fill{Paint::Kind::color, {0, 0, 0}};
+    bool fill_written = false;  // the black that is meant when nothing is said is not
+    bool dashed = false;
+    bool visible = true;
+    bool displayed = true;  // false for an element and all that is in it
+    bool even_odd = false;
+    double width = 1.0;  // of the stroke, in user units
+
+    void take(const Declarations& declarations);
+};
+
+}  // namespace popup::drawing

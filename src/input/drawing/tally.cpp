@@ -1,0 +1,42 @@
+#include "input/drawing/tally.h"
+
+#include <fmt/format.h>
+
+#include "input/text.h"
+
+namespace popup::drawing {
+
+void Tally::count(Rows& rows, std::string_view kind, Place place) {
+    auto row = rows.find(kind);
+    if (row == rows.end()) row = rows.emplace(std::string(kind), Row{0, place}).first;
+    ++row->second.count;
+}
+
+void Tally::tell(bool strict, Diagnostics& diagnostics) const {
+    const auto is = [](int count) { return count == 1 ? " is" : "s are"; };
+    for (const auto& [tag, row] : skipped_) {
+        Diagnostic& told = diagnostics.warning(
+            "not-cut", row.first, fmt::format("{} {} element{} not cut", row.count, tag, is(row.count)));
+        if (tag == "text" || tag == "flowRoot") {
+            told.hint("letters that are to be cut must be paths (in Inkscape: Path > Object to Path)");
+        }
+    }
+    for (const auto& [tag, row] : clipped_) {
+        diagnostics
+            .warning("clip-ignored", row.first,
+                     fmt::format("{} clip path{} not applied: what {} hides is cut, too", row.count,
+                                 is(row.count), row.count == 1 ? "it" : "they"))
+            .hint("cut the shapes themselves (in Inkscape: Path > Intersection)");
+    }
+    for (const auto& [tag, row] : unknown_) {
+        diagnostics.add(
+            strict ? Severity::error : Severity::warning, "unknown-markup", row.first,
+            fmt::format("<{}> is no element of SVG that is known, and is disregarded", shown(tag)));
+    }
+    for (const auto& [tag, row] : hidden_) {
+        diagnostics.remark("hidden-shape", row.first,
+                           fmt::format("{} hidden element{} not cut", row.count, is(row.count)));
+    }
+}
+
+}  // namespace popup::drawing

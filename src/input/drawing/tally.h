@@ -1,0 +1,31 @@
+// What a drawing has that is not cut: told of once a kind, with how many there are and where the first is.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "popup/diagnostics.h"
+
+namespace popup::drawing {
+
+class Tally {
+ public:
+    void skipped(std::string_view tag, Place place) { count(skipped_, tag, place); }  // texts, images
+    void clipped(Place place) { count(clipped_, "", place); }  // by a clip path or mask, which is not applied
+    void hidden(Place place) { count(hidden_, "", place); }
+    void unknown(std::string_view tag, Place place) { count(unknown_, tag, place); }
+    // `strict`: elements that are not known are errors.
+    void tell(bool strict, Diagnostics& diagnostics) const;
+
+ private:
+    struct Row {
+        int count = 0;
+        Place first;
+    };
+    using Rows = std::map<std::string, Row, std::less<>>;
+    static void count(Rows& rows, std::string_view kind, Place place);
+    Rows skipped_, clipped_, hidden_, unknown_;
+};
+
+}  // namespace popup::drawing

@@ -1,0 +1,581 @@
+#include "input/drawing/trace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "input/drawing/path.h"
+#include "input/drawing/shapes.h"
+#include "input/drawing/size.h"
+#include "input/drawing/style.h"
+#include "input/drawing/tally.h"
+#include "input/drawing/vocabulary.h"
+#include "input/text.h"
+#include "input/xml/encoding.h"
+#include "input/xml/tree.h"
+
+namespace popup::drawing {
+namespace {
+
+using xml::Offset;
+
+constexpr std::string_view kNamespace = "http://www.w3.org/2000/svg";
+// Height of DejaVu Sans' capitals as a part of its font size.
+constexpr double kCapHeight = 1493.0 / 2048.0;
+
+// At most 80 bytes of a name, whole characters.
+std::string short_name(std::string_view name) {
+    constexpr std::size_t kLongest = 80;
+    name = trimmed(name);
+    std::size_t length = std::min(name.size(), kLongest);
+    while (length > 0 && length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80) {
+        --length;
+    }
+    return std::string(name.substr(0, length));
+}
+
+// What an element hands down to those in it.
+struct Context {
+    Affine to_mm;
+    Style style;
+    Vec2 view;          // size of the viewport in user units, for percentages
+    int group = -1;     // index into names: of the group around
+    int instance = -1;  // of the use element that stands for what is here
+    Layer layer = Layer::none;
+    int owner = 0;
+};
+
+// Elements [next, end) that are still to be looked at.
+struct Frame {
+    Offset next = 0, end = 0;
+    Context context;
+    Offset used = 0;  // the element that a use stands for; 0: none
+};
+
+class Tracer {
+ public:
+    Tracer(const xml::Located& located, const ReadOptions& options, Diagnostics& diagnostics)
+        : located_(located), strict_(options.strict), diagnostics_(diagnostics) {}
+
+    std::optional<Tracing> run() {
+        if (!find_prefix()) return std::nullopt;
+        collect();
+        Context context;
+        if (diagnostics_.has_errors() || !root(context)) return std::nullopt;
+        active_.assign(located_.elements.size(), 0);
+        stack_.push_back({1, located_.elements[0].after, context, 0});
+        while (!stack_.empty() && !stopped_) step();
+        tally_.tell(strict_, diagnostics_);
+        if (diagnostics_.has_errors()) return std::nullopt;
+        return std::move(out_);
+    }
+
+ private:
+    // --- before the walk
+
+    bool find_prefix() {
+        const std::string_view name = located_.name(0);
+        const std::size_t colon = name.find(':');
+        const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
+        if (local == "svg" && colon == std::string_view::npos) return true;
+        if (local == "svg") {
+            const std::string wanted = "xmlns:" + std::string(name.substr(0, colon));
+            for (std::size_t i = 0; i < attributes_end(0); ++i) {
+                const xml::LocatedAttribute& a = located_.attributes[i];
+                if (text(a.name, a.name_length) == wanted && text(a.value, a.value_length) == kNamespace) {
+                    prefix_ = name.substr(0, colon + 1);
+                    return true;
+                }
+            }
+        }
+        diagnostics_
+            .error("wrong-root", located_.elements[0].place,
+                   fmt::format("the root element is <{}>, not <svg>", shown(name)))
+            .hint("--from xml reads a popup document whatever its name");
+        return false;
+    }
+
+    [[nodiscard]] std::string_view text(Offset begin, Offset length) const {
+        return located_.text.substr(begin, length);
+    }
+    [[nodiscard]] std::size_t attributes_end(Offset element) const {
+        return element + 1 < located_.elements.size() ? located_.elements[element + 1].first_attribute
+                                                      : located_.attributes.size();
+    }
+    // The element's name in SVG; empty when it is of another language.
+    [[nodiscard]] std::string_view tag_of(Offset element) const {
+        const std::string_view name = located_.name(element);
+        if (!name.starts_with(prefix_)) return {};
+        const std::string_view local = name.substr(prefix_.size());
+        return local.find(':') == std::string_view::npos ? local : std::string_view{};
+    }
+
+    // Ids and style sheets, which count for what stands before them, too.
+    void collect() {
+        for (Offset i = 0; i < located_.elements.size(); ++i) {
+            for (std::size_t a = located_.elements[i].first_attribute; a < attributes_end(i); ++a) {
+                const xml::LocatedAttribute& attribute = located_.attributes[a];
+                if (text(attribute.name, attribute.name_length) == "id") {
+                    ids_.try_emplace(trimmed(text(attribute.value, attribute.value_length)), i);
+                }
+            }
+            if (tag_of(i) != "style") continue;
+            const auto tree = xml::Tree::parse(located_, i, xml::Tree::Extent::shell, diagnostics_);
+            if (!tree) return;
+            for (const xml::Text& part : tree->root().texts()) sheet_.add(part.decoded);
+        }
+        if (sheet_.not_read() > 0) {
+            diagnostics_
+                .warning("style-ignored", located_.elements[0].place,
+                         fmt::format("{} style {} not understood", sheet_.not_read(),
+                                     sheet_.not_read() == 1 ? "rule is" : "rules are"))
+                .hint("rules for a single tag, .class or #id are read; write others as attributes");
+        }
+    }
+
+    // Finds out what a unit of the drawing is.
+    bool root(Context& context) {
+        const auto tree = xml::Tree::parse(located_, 0, xml::Tree::Extent::tag, diagnostics_);
+        if (!tree) return false;
+        const Attributes attributes(tree->root().attributes());
+        const Place place = located_.elements[0].place;
+        const auto size = [&](std::string_view name) -> double {
+            const std::string_view value = attributes.value(name);
+            if (value.empty() || value == "auto" || value.ends_with('%')) return 0.0;
+            const auto length = parse_length(value, 0.0);
+            if (length && *length > 0.0) return *length;
+            diagnostics_.error(
+                "bad-number", attributes.find(name)->place,
+                fmt::format("the drawing's {} is \"{}\", which is no length above zero", name, shown(value)));
+            return 0.0;
+        };
+        double width = size("width");
+        double height = size("height");
+        const bool sized = width > 0.0 || height > 0.0;
+        std::optional<ViewBox> box;
+        if (const xml::Attribute* given = attributes.find("viewBox")) {
+            box = parse_view_box(given->value.decoded);
+            if (!box) {
+                diagnostics_
+                    .error("bad-number", given->place,
+                           fmt::format("the viewBox is \"{}\"", shown(given->value.decoded)))
+                    .hint("it is four numbers: left, top, width, height, the last two above zero");
+            }
+        }
+        if (diagnostics_.has_errors()) return false;
+        if (box) {
+            if (!sized) width = box->width;
+            if (width == 0.0) width = height / box->height * box->width;
+            if (height == 0.0) height = width / box->width * box->height;
+        }
+        tell_unit(place, attributes, sized, width, height);
+        constexpr double k = kMmPerPixel;
+        out_.page = {k * width, k * height};
+        const std::string_view preserve = attributes.value("preserveAspectRatio");
+        context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
+        if (box) context.to_mm = context.to_mm.after(fitted(*box, width, height, preserve));
+        context.view = box ? Vec2{box->width, box->height} : Vec2{width, height};
+        context.style.take(declarations("svg", attributes));
+        return true;
+    }
+
+    void tell_unit(Place place, const Attributes& attributes, bool sized, double width, double height) {
+        const auto in_mm = [](double pixels) { return kMmPerPixel * pixels; };
+        if (!sized) {
+            Diagnostic& told = diagnostics_.warning(
+                "size-missing", place,
+                width > 0.0
+                    ? fmt::format("the drawing does not say how large it is; with a 96th of an inch for "
+                                  "its unit it is {:.2f} × {:.2f} mm",
+                                  in_mm(width), in_mm(height))
+                    : std::string("the drawing does not say how large it is; its unit is taken for a "
+                                  "96th of an inch"));
+            told.hint("write its width and height with their unit, such as width=\"210mm\"");
+            told.hint("if the program that made it counts 72 to the inch, --scale 1.333333 is right");
+            return;
+        }
+        if (has_real_unit(attributes.value("width")) || has_real_unit(attributes.value("height"))) return;
+        diagnostics_
+            .remark(
+                "size-in-pixels", place,
+                fmt::format("the drawing's size is in pixels, taken for 96 to the inch: {:.2f} × {:.2f} mm",
+                            in_mm(width), in_mm(height)))
+            .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be");
+    }
+
+    // --- the walk
+
+    void step() {
+        Frame& frame = stack_.back();
+        if (frame.next >= frame.end) {
+            if (frame.used != 0) {
+                active_[frame.used] = 0;
+                --uses_;
+            }
+            stack_.pop_back();
+            return;
+        }
+        const Offset element = frame.next;
+        frame.next = located_.elements[element].after;
+        const Context context = frame.context;  // the frame may move
+        visit(element, context);
+    }
+
+    void visit(Offset element, const Context& around) {
+        const std::string_view tag = tag_of(element);
+        if (tag.empty()) return;
+        const xml::LocatedElement& at = located_.elements[element];
+        Role kind = role_of(tag);
+        // A symbol is drawn where it is used, and there alone.
+        if (tag == "symbol" && stack_.back().used == element) kind = Role::container;
+        if (kind == Role::silent) return;
+        if (kind == Role::unknown) return tally_.unknown(tag, at.place);
+        if (uses_ > 0 && !count_used(at)) return;
+        const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::tag, diagnostics_);
+        if (!tree) {
+            stopped_ = true;
+            return;
+        }
+        const Attributes attributes(tree->root().attributes());
+        Context context = around;
+        const Declarations declared = declarations(tag, attributes);
+        context.style.take(declared);
+        if (!context.style.displayed) return tally_.hidden(at.place);
+        for (const Property property : {Property::clip, Property::mask}) {
+            const std::string* value = declared.find(property);
+            if (value != nullptr && *value != "none") tally_.clipped(at.place);
+        }
+        if (!apply_transform(attributes, context)) return;
+        switch (kind) {
+            case Role::shape:
+                return shape(tag, attributes, at.place, context);
+            case Role::container:
+                return container(element, tag, attributes, context);
+            case Role::use:
+                return use(attributes, at.place, context);
+            case Role::skipped:
+                if (context.owner > 0 && context.layer == Layer::label && tag == "text") {
+                    return label(element, attributes, context);
+                }
+                return tally_.skipped(tag, at.place);
+            case Role::silent:
+            case Role::unknown:
+                return;
+        }
+    }
+
+    Declarations declarations(std::string_view tag, const Attributes& attributes) const {
+        Declarations all;
+        for (const xml::Attribute& attribute : attributes.all()) {
+            if (const auto property = find_property(attribute.name)) {
+                all.set(*property, attribute.value.decoded, Declarations::kAttribute, 0);
+            } else if (attribute.name == "style") {
+                all.set_all(attribute.value.decoded, Declarations::kElement, 0);
+            }
+        }
+        sheet_.apply(tag, attributes.value("id"), attributes.value("class"), all);
+        return all;
+    }
+
+    bool apply_transform(const Attributes& attributes, Context& context) {
+        const xml::Attribute* transform = attributes.find("transform");
+        if (transform == nullptr) return true;
+        if (const auto map = parse_transform(transform->value.decoded)) {
+            context.to_mm = context.to_mm.after(*map);
+            return true;
+        }
+        diagnostics_
+            .error("bad-transform", transform->place,
+                   fmt::format("the transform \"{}\" cannot be read", shown(transform->value.decoded)))
+            .hint("it is a list of matrix, translate, scale, rotate, skewX and skewY");
+        return false;
+    }
+
+    bool count_used(const xml::LocatedElement& at) {
+        used_bytes_ += at.tag_end - at.begin;
+        if (++used_elements_ <= kUsedElementsLimit && used_bytes_ <= kUsedBytesLimit) return true;
+        diagnostics_.error("document-too-large", at.place,
+                           fmt::format("use elements make more than {} elements, or {} MiB, of this drawing",
+                                       kUsedElementsLimit, kUsedBytesLimit >> 20U));
+        stopped_ = true;
+        return false;
+    }
+
+    int add_name(std::string_view name) {
+        if (name.empty()) return -1;
+        names_.push_back(short_name(name));
+        return static_cast<int>(names_.size()) - 1;
+    }
+
+    static std::string_view name_of(const Attributes& attributes) {
+        const std::string_view id = attributes.value("id");
+        return id.empty() ? attributes.value("inkscape:label") : id;
+    }
+
+    void container(Offset element, std::string_view tag, const Attributes& attributes, Context context) {
+        if (tag == "g") {
+            if (const int name = add_name(attributes.value("id")); name >= 0) context.group = name;
+            read_layer(element, attributes, context);
+        } else if (tag == "svg" && !new_viewport(attributes, context.view, context)) {
+            return;
+        }
+        push(element, context);
+    }
+
+    void push(Offset element, const Context& context) {
+        stack_.push_back({element + 1, located_.elements[element].after, context, 0});
+    }
+
+    // Whose the lines are, in a sheet that this program has made.
+    void read_layer(Offset element, const Attributes& attributes, Context& context) {
+        if (attributes.value("inkscape:groupmode") == "layer") {
+            context.layer = layer_named(attributes.value("inkscape:label"));
+        }
+        if (context.layer == Layer::none || attributes.find("data-piece") == nullptr) return;
+        std::string key;
+        for (const std::string_view name : {"data-design", "data-piece", "data-copy"}) {
+            key += attributes.value(name);
+            key += '\n';
+        }
+        const auto [row, fresh] = owners_.try_emplace(key, static_cast<int>(out_.owners.size()));
+        if (fresh) {
+            out_.owners.push_back(
+                {short_name(attributes.value("data-piece")), located_.elements[element].place});
+        }
+        context.owner = row->second;
+    }
+
+    // An svg element inside another, or a symbol: a picture of its own in a rectangle.
+    bool new_viewport(const Attributes& attributes, Vec2 size, Context& context) {
+        std::optional<ShapeProblem> problem;
+        const double x = length_of(attributes, "x", context.view.x, 0.0, problem);
+        const double y = length_of(attributes, "y", context.view.y, 0.0, problem);
+        const double width = length_of(attributes, "width", context.view.x, size.x, problem);
+        const double height = length_of(attributes, "height", context.view.y, size.y, problem);
+        const xml::Attribute* given = attributes.find("viewBox");
+        const auto box = given == nullptr ? std::nullopt : parse_view_box(given->value.decoded);
+        if (given != nullptr && !box && !problem) {
+            problem =
+                ShapeProblem{given, "bad-number",
+                             fmt::format("the viewBox is \"{}\"", shown(given->value.decoded)), std::nullopt};
+        }
+        if (problem) {
+            tell(*problem);
+            return false;
+        }
+        context.to_mm = context.to_mm.after({1.0, 0.0, 0.0, 1.0, x, y});
+        context.view = {width, height};
+        if (box && width > 0.0 && height > 0.0) {
+            context.to_mm =
+                context.to_mm.after(fitted(*box, width, height, attributes.value("preserveAspectRatio")));
+            context.view = {box->width, box->height};
+        }
+        return true;
+    }
+
+    void use(const Attributes& attributes, Place place, Context context) {
+        const xml::Attribute* href = attributes.find("href");
+        if (href == nullptr) href = attributes.find("xlink:href");
+        if (href == nullptr) return;
+        const std::string_view target = trimmed(href->value.decoded);
+        const auto found = target.starts_with('#') ? ids_.find(target.substr(1)) : ids_.end();
+        if (found == ids_.end()) {
+            diagnostics_.error(
+                "bad-reference", href->place,
+                target.starts_with('#')
+                    ? fmt::format("nothing has the id \"{}\"", shown(target.substr(1)))
+                    : fmt::format("\"{}\" is in another file, which is not read", shown(target)));
+            return;
+        }
+        const Offset element = found->second;
+        if (active_[element] != 0 || element == 0) {
+            diagnostics_.error("bad-reference", place,
+                               fmt::format("\"{}\" is used inside itself", shown(target.substr(1))));
+            stopped_ = true;
+            return;
+        }
+        std::optional<ShapeProblem> problem;
+        const Vec2 at{length_of(attributes, "x", context.view.x, 0.0, problem),
+                      length_of(attributes, "y", context.view.y, 0.0, problem)};
+        const Vec2 size{length_of(attributes, "width", context.view.x, context.view.x, problem),
+                        length_of(attributes, "height", context.view.y, context.view.y, problem)};
+        if (problem) return tell(*problem);
+        context.to_mm = context.to_mm.after({1.0, 0.0, 0.0, 1.0, at.x, at.y});
+        if (const int name = add_name(name_of(attributes)); name >= 0) context.instance = name;
+        if (tag_of(element) == "symbol") {
+            const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::tag, diagnostics_);
+            if (!tree || !new_viewport(Attributes(tree->root().attributes()), size, context)) return;
+        }
+        active_[element] = 1;
+        ++uses_;
+        stack_.push_back({element, located_.elements[element].after, context, element});
+    }
+
+    void shape(std::string_view tag, const Attributes& attributes, Place place, const Context& context) {
+        const Style& style = context.style;
+        if (!style.visible) return tally_.hidden(place);
+        Path path;
+        if (const auto problem = make_shape(tag, attributes, context.view, path)) return tell(*problem);
+        std::vector<Polyline> lines;
+        switch (flatten(path, context.to_mm, points_, lines)) {
+            case FlatteningFault::none:
+                break;
+            case FlatteningFault::too_far:
+                diagnostics_
+                    .error("bad-number", place,
+                           fmt::format("this shape reaches further than {:.0f} mm", kReachMm))
+                    .hint("see whether its transforms and the drawing's size are what they should be");
+                return;
+            case FlatteningFault::too_many:
+                diagnostics_.error("document-too-large", place,
+                                   fmt::format("the drawing has more than {} points", kPointsLimit));
+                stopped_ = true;
+                return;
+        }
+        if (lines.empty()) return;
+        out_.elements.push_back(
+            {context.instance >= 0 ? name_at(context.instance) : short_name(name_of(attributes)),
+             name_at(context.group), place});
+        if (context.owner > 0) {
+            add_by_layer(std::move(lines), context);
+        } else {
+            add_by_style(std::move(lines), context);
+        }
+    }
+
+    [[nodiscard]] std::string name_at(int number) const {
+        return number < 0 ? std::string() : names_[static_cast<std::size_t>(number)];
+    }
+
+    void add_lines(std::vector<Polyline>&& lines, Use use, const Context& context) {
+        for (Polyline& line : lines) {
+            out_.lines.push_back({std::move(line.points), line.closed, use,
+                                  static_cast<int>(out_.elements.size()) - 1, context.owner,
+                                  context.style.stroke.color, context.style.width * context.to_mm.growth()});
+        }
+    }
+
+    void add_fill(const std::vector<Polyline>& lines, bool without_stroke, const Context& context) {
+        TracedFill fill;
+        for (const Polyline& line : lines) {
+            if (line.points.size() >= 3) fill.rings.push_back(line.points);
+        }
+        if (fill.rings.empty()) return;
+        fill.even_odd = context.style.even_odd;
+        fill.without_stroke = without_stroke;
+        fill.color = context.style.fill.color;
+        fill.element = static_cast<int>(out_.elements.size()) - 1;
+        fill.owner = context.owner;
+        out_.fills.push_back(std::move(fill));
+    }
+
+    void add_by_layer(std::vector<Polyline>&& lines, const Context& context) {
+        switch (context.layer) {
+            case Layer::fill:
+                return add_fill(lines, false, context);
+            case Layer::valley:
+                return add_lines(std::move(lines), Use::valley, context);
+            case Layer::mountain:
+                return add_lines(std::move(lines), Use::mountain, context);
+            case Layer::seam:
+                return add_lines(std::move(lines), Use::seam, context);
+            case Layer::cut:
+                return add_lines(std::move(lines), Use::cut, context);
+            case Layer::draw:
+            case Layer::glue:
+            case Layer::label:
+            case Layer::none:
+                return add_lines(std::move(lines), Use::print, context);
+        }
+    }
+
+    void add_by_style(std::vector<Polyline>&& lines, const Context& context) {
+        const Style& style = context.style;
+        const bool filled = style.fill.kind != Paint::Kind::none;
+        if (style.stroke.kind == Paint::Kind::none) {
+            if (!filled) {
+                ++out_.invisible;
+                return;
+            }
+            add_fill(lines, true, context);
+            for (Polyline& line : lines) line.closed = line.points.size() >= 3;
+            std::erase_if(lines, [](const Polyline& line) { return !line.closed; });
+            if (lines.empty()) ++out_.invisible;
+            return add_lines(std::move(lines), Use::shape, context);
+        }
+        const Use use = use_of(style);
+        if (use == Use::cut && filled && style.fill_written && style.fill.kind == Paint::Kind::color) {
+            add_fill(lines, false, context);
+        }
+        add_lines(std::move(lines), use, context);
+    }
+
+    // A text of a sheet that this program has made: set about its middle, turned about it.
+    void label(Offset element, const Attributes& attributes, const Context& context) {
+        const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::shell, diagnostics_);
+        std::optional<ShapeProblem> problem;
+        const double x = length_of(attributes, "x", 0.0, HUGE_VAL, problem);
+        const double y = length_of(attributes, "y", 0.0, HUGE_VAL, problem);
+        const double size = length_of(attributes, "font-size", 0.0, 0.0, problem);
+        if (!tree || problem) return tally_.skipped("text", located_.elements[element].place);
+        const std::vector<xml::Text> words = tree->root().texts();
+        const double cap = kCapHeight * size;
+        const Vec2 at = context.to_mm({x, y - 0.5 * cap});
+        const Vec2 along = context.to_mm({x + 1.0, y - 0.5 * cap}) - at;
+        const double height = cap * length(along);
+        const bool sound = std::abs(at.x) <= kReachMm && std::abs(at.y) <= kReachMm && height > 0.0 &&
+                           height <= kReachMm && words.size() == 1;
+        if (!sound) return tally_.skipped("text", located_.elements[element].place);
+        out_.texts.push_back(
+            {{short_name(words[0].decoded), at, height, std::atan2(along.y, along.x)}, context.owner});
+    }
+
+    // --- findings
+
+    void tell(const ShapeProblem& problem) {
+        Place place = problem.attribute->place;
+        // An exact place costs a pass over the text: not for the hundredth mistake.
+        constexpr int kExactPlaces = 10;
+        const TextRange raw = problem.attribute->value.raw;
+        if (problem.at && *problem.at <= raw.length && exact_places_++ < kExactPlaces &&
+            located_.text.substr(raw.offset, raw.length).find_first_of("&\r") == std::string_view::npos) {
+            place = xml::PlaceCounter(located_.text).at(raw.offset + *problem.at);
+        }
+        diagnostics_.error(problem.code, place, problem.message);
+        if (problem.code == "document-too-large") stopped_ = true;
+    }
+
+    const xml::Located& located_;
+    bool strict_;
+    Diagnostics& diagnostics_;
+    std::string_view prefix_;
+    std::unordered_map<std::string_view, Offset> ids_;
+    StyleSheet sheet_;
+    std::vector<Frame> stack_;
+    std::vector<char> active_;  // elements that a use now stands for
+    std::size_t uses_ = 0;      // of these, how many there are
+    std::size_t used_elements_ = 0, used_bytes_ = 0;
+    std::vector<std::string> names_;
+    std::map<std::string, int, std::less<>> owners_;
+    Tally tally_;
+    std::size_t points_ = 0;
+    int exact_places_ = 0;
+    bool stopped_ = false;
+    Tracing out_;
+};
+
+}  // namespace
+
+std::optional<Tracing> trace(const xml::Located& located, const ReadOptions& options,
+                             Diagnostics& diagnostics) {
+    return Tracer(located, options, diagnostics).run();
+}
+
+}  // namespace popup::drawing

@@ -1,0 +1,76 @@
+// One searcher: it shrinks the room that the pieces have, lets them overlap, and takes them apart again.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nest/task.h"
+
+namespace popup {
+
+// What a lane is after.
+enum class Aim {
+    fit,       // place what overlaps, on the sheets there are
+    fewer,     // one sheet less
+    shorter,   // a shorter last sheet, by large steps, from many starts
+    compress,  // a shorter last sheet, by small steps from the best
+};
+
+// Works in slices of work, so that lanes can be compared, and run side by side, without a clock.
+class Lane {
+ public:
+    // Precondition: the task outlives the lane.
+    Lane(NestTask& task, std::uint64_t seed);
+
+    // Goes on from this layout, which holds (except under `fit`). An attempt that would still be better is
+    // gone on with, and what was tried in vain is kept, to start from, as long as the number of sheets stays.
+    void begin(const Arrangement& from, Aim aim);
+    // Looks for so much work more. Ends early when `done()`.
+    void run(double work);
+    // The best layout so far: `from`, or better. Under `fit` only once done().
+    [[nodiscard]] const Arrangement& best() const { return best_; }
+    // fit and fewer: it was found. shorter and compress: it cannot get shorter.
+    [[nodiscard]] bool done() const { return done_; }
+    [[nodiscard]] double work() const { return board_.work; }
+    [[nodiscard]] Dice& dice() { return dice_; }
+
+ private:
+    struct Failure {
+        double loss;
+        std::vector<Stand> stands;
+    };
+
+    [[nodiscard]] bool useful() const;
+    [[nodiscard]] double least_length() const;
+    [[nodiscard]] int last() const { return static_cast<int>(board_.rooms().size()) - 1; }
+    void attempt();
+    void set_out(const std::vector<Stand>& stands);
+    void finish(Separator::State state);
+    void succeed();
+    void fail();
+    bool dissolve();
+    bool shorten(double length);
+    void throw_in(const std::vector<int>& items, int sheet);
+    void disturb();
+    void exchange(int a, int b);
+    bool move_lot(int item, int sheet);
+
+    NestTask& task_;
+    Board board_;
+    Dice dice_;
+    Aim aim_ = Aim::shorter;
+    Arrangement best_;
+    std::vector<int> rows_;  // of the attempt
+    Freedom freedom_;
+    std::unique_ptr<Separator> separator_;
+    bool loose_ = false;  // the attempt has come to the table with room for rounding
+    std::vector<Failure> pool_;
+    double target_ = 0.0;  // length of the last sheet, steps
+    double step_ = 0.0;
+    double least_ = 0.0;  // no last sheet is shorter
+    bool done_ = false;
+    std::vector<int> by_size_;
+};
+
+}  // namespace popup

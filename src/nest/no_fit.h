@@ -1,0 +1,70 @@
+// No-fit polygons of pairs of shapes, as convex parts.
+//
+// A shape A at a and a shape B at b overlap exactly when a - b lies inside one of the parts of their no-fit
+// polygon: for each part of A and each of B the Minkowski sum of B's part and A's part mirrored, which is
+// convex. The depth of a place inside a part is its distance from the part's nearest edge: how far A must
+// move, along that edge's normal, to leave it. Parts are open: touching is not overlapping, and a slot that A
+// fits exactly stays a line between parts, which the union of the parts would lose.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "nest/shapes.h"
+
+namespace popup {
+
+// The points with nx x + ny y < c, in steps of the grid; the normal has length 1.
+struct HalfPlane {
+    double nx, ny, c;
+};
+
+struct NoFitPart {
+    double x0, y0, x1, y1;  // its box
+    std::uint32_t first, count;
+};
+
+struct NoFit {
+    double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  // box of all parts
+    std::vector<NoFitPart> parts;
+    std::vector<HalfPlane> planes;
+};
+
+// The no-fit polygon of a moving about b at rest. Edges that are neither upright nor level are moved out by
+// `slack` steps: room for the rounding of places, where touching need not be exact.
+void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result);
+
+// The no-fit polygons of all pairs of shapes, each made when first asked for. They are kept if all would take
+// no more than `kMostBytes`; else they are made each time. May be used by several threads at once.
+class NoFitTable {
+ public:
+    static constexpr double kMostBytes = 180e6;
+
+    // Precondition: the shapes outlive the table.
+    NoFitTable(const std::vector<TurnedShape>& shapes, double slack);
+    ~NoFitTable();
+    NoFitTable(const NoFitTable&) = delete;
+    NoFitTable& operator=(const NoFitTable&) = delete;
+
+    [[nodiscard]] bool keeps() const { return !table_.empty(); }
+    // Precondition: keeps().
+    [[nodiscard]] const NoFit& of(int a, int b) {
+        const NoFit* made = table_[index(a, b)].load(std::memory_order_acquire);
+        return made != nullptr ? *made : keep(a, b);
+    }
+    void make(int a, int b, NoFit& result) const;
+
+ private:
+    [[nodiscard]] std::size_t index(int a, int b) const {
+        return static_cast<std::size_t>(a) * shapes_.size() + static_cast<std::size_t>(b);
+    }
+    const NoFit& keep(int a, int b);
+
+    const std::vector<TurnedShape>& shapes_;
+    double slack_;
+    std::vector<std::atomic<const NoFit*>> table_;
+};
+
+}  // namespace popup

@@ -1,0 +1,348 @@
+#include "nest/search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <system_error>
+#include <thread>
+
+#include "nest/construct.h"
+#include "nest/lane.h"
+#include "popup/diagnostics.h"
+
+namespace popup {
+namespace {
+
+// Searchers side by side. Their number is part of the result, so it does not depend on the machine.
+constexpr int kLanes = 4;
+// Shares of the effort: to do with fewer sheets, to shorten the last one from many starts; the rest
+// compresses.
+constexpr double kFewerShare = 0.6;
+constexpr double kShorterShare = 0.8;
+// How often in a stage the lanes are compared.
+constexpr double kMeetings = 24.0;
+constexpr double kLeastSlice = 2e4;
+// With a clock, work between two looks at it.
+constexpr double kClockSlice = 1e6;
+// Lines looked at for a piece of the first layout, and how the orders of the lanes differ.
+constexpr int kLines = 24;
+constexpr int kFewLines = 6;  // when there are many pieces
+constexpr double kShake = 0.4;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+class Nester {
+ public:
+    Nester(const NestJob& job, const NestEffort& effort, double work)
+        : job_(job), effort_(effort), task_(job), start_(std::chrono::steady_clock::now()), total_(work) {}
+
+    NestResult run() {
+        if (job_.items.empty()) return {NestPlan{}, {}};
+        if (auto refusal = find_refusal()) return {{}, std::move(refusal)};
+        for (int i = 0; i < kLanes; ++i) {
+            lanes_.push_back(std::make_unique<Lane>(
+                task_, effort_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(i) + 1U));
+        }
+        if (auto refusal = first_layout()) return {{}, std::move(refusal)};
+        fewer_sheets();
+        smaller_sheets();
+        emptiest_last();
+        stage(Aim::shorter, kShorterShare);
+        stage(Aim::compress, 1.0);
+        POPUP_INVARIANT(best_.holds(task_));
+        return {plan(), {}};
+    }
+
+ private:
+    using Refusal = std::optional<NestRefusal>;
+
+    Refusal find_refusal() const {
+        NestRefusal large{NestRefusal::Reason::too_large, {}};
+        NestRefusal outside{NestRefusal::Reason::lock_outside, {}};
+        std::vector<ExactPlace> locked;
+        std::vector<int> numbers;
+        for (int item = 0; item < static_cast<int>(job_.items.size()); ++item) {
+            const std::vector<int>& shapes = task_.set.of_kind[index(task_.kinds[index(item)])];
+            const bool fits = std::any_of(shapes.begin(), shapes.end(), [&](int shape) {
+                return std::any_of(task_.largest_first.begin(), task_.largest_first.end(), [&](int row) {
+                    return job_.stock[index(row)].count != 0 && task_.fits(shape, row);
+                });
+            });
+            if (!fits) large.items.push_back(item);
+            if (!job_.items[index(item)].locked) continue;
+            const Stand& lock = task_.locks[index(item)];
+            const int row = row_of_locked_sheet(lock.sheet);
+            if (lock.shape < 0 || row < 0 || !lies_in(lock, row)) {
+                outside.items.push_back(item);
+                continue;
+            }
+            locked.push_back(
+                {lock.sheet, lock.shape, {static_cast<GridLength>(lock.x), static_cast<GridLength>(lock.y)}});
+            numbers.push_back(item);
+        }
+        if (!large.items.empty()) return large;
+        if (!outside.items.empty()) return outside;
+        if (const auto pair = task_.exact.first_conflict(locked, to_grid(job_.spacing))) {
+            return NestRefusal{NestRefusal::Reason::lock_overlap,
+                               {numbers[index(pair->first)], numbers[index(pair->second)]}};
+        }
+        return std::nullopt;
+    }
+
+    // The row of the stock that the sheet of this number is taken from: the largest first, as long as there
+    // are any.
+    [[nodiscard]] int row_of_locked_sheet(int sheet) const {
+        for (const int row : task_.largest_first) {
+            const int count = job_.stock[index(row)].count;
+            if (count < 0 || sheet < count) return row;
+            sheet -= count;
+        }
+        return -1;
+    }
+
+    [[nodiscard]] bool lies_in(const Stand& stand, int row) const {
+        const GridBox& box = task_.set.shapes[index(stand.shape)].bounds;
+        const Room& room = task_.rooms[index(row)];
+        return stand.x + static_cast<double>(box.x0) >= 0.0 && stand.y + static_cast<double>(box.y0) >= 0.0 &&
+               stand.x + static_cast<double>(box.x1) <= room.width &&
+               stand.y + static_cast<double>(box.y1) <= room.height;
+    }
+
+    Refusal first_layout() {
+        // Many orders while that is cheap.
+        const int tries = job_.items.size() <= 200 ? kLanes : 1;
+        Construction best;
+        for (int i = 0; i < tries; ++i) {
+            const int lines =
+                std::max(kFewLines, kLines * 100 / std::max(100, static_cast<int>(job_.items.size())));
+            Construction next = construct(task_, lanes_[index(i)]->dice(), lines, i == 0 ? 0.0 : kShake);
+            const bool better = i == 0 || next.left_out.size() < best.left_out.size() ||
+                                (next.left_out.size() == best.left_out.size() && !next.hopeless &&
+                                 (best.hopeless || next.arrangement.better_than(best.arrangement, task_)));
+            if (better) best = std::move(next);
+        }
+        best_ = std::move(best.arrangement);
+        if (best.left_out.empty()) return std::nullopt;
+        std::sort(best.left_out.begin(), best.left_out.end());
+        if (!best.hopeless) {
+            for (const auto& lane : lanes_) lane->begin(best_, Aim::fit);
+            if (go_on(Aim::fit, kFewerShare)) return std::nullopt;
+        }
+        // A group that a sheet of its own does not take is another matter than a stock that is used up.
+        const int group = job_.items[index(best.left_out.front())].group;
+        const bool together =
+            group >= 0 && std::all_of(best.left_out.begin(), best.left_out.end(),
+                                      [&](int item) { return job_.items[index(item)].group == group; });
+        return NestRefusal{
+            together ? NestRefusal::Reason::group_too_large : NestRefusal::Reason::stock_used_up,
+            std::move(best.left_out)};
+    }
+
+    // Fewer sheets cannot hold the area of the pieces.
+    [[nodiscard]] bool could_be_fewer() const {
+        if (best_.rows.size() < 2) return false;
+        double area = 0.0;
+        for (const int kind : task_.kinds) area += task_.set.areas[index(kind)];
+        std::vector<double> sizes;
+        for (const int row : best_.rows)
+            sizes.push_back(task_.rooms[index(row)].width * task_.rooms[index(row)].height);
+        const double all = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+        const double least = *std::min_element(sizes.begin(), sizes.end());
+        return area * kGridSteps * kGridSteps <= (all - least) * (1.0 + 1e-9);
+    }
+
+    void fewer_sheets() {
+        while (could_be_fewer() && spent() < kFewerShare && !stopped()) {
+            for (const auto& lane : lanes_) lane->begin(best_, Aim::fewer);
+            const std::size_t before = best_.rows.size();
+            go_on(Aim::fewer, kFewerShare);
+            if (best_.rows.size() == before) return;
+        }
+    }
+
+    // A smaller sheet of the stock, where it takes all pieces of a sheet too.
+    void smaller_sheets() {
+        if (task_.rooms.size() < 2) return;
+        for (int sheet = static_cast<int>(best_.rows.size()) - 1; sheet >= 0; --sheet) {
+            std::vector<int> items;
+            bool locked = false;
+            for (int item = 0; item < static_cast<int>(best_.stands.size()); ++item) {
+                if (best_.stands[index(item)].sheet != sheet) continue;
+                items.push_back(item);
+                locked = locked || task_.is_locked(item);
+            }
+            if (locked) continue;
+            std::stable_sort(items.begin(), items.end(), [&](int a, int b) {
+                return task_.set.areas[index(task_.kinds[index(a)])] >
+                       task_.set.areas[index(task_.kinds[index(b)])];
+            });
+            const auto size = [&](int row) {
+                return task_.rooms[index(row)].width * task_.rooms[index(row)].height;
+            };
+            for (auto row = task_.largest_first.rbegin(); row != task_.largest_first.rend(); ++row) {
+                if (size(*row) >= size(best_.rows[index(sheet)])) break;
+                const auto taken = std::count(best_.rows.begin(), best_.rows.end(), *row);
+                const int count = job_.stock[index(*row)].count;
+                if (count >= 0 && taken >= count) continue;
+                if (replace(sheet, *row, items)) break;
+            }
+        }
+    }
+
+    bool replace(int sheet, int row, const std::vector<int>& items) {
+        Board board(task_.set, task_.loose, task_.kinds, {task_.rooms[index(row)]});
+        std::vector<int> turns(task_.set.of_kind.size(), -1);
+        for (std::size_t i = 0; i < best_.stands.size(); ++i) {
+            if (job_.kinds[index(task_.kinds[i])].one_turn)
+                turns[index(task_.kinds[i])] = best_.stands[i].shape;
+        }
+        if (!place_on(task_, board, 0, items, lanes_[0]->dice(), kLines, turns)) return false;
+        for (const int item : items) {
+            best_.stands[index(item)] = board.at(item);
+            best_.stands[index(item)].sheet = sheet;
+        }
+        best_.rows[index(sheet)] = row;
+        return true;
+    }
+
+    // The sheet with the least on it becomes the last. Locks name sheets by number: then they stay.
+    void emptiest_last() {
+        std::vector<double> areas(best_.rows.size(), 0.0);
+        for (std::size_t i = 0; i < best_.stands.size(); ++i) {
+            if (task_.is_locked(static_cast<int>(i))) return;
+            areas[index(best_.stands[i].sheet)] += task_.set.areas[index(task_.kinds[i])];
+        }
+        const auto least = static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
+        const int last = static_cast<int>(areas.size()) - 1;
+        std::swap(best_.rows[index(least)], best_.rows.back());
+        for (Stand& stand : best_.stands) {
+            if (stand.sheet == least) {
+                stand.sheet = last;
+            } else if (stand.sheet == last) {
+                stand.sheet = least;
+            }
+        }
+    }
+
+    void stage(Aim aim, double until) {
+        if (stopped()) return;
+        for (const auto& lane : lanes_) lane->begin(best_, aim);
+        go_on(aim, until);
+    }
+
+    // Runs the lanes until one has found what it is after or the share of the effort is spent. What the best
+    // of them has found all go on from. True when it was found.
+    bool go_on(Aim aim, double until) {
+        const double slice = effort_.seconds
+                                 ? kClockSlice
+                                 : std::max(kLeastSlice, (until - spent()) * total_ / (kLanes * kMeetings));
+        while (!stopped() && spent() < until) {
+            run_lanes(slice);
+            work_ = 0.0;
+            for (const auto& lane : lanes_) work_ += lane->work();
+            bool found = false;
+            for (const auto& lane : lanes_) {
+                const bool whole = aim == Aim::shorter || aim == Aim::compress || lane->done();
+                if (aim == Aim::fit ? lane->done() && !found
+                                    : whole && lane->best().better_than(best_, task_))
+                    best_ = lane->best();
+                found = found || lane->done();
+            }
+            tell();
+            if (found) {
+                if (aim == Aim::fewer) return true;
+                if (aim == Aim::fit) return true;
+                // The shortest there can be.
+                const auto shortest = [&](const auto& lane) {
+                    return lane->done() && !best_.better_than(lane->best(), task_);
+                };
+                if (std::any_of(lanes_.begin(), lanes_.end(), shortest)) {
+                    finished_ = true;
+                    return true;
+                }
+            }
+            if (aim == Aim::shorter || aim == Aim::compress) {
+                for (const auto& lane : lanes_) lane->begin(best_, aim);
+            }
+        }
+        return false;
+    }
+
+    void run_lanes(double slice) {
+        const int threads = std::min(kLanes, slice < kLeastSlice * 2.0 ? 1 : std::max(1, effort_.threads));
+        const auto work = [&](int first) {
+            for (int i = first; i < kLanes; i += threads) lanes_[index(i)]->run(slice);
+        };
+        std::vector<std::jthread> others;
+        int begun = 1;
+        try {
+            for (; begun < threads; ++begun) others.emplace_back(work, begun);
+        } catch (const std::system_error&) {
+            // The system gives no more threads; this one does their work.
+            for (int i = begun; i < threads; ++i) work(i);
+        }
+        work(0);
+    }
+
+    [[nodiscard]] double spent() const {
+        if (finished_) return 1.0;
+        if (!effort_.seconds) return total_ > 0.0 ? work_ / total_ : 1.0;
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+        return passed.count() / *effort_.seconds;
+    }
+
+    [[nodiscard]] bool stopped() const { return effort_.stop != nullptr && effort_.stop->load(); }
+
+    void tell() const {
+        if (!effort_.progress) return;
+        NestProgress progress;
+        progress.sheets = static_cast<int>(best_.rows.size());
+        const double length = best_.length(task_, progress.sheets - 1);
+        progress.last_length = length / kGridSteps;
+        double room = 0.0;
+        for (std::size_t s = 0; s < best_.rows.size(); ++s) {
+            const Room& size = task_.rooms[index(best_.rows[s])];
+            room += (s + 1 == best_.rows.size() ? length : size.width) * size.height;
+        }
+        double area = 0.0;
+        for (const int kind : task_.kinds) area += task_.set.areas[index(kind)];
+        progress.utilisation = room > 0.0 ? area * kGridSteps * kGridSteps / room : 0.0;
+        progress.done = std::min(1.0, spent());
+        effort_.progress(progress);
+    }
+
+    [[nodiscard]] NestPlan plan() const {
+        NestPlan plan;
+        plan.sheets = best_.rows;
+        plan.used.resize(best_.rows.size());
+        for (const Stand& stand : best_.stands) {
+            const TurnedShape& shape = task_.set.shapes[index(stand.shape)];
+            const auto x = static_cast<GridLength>(stand.x);
+            const auto y = static_cast<GridLength>(stand.y);
+            plan.spots.push_back({stand.sheet, {from_grid(x), from_grid(y)}, shape.angle});
+            Vec2& used = plan.used[index(stand.sheet)];
+            used.x = std::max(used.x, from_grid(x + shape.bounds.x1));
+            used.y = std::max(used.y, from_grid(y + shape.bounds.y1));
+        }
+        return plan;
+    }
+
+    const NestJob& job_;
+    const NestEffort& effort_;
+    NestTask task_;
+    std::chrono::steady_clock::time_point start_;
+    double total_;
+    double work_ = 0.0;
+    bool finished_ = false;
+    std::vector<std::unique_ptr<Lane>> lanes_;
+    Arrangement best_;
+};
+
+}  // namespace
+
+NestResult search(const NestJob& job, const NestEffort& effort, double work) {
+    return Nester(job, effort, work).run();
+}
+
+}  // namespace popup

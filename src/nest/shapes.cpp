@@ -1,0 +1,206 @@
+#include "nest/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/regions.h"
+#include "nest/partition.h"
+
+namespace popup {
+namespace {
+
+// Shapes of more parts than this are made coarser: the cost of a look at two shapes is the product of their
+// parts.
+constexpr std::size_t kFewParts = 6;
+// What coarser shapes may gain: a share of their area, and no corner further out than a share of their size.
+constexpr double kMostGain = 1e-3;
+constexpr double kFurthest = 2e-3;
+// Steps by which an outline is widened of which nothing could be proved.
+constexpr GridLength kWidening = 4;
+
+Ring in_mm(const GridRing& ring) {
+    Ring points;
+    points.reserve(ring.size());
+    for (const GridPoint p : ring) points.push_back({from_grid(p.x), from_grid(p.y)});
+    return points;
+}
+
+GridRegion on_grid(const Polygon& polygon) {
+    GridRegion region{turned_ring(polygon.outer, {}), {}};
+    for (const Ring& hole : polygon.holes) {
+        GridRing ring = turned_ring(hole, {});
+        if (ring.size() >= 3) region.holes.push_back(std::move(ring));
+    }
+    return region;
+}
+
+std::vector<Polygon> polygons_of(const std::vector<GridRegion>& regions) {
+    std::vector<Polygon> polygons;
+    for (const GridRegion& region : regions) {
+        Polygon polygon{in_mm(region.outer), {}};
+        for (const GridRing& hole : region.holes) polygon.holes.push_back(in_mm(hole));
+        polygons.push_back(std::move(polygon));
+    }
+    return polygons;
+}
+
+std::vector<GridRegion> regions_of(const std::vector<Polygon>& polygons) {
+    std::vector<GridRegion> regions;
+    for (const Polygon& polygon : polygons) {
+        GridRegion region = on_grid(polygon);
+        if (region.outer.size() >= 3) regions.push_back(std::move(region));
+    }
+    return regions;
+}
+
+std::vector<GridRegion> without_holes(std::vector<GridRegion> regions) {
+    for (GridRegion& region : regions) region.holes.clear();
+    return regions;
+}
+
+// What the search keeps apart by the spacing, and its exact parts: the outline, if they can be proved to make
+// it up.
+std::vector<GridRegion> provable(const TurnedShape& shape, bool use_holes, std::vector<GridRing>& parts) {
+    std::vector<GridRegion> regions = use_holes ? shape.outline : without_holes(shape.outline);
+    if (regions.size() > 1) regions = regions_of(unite(polygons_of(regions)));
+    auto proved = partition(regions);
+    if (!proved) {
+        regions = regions_of(unite(polygons_of(regions)));
+        if (!use_holes) regions = without_holes(std::move(regions));
+        proved = partition(regions);
+    }
+    if (!proved) {
+        regions = regions_of(offset(polygons_of(regions), from_grid(kWidening), Corners::blunt));
+        proved.emplace();
+        for (const GridRegion& region : regions) {
+            for (GridRing& part : convex_parts(region)) proved->push_back(std::move(part));
+        }
+    }
+    parts = std::move(*proved);
+    return regions;
+}
+
+// The direction of (dx, dy) as a number from 0 to 4: exact for the four quarters, and in order between them.
+double direction_of(double dx, double dy) {
+    const double part = dy / (std::abs(dx) + std::abs(dy));
+    if (dx < 0.0) return 2.0 - part;
+    return dy < 0.0 ? 4.0 + part : part;
+}
+
+std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
+    std::vector<PartEdge> edges;
+    edges.reserve(part.size());
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const GridPoint p = part[i];
+        const GridPoint along = part[(i + 1) % part.size()] - p;
+        const double dx = sign * static_cast<double>(along.x);
+        const double dy = sign * static_cast<double>(along.y);
+        const bool slanted = along.x != 0 && along.y != 0;
+        const double length = slanted ? std::sqrt(dx * dx + dy * dy) : std::abs(dx) + std::abs(dy);
+        edges.push_back({sign * static_cast<double>(p.x), sign * static_cast<double>(p.y), dy / length,
+                         -dx / length, direction_of(dx, dy), slanted});
+    }
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const PartEdge& a, const PartEdge& b) { return a.direction < b.direction; });
+    return edges;
+}
+
+double twice_area(const GridRing& ring) {
+    Wide sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
+    return static_cast<double>(sum);
+}
+
+}  // namespace
+
+double area(const std::vector<Polygon>& outline) {
+    double sum = 0.0;
+    for (const Polygon& polygon : outline) sum += area(polygon);
+    return sum;
+}
+
+std::vector<GridRegion> turned_outline(const std::vector<Polygon>& outline, Angle angle) {
+    std::vector<GridRegion> result;
+    for (const Polygon& polygon : outline) {
+        GridRegion region{turned_ring(polygon.outer, angle), {}};
+        if (region.outer.size() < 3) continue;
+        for (const Ring& hole : polygon.holes) {
+            GridRing ring = turned_ring(hole, angle);
+            if (ring.size() >= 3) region.holes.push_back(std::move(ring));
+        }
+        result.push_back(std::move(region));
+    }
+    return result;
+}
+
+namespace {
+
+// The outline without the holes into which no piece of the job can go: none has a box that is smaller.
+std::vector<GridRegion> without_useless_holes(std::vector<GridRegion> outline,
+                                              const std::vector<TurnedShape>& all) {
+    for (GridRegion& region : outline) {
+        std::erase_if(region.holes, [&](const GridRing& hole) {
+            GridBox box;
+            for (const GridPoint p : hole) box.extend(p);
+            return std::none_of(all.begin(), all.end(), [&](const TurnedShape& shape) {
+                return shape.bounds.width() <= box.width() && shape.bounds.height() <= box.height();
+            });
+        });
+    }
+    return outline;
+}
+
+}  // namespace
+
+ShapeSet make_shapes(const NestJob& job) {
+    ShapeSet set;
+    const GridLength spacing = to_grid(job.spacing);
+    set.exact = spacing == 0;
+    for (std::size_t k = 0; k < job.kinds.size(); ++k) {
+        const NestKind& kind = job.kinds[k];
+        set.areas.push_back(area(kind.outline));
+        std::vector<int>& own = set.of_kind.emplace_back();
+        for (const Angle angle : kind.turns) {
+            TurnedShape shape;
+            shape.kind = static_cast<int>(k);
+            shape.angle = angle;
+            shape.outline = turned_outline(kind.outline, angle);
+            for (const GridRegion& region : shape.outline) {
+                for (const GridPoint p : region.outer) shape.bounds.extend(p);
+            }
+            own.push_back(static_cast<int>(set.shapes.size()));
+            set.shapes.push_back(std::move(shape));
+        }
+    }
+    for (TurnedShape& shape : set.shapes) {
+        std::vector<GridRegion> regions =
+            without_useless_holes(provable(shape, job.use_holes, shape.exact), set.shapes);
+        if (spacing > 0) {
+            regions = regions_of(offset(polygons_of(regions), from_grid((spacing + 1) / 2), Corners::blunt));
+            if (!job.use_holes) regions = without_holes(std::move(regions));
+        }
+        for (const GridRegion& region : regions) {
+            std::vector<GridRing> parts = convex_parts(region);
+            if (parts.size() > kFewParts) {
+                double twice = twice_area(region.outer);
+                for (const GridRing& hole : region.holes) twice += twice_area(hole);
+                const double size =
+                    static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
+                const GridRegion rough = coarser(region, 0.5 * kMostGain * twice, kFurthest * size);
+                std::vector<GridRing> fewer = convex_parts(rough);
+                if (fewer.size() < parts.size()) {
+                    parts = std::move(fewer);
+                    set.exact = false;
+                }
+            }
+            shape.parts.insert(shape.parts.end(), parts.begin(), parts.end());
+        }
+        for (const GridRing& part : shape.parts) {
+            for (const GridPoint p : part) shape.reach.extend(p);
+            shape.edges.push_back({edges_of(part, 1.0), edges_of(part, -1.0)});
+        }
+    }
+    return set;
+}
+
+}  // namespace popup

@@ -1,0 +1,54 @@
+// Kinds of pieces made ready for the search: each allowed turn as convex parts, widened by half the spacing.
+#pragma once
+
+#include <vector>
+
+#include "nest/convex_parts.h"
+#include "nest/grid.h"
+#include "popup/nest.h"
+
+namespace popup {
+
+// An edge of a convex part, in steps: where it begins, its normal outwards, of length 1, and its direction as
+// a number that grows from 0 to 4 once round the circle, from the direction of x.
+struct PartEdge {
+    double x, y;
+    double nx, ny;
+    double direction;
+    bool slanted;  // neither upright nor level
+};
+
+// A convex part's edges by their direction, as it is and mirrored at the origin.
+struct PartEdges {
+    std::vector<PartEdge> plain, mirrored;
+};
+
+// A kind in one of its turns.
+struct TurnedShape {
+    int kind = 0;
+    Angle angle;
+    std::vector<GridRegion> outline;  // as it is cut: turned and rounded to the grid
+    // Convex parts that make up the outline, its holes filled where they may not be used. Where that could
+    // not be proved, those of the outline widened by some steps, more than rounding can have taken from it.
+    std::vector<GridRing> exact;
+    GridBox bounds;                // of the outline; what must lie on the sheet
+    std::vector<GridRing> parts;   // convex, covering the outline widened by half the spacing
+    GridBox reach;                 // of the parts
+    std::vector<PartEdges> edges;  // of each part
+};
+
+// All kinds of a job in all their turns.
+struct ShapeSet {
+    std::vector<TurnedShape> shapes;
+    std::vector<std::vector<int>> of_kind;  // a kind: its shapes, in the order of its turns
+    std::vector<double> areas;              // a kind: area of its outline in mm²
+    bool exact = false;  // the parts are the outlines themselves, not wider and not coarser
+};
+
+// Precondition: the job is well formed (see popup/nest.h). Cost: quadratic in corners a shape.
+ShapeSet make_shapes(const NestJob& job);
+
+// The outline turned, each polygon by itself, on the grid.
+std::vector<GridRegion> turned_outline(const std::vector<Polygon>& outline, Angle angle);
+
+}  // namespace popup

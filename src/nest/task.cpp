@@ -1,0 +1,105 @@
+#include "nest/task.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace popup {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+NestTask::NestTask(const NestJob& the_job)
+    : job(the_job), set(make_shapes(the_job)), exact(set.shapes), loose(set.shapes, kSlack) {
+    if (set.exact) tight = std::make_unique<NoFitTable>(set.shapes, 0.0);
+    for (const NestStock& row : job.stock) {
+        rooms.push_back({static_cast<double>(to_grid(row.width)), static_cast<double>(to_grid(row.height))});
+    }
+    largest_first.resize(rooms.size());
+    std::iota(largest_first.begin(), largest_first.end(), 0);
+    std::stable_sort(largest_first.begin(), largest_first.end(), [&](int a, int b) {
+        return rooms[index(a)].width * rooms[index(a)].height >
+               rooms[index(b)].width * rooms[index(b)].height;
+    });
+    std::map<int, std::vector<int>> by_name;
+    for (std::size_t i = 0; i < job.items.size(); ++i) {
+        const NestItem& item = job.items[i];
+        kinds.push_back(item.kind);
+        if (item.group >= 0) by_name[item.group].push_back(static_cast<int>(i));
+        Stand stand{0, -1, 0.0, 0.0};
+        if (item.locked) {
+            const auto& shapes = set.of_kind[index(item.kind)];
+            for (const int shape : shapes) {
+                if (set.shapes[index(shape)].angle != item.locked->angle) continue;
+                stand = {item.locked->sheet, shape, static_cast<double>(to_grid(item.locked->offset.x)),
+                         static_cast<double>(to_grid(item.locked->offset.y))};
+            }
+        }
+        locks.push_back(stand);
+    }
+    group_of.assign(job.items.size(), -1);
+    for (auto& [name, items] : by_name) {
+        if (items.size() < 2) continue;
+        for (const int item : items) group_of[index(item)] = static_cast<int>(groups.size());
+        groups.push_back(std::move(items));
+    }
+}
+
+bool NestTask::fits(int shape, int row) const {
+    const GridBox& box = set.shapes[index(shape)].bounds;
+    const Room& room = rooms[index(row)];
+    return static_cast<double>(box.width()) <= room.width && static_cast<double>(box.height()) <= room.height;
+}
+
+double Arrangement::length(const NestTask& task, int sheet) const {
+    double length = 0.0;
+    for (const Stand& stand : stands) {
+        if (stand.sheet != sheet) continue;
+        length =
+            std::max(length, stand.x + static_cast<double>(task.set.shapes[index(stand.shape)].bounds.x1));
+    }
+    return length;
+}
+
+bool Arrangement::better_than(const Arrangement& other, const NestTask& task) const {
+    if (rows.size() != other.rows.size()) return rows.size() < other.rows.size();
+    const int last = static_cast<int>(rows.size()) - 1;
+    return length(task, last) < other.length(task, last);
+}
+
+bool Arrangement::holds(const NestTask& task) const {
+    std::vector<ExactPlace> places;
+    places.reserve(stands.size());
+    for (const Stand& stand : stands) {
+        const GridPoint at{static_cast<GridLength>(stand.x), static_cast<GridLength>(stand.y)};
+        const GridBox& box = task.set.shapes[index(stand.shape)].bounds;
+        const NestStock& stock = task.job.stock[index(rows[index(stand.sheet)])];
+        if (box.x0 + at.x < 0 || box.y0 + at.y < 0 || box.x1 + at.x > to_grid(stock.width) ||
+            box.y1 + at.y > to_grid(stock.height)) {
+            return false;
+        }
+        places.push_back({stand.sheet, stand.shape, at});
+    }
+    return !task.exact.first_conflict(places, to_grid(task.job.spacing));
+}
+
+Freedom freedom_of(const NestTask& task, const std::vector<Stand>& stands) {
+    Freedom freedom;
+    for (std::size_t i = 0; i < stands.size(); ++i) {
+        const int item = static_cast<int>(i);
+        const int kind = task.kinds[i];
+        freedom.movable.push_back(task.is_locked(item) ? 0 : 1);
+        if (task.job.kinds[index(kind)].one_turn) {
+            freedom.shapes.push_back({stands[i].shape});
+        } else {
+            freedom.shapes.push_back(task.set.of_kind[index(kind)]);
+        }
+        freedom.sheets.emplace_back();
+        if (task.group_of[i] >= 0) freedom.sheets.back().push_back(stands[i].sheet);
+    }
+    return freedom;
+}
+
+}  // namespace popup

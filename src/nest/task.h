@@ -1,0 +1,52 @@
+// A nesting job made ready: what every part of the search looks at and none changes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nest/board.h"
+#include "nest/exact.h"
+#include "nest/separate.h"
+#include "popup/nest.h"
+
+namespace popup {
+
+struct NestTask {
+    explicit NestTask(const NestJob& job);
+
+    const NestJob& job;
+    ShapeSet set;
+    ExactShapes exact;
+    NoFitTable loose;                      // with room for rounding: what is apart in it is apart in truth
+    std::unique_ptr<NoFitTable> tight;     // without, where pieces may have to touch exactly; else null
+    std::vector<int> kinds;                // an item: its kind
+    std::vector<Room> rooms;               // a row of the stock: its size
+    std::vector<int> largest_first;        // rows of the stock by area
+    std::vector<std::vector<int>> groups;  // items that share a sheet; an item alone is in none
+    std::vector<int> group_of;             // an item: its group or -1
+    std::vector<Stand> locks;              // an item: where it is locked; shape -1: free
+
+    [[nodiscard]] NoFitTable& first_table() { return tight ? *tight : loose; }
+    // Whether the shape fits on a sheet of this row.
+    [[nodiscard]] bool fits(int shape, int row) const;
+    [[nodiscard]] bool is_locked(int item) const { return locks[static_cast<std::size_t>(item)].shape >= 0; }
+};
+
+// A layout as the search passes it on. The last sheet is the one that is kept short.
+struct Arrangement {
+    std::vector<Stand> stands;  // of each item
+    std::vector<int> rows;      // of each sheet, its row of the stock
+
+    // How far the pieces of a sheet reach, in steps.
+    [[nodiscard]] double length(const NestTask& task, int sheet) const;
+    // Fewer sheets are better, then a shorter last one.
+    [[nodiscard]] bool better_than(const Arrangement& other, const NestTask& task) const;
+    // Whether nothing overlaps and everything is in place, in integers.
+    [[nodiscard]] bool holds(const NestTask& task) const;
+};
+
+// The freedom of a search: locked items stay, items of a group stay on the sheets they are on, and items of a
+// kind that has one turn keep the shape they have.
+Freedom freedom_of(const NestTask& task, const std::vector<Stand>& stands);
+
+}  // namespace popup
