@@ -8,6 +8,8 @@ namespace {
 
 // Of the ends of chords on a line so many are looked at: those that the least weight covers.
 constexpr std::size_t kMostEnds = 24;
+// What it costs to put a chord in order, in looks.
+constexpr double kSorting = 6.0;
 // What it costs to make a no-fit part and look at it, in looks.
 constexpr double kMaking = 8.0;
 // Of more items the weights of all pairs would not be worth their memory.
@@ -25,7 +27,12 @@ Board::Board(const ShapeSet& set, NoFitTable& table, const std::vector<int>& kin
       stands_(kinds.size()),
       slots_(kinds.size(), -1),
       on_sheet_(rooms_.size()),
-      weights_(kinds.size() <= kMostWeighed ? kinds.size() * kinds.size() : kinds.size(), 1.0F) {}
+      weights_(kinds.size() <= kMostWeighed ? kinds.size() * kinds.size() : kinds.size(), 1.0F) {
+    for (const TurnedShape& shape : set.shapes) {
+        reaches_.push_back({static_cast<double>(shape.reach.x0), static_cast<double>(shape.reach.y0),
+                            static_cast<double>(shape.reach.x1), static_cast<double>(shape.reach.y1)});
+    }
+}
 
 void Board::put(int item, const Stand& stand) {
     take(item);
@@ -129,18 +136,18 @@ const NoFit& Board::no_fit(int a, int b) {
 
 double Board::cost(int item, const Stand& stand, double bound) {
     double sum = 0.0;
-    const GridBox& reach = set_.shapes[index(stand.shape)].reach;
-    const double x0 = stand.x + static_cast<double>(reach.x0);
-    const double x1 = stand.x + static_cast<double>(reach.x1);
-    const double y0 = stand.y + static_cast<double>(reach.y0);
-    const double y1 = stand.y + static_cast<double>(reach.y1);
+    const Reach& reach = reaches_[index(stand.shape)];
+    const double x0 = stand.x + reach.x0;
+    const double x1 = stand.x + reach.x1;
+    const double y0 = stand.y + reach.y0;
+    const double y1 = stand.y + reach.y1;
     const float* weights = weights_of(item);
     for (const int other : on_sheet_[index(stand.sheet)]) {
         if (other == item) continue;
         const Stand& there = stands_[index(other)];
-        const GridBox& box = set_.shapes[index(there.shape)].reach;
-        if (x0 >= there.x + static_cast<double>(box.x1) || x1 <= there.x + static_cast<double>(box.x0) ||
-            y0 >= there.y + static_cast<double>(box.y1) || y1 <= there.y + static_cast<double>(box.y0)) {
+        const Reach& box = reaches_[index(there.shape)];
+        if (x0 >= there.x + box.x1 || x1 <= there.x + box.x0 || y0 >= there.y + box.y1 ||
+            y1 <= there.y + box.y0) {
             continue;
         }
         const NoFit& fit = no_fit(stand.shape, there.shape);
@@ -172,6 +179,16 @@ double Board::depth_on(const Chord& chord, double t) const {
 
 // The ends of chords within the range, and those of the range: of many the ones that are covered least.
 void Board::find_ends(double low, double high) {
+    if (2 * chords_.size() + 2 <= kMostEnds) {
+        ends_.clear();
+        ends_.push_back({low, 0.0});
+        ends_.push_back({high, 0.0});
+        for (const Chord& chord : chords_) {
+            if (chord.from > low) ends_.push_back({std::round(chord.from), 0.0});
+            if (chord.to < high) ends_.push_back({std::round(chord.to), 0.0});
+        }
+        return;
+    }
     events_.clear();
     for (const Chord& chord : chords_) {
         events_.push_back({chord.from, chord.weight});
@@ -206,29 +223,29 @@ void Board::find_ends(double low, double high) {
     }
 }
 
-double Board::best_on_line(int item, Stand& stand, Along along, double low, double high, Among among) {
-    const bool level = along == Along::x;
-    const GridBox& reach = set_.shapes[index(stand.shape)].reach;
+// The chords of the line's stretch from `low` to `high` in the no-fit parts of all others on the sheet.
+template <bool level>
+void Board::gather_chords(int item, const Stand& stand, double low, double high) {
+    const Reach& reach = reaches_[index(stand.shape)];
     const double fixed = level ? stand.y : stand.x;
-    const double own = level ? stand.x : stand.y;
     // What the item sweeps, across the line and along it.
-    const double across0 = fixed + static_cast<double>(level ? reach.y0 : reach.x0);
-    const double across1 = fixed + static_cast<double>(level ? reach.y1 : reach.x1);
-    const double along0 = low + static_cast<double>(level ? reach.x0 : reach.y0);
-    const double along1 = high + static_cast<double>(level ? reach.x1 : reach.y1);
+    const double across0 = fixed + (level ? reach.y0 : reach.x0);
+    const double across1 = fixed + (level ? reach.y1 : reach.x1);
+    const double along0 = low + (level ? reach.x0 : reach.y0);
+    const double along1 = high + (level ? reach.x1 : reach.y1);
     const float* weights = weights_of(item);
     chords_.clear();
     slopes_.clear();
     for (const int other : on_sheet_[index(stand.sheet)]) {
         if (other == item) continue;
         const Stand& there = stands_[index(other)];
-        const GridBox& box = set_.shapes[index(there.shape)].reach;
+        const Reach& box = reaches_[index(there.shape)];
         const double there_across = level ? there.y : there.x;
         const double there_along = level ? there.x : there.y;
-        if (across0 >= there_across + static_cast<double>(level ? box.y1 : box.x1) ||
-            across1 <= there_across + static_cast<double>(level ? box.y0 : box.x0) ||
-            along0 >= there_along + static_cast<double>(level ? box.x1 : box.y1) ||
-            along1 <= there_along + static_cast<double>(level ? box.x0 : box.y0)) {
+        if (across0 >= there_across + (level ? box.y1 : box.x1) ||
+            across1 <= there_across + (level ? box.y0 : box.x0) ||
+            along0 >= there_along + (level ? box.x1 : box.y1) ||
+            along1 <= there_along + (level ? box.x0 : box.y0)) {
             continue;
         }
         const NoFit& fit = no_fit(stand.shape, there.shape);
@@ -238,9 +255,8 @@ double Board::best_on_line(int item, Stand& stand, Along along, double low, doub
             double from = -HUGE_VAL;
             double to = HUGE_VAL;
             const auto first = static_cast<std::uint32_t>(slopes_.size());
-            bool meets = true;
             const HalfPlane* plane = fit.planes.data() + part.first;
-            for (const HalfPlane* end = plane + part.count; plane != end; ++plane) {
+            for (const HalfPlane* end = plane + part.count; plane != end && from < to; ++plane) {
                 const double rate = level ? plane->nx : plane->ny;
                 const double value = plane->c - (level ? plane->ny : plane->nx) * rest + rate * there_along;
                 if (rate > 0.0) {
@@ -248,16 +264,11 @@ double Board::best_on_line(int item, Stand& stand, Along along, double low, doub
                 } else if (rate < 0.0) {
                     from = std::max(from, value / rate);
                 } else if (value <= kTouch) {
-                    meets = false;
-                    break;
-                }
-                if (from >= to) {
-                    meets = false;
-                    break;
+                    to = from;
                 }
                 slopes_.push_back({value, rate});
             }
-            if (!meets || to <= low || from >= high) {
+            if (from >= to || to <= low || from >= high) {
                 slopes_.resize(first);
                 continue;
             }
@@ -265,61 +276,63 @@ double Board::best_on_line(int item, Stand& stand, Along along, double low, doub
                                static_cast<std::uint32_t>(slopes_.size()) - first});
         }
     }
-    double& moving = level ? stand.x : stand.y;
-    if (chords_.empty()) {
-        moving = among == Among::first ? low : std::max(low, std::min(high, own));
-        return 0.0;
-    }
-    work += 6.0 * static_cast<double>(chords_.size());
+    work += kSorting * static_cast<double>(chords_.size());
     std::sort(chords_.begin(), chords_.end(), [](const Chord& a, const Chord& b) { return a.from < b.from; });
-    // Gaps that no chord covers cost nothing.
-    double best = HUGE_VAL;
-    double best_at = low;
-    const auto offer = [&](double t, double value) {
-        const bool better = value < best || (value == best && std::abs(t - own) < std::abs(best_at - own));
-        if (better) {
-            best = value;
-            best_at = t;
-        }
-    };
+}
+
+// The place that no chord covers: the first, or that nearest to `own`.
+std::optional<double> Board::find_gap(double low, double high, double own, Among among) const {
+    std::optional<double> best;
     // Rounded to the grid, an end may be inside by half a step, which is touching.
-    double covered = low;
-    bool gap = false;
-    const auto offer_gap = [&](double from, double to) {
+    const auto offer = [&](double from, double to) {
         const double start = std::max(low, std::round(from));
-        const double end = std::min(high, std::max(start, std::round(to)));
         if (start > high) return;
-        offer(among == Among::first ? start : std::max(start, std::min(end, own)), 0.0);
-        gap = true;
+        const double end = std::min(high, std::max(start, std::round(to)));
+        const double at = among == Among::first ? start : std::max(start, std::min(end, own));
+        if (!best || std::abs(at - own) < std::abs(*best - own)) best = at;
     };
+    double covered = low;
     for (const Chord& chord : chords_) {
         if (chord.from >= covered - 0.5) {
-            offer_gap(covered, chord.from);
-            if (among == Among::first) break;
+            offer(covered, chord.from);
+            if (best && among == Among::first) return best;
         }
         covered = std::max(covered, chord.to);
     }
-    if (covered <= high + 0.5 && !(gap && among == Among::first)) offer_gap(covered, high);
-    if (gap) {
-        moving = best_at;
+    if (covered <= high + 0.5) offer(covered, high);
+    return best;
+}
+
+double Board::best_on_line(int item, Stand& stand, Along along, double low, double high, Among among) {
+    const bool level = along == Along::x;
+    if (level) {
+        gather_chords<true>(item, stand, low, high);
+    } else {
+        gather_chords<false>(item, stand, low, high);
+    }
+    double& moving = level ? stand.x : stand.y;
+    const double own = moving;
+    if (const auto gap = find_gap(low, high, own, among)) {
+        moving = *gap;
         return 0.0;
     }
     find_ends(low, high);
+    double best = HUGE_VAL;
+    double looked = 0.0;
     for (const End& end : ends_) {
         double sum = 0.0;
-        std::size_t looked = 0;
         for (const Chord& chord : chords_) {
-            if (chord.from >= end.at) break;
-            ++looked;
+            if (chord.from >= end.at || sum > best) break;
+            looked += 1.0;
             if (chord.to <= end.at) continue;
             const double depth = depth_on(chord, end.at);
             if (depth > kTouch) sum += chord.weight * depth;
-            if (sum > best) break;
         }
-        work += static_cast<double>(looked);
-        if (sum <= best) offer(end.at, sum);
+        if (sum > best || (sum == best && std::abs(end.at - own) >= std::abs(moving - own))) continue;
+        best = sum;
+        moving = end.at;
     }
-    moving = best_at;
+    work += looked;
     return best;
 }
 

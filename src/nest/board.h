@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
+#include <optional>
 #include <vector>
 
 #include "nest/no_fit.h"
@@ -114,12 +114,20 @@ class Board {
         int a = -1, b = -1;
         NoFit fit;
     };
+    // The box of a shape's parts, as doubles.
+    struct Reach {
+        double x0, y0, x1, y1;
+    };
+    template <bool level>
+    void gather_chords(int item, const Stand& stand, double low, double high);
+    [[nodiscard]] std::optional<double> find_gap(double low, double high, double own, Among among) const;
     void find_ends(double low, double high);
     [[nodiscard]] double depth_on(const Chord& chord, double t) const;
 
     const ShapeSet& set_;
     NoFitTable* table_;
     std::vector<int> kinds_;
+    std::vector<Reach> reaches_;  // of each shape
     std::vector<Room> rooms_;
     std::vector<Stand> stands_;
     std::vector<int> slots_;  // where the item is in its sheet's list; -1: not placed

@@ -347,7 +347,10 @@ void Lane::disturb() {
     const int large =
         std::max(2, static_cast<int>(std::ceil(kLargeShare * static_cast<double>(by_size_.size()))));
     const int a = by_size_[index(dice_.below(large))];
-    const int b = by_size_[index(dice_.below(large))];
+    // Two of a kind would be as before.
+    int b = a;
+    for (int i = 0; i < 8 && task_.kinds[index(a)] == task_.kinds[index(b)]; ++i)
+        b = by_size_[index(dice_.below(large))];
     if (a == b) return;
     const int sheet_a = board_.at(a).sheet;
     const int sheet_b = board_.at(b).sheet;

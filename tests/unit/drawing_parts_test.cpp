@@ -403,13 +403,14 @@ TEST(PartPattern, PiecesHaveCutsFromTheInsideOutAndTheirNames) {
 // Every sample, compiled to sheets and read back: the same pieces, with the same paper, folds, cuts, colours
 // and texts.
 TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
+    const CompileOptions options;
     int seen = 0;
     for (const auto& entry : fs::directory_iterator(kSamples)) {
         if (entry.path().extension() != ".xml") continue;
         ++seen;
         SCOPED_TRACE(entry.path().filename().string());
         const Compilation run =
-            compile({Source{entry.path().filename(), test::read_file(entry.path())}}, {}, {});
+            compile({Source{entry.path().filename(), test::read_file(entry.path())}}, options, {});
         ASSERT_TRUE(run.layout);
         std::map<std::string, const PatternPiece*> pieces;
         for (const PatternPiece& piece : run.designs[0].pattern->pieces) pieces[piece.name] = &piece;
