@@ -108,32 +108,50 @@ class Coarsener {
  public:
     Coarsener(std::vector<GridRing>& rings, double furthest) : rings_(rings), furthest_(furthest) {}
 
+    // A step is looked at again only when the corners that make it have changed, and once more before it is
+    // taken: an area that was empty may have got a corner.
     void run(double budget) {
+        for (std::size_t r = 0; r < rings_.size(); ++r) {
+            std::vector<Step>& own = steps_.emplace_back();
+            for (std::size_t i = 0; i < rings_[r].size(); ++i) own.push_back(best_at(r, i));
+        }
         for (;;) {
-            Step best;
-            for (std::size_t r = 0; r < rings_.size(); ++r) {
-                for (std::size_t i = 0; i < rings_[r].size(); ++i) {
-                    consider(best, notch(r, i));
-                    consider(best, short_edge(r, i));
+            Step* best = nullptr;
+            std::size_t ring = 0;
+            std::size_t at = 0;
+            for (std::size_t r = 0; r < steps_.size(); ++r) {
+                for (std::size_t i = 0; i < steps_[r].size(); ++i) {
+                    Step& step = steps_[r][i];
+                    if (!step.possible || (best != nullptr && step.added >= best->added)) continue;
+                    best = &step;
+                    ring = r;
+                    at = i;
                 }
             }
-            if (best.ring < 0 || best.added > budget) return;
-            budget -= best.added;
-            apply(best);
+            if (best == nullptr || best->added > budget) return;
+            const Step now = best_at(ring, at);
+            if (!now.possible || now.added > best->added) {
+                *best = now;
+                continue;
+            }
+            budget -= now.added;
+            apply(now, ring, at);
         }
     }
 
  private:
     struct Step {
-        int ring = -1;
-        std::size_t at = 0;
-        bool edge = false;  // a corner instead of the edge that begins at `at`; else the corner is dropped
+        bool possible = false;
+        bool edge = false;  // a corner instead of the edge that begins here; else this corner is dropped
         GridPoint corner;
         double added = 0.0;
     };
 
-    static void consider(Step& best, const Step& step) {
-        if (step.ring >= 0 && (best.ring < 0 || step.added < best.added)) best = step;
+    [[nodiscard]] Step best_at(std::size_t r, std::size_t i) const {
+        const Step drop = notch(r, i);
+        const Step meet = short_edge(r, i);
+        if (!drop.possible) return meet;
+        return meet.possible && meet.added < drop.added ? meet : drop;
     }
 
     [[nodiscard]] GridPoint at(std::size_t ring, std::size_t i) const {
@@ -160,7 +178,7 @@ class Coarsener {
         const double twice = -static_cast<double>(cross(b - a, c - b));
         if (twice < 0.0) return {};
         if (twice > 0.0 && !is_empty(a, c, b)) return {};
-        return {static_cast<int>(r), i, false, {}, 0.5 * twice};
+        return {true, false, {}, 0.5 * twice};
     }
 
     [[nodiscard]] Step short_edge(std::size_t r, std::size_t i) const {
@@ -180,19 +198,26 @@ class Coarsener {
         if (twice < 0.0 || twice * twice > furthest_ * furthest_ * squared(c - b)) return {};
         if (squared(corner - b) > 16.0 * furthest_ * furthest_) return {};
         if (!is_empty(b, corner, c)) return {};
-        return {static_cast<int>(r), i, true, corner, 0.5 * twice};
+        return {true, true, corner, 0.5 * twice};
     }
 
-    void apply(const Step& step) {
-        GridRing& ring = rings_[static_cast<std::size_t>(step.ring)];
-        if (step.edge) {
-            ring[step.at] = step.corner;
-            ring.erase(ring.begin() + static_cast<std::ptrdiff_t>((step.at + 1) % ring.size()));
-        } else {
-            ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(step.at));
+    void apply(const Step& step, std::size_t r, std::size_t i) {
+        GridRing& ring = rings_[r];
+        std::vector<Step>& own = steps_[r];
+        const std::size_t gone = step.edge ? (i + 1) % ring.size() : i;
+        if (step.edge) ring[i] = step.corner;
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(gone));
+        own.erase(own.begin() + static_cast<std::ptrdiff_t>(gone));
+        // Steps see up to two corners ahead and one behind.
+        const std::size_t n = ring.size();
+        const std::size_t middle = (gone <= i ? i + n - 1 : i) % n;
+        for (std::size_t k = 0; k < std::min<std::size_t>(n, 7); ++k) {
+            const std::size_t at = (middle + n - 3 % n + k) % n;
+            own[at] = best_at(r, at);
         }
     }
 
+    std::vector<std::vector<Step>> steps_;  // a ring: at each of its corners the cheapest
     std::vector<GridRing>& rings_;
     double furthest_;
 };

@@ -187,9 +187,10 @@ ShapeSet make_shapes(const NestJob& job) {
                 const double size =
                     static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
                 const GridRegion rough = coarser(region, 0.5 * kMostGain * twice, kFurthest * size);
-                std::vector<GridRing> fewer = convex_parts(rough);
-                if (fewer.size() < parts.size()) {
-                    parts = std::move(fewer);
+                // What grew over itself cannot be taken apart, and is not taken.
+                auto fewer = partition({rough});
+                if (fewer && fewer->size() < parts.size()) {
+                    parts = std::move(*fewer);
                     set.exact = false;
                 }
             }
