@@ -88,6 +88,7 @@ struct NestRefusal {
         too_large,        // these items fit on no sheet of the stock in any allowed turn
         lock_outside,     // these locked items do not lie on their sheet
         lock_overlap,     // these two locked items are closer to each other than the spacing
+        lock_apart,       // these two are locked on two sheets, or in two turns, and must share one
         stock_used_up,    // these items found no place on the sheets there are
         group_too_large,  // the items of this group found no place on one sheet together
     };

@@ -20,7 +20,6 @@ constexpr double kRangeMm = 1e9;
 constexpr double kArcMm = 0.01;
 // The cosecant of half the sharpest angle that keeps its corner.
 constexpr double kMitreLimit = 4.0;
-constexpr double kBluntLimit = 2.0;
 // How far off an edge a line still counts as lying on it.
 constexpr double kOnEdgeMm = 2.0 * kGridMm;
 
@@ -192,9 +191,8 @@ std::vector<Polygon> offset(const std::vector<Polygon>& regions, double delta, C
     // One outline first: overlapping rings would each be offset on their own.
     const Paths united = run(ClipperLib::ctUnion, regions, {});
     if (united.empty()) return {};
-    ClipperLib::ClipperOffset offsetter(corners == Corners::blunt ? kBluntLimit : kMitreLimit,
-                                        kArcMm * kPerMm);
-    offsetter.AddPaths(united, corners == Corners::rounded ? ClipperLib::jtRound : ClipperLib::jtMiter,
+    ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcMm * kPerMm);
+    offsetter.AddPaths(united, corners == Corners::sharp ? ClipperLib::jtMiter : ClipperLib::jtRound,
                        ClipperLib::etClosedPolygon);
     Paths result;
     offsetter.Execute(result, delta * kPerMm);

@@ -31,7 +31,6 @@ std::vector<Polygon> filled(const std::vector<Ring>& rings, FillRule rule);
 
 enum class Corners {
     sharp,    // mitred; corners sharper than about 29° are cut off square at the distance of the offset
-    blunt,    // mitred at corners of 60° and more, the others cut off square: never inside of `rounded`
     rounded,  // arcs as polygons that stray from the circle by at most 0.01 mm, inwards
 };
 // The points within `delta` mm of the regions, or for a negative delta those at least that far inside.

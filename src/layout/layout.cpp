@@ -60,15 +60,17 @@ class Layouter {
     std::optional<Layout> run() {
         if (!gather() || !choose_sheets() || !make_job()) return std::nullopt;
         const NestResult result = nest(job_, options_.nesting);
+        if (options_.nesting.stop != nullptr && options_.nesting.stop->load()) {
+            diagnostics_.remark("nest-stopped", {},
+                                result.plan
+                                    ? "the search was stopped; the best layout that it had found is taken"
+                                    : "the search was stopped before it had found a layout");
+        }
         if (result.refusal) {
             complain(*result.refusal);
             return std::nullopt;
         }
         take(*result.plan);
-        if (options_.nesting.stop != nullptr && options_.nesting.stop->load()) {
-            diagnostics_.remark("nest-stopped", {},
-                                "the search was stopped; the best layout that it had found is taken");
-        }
         return std::move(layout_);
     }
 
@@ -223,8 +225,9 @@ class Layouter {
                 return std::any_of(source.turns.begin(), source.turns.end(),
                                    [&](Angle turn) { return fits(source.hull, turn, area); });
             });
-            if (!fits_one) complain_of_size(source);
-            all_fit = all_fit && fits_one;
+            if (fits_one || all_locked(source)) continue;
+            complain_of_size(source);
+            all_fit = false;
         }
         const int designs = static_cast<int>(layout_.designs.size());
         for (int copy = 0; copy < options_.copies; ++copy) {
@@ -238,6 +241,13 @@ class Layouter {
         job_.spacing = options_.spacing.mm;
         job_.use_holes = options_.part_in_hole;
         return apply_rules() && all_fit;
+    }
+
+    [[nodiscard]] bool all_locked(const PieceSource& source) const {
+        const auto locks =
+            std::count_if(options_.rules.begin(), options_.rules.end(),
+                          [&](const PieceRule& rule) { return rule.lock && is_meant(rule, source); });
+        return locks >= options_.copies;
     }
 
     static void add_ring(std::vector<double>& key, const Ring& ring) {
@@ -257,7 +267,8 @@ class Layouter {
                 if (!is_meant(rule, sources_[i])) continue;
                 found = true;
                 if (rule.lock && rule.copy < options_.copies)
-                    lock(static_cast<std::size_t>(rule.copy) * sources_.size() + i, *rule.lock);
+                    good =
+                        lock(static_cast<std::size_t>(rule.copy) * sources_.size() + i, *rule.lock) && good;
             }
             if (!found) {
                 std::string known;
@@ -279,14 +290,20 @@ class Layouter {
         return good;
     }
 
-    void lock(std::size_t item, const PieceLock& lock) {
+    bool lock(std::size_t item, const PieceLock& lock) {
+        if (job_.items[item].locked) {
+            diagnostics_.error("lock-impossible", {},
+                               fmt::format("{} is locked twice", item_name(static_cast<int>(item))));
+            return false;
+        }
         job_.items[item].locked =
             NestSpot{lock.sheet, lock.offset - Vec2{options_.margin.mm, options_.margin.mm}, lock.angle};
         // A lock may ask for a turn that the search would not choose: then the piece is of a kind of its own.
         const NestKind& kind = job_.kinds[static_cast<std::size_t>(job_.items[item].kind)];
-        if (std::find(kind.turns.begin(), kind.turns.end(), lock.angle) != kind.turns.end()) return;
+        if (std::find(kind.turns.begin(), kind.turns.end(), lock.angle) != kind.turns.end()) return true;
         job_.kinds.push_back({kind.outline, {lock.angle}, false});
         job_.items[item].kind = static_cast<int>(job_.kinds.size()) - 1;
+        return true;
     }
 
     [[nodiscard]] std::string item_name(int item) const {
@@ -358,6 +375,15 @@ class Layouter {
                         fmt::format("locked where they are, {} would be closer than {:.2f} mm to each other",
                                     names, options_.spacing.mm))
                     .hint("lock one of them elsewhere, or leave it free");
+                return;
+            case NestRefusal::Reason::lock_apart:
+                diagnostics_
+                    .error("lock-impossible", {},
+                           fmt::format("{} are locked on two sheets or in two turns, and have to share one",
+                                       names))
+                    .hint(
+                        "--group keeps the pieces of a design on one sheet, --grain either turns identical "
+                        "pieces alike; lock them so, or leave one of them free");
                 return;
             case NestRefusal::Reason::stock_used_up:
                 diagnostics_

@@ -316,6 +316,7 @@ double Board::best_on_line(int item, Stand& stand, Along along, double low, doub
         moving = *gap;
         return 0.0;
     }
+    if (among == Among::first) return HUGE_VAL;
     find_ends(low, high);
     double best = HUGE_VAL;
     double looked = 0.0;

@@ -66,7 +66,8 @@ class Board {
     double overlap(int a, int b);
 
     // The best place on the level (or upright) line through `stand`, between `low` and `high`: the one of
-    // least weighted overlap, and among those without any, the nearest to the stand, or the first.
+    // least weighted overlap, and among those without any, the nearest to the stand, or the first. Who wants
+    // the first wants none with overlap: then HUGE_VAL, and the stand as it was.
     // Moves the stand there and returns the cost. Along a line the sum is concave between the ends of the
     // chords, so that its least value is at such an end. A place without overlap is always found; of other
     // ends only those that are covered least are looked at.

@@ -93,8 +93,7 @@ Construction construct(NestTask& task, Dice& dice, int lines, double shake) {
         if (!task.is_locked(item)) continue;
         const Stand& stand = task.locks[index(item)];
         while (static_cast<int>(rows.size()) <= stand.sheet) {
-            const auto row = std::find_if(task.largest_first.begin(), task.largest_first.end(), available);
-            open(row == task.largest_first.end() ? task.largest_first.front() : *row);
+            open(task.locked_rows[rows.size()]);
         }
         board.put(item, stand);
         free[index(stand.sheet)] -= area_of(item);
@@ -162,6 +161,7 @@ Construction construct(NestTask& task, Dice& dice, int lines, double shake) {
                 if (!available(row) || !takes(row)) continue;
                 open(row);
                 sheet = static_cast<int>(rows.size()) - 1;
+                if (result.left_out.size() == lot.items.size()) result.alone = true;
                 break;
             }
         }
@@ -233,6 +233,7 @@ Construction construct(NestTask& task, Dice& dice, int lines, double shake) {
         throw_in(lot, bound);
     }
     result.arrangement.stands = board.stands();
+    result.work = board.work;
     return result;
 }
 

@@ -10,6 +10,8 @@ namespace popup {
 struct Construction {
     Arrangement arrangement;
     std::vector<int> left_out;  // items for which there was no place: they lie over others
+    double work = 0.0;          // what it took, in units
+    bool alone = false;         // the first of them, a group, had a sheet of its own
     bool hopeless = false;      // for some of them there is no sheet that takes them: they have no stand
 };
 

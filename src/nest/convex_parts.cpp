@@ -36,6 +36,22 @@ void drop_straight_corners(GridRing& ring) {
     ring = std::move(kept);
 }
 
+// Counter-clockwise, without corners in the middle of an edge. Exact.
+GridRing hull_of(std::vector<GridPoint> points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    GridRing hull;
+    const auto add = [&hull](GridPoint p, std::size_t least) {
+        while (hull.size() >= least && side(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+        hull.push_back(p);
+    };
+    for (const GridPoint p : points) add(p, 2);
+    const std::size_t upper = hull.size() + 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], upper);
+    hull.pop_back();
+    return hull;
+}
+
 // Joins parts of a partition: each part a ring, neighbours found by their common edges.
 class Joiner {
  public:
@@ -241,6 +257,40 @@ std::vector<GridRing> convex_parts(const GridRegion& region) {
         if (side(part[0], part[1], part[2]) > 0) parts.push_back(std::move(part));
     }
     return Joiner(std::move(parts)).run();
+}
+
+GridRing widened(const GridRing& part, GridLength by) {
+    if (by == 0) return part;
+    const std::size_t n = part.size();
+    const auto normal = [&](std::size_t i) {
+        const GridPoint along = part[(i + 1) % n] - part[i % n];
+        const double length = std::sqrt(squared(along));
+        return Vec2{static_cast<double>(along.y) / length, -static_cast<double>(along.x) / length};
+    };
+    const auto reach = static_cast<double>(by);
+    std::vector<GridPoint> points;
+    for (std::size_t i = 0; i < n; ++i) {
+        const GridPoint corner = part[i];
+        const Vec2 before = normal(i + n - 1);
+        const Vec2 after = normal(i);
+        // Where the lines at the distance `by` meet whose normals are a and b.
+        const auto meet = [&](Vec2 a, Vec2 b) {
+            const Vec2 way = (reach / (1.0 + dot(a, b))) * (a + b);
+            points.push_back({corner.x + std::llround(way.x), corner.y + std::llround(way.y)});
+        };
+        // Corners of a right angle keep their corner.
+        constexpr double kKept = -1e-9;
+        if (dot(before, after) >= kKept) {
+            meet(before, after);
+            continue;
+        }
+        // The middle direction; of a spike the way it points.
+        const Vec2 sum = before + after;
+        const Vec2 way = length(sum) > 1e-6 ? unit(sum) : left_of(before);
+        meet(before, way);
+        meet(way, after);
+    }
+    return hull_of(std::move(points));
 }
 
 GridRegion coarser(const GridRegion& region, double most_added, double furthest) {

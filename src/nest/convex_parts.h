@@ -18,6 +18,10 @@ struct GridRegion {
 // region has no area. Cost: that of the triangulation, and n log n.
 std::vector<GridRing> convex_parts(const GridRegion& region);
 
+// The points within `by` ≥ 0 steps of a convex ring, and a little more at sharp corners, which are cut off
+// square; a convex ring again. Level and upright edges move by exactly `by`, others to within a step.
+GridRing widened(const GridRing& part, GridLength by);
+
 // The region with corners taken away so that it only grows: notches filled, and short edges replaced by the
 // corner in which their neighbours meet, the least area first, until `most_added` (in steps squared) would be
 // exceeded. No new corner lies further than `furthest` steps from an old edge. New corners are rounded to the

@@ -39,7 +39,7 @@ class Batches {
         const std::size_t total = job_.items.size();
         while (next < total || !items.empty()) {
             const std::size_t carried = items.size();
-            while (next < total && (items.size() < carried + kBatch || shares_group(next)))
+            while (next < total && (items.size() < carried + std::max(kBatch, carried) || shares_group(next)))
                 items.push_back(static_cast<int>(next++));
             const bool is_final = next == total;
             NestEffort effort = effort_;
@@ -49,7 +49,7 @@ class Batches {
             if (effort_.progress) {
                 effort.progress = [&](const NestProgress& progress) { tell(progress, next, items.size()); };
             }
-            const double share = static_cast<double>(items.size()) / static_cast<double>(total);
+            const double share = static_cast<double>(items.size() - carried) / static_cast<double>(total);
             NestResult result =
                 search(part(items), effort, effort_.work * counted(total) * std::min(1.0, share));
             if (result.refusal) {

@@ -20,6 +20,8 @@ constexpr int kLanes = 4;
 // compresses.
 constexpr double kFewerShare = 0.6;
 constexpr double kShorterShare = 0.8;
+// The share of the effort beyond which no further first layout is made.
+constexpr double kBuildShare = 0.1;
 // How often in a stage the lanes are compared.
 constexpr double kMeetings = 24.0;
 constexpr double kLeastSlice = 2e4;
@@ -50,6 +52,9 @@ class Nester {
         emptiest_last();
         stage(Aim::shorter, kShorterShare);
         stage(Aim::compress, 1.0);
+        work_ = total_;
+        finished_ = true;
+        tell();
         POPUP_INVARIANT(best_.holds(task_));
         return {plan(), {}};
     }
@@ -72,8 +77,9 @@ class Nester {
             if (!fits) large.items.push_back(item);
             if (!job_.items[index(item)].locked) continue;
             const Stand& lock = task_.locks[index(item)];
-            const int row = row_of_locked_sheet(lock.sheet);
-            if (lock.shape < 0 || row < 0 || !lies_in(lock, row)) {
+            const bool known = lock.shape >= 0 && index(lock.sheet) < task_.locked_rows.size();
+            const int row = known ? task_.locked_rows[index(lock.sheet)] : -1;
+            if (row < 0 || !task_.lies_in(lock, row)) {
                 outside.items.push_back(item);
                 continue;
             }
@@ -83,6 +89,30 @@ class Nester {
         }
         if (!large.items.empty()) return large;
         if (!outside.items.empty()) return outside;
+        for (const int a : numbers) {
+            for (const int b : numbers) {
+                if (a >= b) break;
+                const int group = task_.group_of[index(a)];
+                const int kind = task_.kinds[index(a)];
+                const Stand& one = task_.locks[index(a)];
+                const Stand& other = task_.locks[index(b)];
+                const bool torn = group >= 0 && group == task_.group_of[index(b)] && one.sheet != other.sheet;
+                const bool twisted = kind == task_.kinds[index(b)] && job_.kinds[index(kind)].one_turn &&
+                                     one.shape != other.shape;
+                if (torn || twisted) return NestRefusal{NestRefusal::Reason::lock_apart, {b, a}};
+            }
+        }
+        // More area than there are sheets for.
+        double free = 0.0;
+        for (const NestStock& row : job_.stock)
+            free += row.count < 0 ? HUGE_VAL : row.count * row.width * row.height;
+        double area = 0.0;
+        NestRefusal used_up{NestRefusal::Reason::stock_used_up, {}};
+        for (int item = 0; item < static_cast<int>(job_.items.size()); ++item) {
+            area += task_.set.areas[index(task_.kinds[index(item)])];
+            if (area > free * (1.0 + 1e-9)) used_up.items.push_back(item);
+        }
+        if (!used_up.items.empty()) return used_up;
         if (const auto pair = task_.exact.first_conflict(locked, to_grid(job_.spacing))) {
             return NestRefusal{NestRefusal::Reason::lock_overlap,
                                {numbers[index(pair->first)], numbers[index(pair->second)]}};
@@ -90,33 +120,17 @@ class Nester {
         return std::nullopt;
     }
 
-    // The row of the stock that the sheet of this number is taken from: the largest first, as long as there
-    // are any.
-    [[nodiscard]] int row_of_locked_sheet(int sheet) const {
-        for (const int row : task_.largest_first) {
-            const int count = job_.stock[index(row)].count;
-            if (count < 0 || sheet < count) return row;
-            sheet -= count;
-        }
-        return -1;
-    }
-
-    [[nodiscard]] bool lies_in(const Stand& stand, int row) const {
-        const GridBox& box = task_.set.shapes[index(stand.shape)].bounds;
-        const Room& room = task_.rooms[index(row)];
-        return stand.x + static_cast<double>(box.x0) >= 0.0 && stand.y + static_cast<double>(box.y0) >= 0.0 &&
-               stand.x + static_cast<double>(box.x1) <= room.width &&
-               stand.y + static_cast<double>(box.y1) <= room.height;
-    }
-
     Refusal first_layout() {
-        // Many orders while that is cheap.
+        // Several orders while that is cheap.
         const int tries = job_.items.size() <= 200 ? kLanes : 1;
+        double built = 0.0;
         Construction best;
         for (int i = 0; i < tries; ++i) {
+            if (i > 0 && (stopped() || built > kBuildShare * total_ || spent() > kFewerShare)) break;
             const int lines =
                 std::max(kFewLines, kLines * 100 / std::max(100, static_cast<int>(job_.items.size())));
             Construction next = construct(task_, lanes_[index(i)]->dice(), lines, i == 0 ? 0.0 : kShake);
+            built += next.work;
             const bool better = i == 0 || next.left_out.size() < best.left_out.size() ||
                                 (next.left_out.size() == best.left_out.size() && !next.hopeless &&
                                  (best.hopeless || next.arrangement.better_than(best.arrangement, task_)));
@@ -129,13 +143,8 @@ class Nester {
             for (const auto& lane : lanes_) lane->begin(best_, Aim::fit);
             if (go_on(Aim::fit, kFewerShare)) return std::nullopt;
         }
-        // A group that a sheet of its own does not take is another matter than a stock that is used up.
-        const int group = job_.items[index(best.left_out.front())].group;
-        const bool together =
-            group >= 0 && std::all_of(best.left_out.begin(), best.left_out.end(),
-                                      [&](int item) { return job_.items[index(item)].group == group; });
         return NestRefusal{
-            together ? NestRefusal::Reason::group_too_large : NestRefusal::Reason::stock_used_up,
+            best.alone ? NestRefusal::Reason::group_too_large : NestRefusal::Reason::stock_used_up,
             std::move(best.left_out)};
     }
 
@@ -241,32 +250,40 @@ class Nester {
             run_lanes(slice);
             work_ = 0.0;
             for (const auto& lane : lanes_) work_ += lane->work();
-            bool found = false;
-            for (const auto& lane : lanes_) {
-                const bool whole = aim == Aim::shorter || aim == Aim::compress || lane->done();
-                if (aim == Aim::fit ? lane->done() && !found
-                                    : whole && lane->best().better_than(best_, task_))
-                    best_ = lane->best();
-                found = found || lane->done();
-            }
+            const bool found = compare(aim);
             tell();
-            if (found) {
-                if (aim == Aim::fewer) return true;
-                if (aim == Aim::fit) return true;
-                // The shortest there can be.
-                const auto shortest = [&](const auto& lane) {
-                    return lane->done() && !best_.better_than(lane->best(), task_);
-                };
-                if (std::any_of(lanes_.begin(), lanes_.end(), shortest)) {
-                    finished_ = true;
-                    return true;
-                }
+            if (found && (aim == Aim::fit || aim == Aim::fewer)) return true;
+            // The shortest there can be.
+            const auto shortest = [&](const auto& lane) {
+                return lane->done() && !best_.better_than(lane->best(), task_);
+            };
+            if (found && std::any_of(lanes_.begin(), lanes_.end(), shortest)) {
+                finished_ = true;
+                return true;
             }
             if (aim == Aim::shorter || aim == Aim::compress) {
                 for (const auto& lane : lanes_) lane->begin(best_, aim);
             }
         }
         return false;
+    }
+
+    // Takes the best layout of the lanes, if it is proved. True when one of them is done.
+    bool compare(Aim aim) {
+        bool found = false;
+        for (const auto& lane : lanes_) {
+            if ((aim == Aim::fit || aim == Aim::fewer) && !lane->done()) continue;
+            const Arrangement& theirs = lane->best();
+            if (aim == Aim::fit ? !found : theirs.better_than(best_, task_)) {
+                if (!theirs.holds(task_)) {
+                    lane->begin(best_, aim);
+                    continue;
+                }
+                best_ = theirs;
+            }
+            found = found || lane->done();
+        }
+        return found;
     }
 
     void run_lanes(double slice) {

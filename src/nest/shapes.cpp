@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/regions.h"
 #include "nest/partition.h"
@@ -58,26 +59,46 @@ std::vector<GridRegion> without_holes(std::vector<GridRegion> regions) {
     return regions;
 }
 
-// What the search keeps apart by the spacing, and its exact parts: the outline, if they can be proved to make
-// it up.
-std::vector<GridRegion> provable(const TurnedShape& shape, bool use_holes, std::vector<GridRing>& parts) {
+double twice_area(const GridRing& ring) {
+    Wide sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
+    return static_cast<double>(sum);
+}
+
+// The outline as regions that can be proved to be made up of `parts`; nullopt when none were found.
+std::optional<std::vector<GridRegion>> provable(const TurnedShape& shape, bool use_holes,
+                                                std::vector<GridRing>& parts) {
     std::vector<GridRegion> regions = use_holes ? shape.outline : without_holes(shape.outline);
     if (regions.size() > 1) regions = regions_of(unite(polygons_of(regions)));
-    auto proved = partition(regions);
-    if (!proved) {
-        regions = regions_of(unite(polygons_of(regions)));
+    for (const bool again : {false, true}) {
+        if (again) regions = regions_of(unite(polygons_of(regions)));
         if (!use_holes) regions = without_holes(std::move(regions));
-        proved = partition(regions);
-    }
-    if (!proved) {
-        regions = regions_of(offset(polygons_of(regions), from_grid(kWidening), Corners::blunt));
-        proved.emplace();
-        for (const GridRegion& region : regions) {
-            for (GridRing& part : convex_parts(region)) proved->push_back(std::move(part));
+        if (auto proved = partition(regions)) {
+            parts = std::move(*proved);
+            return regions;
         }
     }
-    parts = std::move(*proved);
-    return regions;
+    return std::nullopt;
+}
+
+// The regions' parts for the search: few. False when they had to grow for that.
+bool rough_parts(const std::vector<GridRegion>& regions, double size, std::vector<GridRing>& result) {
+    bool same = true;
+    for (const GridRegion& region : regions) {
+        std::vector<GridRing> parts = convex_parts(region);
+        if (parts.size() > kFewParts) {
+            double twice = twice_area(region.outer);
+            for (const GridRing& hole : region.holes) twice += twice_area(hole);
+            // What grew over itself cannot be taken apart, and is not taken.
+            auto fewer = partition({coarser(region, 0.5 * kMostGain * twice, kFurthest * size)});
+            if (fewer && fewer->size() < parts.size()) {
+                parts = std::move(*fewer);
+                same = false;
+            }
+        }
+        result.insert(result.end(), parts.begin(), parts.end());
+    }
+    return same;
 }
 
 // The direction of (dx, dy) as a number from 0 to 4: exact for the four quarters, and in order between them.
@@ -103,12 +124,6 @@ std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
     std::stable_sort(edges.begin(), edges.end(),
                      [](const PartEdge& a, const PartEdge& b) { return a.direction < b.direction; });
     return edges;
-}
-
-double twice_area(const GridRing& ring) {
-    Wide sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
-    return static_cast<double>(sum);
 }
 
 }  // namespace
@@ -173,29 +188,21 @@ ShapeSet make_shapes(const NestJob& job) {
         }
     }
     for (TurnedShape& shape : set.shapes) {
-        std::vector<GridRegion> regions =
-            without_useless_holes(provable(shape, job.use_holes, shape.exact), set.shapes);
-        if (spacing > 0) {
-            regions = regions_of(offset(polygons_of(regions), from_grid((spacing + 1) / 2), Corners::blunt));
+        if (const auto proved = provable(shape, job.use_holes, shape.exact)) {
+            const double size = static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
+            if (!rough_parts(without_useless_holes(*proved, set.shapes), size, shape.parts))
+                set.exact = false;
+        } else {
+            std::vector<GridRegion> regions = regions_of(unite(polygons_of(shape.outline)));
             if (!job.use_holes) regions = without_holes(std::move(regions));
-        }
-        for (const GridRegion& region : regions) {
-            std::vector<GridRing> parts = convex_parts(region);
-            if (parts.size() > kFewParts) {
-                double twice = twice_area(region.outer);
-                for (const GridRing& hole : region.holes) twice += twice_area(hole);
-                const double size =
-                    static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
-                const GridRegion rough = coarser(region, 0.5 * kMostGain * twice, kFurthest * size);
-                // What grew over itself cannot be taken apart, and is not taken.
-                auto fewer = partition({rough});
-                if (fewer && fewer->size() < parts.size()) {
-                    parts = std::move(*fewer);
-                    set.exact = false;
-                }
+            for (const GridRegion& region : regions) {
+                for (const GridRing& part : convex_parts(region))
+                    shape.exact.push_back(widened(part, kWidening));
             }
-            shape.parts.insert(shape.parts.end(), parts.begin(), parts.end());
+            shape.parts = shape.exact;
+            set.exact = false;
         }
+        for (GridRing& part : shape.parts) part = widened(part, (spacing + 1) / 2);
         for (const GridRing& part : shape.parts) {
             for (const GridPoint p : part) shape.reach.extend(p);
             shape.edges.push_back({edges_of(part, 1.0), edges_of(part, -1.0)});

@@ -32,7 +32,7 @@ struct TurnedShape {
     // not be proved, those of the outline widened by some steps, more than rounding can have taken from it.
     std::vector<GridRing> exact;
     GridBox bounds;                // of the outline; what must lie on the sheet
-    std::vector<GridRing> parts;   // convex, covering the outline widened by half the spacing
+    std::vector<GridRing> parts;   // convex, covering the outline, each widened by half the spacing
     GridBox reach;                 // of the parts
     std::vector<PartEdges> edges;  // of each part
 };

@@ -39,12 +39,54 @@ NestTask::NestTask(const NestJob& the_job)
         }
         locks.push_back(stand);
     }
+    choose_locked_rows();
     group_of.assign(job.items.size(), -1);
     for (auto& [name, items] : by_name) {
         if (items.size() < 2) continue;
         for (const int item : items) group_of[index(item)] = static_cast<int>(groups.size());
         groups.push_back(std::move(items));
     }
+}
+
+void NestTask::choose_locked_rows() {
+    // Sheets further on than there are pieces are refused anyway.
+    int sheets = 0;
+    for (const Stand& lock : locks) {
+        if (lock.shape >= 0 && index(lock.sheet) < locks.size()) sheets = std::max(sheets, lock.sheet + 1);
+    }
+    std::vector<int> taken(rooms.size(), 0);
+    const auto available = [&](int row) {
+        const int count = job.stock[index(row)].count;
+        return count < 0 || taken[index(row)] < count;
+    };
+    locked_rows.assign(index(sheets), -1);
+    for (const bool with_locks : {true, false}) {
+        for (int sheet = 0; sheet < sheets; ++sheet) {
+            bool locked = false;
+            int& best = locked_rows[index(sheet)];
+            if (best >= 0) continue;
+            for (const int row : largest_first) {
+                bool takes = available(row);
+                for (const Stand& lock : locks) {
+                    if (lock.shape < 0 || lock.sheet != sheet) continue;
+                    locked = true;
+                    takes = takes && lies_in(lock, row);
+                }
+                // With locks the last that takes them is the smallest.
+                if (takes && (locked || best < 0)) best = row;
+            }
+            if (locked != with_locks) best = -1;
+            if (best >= 0) ++taken[index(best)];
+        }
+    }
+}
+
+bool NestTask::lies_in(const Stand& stand, int row) const {
+    const GridBox& box = set.shapes[index(stand.shape)].bounds;
+    const Room& room = rooms[index(row)];
+    return stand.x + static_cast<double>(box.x0) >= 0.0 && stand.y + static_cast<double>(box.y0) >= 0.0 &&
+           stand.x + static_cast<double>(box.x1) <= room.width &&
+           stand.y + static_cast<double>(box.y1) <= room.height;
 }
 
 bool NestTask::fits(int shape, int row) const {

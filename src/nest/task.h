@@ -25,10 +25,15 @@ struct NestTask {
     std::vector<std::vector<int>> groups;  // items that share a sheet; an item alone is in none
     std::vector<int> group_of;             // an item: its group or -1
     std::vector<Stand> locks;              // an item: where it is locked; shape -1: free
+    // The rows of the sheets up to the last that has a lock: the smallest in which its locks lie, of sheets
+    // without locks the largest there is; -1 where there is none.
+    std::vector<int> locked_rows;
 
+    void choose_locked_rows();
     [[nodiscard]] NoFitTable& first_table() { return tight ? *tight : loose; }
     // Whether the shape fits on a sheet of this row.
     [[nodiscard]] bool fits(int shape, int row) const;
+    [[nodiscard]] bool lies_in(const Stand& stand, int row) const;
     [[nodiscard]] bool is_locked(int item) const { return locks[static_cast<std::size_t>(item)].shape >= 0; }
 };
 
