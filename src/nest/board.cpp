@@ -7,7 +7,7 @@ namespace popup {
 namespace {
 
 // Of the ends of chords on a line so many are looked at: those that the least weight covers.
-constexpr std::size_t kMostEnds = 24;
+constexpr std::size_t kMostEnds = 96;
 // What it costs to put a chord in order, in looks.
 constexpr double kSorting = 6.0;
 // What it costs to make a no-fit part and look at it, in looks.

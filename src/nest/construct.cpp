@@ -69,172 +69,192 @@ bool place_on(NestTask& task, Board& board, int sheet, const std::vector<int>& i
     return true;
 }
 
-Construction construct(NestTask& task, Dice& dice, int lines, double shake) {
-    Construction result;
-    std::vector<int>& rows = result.arrangement.rows;
-    std::vector<int> taken(task.rooms.size(), 0);
-    std::vector<double> free;  // a sheet: area not covered yet
-    Board board(task.set, task.loose, task.kinds, {});
-    const auto open = [&](int row) {
-        rows.push_back(row);
-        ++taken[index(row)];
-        const Room& room = task.rooms[index(row)];
-        board.add_room(room);
-        free.push_back(room.width * room.height / (kGridSteps * kGridSteps));
-    };
-    const auto available = [&](int row) {
-        const int count = task.job.stock[index(row)].count;
-        return count < 0 || taken[index(row)] < count;
-    };
-    const auto area_of = [&](int item) { return task.set.areas[index(task.kinds[index(item)])]; };
+namespace {
 
-    std::vector<int> turn_of_kind(task.set.of_kind.size(), -1);
-    for (int item = 0; item < static_cast<int>(task.kinds.size()); ++item) {
-        if (!task.is_locked(item)) continue;
-        const Stand& stand = task.locks[index(item)];
-        while (static_cast<int>(rows.size()) <= stand.sheet) {
-            open(task.locked_rows[rows.size()]);
+class Constructor {
+ public:
+    Constructor(NestTask& task, Dice& dice, int lines)
+        : task_(task),
+          dice_(dice),
+          lines_(lines),
+          board_(task.set, task.loose, task.kinds, {}),
+          taken_(task.rooms.size(), 0),
+          turn_of_kind_(task.set.of_kind.size(), -1) {}
+
+    Construction run(double shake) {
+        place_locks();
+        for (const Lot& lot : lots(shake)) {
+            if (place(lot)) continue;
+            result_.left_out.insert(result_.left_out.end(), lot.items.begin(), lot.items.end());
+            throw_in(lot);
         }
-        board.put(item, stand);
-        free[index(stand.sheet)] -= area_of(item);
-        const int kind = task.kinds[index(item)];
-        if (task.job.kinds[index(kind)].one_turn) turn_of_kind[index(kind)] = stand.shape;
+        result_.arrangement.stands = board_.stands();
+        result_.work = board_.work;
+        return std::move(result_);
     }
 
-    // Groups are placed as one; an item alone is a group of one.
+ private:
+    // What is placed as one: the items of a group, largest first, or an item alone.
     struct Lot {
         std::vector<int> items;
-        double area = 0.0;
-        double key = 0.0;
+        double area = 0.0;  // mm²
+        double key = 0.0;   // what lots are ordered by
+        int bound = -1;     // the sheet on which locked items of the group lie; -1: any
     };
-    std::vector<Lot> lots;
-    const auto add_lot = [&](std::vector<int> items) {
-        Lot lot;
-        std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return area_of(a) > area_of(b); });
-        for (const int item : items) lot.area += area_of(item);
-        lot.key = lot.area * (1.0 + shake * (dice.unit() - 0.5));
-        lot.items = std::move(items);
-        lots.push_back(std::move(lot));
-    };
-    for (int item = 0; item < static_cast<int>(task.kinds.size()); ++item) {
-        if (!task.is_locked(item) && task.group_of[index(item)] < 0) add_lot({item});
+
+    std::vector<int>& rows() { return result_.arrangement.rows; }
+    [[nodiscard]] int sheets() const { return static_cast<int>(result_.arrangement.rows.size()); }
+    [[nodiscard]] double area_of(int item) const { return task_.set.areas[index(task_.kinds[index(item)])]; }
+    [[nodiscard]] bool available(int row) const {
+        const int count = task_.job.stock[index(row)].count;
+        return count < 0 || taken_[index(row)] < count;
     }
-    std::vector<int> bound_to;  // a lot: the sheet on which locked items of its group lie; -1: any
-    bound_to.assign(lots.size(), -1);
-    for (const std::vector<int>& group : task.groups) {
-        std::vector<int> items;
-        int sheet = -1;
-        for (const int item : group) {
-            if (task.is_locked(item)) {
-                sheet = task.locks[index(item)].sheet;
-            } else {
-                items.push_back(item);
-            }
+
+    int open(int row) {
+        rows().push_back(row);
+        ++taken_[index(row)];
+        const Room& room = task_.rooms[index(row)];
+        board_.add_room(room);
+        free_.push_back(room.width * room.height / (kGridSteps * kGridSteps));
+        return sheets() - 1;
+    }
+
+    void close_last() {
+        --taken_[index(rows().back())];
+        rows().pop_back();
+        free_.pop_back();
+        board_.drop_last_room();
+        std::erase_if(hopeless_, [&](const auto& known) { return known.first == sheets(); });
+    }
+
+    void settle_turn(int item, int shape) {
+        const int kind = task_.kinds[index(item)];
+        if (task_.job.kinds[index(kind)].one_turn) turn_of_kind_[index(kind)] = shape;
+    }
+
+    void place_locks() {
+        for (int item = 0; item < board_.items(); ++item) {
+            if (!task_.is_locked(item)) continue;
+            const Stand& stand = task_.locks[index(item)];
+            while (sheets() <= stand.sheet) open(task_.locked_rows[rows().size()]);
+            board_.put(item, stand);
+            free_[index(stand.sheet)] -= area_of(item);
+            settle_turn(item, stand.shape);
         }
-        if (items.empty()) continue;
-        add_lot(std::move(items));
-        bound_to.push_back(sheet);
     }
-    std::vector<int> order(lots.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return lots[index(a)].key > lots[index(b)].key; });
+
+    std::vector<Lot> lots(double shake) {
+        std::vector<Lot> all;
+        for (int item = 0; item < board_.items(); ++item) {
+            if (!task_.is_locked(item) && task_.group_of[index(item)] < 0) all.push_back({{item}});
+        }
+        for (const std::vector<int>& group : task_.groups) {
+            Lot lot;
+            for (const int item : group) {
+                if (task_.is_locked(item)) {
+                    lot.bound = task_.locks[index(item)].sheet;
+                } else {
+                    lot.items.push_back(item);
+                }
+            }
+            if (!lot.items.empty()) all.push_back(std::move(lot));
+        }
+        for (Lot& lot : all) {
+            std::stable_sort(lot.items.begin(), lot.items.end(),
+                             [&](int a, int b) { return area_of(a) > area_of(b); });
+            for (const int item : lot.items) lot.area += area_of(item);
+            lot.key = lot.area * (1.0 + shake * (dice_.unit() - 0.5));
+        }
+        std::stable_sort(all.begin(), all.end(), [](const Lot& a, const Lot& b) { return a.key > b.key; });
+        return all;
+    }
+
+    // A shape in which the item fits on a sheet of the row; -1: none.
+    [[nodiscard]] int fitting(int item, int row) const {
+        const int kind = task_.kinds[index(item)];
+        const int only = turn_of_kind_[index(kind)];
+        for (const int shape : task_.set.of_kind[index(kind)]) {
+            if ((only < 0 || only == shape) && task_.fits(shape, row)) return shape;
+        }
+        return -1;
+    }
+    [[nodiscard]] bool takes(int row, const Lot& lot) const {
+        return std::all_of(lot.items.begin(), lot.items.end(),
+                           [&](int item) { return fitting(item, row) >= 0; });
+    }
+
+    bool try_on(int sheet, const Lot& lot) {
+        if (lot.area > free_[index(sheet)] * (1.0 + 1e-9)) return false;
+        // A kind that found no place on a sheet will not find one when the sheet is fuller.
+        const bool single = lot.items.size() == 1;
+        const std::pair known{sheet, task_.kinds[index(lot.items.front())]};
+        if (single && hopeless_.contains(known)) return false;
+        if (!place_on(task_, board_, sheet, lot.items, dice_, lines_, turn_of_kind_)) {
+            if (single) hopeless_.insert(known);
+            return false;
+        }
+        free_[index(sheet)] -= lot.area;
+        return true;
+    }
+
+    // On the first sheet that has a place for it, else on a new one.
+    bool place(const Lot& lot) {
+        if (lot.bound >= 0) return try_on(lot.bound, lot);
+        for (int sheet = 0; sheet < sheets(); ++sheet) {
+            if (try_on(sheet, lot)) return true;
+        }
+        for (const int row : task_.largest_first) {
+            if (!available(row) || !takes(row, lot)) continue;
+            if (try_on(open(row), lot)) return true;
+            close_last();
+        }
+        return false;
+    }
 
     // What found no place lies somewhere, over others, for the search to take apart: on a new sheet if there
     // is one, else on any that is large enough.
-    const auto throw_in = [&](const Lot& lot, int bound) {
-        const auto fitting = [&](int item, int row) {
-            const int kind = task.kinds[index(item)];
-            for (const int shape : task.set.of_kind[index(kind)]) {
-                const int only = turn_of_kind[index(kind)];
-                if ((only < 0 || only == shape) && task.fits(shape, row)) return shape;
-            }
-            return -1;
-        };
-        const auto takes = [&](int row) {
-            return std::all_of(lot.items.begin(), lot.items.end(),
-                               [&](int item) { return fitting(item, row) >= 0; });
-        };
-        int sheet = bound;
+    void throw_in(const Lot& lot) {
+        int sheet = lot.bound;
+        for (const int row : task_.largest_first) {
+            if (sheet >= 0 || !available(row) || !takes(row, lot)) continue;
+            sheet = open(row);
+            if (result_.left_out.size() == lot.items.size()) result_.alone = true;
+        }
         if (sheet < 0) {
-            for (const int row : task.largest_first) {
-                if (!available(row) || !takes(row)) continue;
-                open(row);
-                sheet = static_cast<int>(rows.size()) - 1;
-                if (result.left_out.size() == lot.items.size()) result.alone = true;
-                break;
+            std::vector<int> large;
+            for (int s = 0; s < sheets(); ++s) {
+                if (takes(rows()[index(s)], lot)) large.push_back(s);
             }
+            if (!large.empty()) sheet = large[index(dice_.below(static_cast<int>(large.size())))];
         }
-        std::vector<int> sheets;
-        for (int s = 0; s < static_cast<int>(rows.size()); ++s) {
-            if (takes(rows[index(s)])) sheets.push_back(s);
-        }
-        if (sheet < 0 && !sheets.empty()) sheet = sheets[index(dice.below(static_cast<int>(sheets.size())))];
-        if (sheet < 0 || !takes(rows[index(sheet)])) {
-            result.hopeless = true;
+        if (sheet < 0 || !takes(rows()[index(sheet)], lot)) {
+            result_.hopeless = true;
             return;
         }
         for (const int item : lot.items) {
-            const int shape = fitting(item, rows[index(sheet)]);
-            const Board::Range range = board.range(shape, sheet);
-            board.put(item, {sheet, shape, std::round(dice.between(range.x0, range.x1)),
-                             std::round(dice.between(range.y0, range.y1))});
-            const int kind = task.kinds[index(item)];
-            if (task.job.kinds[index(kind)].one_turn) turn_of_kind[index(kind)] = shape;
+            const int shape = fitting(item, rows()[index(sheet)]);
+            const Board::Range range = board_.range(shape, sheet);
+            board_.put(item, {sheet, shape, std::round(dice_.between(range.x0, range.x1)),
+                              std::round(dice_.between(range.y0, range.y1))});
+            settle_turn(item, shape);
         }
-    };
-
-    // A kind that found no place on a sheet will not find one when the sheet is fuller.
-    std::set<std::pair<int, int>> hopeless;
-    for (const int number : order) {
-        const Lot& lot = lots[index(number)];
-        const bool single = lot.items.size() == 1;
-        const int kind = task.kinds[index(lot.items.front())];
-        const int bound = bound_to[index(number)];
-        bool done = false;
-        const auto try_on = [&](int sheet) {
-            if (lot.area > free[index(sheet)] * (1.0 + 1e-9)) return false;
-            if (single && hopeless.contains({sheet, kind})) return false;
-            if (!place_on(task, board, sheet, lot.items, dice, lines, turn_of_kind)) {
-                if (single) hopeless.insert({sheet, kind});
-                return false;
-            }
-            free[index(sheet)] -= lot.area;
-            return true;
-        };
-        if (bound >= 0) {
-            done = try_on(bound);
-        } else {
-            for (int sheet = 0; !done && sheet < static_cast<int>(rows.size()); ++sheet) done = try_on(sheet);
-            for (const int row : task.largest_first) {
-                if (done) break;
-                if (!available(row)) continue;
-                const bool takes = std::all_of(lot.items.begin(), lot.items.end(), [&](int item) {
-                    const auto& shapes = task.set.of_kind[index(task.kinds[index(item)])];
-                    return std::any_of(shapes.begin(), shapes.end(),
-                                       [&](int shape) { return task.fits(shape, row); });
-                });
-                if (!takes) continue;
-                open(row);
-                done = try_on(static_cast<int>(rows.size()) - 1);
-                if (!done) {
-                    rows.pop_back();
-                    --taken[index(row)];
-                    free.pop_back();
-                    board.drop_last_room();
-                    std::erase_if(hopeless, [&](const auto& known) {
-                        return known.first == static_cast<int>(rows.size());
-                    });
-                }
-            }
-        }
-        if (done) continue;
-        result.left_out.insert(result.left_out.end(), lot.items.begin(), lot.items.end());
-        throw_in(lot, bound);
     }
-    result.arrangement.stands = board.stands();
-    result.work = board.work;
-    return result;
+
+    NestTask& task_;
+    Dice& dice_;
+    int lines_;
+    Board board_;
+    Construction result_;
+    std::vector<int> taken_;                  // a row of the stock: how many sheets of it are open
+    std::vector<double> free_;                // a sheet: mm² not covered yet
+    std::vector<int> turn_of_kind_;           // of kinds that have one turn, once it is known; else -1
+    std::set<std::pair<int, int>> hopeless_;  // sheet and kind
+};
+
+}  // namespace
+
+Construction construct(NestTask& task, Dice& dice, int lines, double shake) {
+    return Constructor(task, dice, lines).run(shake);
 }
 
 }  // namespace popup

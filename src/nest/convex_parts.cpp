@@ -10,13 +10,6 @@
 namespace popup {
 namespace {
 
-Ring in_mm(const GridRing& ring) {
-    Ring points;
-    points.reserve(ring.size());
-    for (const GridPoint p : ring) points.push_back({from_grid(p.x), from_grid(p.y)});
-    return points;
-}
-
 double squared(GridPoint a) {
     return static_cast<double>(a.x) * static_cast<double>(a.x) +
            static_cast<double>(a.y) * static_cast<double>(a.y);

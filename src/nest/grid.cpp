@@ -22,4 +22,11 @@ GridRing turned_ring(const Ring& ring, Angle angle) {
     return points;
 }
 
+Ring in_mm(const GridRing& ring) {
+    Ring points;
+    points.reserve(ring.size());
+    for (const GridPoint p : ring) points.push_back({from_grid(p.x), from_grid(p.y)});
+    return points;
+}
+
 }  // namespace popup

@@ -53,4 +53,7 @@ Vec2 turned(Vec2 p, Angle angle);
 // The ring turned, then rounded to the grid; points that fall together are one.
 GridRing turned_ring(const Ring& ring, Angle angle);
 
+// The ring in millimetres. Exact as far as doubles are: to_grid() gives it back.
+Ring in_mm(const GridRing& ring);
+
 }  // namespace popup

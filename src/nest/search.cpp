@@ -15,7 +15,7 @@ namespace popup {
 namespace {
 
 // Searchers side by side. Their number is part of the result, so it does not depend on the machine.
-constexpr int kLanes = 4;
+constexpr int kLanes = 2;
 // Shares of the effort: to do with fewer sheets, to shorten the last one from many starts; the rest
 // compresses.
 constexpr double kFewerShare = 0.6;
@@ -91,7 +91,7 @@ class Nester {
         if (!outside.items.empty()) return outside;
         for (const int a : numbers) {
             for (const int b : numbers) {
-                if (a >= b) break;
+                if (b >= a) break;
                 const int group = task_.group_of[index(a)];
                 const int kind = task_.kinds[index(a)];
                 const Stand& one = task_.locks[index(a)];

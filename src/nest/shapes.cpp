@@ -19,13 +19,6 @@ constexpr double kFurthest = 2e-3;
 // Steps by which an outline is widened of which nothing could be proved.
 constexpr GridLength kWidening = 4;
 
-Ring in_mm(const GridRing& ring) {
-    Ring points;
-    points.reserve(ring.size());
-    for (const GridPoint p : ring) points.push_back({from_grid(p.x), from_grid(p.y)});
-    return points;
-}
-
 GridRegion on_grid(const Polygon& polygon) {
     GridRegion region{turned_ring(polygon.outer, {}), {}};
     for (const Ring& hole : polygon.holes) {

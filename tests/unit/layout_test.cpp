@@ -375,6 +375,98 @@ TEST(Layout, TurnsAreThoseAllowedAndEachOnce) {
     }
 }
 
+TEST(Layout, TheLeftoverIsFreeAndCannotGrow) {
+    // An L of paper on a sheet: what is left is the larger of the two rectangles beside it.
+    LayoutOptions options;
+    options.sheet = {"", 200.0, 100.0};
+    options.margin = Length::millimetres(0);
+    options.spacing = Length::millimetres(3);
+    options.rotation = {1};
+    Diagnostics diagnostics;
+    const auto layout = lay_out(
+        {design_of("d", {piece_of("l", {{0, 0}, {200, 0}, {200, 20}, {50, 20}, {50, 100}, {0, 100}})})},
+        options, diagnostics);
+    ASSERT_TRUE(layout.has_value());
+    EXPECT_NEAR(layout->leftover.min.x, 53.0, 1e-6);
+    EXPECT_NEAR(layout->leftover.min.y, 23.0, 1e-6);
+    EXPECT_NEAR(layout->leftover.max.x, 200.0, 1e-6);
+    EXPECT_NEAR(layout->leftover.max.y, 100.0, 1e-6);
+    EXPECT_NEAR(layout->sheets[0].used_mm.x, 200.0, 1e-6);
+}
+
+TEST(Layout, StocksAreUsedLargestFirstAndSmallerWhereTheyTakeAll) {
+    LayoutOptions options;
+    options.stock = parse_stock("210x210:1,110x110").value();
+    options.margin = options.spacing = Length::millimetres(0);
+    std::vector<PatternPiece> pieces;
+    for (int i = 0; i < 5; ++i) pieces.push_back(piece_of("p" + std::to_string(i), rectangle(100, 100)));
+    Diagnostics diagnostics;
+    const auto layout = lay_out({design_of("d", pieces)}, options, diagnostics);
+    ASSERT_TRUE(layout.has_value());
+    ASSERT_EQ(layout->sheets.size(), 2U);
+    EXPECT_EQ(layout->sheets[0].width_mm + layout->sheets[1].width_mm, 320.0);
+    expect_sound(*layout, options);
+    for (const char* text : {"", "a4:0", "auto", "a4:", "a4,,a3", "a4:2x", "12x:3"})
+        EXPECT_FALSE(parse_stock(text).has_value()) << text;
+}
+
+TEST(Layout, LocksKeepTheirPlaceAndNamesAreChecked) {
+    LayoutOptions options;
+    options.sheet = {"", 200.0, 100.0};
+    options.rules.push_back({"b", 0, {}, PieceLock{0, {120, 40}, Angle::degrees(90)}});
+    const std::vector<DesignPattern> designs{
+        design_of("d", {piece_of("a", rectangle(50, 20)), piece_of("b", rectangle(30, 10))})};
+    Diagnostics diagnostics;
+    const auto layout = lay_out(designs, options, diagnostics);
+    ASSERT_TRUE(layout.has_value());
+    EXPECT_EQ(layout->placements[1].offset, (Vec2{120, 40}));
+    EXPECT_EQ(layout->placements[1].angle, Angle::degrees(90));
+    expect_sound(*layout, options);
+    const auto code_of = [&](const PieceRule& rule) {
+        LayoutOptions more = options;
+        more.rules.push_back(rule);
+        Diagnostics found;
+        EXPECT_FALSE(lay_out(designs, more, found).has_value());
+        return found.sorted().empty() ? std::string() : found.sorted()[0].code;
+    };
+    EXPECT_EQ(code_of({"c", 0, {}, PieceLock{}}), "unknown-piece");
+    EXPECT_EQ(code_of({"a", 1, {}, PieceLock{}}), "unknown-piece");
+    EXPECT_EQ(code_of({"b", 0, {}, PieceLock{0, {20, 20}, {}}}), "lock-impossible");
+    EXPECT_EQ(code_of({"a", 0, {}, PieceLock{0, {2, 20}, {}}}), "lock-impossible");
+    EXPECT_EQ(code_of({"a", 0, {}, PieceLock{0, {100, 41}, {}}}), "lock-impossible");
+}
+
+TEST(Layout, GrainKeepsDirectionsAndGroupsKeepSheets) {
+    std::mt19937 random(12);
+    std::vector<PatternPiece> pieces;
+    for (int i = 0; i < 5; ++i)
+        pieces.push_back(piece_of("p" + std::to_string(i), random_polygon(random, 20, 60)));
+    LayoutOptions options;
+    options.sheet = parse_sheet("a3").value();
+    options.copies = 5;
+    options.nesting.work = 3e4;
+    for (const Grain grain : {Grain::keep, Grain::either}) {
+        options.grain = grain;
+        options.group_designs = grain == Grain::keep;
+        Diagnostics diagnostics;
+        const auto layout = lay_out({design_of("d", pieces)}, options, diagnostics);
+        ASSERT_TRUE(layout.has_value());
+        std::vector<double> turn(5, -1.0);
+        std::vector<int> sheet(5, -1);
+        for (const Placement& p : layout->placements) {
+            double& seen = turn[static_cast<std::size_t>(p.piece)];
+            if (seen < 0.0) seen = p.angle.deg;
+            EXPECT_EQ(p.angle.deg, seen) << "identical pieces are turned alike";
+            EXPECT_TRUE(p.angle.deg == 0.0 || (grain == Grain::either && p.angle.deg == 180.0));
+            int& lies = sheet[static_cast<std::size_t>(p.copy)];
+            if (lies < 0) lies = p.sheet;
+            if (options.group_designs) {
+                EXPECT_EQ(p.sheet, lies) << "a copy of a design stays together";
+            }
+        }
+    }
+}
+
 TEST(Layout, ALongPieceMayLieAcrossTheSheet) {
     LayoutOptions options;
     options.sheet = {"", 110.0, 110.0};

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <set>
+#include <tuple>
 
 #include "nest/convex_parts.h"
 #include "nest/exact.h"
@@ -288,6 +288,72 @@ TEST_F(Nest, WhatStandsInTheWayIsNamed) {
     EXPECT_EQ(refusal().items, (std::vector<int>{0, 1}));
 }
 
+TEST_F(Nest, LocksThatContradictGroupsOrOneTurnAreNamed) {
+    using Reason = NestRefusal::Reason;
+    NestJob job;
+    job.kinds = {{{{rectangle(20, 10), {}}}, turns({0, 180}), true}};
+    job.stock = {{100, 100, -1}};
+    const NestSpot here{0, {30, 30}, {}};
+    const NestSpot turned{0, {80, 80}, Angle::degrees(180)};
+    const NestSpot elsewhere{1, {30, 30}, {}};
+    job.items = {{0, -1, here}, {0, -1, {}}, {0, -1, turned}};
+    NestResult result = nest(job, little());
+    ASSERT_TRUE(result.refusal.has_value());
+    EXPECT_EQ(result.refusal->reason, Reason::lock_apart);
+    EXPECT_EQ(result.refusal->items, (std::vector<int>{0, 2}));
+    job.items = {{0, 4, here}, {0, 4, elsewhere}};
+    result = nest(job, little());
+    ASSERT_TRUE(result.refusal.has_value());
+    EXPECT_EQ(result.refusal->reason, Reason::lock_apart);
+    job.items = {{0, 4, here}, {0, 5, elsewhere}};
+    expect_sound(job, nest(job, little()));
+    job.items = {{0, -1, NestSpot{7, {0, 0}, {}}}};
+    result = nest(job, little());
+    ASSERT_TRUE(result.refusal.has_value());
+    EXPECT_EQ(result.refusal->reason, Reason::lock_outside) << "no eighth sheet for one piece";
+}
+
+TEST_F(Nest, AGroupThatFitsNoSheetIsNotTakenForAStockUsedUp) {
+    using Reason = NestRefusal::Reason;
+    NestJob job;
+    job.kinds = {{{{rectangle(60, 60), {}}}, turns({0})}};
+    job.stock = {{100, 70, -1}};
+    job.items = {{0, 1, {}}, {0, 1, {}}, {0, 2, {}}, {0, 2, {}}};
+    EXPECT_EQ(nest(job, little()).refusal.value_or(NestRefusal{}).reason, Reason::group_too_large);
+    job.stock = {{130, 70, 1}};
+    EXPECT_EQ(nest(job, little()).refusal.value_or(NestRefusal{}).reason, Reason::stock_used_up);
+}
+
+// What lies on a smaller sheet of the stock must come back when it is locked where it lies.
+TEST_F(Nest, ALayoutLockedAsItIsIsTheSameLayout) {
+    std::mt19937 random(11);
+    for (int round = 0; round < 6; ++round) {
+        NestJob job = random_job(random, 5);
+        job.stock = {{150, 120, 2}, {240, 200, -1}, {300, 90, -1}};
+        const NestResult free = nest(job, little());
+        expect_sound(job, free);
+        for (std::size_t i = 0; i < job.items.size(); ++i) job.items[i].locked = free.plan->spots[i];
+        const NestResult locked = nest(job, little());
+        expect_sound(job, locked);
+        EXPECT_EQ(locked.plan->spots, free.plan->spots);
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+TEST_F(Nest, SliversAndTheSmallestSpacingKeepTheirDistance) {
+    for (const auto& [length, height, spacing] :
+         {std::tuple{300.0, 0.001, 0.1}, std::tuple{200.0, 0.01, 0.01}, std::tuple{40000.0, 0.005, 2.0},
+          std::tuple{100.0, 0.01, 0.000001}}) {
+        NestJob job;
+        job.spacing = spacing;
+        job.stock = {{3 * length, 3 * length, -1}};
+        job.kinds = {{{{{{0, 0}, {length, height / 10}, {length / 2, height}}, {}}}, turns({0, 90})},
+                     {{{rectangle(length, length / 10), {}}}, turns({0, 90})}};
+        for (int i = 0; i < 8; ++i) job.items.push_back({i % 2, -1, {}});
+        expect_sound(job, nest(job, little()));
+    }
+}
+
 TEST_F(Nest, AFullStockIsSearchedBeforeItIsCalledUsedUp) {
     // Two L shapes fill a sheet only when one is turned into the other; placed one by one they may not.
     NestJob job;
@@ -345,6 +411,31 @@ TEST(NestParts, ConvexPartsAreConvexAndHaveTheAreaOfTheRegion) {
             }
         }
         EXPECT_TRUE(whole == parts) << round;
+    }
+}
+
+TEST(NestParts, WidenedPartsAreConvexAndHoldEveryPointWithinTheWidth) {
+    std::mt19937 random(12);
+    for (int round = 0; round < 100; ++round) {
+        const auto regions = turned_outline({random_outline(random, 30, false)}, {});
+        const GridLength by = round % 4 == 0 ? 1 : to_grid(number(random, 0.001, 5));
+        for (const GridRing& part : convex_parts(regions[0])) {
+            const GridRing wide = widened(part, by);
+            const auto n = wide.size();
+            for (std::size_t i = 0; i < n; ++i) {
+                const GridPoint along = wide[(i + 1) % n] - wide[i];
+                EXPECT_GT(cross(along, wide[(i + 2) % n] - wide[(i + 1) % n]), 0);
+                // No corner of the part is nearer to the edge's line than the width, but for rounding.
+                const double length = std::hypot(static_cast<double>(along.x), static_cast<double>(along.y));
+                for (const GridPoint p : part) {
+                    const double away = static_cast<double>(cross(along, p - wide[i])) / length;
+                    EXPECT_GE(away, static_cast<double>(by) - 1.5);
+                    if (along.x == 0 || along.y == 0) {
+                        EXPECT_GE(away, static_cast<double>(by));
+                    }
+                }
+            }
+        }
     }
 }
 
