@@ -21,7 +21,7 @@ struct GridPoint {
     GridLength x = 0;
     GridLength y = 0;
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
-    friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
+    friend bool operator<(GridPoint a, GridPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
     friend GridPoint operator+(GridPoint a, GridPoint b) { return {a.x + b.x, a.y + b.y}; }
     friend GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
 };
