@@ -77,6 +77,7 @@ std::vector<double> flush_turns(const Ring& hull, Rotation rotation) {
         return a.area != b.area ? a.area < b.area : a.degrees < b.degrees;
     });
     std::vector<double> result;
+    result.reserve(turns.size());
     for (const Turn& turn : turns) result.push_back(turn.degrees);
     return result;
 }
