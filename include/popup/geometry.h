@@ -93,6 +93,8 @@ struct Polygon {
 double signed_area(const Ring& ring);
 // Area of the outer ring less its holes. Never negative for a well-formed polygon.
 double area(const Polygon& polygon);
+// The sum of their areas.
+double area(const std::vector<Polygon>& polygons);
 Box bounds(const Ring& ring);
 // True inside and on the edge, by winding number; holes are outside.
 bool contains(const Polygon& polygon, Vec2 p);

@@ -105,7 +105,4 @@ struct NestResult {
 };
 NestResult nest(const NestJob& job, const NestEffort& effort);
 
-// The area of the outline.
-double area(const std::vector<Polygon>& outline);
-
 }  // namespace popup

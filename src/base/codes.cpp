@@ -172,9 +172,8 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "package fonts-dejavu-core brings it), or write SVG, which only names the font."},
     {"group-too-large", Severity::error, "the pieces of a design do not fit on one sheet together",
      "Under --group design all pieces of one copy of a design are put on the same sheet, so that a kit can "
-     "be "
-     "handed out as one. No arrangement of these pieces was found that fits on a single sheet. Take a larger "
-     "sheet, a smaller --scale, or leave --group out."},
+     "be handed out as one. No arrangement of these pieces was found that fits on a single sheet. Take a "
+     "larger sheet, a smaller --scale, or leave --group out."},
     {"hidden-shape", Severity::remark, "shapes that are hidden",
      "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut. "
      "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "
@@ -202,9 +201,8 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"lock-impossible", Severity::error, "a piece cannot stay where it is locked",
      "--lock keeps a piece in a place, given as a report gives it: where the origin of the piece's page goes "
      "on the sheet, in millimetres from its lower left corner, and by how much the piece is turned. There, "
-     "the "
-     "piece would reach over the margin, or come closer to another locked piece than the spacing. Lock it "
-     "elsewhere, or leave it free."},
+     "the piece would reach over the margin or come too close to another locked piece, or it is locked "
+     "twice, or apart from what --group or --grain puts with it. Lock it elsewhere, or leave it free."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
      "of piece and page together exceed 360°), so that the card stops before it is open. This is looked for "

@@ -47,6 +47,12 @@ double area(const Polygon& polygon) {
     return total;
 }
 
+double area(const std::vector<Polygon>& polygons) {
+    double sum = 0.0;
+    for (const Polygon& polygon : polygons) sum += area(polygon);
+    return sum;
+}
+
 Box bounds(const Ring& ring) {
     Box box;
     for (const Vec2 p : ring) box.extend(p);

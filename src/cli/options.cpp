@@ -2,37 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <thread>
 #include <utility>
 
+#include "cli/value_option.h"
+
 namespace popup::cli {
 namespace {
-
-// The value that `text` names, out of a closed list; else a UsageError that gives the list.
-template <typename Value>
-Value choose(std::string_view option, std::string_view text,
-             std::initializer_list<std::pair<std::string_view, Value>> choices) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : choices) {
-        if (name == text) return value;
-        names.push_back(name);
-    }
-    throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, fmt::join(names, ", "), text),
-                     did_you_mean(text, names));
-}
-
-// A value option whose text `use` reads. The text given last counts.
-template <typename Use>
-CLI::Option* value(CLI::App& verb, const std::string& names, const std::string& type,
-                   const std::string& about, const std::string& group, Use use) {
-    return verb
-        .add_option_function<std::string>(
-            names, [use](const std::string& text) { use(std::string_view(text)); }, about)
-        ->type_name(type)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->group(group);
-}
 
 Length length_option(std::string_view option, std::string_view text, double least_mm) {
     const std::optional<Length> length = parse_length(text);
@@ -46,24 +22,16 @@ Length length_option(std::string_view option, std::string_view text, double leas
 
 void add_codes(CLI::App& verb, const std::string& name, const std::string& about,
                std::set<std::string, std::less<>>& codes) {
-    verb.add_option_function<std::vector<std::string>>(
-            name,
-            [name, &codes](const std::vector<std::string>& given) {
-                for (const std::string& code : given) {
-                    if (find_code(code) == nullptr) {
-                        std::vector<std::string_view> known;
-                        for (const CodeInfo& row : code_table()) known.push_back(row.code);
-                        auto hints = did_you_mean(code, known);
-                        hints.emplace_back("\"popupc list codes\" lists all");
-                        throw UsageError(fmt::format("{}: there is no diagnostic \"{}\"", name, code), hints);
-                    }
-                    codes.insert(code);
-                }
-            },
-            about)
-        ->type_name("CODE")
-        ->allow_extra_args(false)
-        ->group("Diagnostics");
+    values(verb, name, "CODE", about, "Diagnostics", [name, &codes](std::string_view code) {
+        if (find_code(code) == nullptr) {
+            std::vector<std::string_view> known;
+            for (const CodeInfo& row : code_table()) known.push_back(row.code);
+            auto hints = did_you_mean(code, known);
+            hints.emplace_back("\"popupc list codes\" lists all");
+            throw UsageError(fmt::format("{}: there is no diagnostic \"{}\"", name, code), hints);
+        }
+        codes.emplace(code);
+    });
 }
 
 }  // namespace

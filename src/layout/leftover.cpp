@@ -126,32 +126,25 @@ class Cells {
     std::vector<double> crossings_;
 };
 
-// Moves the sides of the box out until they meet a piece's surroundings or the edge of the area.
-void grow(Box& box, const std::vector<PieceEdge>& edges, const SheetArea& area, double spacing) {
-    double left = 0.0;
-    double right = area.width;
-    double from = 0.0;
-    double to = 0.0;
+// How far the box can be made larger along one axis, given the other, until it meets a piece's surroundings
+// or the edge of the area.
+void grow_along(double Vec2::*along, double Vec2::*across, Box& box, const std::vector<PieceEdge>& edges,
+                double length, double spacing) {
+    constexpr double kRounding = 1e-9;
+    double low = 0.0;
+    double high = length;
     for (const PieceEdge& edge : edges) {
-        if (!range_within(edge.a.x, edge.a.y, edge.b.x, edge.b.y, box.min.y - spacing, box.max.y + spacing,
-                          from, to))
+        double from = 0.0;
+        double to = 0.0;
+        if (!range_within(edge.a.*along, edge.a.*across, edge.b.*along, edge.b.*across,
+                          box.min.*across - spacing, box.max.*across + spacing, from, to)) {
             continue;
-        if (from - spacing >= box.max.x - 1e-9) right = std::min(right, from - spacing);
-        if (to + spacing <= box.min.x + 1e-9) left = std::max(left, to + spacing);
+        }
+        if (from - spacing >= box.max.*along - kRounding) high = std::min(high, from - spacing);
+        if (to + spacing <= box.min.*along + kRounding) low = std::max(low, to + spacing);
     }
-    box.min.x = std::min(box.min.x, left);
-    box.max.x = std::max(box.max.x, right);
-    double bottom = 0.0;
-    double top = area.height;
-    for (const PieceEdge& edge : edges) {
-        if (!range_within(edge.a.y, edge.a.x, edge.b.y, edge.b.x, box.min.x - spacing, box.max.x + spacing,
-                          from, to))
-            continue;
-        if (from - spacing >= box.max.y - 1e-9) top = std::min(top, from - spacing);
-        if (to + spacing <= box.min.y + 1e-9) bottom = std::max(bottom, to + spacing);
-    }
-    box.min.y = std::min(box.min.y, bottom);
-    box.max.y = std::max(box.max.y, top);
+    box.min.*along = std::min(box.min.*along, low);
+    box.max.*along = std::max(box.max.*along, high);
 }
 
 void add_edges(const GridRing& ring, std::vector<PieceEdge>& edges) {
@@ -177,7 +170,9 @@ Box largest_free(const std::vector<std::vector<GridRegion>>& pieces, const Sheet
         }
     }
     Box box = cells.largest();
-    if (!box.empty()) grow(box, all, area, spacing);
+    if (box.empty()) return box;
+    grow_along(&Vec2::x, &Vec2::y, box, all, area.width, spacing);
+    grow_along(&Vec2::y, &Vec2::x, box, all, area.height, spacing);
     return box;
 }
 

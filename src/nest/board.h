@@ -85,7 +85,6 @@ class Board {
     double work = 0.0;  // looks at parts of pairs so far
 
  private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool weighs() const { return weights_.size() > stands_.size(); }
     [[nodiscard]] const float* weights_of(int item) const {
         return weights_.data() + (weighs() ? index(item) * stands_.size() : 0);

@@ -7,8 +7,6 @@
 namespace popup {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 // The place of least reach for one item on one sheet; false when none was found.
 bool find_place(const NestTask& task, Board& board, int item, int sheet, Dice& dice, int lines,
                 int only_shape, Stand& best) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,9 @@ using GridLength = std::int64_t;
 inline constexpr double kGridSteps = 1e6;  // a millimetre
 inline GridLength to_grid(double mm) { return std::llround(mm * kGridSteps); }
 inline double from_grid(GridLength length) { return static_cast<double>(length) / kGridSteps; }
+
+// Numbers of items, shapes and sheets as indexes.
+inline std::size_t index(int number) { return static_cast<std::size_t>(number); }
 
 struct GridPoint {
     GridLength x = 0;

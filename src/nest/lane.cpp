@@ -14,8 +14,6 @@ constexpr double kLeastStep = 0.00001;
 constexpr std::size_t kPool = 10;
 constexpr double kLargeShare = 0.75;  // of the items, those that are worth exchanging
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Lane::Lane(NestTask& task, std::uint64_t seed)

@@ -32,8 +32,6 @@ constexpr int kLines = 24;
 constexpr int kFewLines = 6;  // when there are many pieces
 constexpr double kShake = 0.4;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 class Nester {
  public:
     Nester(const NestJob& job, const NestEffort& effort, double work)

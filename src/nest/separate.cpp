@@ -14,8 +14,6 @@ constexpr int kPatience = 300;
 constexpr int kStrikes = 3;
 constexpr double kGain = 0.98;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 Separator::Separator(Board& board, const Freedom& freedom, Dice& dice)

@@ -121,12 +121,6 @@ std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
 
 }  // namespace
 
-double area(const std::vector<Polygon>& outline) {
-    double sum = 0.0;
-    for (const Polygon& polygon : outline) sum += area(polygon);
-    return sum;
-}
-
 std::vector<GridRegion> turned_outline(const std::vector<Polygon>& outline, Angle angle) {
     std::vector<GridRegion> result;
     for (const Polygon& polygon : outline) {

@@ -5,12 +5,6 @@
 #include <numeric>
 
 namespace popup {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 NestTask::NestTask(const NestJob& the_job)
     : job(the_job), set(make_shapes(the_job)), exact(set.shapes), loose(set.shapes, kSlack) {
     if (set.exact) tight = std::make_unique<NoFitTable>(set.shapes, 0.0);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/cells.h"
 #include "base/edge_index.h"
 
 namespace popup {
@@ -137,7 +138,7 @@ class Nodes {
     explicit Nodes(std::size_t expected) { cells_.reserve(expected); }
 
     int number(Vec2 p) {
-        const Cell home = cell(p);
+        const PlaneCell home = cell(p);
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto it = cells_.find({home.x + dx, home.y + dy});
@@ -156,21 +157,9 @@ class Nodes {
     std::vector<Vec2> points;
 
  private:
-    struct Cell {
-        std::int64_t x, y;
-        bool operator==(const Cell&) const = default;
-    };
-    struct Hash {
-        std::size_t operator()(const Cell& c) const {
-            auto h =
-                static_cast<std::uint64_t>(c.x) * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(c.y);
-            h = (h ^ (h >> 31U)) * 0xBF58476D1CE4E5B9ULL;
-            return static_cast<std::size_t>(h ^ (h >> 29U));
-        }
-    };
-    static Cell cell(Vec2 p) { return {std::llround(p.x / kSameMm), std::llround(p.y / kSameMm)}; }
+    static PlaneCell cell(Vec2 p) { return {std::llround(p.x / kSameMm), std::llround(p.y / kSameMm)}; }
 
-    std::unordered_map<Cell, int, Hash> cells_;
+    std::unordered_map<PlaneCell, int, PlaneCellHash> cells_;
 };
 
 // Segment i leaves its start as end 2i and its end as end 2i + 1.

@@ -14,25 +14,12 @@
 
 #include "popup/pattern.h"
 #include "support/drawings.h"
+#include "support/random.h"
 
 namespace popup {
 namespace {
 
-// splitmix64: the same numbers on every machine.
-class Random {
- public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(next() % n); }
-
- private:
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31U);
-    }
-    std::uint64_t state_;
-};
+using test::Random;
 
 const std::array<std::string, 4> kSeeds{
     R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="80mm" viewBox="0 0 100 80" fill="none" stroke="red">

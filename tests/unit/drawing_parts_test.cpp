@@ -18,6 +18,7 @@
 #include "output/svg.h"
 #include "popup/compile.h"
 #include "support/drawings.h"
+#include "support/random.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -39,22 +40,7 @@ std::vector<std::string> names(const test::ReadDrawing& reading) {
     return all;
 }
 
-// splitmix64: the same numbers on every machine.
-class Random {
- public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
-    double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-
- private:
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31U);
-    }
-    std::uint64_t state_;
-};
+using test::Random;
 
 // --- joining
 

@@ -14,12 +14,6 @@ Polygon box(double x0, double y0, double x1, double y1) {
     return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
 }
 
-double total_area(const std::vector<Polygon>& polygons) {
-    double sum = 0.0;
-    for (const Polygon& polygon : polygons) sum += area(polygon);
-    return sum;
-}
-
 bool covered(const std::vector<Polygon>& polygons, Vec2 p) {
     return std::any_of(polygons.begin(), polygons.end(),
                        [p](const Polygon& one) { return contains(one, p); });
@@ -92,7 +86,7 @@ TEST(Regions, AHoleBelongsToTheSmallestRingAroundIt) {
         ASSERT_EQ(result[i].holes.size(), 1U);
         EXPECT_TRUE(contains({result[i].outer, {}}, result[i].holes[0][0]));
     }
-    EXPECT_DOUBLE_EQ(total_area(result), 2500.0 - 1600.0 + 900.0 - 100.0 + 9.0);
+    EXPECT_DOUBLE_EQ(area(result), 2500.0 - 1600.0 + 900.0 - 100.0 + 9.0);
 }
 
 TEST(Regions, ResultsDoNotDependOnTheOrderOfTheInput) {
@@ -104,7 +98,7 @@ TEST(Regions, ResultsDoNotDependOnTheOrderOfTheInput) {
     for (Polygon& part : parts) std::rotate(part.outer.begin(), part.outer.begin() + 1, part.outer.end());
     const auto backwards = unite(parts);
     ASSERT_EQ(forwards.size(), backwards.size());
-    EXPECT_NEAR(total_area(forwards), total_area(backwards), 1e-6);
+    EXPECT_NEAR(area(forwards), area(backwards), 1e-6);
     for (std::size_t i = 0; i < forwards.size(); ++i) {
         EXPECT_LT(distance(forwards[i].outer[0], backwards[i].outer[0]), 1e-5);
     }
@@ -132,9 +126,9 @@ TEST(Regions, OffsetKeepsItsDistance) {
     for (const Segment& edge : edges_of(grown[0])) {
         for (const Segment& old : edges_of(box(0, 0, 10, 10))) EXPECT_GE(distance(edge, old), 2.0 - 0.0101);
     }
-    EXPECT_NEAR(total_area(grown), 100.0 + 80.0 + 4.0 * 3.141592653589793, 0.1);
-    EXPECT_DOUBLE_EQ(total_area(offset({box(0, 0, 10, 10)}, 2.0, Corners::sharp)), 196.0);
-    EXPECT_DOUBLE_EQ(total_area(offset({box(0, 0, 10, 10)}, -2.0, Corners::sharp)), 36.0);
+    EXPECT_NEAR(area(grown), 100.0 + 80.0 + 4.0 * 3.141592653589793, 0.1);
+    EXPECT_DOUBLE_EQ(area(offset({box(0, 0, 10, 10)}, 2.0, Corners::sharp)), 196.0);
+    EXPECT_DOUBLE_EQ(area(offset({box(0, 0, 10, 10)}, -2.0, Corners::sharp)), 36.0);
     EXPECT_TRUE(offset({box(0, 0, 10, 10)}, -5.0, Corners::sharp).empty());
 }
 

@@ -23,15 +23,9 @@ double around(const Ring& ring) {
     return ring.empty() ? 0.0 : length_of(ring) + distance(ring.back(), ring.front());
 }
 
-double area_of(const std::vector<Polygon>& regions) {
-    double sum = 0.0;
-    for (const Polygon& region : regions) sum += area(region);
-    return sum;
-}
-
 // True of regions in which there is room for a disc of radius kDeepMm.
 bool is_deep(const std::vector<Polygon>& regions) {
-    if (area_of(regions) <= kDeepMm * kDeepMm) return false;
+    if (area(regions) <= kDeepMm * kDeepMm) return false;
     return !offset(regions, -kDeepMm, Corners::sharp).empty();
 }
 
@@ -86,11 +80,11 @@ class Sorter {
         const double length = around(line.points);
         std::vector<Polygon> inside = filled({line.points}, FillRule::non_zero);
         // There and back on one line is a slit.
-        if (area_of(inside) <= 0.5 * kDeepMm * length && !is_deep(inside)) {
+        if (area(inside) <= 0.5 * kDeepMm * length && !is_deep(inside)) {
             out_.hairs.emplace_back(std::move(line.points), std::move(line.elements));
             return true;
         }
-        const double lost = std::abs(area_of(inside) - std::abs(signed_area(line.points)));
+        const double lost = std::abs(area(inside) - std::abs(signed_area(line.points)));
         // Points stand on the grid, which moves edges by up to its step.
         const bool crosses = lost > kNoArea + 2.0 * kGridMm * length;
         if (crosses) out_.crossed.push_back({line.elements, crossing_of(line.points)});
@@ -229,7 +223,7 @@ class Sorter {
             near_[{a, b}] = found;
             if (found == Relation::same) gone_[at(b)] = 1;
             if (found == Relation::overlap) {
-                out_.overlaps.push_back({a, b, area_of(common), common[0].outer[0]});
+                out_.overlaps.push_back({a, b, area(common), common[0].outer[0]});
             }
         }
         renumber();

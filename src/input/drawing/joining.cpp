@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/cells.h"
+
 namespace popup::drawing {
 namespace {
 
@@ -17,7 +19,7 @@ std::size_t at(int number) { return static_cast<std::size_t>(number); }
 class Spots {
  public:
     int number(Vec2 p) {
-        const Cell home{std::llround(p.x / kJoinMm), std::llround(p.y / kJoinMm)};
+        const PlaneCell home{std::llround(p.x / kJoinMm), std::llround(p.y / kJoinMm)};
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 const auto found = cells_.find({home.x + dx, home.y + dy});
@@ -43,25 +45,13 @@ class Spots {
         Vec2 first, sum;  // the sum of how far points are from the first
         int count = 0;
     };
-    struct Cell {
-        std::int64_t x, y;
-        bool operator==(const Cell&) const = default;
-    };
-    struct Hash {
-        std::size_t operator()(const Cell& c) const {
-            auto h =
-                static_cast<std::uint64_t>(c.x) * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(c.y);
-            h = (h ^ (h >> 31U)) * 0xBF58476D1CE4E5B9ULL;
-            return static_cast<std::size_t>(h ^ (h >> 29U));
-        }
-    };
     int add(int spot, Vec2 p) {
         Spot& s = spots_[at(spot)];
         s.sum = s.sum + (p - s.first);
         ++s.count;
         return spot;
     }
-    std::unordered_map<Cell, std::vector<int>, Hash> cells_;  // only ever asked, never walked
+    std::unordered_map<PlaneCell, std::vector<int>, PlaneCellHash> cells_;  // only ever asked, never walked
     std::vector<Spot> spots_;
 };
 
