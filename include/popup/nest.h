@@ -60,14 +60,13 @@ struct NestProgress {
     double done = 0.0;         // share of the effort that is spent, 0 to 1
 };
 
-// How long to look. Work is counted, not timed: a unit is one look at two convex parts of pieces, some
-// 20 ns. So the
-// same job, effort and seed give the same layout on every machine and with any number of threads.
-inline constexpr double kFastNesting = 1e6;
-inline constexpr double kNormalNesting = 1e7;
-inline constexpr double kBestNesting = 1.5e8;
+// How long to look. Work is counted, not timed: a unit is one look at two convex parts of pieces, some 10 ns.
+// So the same job, effort and seed give the same layout on every machine and with any number of threads.
+inline constexpr double kFastNesting = 2e6;
+inline constexpr double kNormalNesting = 2e7;
+inline constexpr double kBestNesting = 2e8;
 struct NestEffort {
-    double work = kFastNesting;  // units an item, ≥ 0; items beyond 64 add a quarter each, beyond 1024 a 64th
+    double work = kFastNesting;  // units an item, ≥ 0; beyond 64 each adds an 8th, beyond 1024 a 128th
     std::uint64_t seed = 0;
     int threads = 1;                // ≥ 1
     std::optional<double> seconds;  // look for this long instead: the layout then depends on the clock

@@ -4,13 +4,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "popup/diagnostics.h"
+
 namespace popup {
 namespace {
 
+// Steps by which the last sheet gets shorter, as shares of its length: the first, the least while searching,
+// and the first and the least of the compression at the end.
 constexpr double kFirstStep = 0.01;
-constexpr double kExploreStep = 0.001;
+constexpr double kSmallStep = 0.0005;
 constexpr double kCompressStep = 0.0005;
 constexpr double kLeastStep = 0.00001;
+// An upset layout may be so much longer. A layout is upset again if it came so near to the best.
+constexpr double kWidening = 0.02;
+constexpr double kNear = 0.01;
+// Many layouts tried a little find more than few tried hard, but for what would be the best.
+constexpr Persistence kLong{300, 3};
+constexpr Persistence kMiddling{100, 1};
+constexpr Persistence kShort{60, 1};
 constexpr std::size_t kPool = 10;
 constexpr double kLargeShare = 0.75;  // of the items, those that are worth exchanging
 
@@ -27,15 +38,17 @@ Lane::Lane(NestTask& task, std::uint64_t seed)
 }
 
 void Lane::begin(const Arrangement& from, Aim aim) {
-    if (from.rows.size() != best_.rows.size() || aim == Aim::fit ||
-        (aim == Aim::fewer) != (aim_ == Aim::fewer))
-        pool_.clear();
-    const bool same_aim = aim == aim_;
-    if (!same_aim || step_ == 0.0) step_ = aim == Aim::compress ? kCompressStep : kFirstStep;
+    if (from.rows.size() != best_.rows.size() || aim != aim_ || aim == Aim::fit) pool_.clear();
+    const bool goes_on = aim == aim_ && from.rows == current_.rows;
     aim_ = aim;
     best_ = from;
     done_ = false;
-    if (separator_ && !(same_aim && useful())) separator_.reset();
+    if (!goes_on || aim == Aim::compress) current_ = from;
+    if (!goes_on) {
+        step_ = aim == Aim::compress ? kCompressStep : kFirstStep;
+        upsetting_ = false;
+    }
+    if (separator_ && !(goes_on && useful())) separator_.reset();
     least_ = least_length();
 }
 
@@ -66,7 +79,11 @@ double Lane::least_length() const {
     return std::max(widest, area / task_.rooms[index(best_.rows.back())].height);
 }
 
-// Whether the attempt that goes on would be worth more than the best.
+double Lane::length_of(const Arrangement& arrangement) const {
+    return arrangement.length(task_, static_cast<int>(arrangement.rows.size()) - 1);
+}
+
+// Whether the attempt that goes on may come to something better than the best.
 bool Lane::useful() const {
     switch (aim_) {
         case Aim::fit:
@@ -74,10 +91,11 @@ bool Lane::useful() const {
         case Aim::fewer:
             return rows_.size() + 1 == best_.rows.size();
         case Aim::shorter:
+            return rows_ == best_.rows;
         case Aim::compress:
-            break;
+            return rows_ == best_.rows && target_ < length_of(best_);
     }
-    return rows_ == best_.rows && target_ < best_.length(task_, static_cast<int>(best_.rows.size()) - 1);
+    broken_invariant("an aim is one of its enumerators", __FILE__, __LINE__);
 }
 
 void Lane::run(double work) {
@@ -86,6 +104,7 @@ void Lane::run(double work) {
         if (!separator_) attempt();
         if (done_) return;
         board_.work += 1.0;  // an attempt that has nothing to do must not go on for ever
+        if (!separator_) continue;
         const Separator::State state = separator_->run(limit);
         if (state == Separator::State::paused) return;
         finish(state);
@@ -103,48 +122,69 @@ void Lane::set_out(const std::vector<Stand>& stands) {
 }
 
 void Lane::attempt() {
-    if (aim_ == Aim::fit) {
-        rows_ = best_.rows;
-        set_out(pool_.empty() ? best_.stands : pool_.front().stands);
-        if (!pool_.empty()) disturb();
-        target_ = board_.rooms().back().width;
-    } else if (aim_ == Aim::fewer) {
-        if (pool_.empty()) {
-            if (!dissolve()) {
-                done_ = true;
-                return;
-            }
-        } else {
-            set_out(pool_[index(dice_.below(static_cast<int>(pool_.size())))].stands);
-            disturb();
-        }
-        target_ = board_.rooms().back().width;
-    } else {
-        const double length = best_.length(task_, static_cast<int>(best_.rows.size()) - 1);
-        if (length <= least_ + 1.0) {
-            done_ = true;
-            return;
-        }
-        rows_ = best_.rows;
-        target_ = std::max(std::ceil(least_), std::floor(length * (1.0 - step_)));
-        if (aim_ == Aim::shorter && step_ <= kExploreStep && !pool_.empty()) {
-            // One of the failures, the better ones rather.
-            double normal = -6.0;
-            for (int i = 0; i < 12; ++i) normal += dice_.unit();
-            const auto size = static_cast<double>(pool_.size());
-            const auto pick = static_cast<std::size_t>(std::abs(normal) * 0.25 * size);
-            set_out(pool_[std::min(pick, pool_.size() - 1)].stands);
-            disturb();
-        } else {
-            set_out(best_.stands);
-        }
-        if (!shorten(target_)) {
-            done_ = true;
-            return;
-        }
+    if (!shortens()) {
+        attempt_to_fit();
+        return;
     }
+    rows_ = best_.rows;
+    if (length_of(best_) <= least_ + 1.0) {
+        done_ = true;
+    } else if (upsetting_) {
+        attempt_to_upset();
+    } else {
+        attempt_to_shorten();
+    }
+}
+
+void Lane::set_off(Persistence persistence) {
     freedom_ = freedom_of(task_, board_.stands());
-    separator_ = std::make_unique<Separator>(board_, freedom_, dice_);
+    separator_ = std::make_unique<Separator>(board_, freedom_, dice_, persistence);
+}
+
+// On the sheets there are, or on one less: at first as it comes, then from what was tried in vain.
+void Lane::attempt_to_fit() {
+    if (aim_ == Aim::fit) rows_ = best_.rows;
+    if (!pool_.empty()) {
+        const int one = aim_ == Aim::fit ? 0 : dice_.below(static_cast<int>(pool_.size()));
+        set_out(pool_[index(one)].stands);
+        disturb();
+    } else if (aim_ == Aim::fit) {
+        set_out(best_.stands);
+    } else if (!dissolve()) {
+        done_ = true;
+        return;
+    }
+    target_ = board_.rooms().back().width;
+    set_off(kLong);
+}
+
+void Lane::attempt_to_shorten() {
+    const double length = length_of(current_);
+    target_ = std::max(std::ceil(least_), std::floor(length * (1.0 - step_)));
+    set_out(current_.stands);
+    if (shorten(target_)) {
+        const bool new_best = target_ < length_of(best_);
+        set_off(aim_ == Aim::compress ? kLong : new_best ? kMiddling : kShort);
+    } else if (aim_ == Aim::compress || by_size_.size() < 2) {
+        done_ = true;
+    } else {
+        upsetting_ = true;
+    }
+}
+
+// Two pieces change places, where there is a little more room than the layout needs. It is that which was
+// shortened last, if that came near the best, else the best.
+void Lane::attempt_to_upset() {
+    const double own = length_of(current_);
+    const double best = length_of(best_);
+    const bool near = own <= best * (1.0 + kNear * dice_.unit());
+    set_out(near ? current_.stands : best_.stands);
+    disturb();
+    Room room = board_.rooms().back();
+    target_ = std::min(room.width, std::floor((near ? own : best) * (1.0 + kWidening * dice_.unit())));
+    room.width = target_;
+    board_.resize(last(), room);
+    set_off(kShort);
 }
 
 // Makes the last sheet shorter; what lies right of a random upright line moves left with its edge. False when
@@ -196,20 +236,28 @@ void Lane::finish(Separator::State state) {
         // Touching pieces may overlap by less than a step: then they are taken apart with room for rounding.
         board_.set_table(task_.loose);
         loose_ = true;
-        separator_ = std::make_unique<Separator>(board_, freedom_, dice_);
+        set_off(kLong);
     }
 }
 
 void Lane::succeed() {
-    best_ = {board_.stands(), rows_};
     separator_.reset();
+    Arrangement found{board_.stands(), rows_};
+    if (shortens()) {
+        if (aim_ == Aim::shorter) step_ = upsetting_ ? kFirstStep : std::min(kFirstStep, 2.0 * step_);
+        upsetting_ = false;
+        current_ = found;
+        if (!found.better_than(best_, task_)) return;
+    }
+    best_ = std::move(found);
     // What lay on the last sheet may all have gone to others.
     while (best_.rows.size() > 1 && board_.on_sheet(static_cast<int>(best_.rows.size()) - 1).empty()) {
         best_.rows.pop_back();
         pool_.clear();
+        current_ = best_;
     }
     least_ = least_length();
-    if (aim_ == Aim::fit || aim_ == Aim::fewer) {
+    if (!shortens()) {
         pool_.clear();
         done_ = true;
     }
@@ -223,8 +271,11 @@ void Lane::fail() {
         step_ = std::max(kLeastStep, 0.5 * step_);
         return;
     }
-    if (aim_ == Aim::shorter && step_ > kExploreStep) {
-        step_ = std::max(kExploreStep, 0.25 * step_);
+    if (aim_ == Aim::shorter) {
+        if (upsetting_) return;
+        // Further steps would not reach the best, or not make much of it.
+        step_ *= 0.25;
+        upsetting_ = step_ < kSmallStep || length_of(current_) * (1.0 - step_) > length_of(best_);
         return;
     }
     const auto at =

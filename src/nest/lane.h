@@ -13,7 +13,7 @@ namespace popup {
 enum class Aim {
     fit,       // place what overlaps, on the sheets there are
     fewer,     // one sheet less
-    shorter,   // a shorter last sheet, by large steps, from many starts
+    shorter,   // a shorter last sheet, by large steps, from many layouts
     compress,  // a shorter last sheet, by small steps from the best
 };
 
@@ -23,8 +23,8 @@ class Lane {
     // Precondition: the task outlives the lane.
     Lane(NestTask& task, std::uint64_t seed);
 
-    // Goes on from this layout, which holds (except under `fit`). An attempt that would still be better is
-    // gone on with, and what was tried in vain is kept, to start from, as long as the number of sheets stays.
+    // Goes on from this layout, which holds (except under `fit`). As long as aim and sheets stay, what the
+    // lane is about is gone on with if it may still come to something better.
     void begin(const Arrangement& from, Aim aim);
     // Looks for so much work more. Ends early when `done()`.
     void run(double work);
@@ -43,8 +43,14 @@ class Lane {
 
     [[nodiscard]] bool useful() const;
     [[nodiscard]] double least_length() const;
+    [[nodiscard]] double length_of(const Arrangement& arrangement) const;
+    [[nodiscard]] bool shortens() const { return aim_ == Aim::shorter || aim_ == Aim::compress; }
     [[nodiscard]] int last() const { return static_cast<int>(board_.rooms().size()) - 1; }
     void attempt();
+    void attempt_to_fit();
+    void attempt_to_shorten();
+    void attempt_to_upset();
+    void set_off(Persistence persistence);
     void set_out(const std::vector<Stand>& stands);
     void finish(Separator::State state);
     void succeed();
@@ -61,6 +67,10 @@ class Lane {
     Dice dice_;
     Aim aim_ = Aim::shorter;
     Arrangement best_;
+    // Under shorter and compress: what is being shortened. Under `shorter` it may be longer than the best,
+    // and once it gets no shorter it is upset.
+    Arrangement current_;
+    bool upsetting_ = false;
     std::vector<int> rows_;  // of the attempt
     Freedom freedom_;
     std::unique_ptr<Separator> separator_;

@@ -22,8 +22,8 @@ double counted(std::size_t items) {
     constexpr double kMany = 1024.0;
     const auto n = static_cast<double>(items);
     if (n <= kFew) return n;
-    if (n <= kMany) return kFew + (n - kFew) / 4.0;
-    return kFew + (kMany - kFew) / 4.0 + (n - kMany) / 64.0;
+    if (n <= kMany) return kFew + (n - kFew) / 8.0;
+    return kFew + (kMany - kFew) / 8.0 + (n - kMany) / 128.0;
 }
 
 // A large job, batch by batch. Its cost is linear in items.

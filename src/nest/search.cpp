@@ -238,8 +238,8 @@ class Nester {
         go_on(aim, until);
     }
 
-    // Runs the lanes until one has found what it is after or the share of the effort is spent. What the best
-    // of them has found all go on from. True when it was found.
+    // Runs the lanes until one has found what it is after or the share of the effort is spent. True when it
+    // was found.
     bool go_on(Aim aim, double until) {
         const double slice = effort_.seconds
                                  ? kClockSlice
@@ -259,7 +259,8 @@ class Nester {
                 finished_ = true;
                 return true;
             }
-            if (aim == Aim::shorter || aim == Aim::compress) {
+            // Under `shorter` each goes its own way: two searches find more than one that is twice as long.
+            if (aim == Aim::compress) {
                 for (const auto& lane : lanes_) lane->begin(best_, aim);
             }
         }

@@ -10,14 +10,12 @@ constexpr float kDecay = 0.95F;
 constexpr float kLeastGrowth = 1.2F;
 constexpr float kMostGrowth = 2.0F;
 
-constexpr int kPatience = 300;
-constexpr int kStrikes = 3;
 constexpr double kGain = 0.98;
 
 }  // namespace
 
-Separator::Separator(Board& board, const Freedom& freedom, Dice& dice)
-    : board_(board), freedom_(freedom), dice_(dice) {
+Separator::Separator(Board& board, const Freedom& freedom, Dice& dice, Persistence persistence)
+    : board_(board), freedom_(freedom), dice_(dice), persistence_(persistence) {
     board_.reset_weights();
     find_overlaps();
     best_ = total_;
@@ -27,10 +25,10 @@ Separator::Separator(Board& board, const Freedom& freedom, Dice& dice)
 
 Separator::State Separator::run(double limit) {
     while (best_ > 0.0) {
-        if (waited_ >= kPatience) {
+        if (waited_ >= persistence_.patience) {
             strikes_ = best_ < kGain * at_start_ ? 0 : strikes_ + 1;
             restore();
-            if (strikes_ >= kStrikes) return State::stuck;
+            if (strikes_ >= persistence_.strikes) return State::stuck;
             at_start_ = best_;
             waited_ = 0;
         }

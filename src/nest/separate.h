@@ -33,16 +33,22 @@ struct Freedom {
     std::vector<std::vector<int>> sheets;  // an item: the sheets it may be on; empty: all
 };
 
+// How long to go on without a gain.
+struct Persistence {
+    int patience = 300;
+    int strikes = 3;
+};
+
 // Moves items until none overlaps: in passes over those that do, in random order, each to the place of least
 // weighted overlap that is found; pairs that keep overlapping weigh more and more, others less. After
-// `kPatience` passes without a gain of 2 % it starts again from the least total overlap so far, and after
-// `kStrikes` such starts without one it gives up. Works in slices, so that searches can take turns.
+// `patience` passes without a gain of 2 % it starts again from the least total overlap so far, and after
+// `strikes` such starts without one it gives up. Works in slices, so that searches can take turns.
 class Separator {
  public:
     enum class State { apart, stuck, paused };
 
     // Preconditions: the board, the freedom and the dice outlive it. Weights are reset.
-    Separator(Board& board, const Freedom& freedom, Dice& dice);
+    Separator(Board& board, const Freedom& freedom, Dice& dice, Persistence persistence);
 
     // Goes on until nothing overlaps, it is stuck, or the board's work exceeds `limit`. Unless paused, the
     // board is then as it was at the least total overlap.
@@ -72,6 +78,7 @@ class Separator {
     Board& board_;
     const Freedom& freedom_;
     Dice& dice_;
+    Persistence persistence_;
     std::vector<Pair> pairs_;
     std::vector<Pair> heavy_, next_heavy_;  // pairs whose weight is above 1
     std::vector<Extent> order_;
