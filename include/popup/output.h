@@ -11,6 +11,7 @@
 #include "popup/check.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
+#include "popup/profile.h"
 
 namespace popup {
 
@@ -20,7 +21,7 @@ struct Compilation;
 struct OutputOptions {
     double fps = 0.0;         // scene: > 0 adds keys so that there are at least this many a second
     double duration_s = 4.0;  // scene: length of the animation, > 0
-    std::string profile = "workshop";
+    Profile profile = profile_table().front();  // how lines of sheets are drawn
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 

@@ -15,12 +15,16 @@ namespace popup {
 struct Contour {
     std::vector<Vec2> points;
     bool closed = false;
+    int depth = 0;  // of how many closed contours of the piece it lies inside
 };
 
 struct PatternLine {
     LineKind kind = LineKind::valley;  // mountain, valley, seam or mark; cuts are contours
     Segment at;
     int plate = -1;  // index into Pattern::plate_names, -1: none
+    // A seam along which another piece is glued on: a place, where nothing is folded. Other seams are folds
+    // of tabs.
+    bool glued_on = false;
 };
 
 struct Fill {

@@ -47,6 +47,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "the text x,y. A list of points written as text needs an even number of numbers, with commas or blanks "
      "between them; a decimal comma looks like one more number there. Write the missing number, or a decimal "
      "point for the comma."},
+    {"bad-profile", Severity::error, "a profile's file is not what it should be",
+     "A profile of your own is a TOML file with the keys name, about, base, folds, one-sided, styled-paths, "
+     "and the "
+     "tables perforation and pens; \"man popupc\" says what each takes. A key that is not known is refused, "
+     "so "
+     "that a slip of the pen does not end in a wrong colour on a machine."},
     {"bad-reference", Severity::error, "a reference to what cannot be drawn",
      "A use element names something that is not in the drawing, is in another file, or holds the use "
      "itself. What it should have drawn would be missing from the sheets, or never come to an end. Correct "
@@ -253,6 +259,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The folds of a step and the seams of a tent must be parallel to the fold they stand on, and the two "
      "seams of a tent's piece to each other; otherwise the plates would have to bend. Each line was turned "
      "about its midpoint, its length kept."},
+    {"one-sided-folds", Severity::remark, "mountain and valley folds are scored from the same side",
+     "A laser, and most plotters, score the front of the paper only, and paper folds best away from its "
+     "score: "
+     "mountain folds come out crisp, valley folds less so. Crease the valley folds by hand with a ruler, or "
+     "take "
+     "--fold-style perforated, which folds either way."},
     {"opening-too-wide", Severity::warning, "an angled element opens too far",
      "The sides of a beak or angled step may open by at most 175° about the apex, and the V of a v-fold by "
      "at most 170°: beyond that the element hardly leaves the page, and its solution is lost when the card "

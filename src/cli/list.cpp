@@ -74,10 +74,27 @@ Rows codes() {
 }
 
 Rows profiles() {
-    return {{{"name", "workshop"},
-             {"about",
-              "for scissors and knife: cut red, valley magenta dashed, mountain blue dashed, seam black "
-              "dashed"}}};
+    Rows rows;
+    for (const Profile& row : profile_table()) {
+        Json pens = Json::object();
+        for (const Operation operation : kOperations) {
+            const Pen& pen = row.pen(operation);
+            if (pen.layer.empty()) continue;
+            pens[std::string(to_string(operation))] = {
+                {"layer", pen.layer}, {"color", to_string(pen.color)}, {"width_mm", pen.width_mm}};
+        }
+        rows.push_back({{"name", row.name},
+                        {"folds", to_string(row.folds)},
+                        {"verified", row.verified},
+                        {"about", row.about},
+                        {"one_sided", row.one_sided},
+                        {"perforation",
+                         {{"cut_mm", row.perforation.cut_mm},
+                          {"gap_mm", row.perforation.gap_mm},
+                          {"clear_mm", row.perforation.clear_mm}}},
+                        {"pens", std::move(pens)}});
+    }
+    return rows;
 }
 
 struct Listing {
@@ -87,28 +104,33 @@ struct Listing {
 constexpr Listing kListings[] = {{"formats", formats},   {"languages", languages}, {"elements", elements},
                                  {"profiles", profiles}, {"sheets", sheets},       {"codes", codes}};
 
-std::string cell(const Json& value) {
+// How a member of a row is shown in text; nullopt: in JSON only.
+std::optional<std::string> cell(const std::string& name, const Json& value) {
     if (value.is_string()) return value.get<std::string>();
-    if (value.is_boolean()) return value.get<bool>() ? "glued" : "cut";
+    if (name == "glued") return value.get<bool>() ? "glued" : "cut";
+    if (name == "verified") return value.get<bool>() ? "verified" : "unverified";
+    if (value.is_boolean() || value.is_structured()) return std::nullopt;
     if (value.is_number_float()) return fmt::format("{}", value.get<double>());
     return value.is_null() ? "-" : value.dump();
 }
 
 std::string aligned(const Rows& rows) {
+    std::vector<std::vector<std::string>> lines;
     std::vector<std::size_t> widths;
     for (const Json& row : rows) {
-        std::size_t column = 0;
-        for (const Json& value : row) {
-            if (column == widths.size()) widths.push_back(0);
-            widths[column] = std::max(widths[column], cell(value).size());
-            ++column;
+        std::vector<std::string>& cells = lines.emplace_back();
+        for (const auto& [name, value] : row.items()) {
+            std::optional<std::string> text = cell(name, value);
+            if (!text) continue;
+            if (cells.size() == widths.size()) widths.push_back(0);
+            widths[cells.size()] = std::max(widths[cells.size()], text->size());
+            cells.push_back(std::move(*text));
         }
     }
     std::string text;
-    for (const Json& row : rows) {
+    for (const std::vector<std::string>& cells : lines) {
         std::string line;
-        std::size_t column = 0;
-        for (const Json& value : row) line += fmt::format("{:<{}}  ", cell(value), widths[column++]);
+        for (std::size_t i = 0; i < cells.size(); ++i) line += fmt::format("{:<{}}  ", cells[i], widths[i]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }

@@ -55,6 +55,9 @@ struct BuildOptions {
     std::string format;  // --to, for standard output and suffixes that say nothing
     std::optional<Stage> emit;
     bool if_changed = false;
+    std::string profile_file;                // empty: a built-in profile
+    std::optional<FoldStyle> folds;          // instead of the profile's
+    std::optional<Perforation> perforation;  // likewise
 };
 
 struct FixOptions {

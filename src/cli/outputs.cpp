@@ -246,6 +246,11 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
     for (const CompiledDesign& one : compilation.designs) {
         if (one.parts) check_parts(one.source.name, outputs, options.build.emit);
     }
+    const bool has_sheets = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+        return std::holds_alternative<SheetWriter>(output.format->write);
+    });
+    if (has_sheets && compilation.layout)
+        examine_profile(*compilation.layout, options.compile.output.profile, compilation.run_diagnostics);
     std::vector<PendingFile> files;
     bool good = true;
     OutputOptions writing = options.compile.output;

@@ -286,13 +286,14 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
         {"bounds", empty ? Json() : Json::array({json(piece.bounds.min), json(piece.bounds.max)})},
         {"cuts", list(piece.cuts,
                       [](const Contour& c) {
-                          return Json{{"closed", c.closed}, {"points", json(c.points)}};
+                          return Json{{"closed", c.closed}, {"depth", c.depth}, {"points", json(c.points)}};
                       })},
         {"lines", list(piece.lines,
                        [&](const PatternLine& line) {
                            return Json{{"kind", to_string(line.kind)},
                                        {"at", json(line.at)},
-                                       {"plate", plate(line.plate)}};
+                                       {"plate", plate(line.plate)},
+                                       {"glued_on", line.glued_on}};
                        })},
         {"fills", list(piece.fills,
                        [&](const Fill& fill) {

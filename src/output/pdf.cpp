@@ -91,30 +91,22 @@ void set_metadata(cairo_surface_t* surface, const Layout& layout) {
 // One page; the context's unit is the millimetre, y down from the upper edge.
 class PdfPage {
  public:
-    PdfPage(cairo_t* context, const SheetDrawing& drawing) : cairo_(context), drawing_(drawing) {}
+    PdfPage(cairo_t* context, const SheetDrawing& drawing, const Profile& profile)
+        : cairo_(context), drawing_(drawing), profile_(profile) {}
 
     void draw() {
-        for (const SheetLayer layer : kSheetLayers) {
-            begin_layer(layer);
+        for (const SheetLayer& layer : layers_of(profile_)) {
             for (const SheetPiece& piece : drawing_.pieces) {
-                for (const SheetShape& one : drawing_.shapes_of(piece, layer)) shape(one);
-                if (layer != SheetLayer::label) continue;
-                for (const SheetText& one : drawing_.texts_of(piece)) text(one);
+                for (const SheetShape& one : drawing_.shapes_of(piece, layer.first, layer.last)) shape(one);
             }
+            if (layer.first > Operation::label || layer.last < Operation::label) continue;
+            color(profile_.pen(Operation::label).color);
+            for (const SheetText& one : drawing_.texts) text(one);
         }
     }
 
  private:
     void color(Color c) { cairo_set_source_rgb(cairo_, c.r / 255.0, c.g / 255.0, c.b / 255.0); }
-
-    void begin_layer(SheetLayer layer) {
-        const bool whole = !layer_style(layer).dashed;
-        cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
-        cairo_set_dash(cairo_, nullptr, 0, 0.0);
-        cairo_set_line_cap(cairo_, whole ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-        cairo_set_line_join(cairo_, whole ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
-        color(layer_style(layer).color);
-    }
 
     void trace(const SheetShape& shape) {
         for (const Run& run : drawing_.runs_of(shape)) {
@@ -129,14 +121,16 @@ class PdfPage {
     void shape(const SheetShape& shape) {
         color(shape.color);
         trace(shape);
-        if (shape.layer == SheetLayer::fill) {
+        if (shape.operation == Operation::fill) {
+            cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
             cairo_fill(cairo_);
             return;
         }
-        if (layer_style(shape.layer).dashed) {
-            const Dashes dashes = fitted_dashes(shape.layer, drawing_.length_of(shape));
-            cairo_set_dash(cairo_, dashes.mm.data(), static_cast<int>(dashes.count), 0.0);
-        }
+        const bool whole = !profile_.dashes(shape.operation);
+        cairo_set_line_cap(cairo_, whole ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_join(cairo_, whole ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
+        const Dashes dashes = whole ? Dashes{} : fitted_dashes(shape.operation, drawing_.length_of(shape));
+        cairo_set_dash(cairo_, dashes.mm.data(), static_cast<int>(dashes.count), 0.0);
         cairo_set_line_width(cairo_, shape.width_mm);
         cairo_stroke(cairo_);
     }
@@ -156,6 +150,7 @@ class PdfPage {
 
     cairo_t* cairo_;
     const SheetDrawing& drawing_;
+    const Profile& profile_;
 };
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
@@ -163,7 +158,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std::string& bytes) {
+cairo_status_t draw_document(const Layout& layout, const Profile& profile, cairo_font_face_t* font,
+                             std::string& bytes) {
     const LayoutSheet& first = layout.sheets.front();
     const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, first.width_mm * kPointsPerMm,
                                                               first.height_mm * kPointsPerMm));
@@ -179,10 +175,10 @@ cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std:
         cairo_set_font_face(context.get(), font);
         const int count = static_cast<int>(layout.sheets.size());
         for (int i = 0; i < count; ++i) {
-            const SheetDrawing drawing = draw_sheet(layout, i);
+            const SheetDrawing drawing = draw_sheet(layout, profile, i);
             cairo_pdf_surface_set_size(surface.get(), drawing.width_mm * kPointsPerMm,
                                        drawing.height_mm * kPointsPerMm);
-            PdfPage(context.get(), drawing).draw();
+            PdfPage(context.get(), drawing, profile).draw();
             cairo_show_page(context.get());
         }
         if (const cairo_status_t status = cairo_status(context.get()); status != CAIRO_STATUS_SUCCESS) {
@@ -196,6 +192,7 @@ cairo_status_t draw_document(const Layout& layout, cairo_font_face_t* font, std:
 }  // namespace
 
 std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout,
+                                                            const OutputOptions& options,
                                                             const std::string& font_file,
                                                             Diagnostics& diagnostics) {
     for (const LayoutSheet& sheet : layout.sheets) {
@@ -220,7 +217,7 @@ std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout
         return std::nullopt;
     }
     std::string bytes;
-    const cairo_status_t status = draw_document(layout, font.get(), bytes);
+    const cairo_status_t status = draw_document(layout, options.profile, font.get(), bytes);
     if (status != CAIRO_STATUS_SUCCESS) {
         diagnostics.error("pdf-failed", {},
                           fmt::format("the PDF could not be made: {}", cairo_status_to_string(status)));
@@ -229,9 +226,9 @@ std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout
     return std::vector<std::string>{std::move(bytes)};
 }
 
-std::optional<std::vector<std::string>> write_pdf(const Layout& layout, const OutputOptions& /*options*/,
+std::optional<std::vector<std::string>> write_pdf(const Layout& layout, const OutputOptions& options,
                                                   Diagnostics& diagnostics) {
-    return write_pdf_with_font(layout, POPUP_FONT_FILE, diagnostics);
+    return write_pdf_with_font(layout, options, POPUP_FONT_FILE, diagnostics);
 }
 
 }  // namespace popup

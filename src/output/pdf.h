@@ -19,6 +19,7 @@ std::optional<std::vector<std::string>> write_pdf(const Layout& layout, const Ou
 
 // The same with the labels' font from `font_file`.
 std::optional<std::vector<std::string>> write_pdf_with_font(const Layout& layout,
+                                                            const OutputOptions& options,
                                                             const std::string& font_file,
                                                             Diagnostics& diagnostics);
 

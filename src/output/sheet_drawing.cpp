@@ -11,24 +11,29 @@
 namespace popup {
 namespace {
 
-SheetLayer layer_of(LineKind kind) {
-    switch (kind) {
+// Of a line that is not on an outline. A machine must leave the paper whole where a piece is glued on.
+Operation operation_of(const PatternLine& line, const Profile& profile) {
+    switch (line.kind) {
         case LineKind::cut:
-            return SheetLayer::cut;
+            return Operation::inner_cut;
         case LineKind::mountain:
-            return SheetLayer::mountain;
+            return Operation::mountain;
         case LineKind::valley:
-            return SheetLayer::valley;
+            return Operation::valley;
         case LineKind::seam:
-            return SheetLayer::seam;
+            return line.glued_on && profile.folds != FoldStyle::dashed ? Operation::glue : Operation::seam;
         case LineKind::mark:
-            return SheetLayer::draw;
+            return Operation::draw;
     }
     broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
 }
 
+Operation operation_of(const Contour& cut) {
+    return cut.closed && cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;
+}
+
 // A mark is drawn, never cut or folded: a thin grey line.
-constexpr LayerStyle kMark{Color{0x80, 0x80, 0x80}, 0.2, false};
+constexpr Pen kMark{"", Color{0x80, 0x80, 0x80}, 0.2};
 
 // The turn that makes a line of text read from below or from the right.
 double upright(double angle) {
@@ -42,10 +47,11 @@ double upright(double angle) {
 }
 
 // Carries points of one piece to the sheet.
-class Pen {
+class Plotter {
  public:
-    Pen(SheetDrawing& drawing, const Placement& placement)
-        : drawing_(drawing),
+    Plotter(SheetDrawing& drawing, const Profile& the_profile, const Placement& placement)
+        : profile(the_profile),
+          drawing_(drawing),
           offset_(placement.offset),
           angle_(placement.angle.rad()),
           x_(placement.apply({1, 0}) - placement.offset),
@@ -54,18 +60,20 @@ class Pen {
     [[nodiscard]] Vec2 at(Vec2 p) const { return offset_ + p.x * x_ + p.y * y_; }
     [[nodiscard]] double turned(double angle) const { return upright(angle + angle_); }
 
-    void begin(SheetLayer layer, int plate, Color color, double width_mm) {
-        drawing_.shapes.push_back({layer, drawing_.runs.size(), 0, plate, color, width_mm});
+    void begin(Operation operation, int plate, Color color, double width_mm) {
+        drawing_.shapes.push_back({operation, drawing_.runs.size(), 0, plate, color, width_mm});
     }
-    void begin(SheetLayer layer, int plate) {
-        const LayerStyle style = layer_style(layer);
-        begin(layer, plate, style.color, style.width_mm);
+    void begin(Operation operation, int plate) {
+        const Pen& pen = profile.pen(operation);
+        begin(operation, plate, pen.color, pen.width_mm);
     }
     void run(std::span<const Vec2> points, bool closed) {
         drawing_.runs.push_back({drawing_.points.size(), points.size(), closed});
         for (const Vec2 p : points) drawing_.points.push_back(at(p));
         ++drawing_.shapes.back().runs;
     }
+
+    const Profile& profile;
 
  private:
     SheetDrawing& drawing_;
@@ -74,59 +82,80 @@ class Pen {
     Vec2 x_, y_;
 };
 
-void draw_line(Pen& pen, const PatternLine& line) {
-    if (line.kind == LineKind::mark) {
-        pen.begin(SheetLayer::draw, line.plate, kMark.color, kMark.width_mm);
-    } else {
-        pen.begin(layer_of(line.kind), line.plate);
-    }
-    pen.run(std::array{line.at.a, line.at.b}, false);
-}
-
-void draw_lines(Pen& pen, const PatternPiece& piece, SheetLayer layer) {
+void draw_lines(Plotter& plotter, const PatternPiece& piece, Operation operation) {
     for (const PatternLine& line : piece.lines) {
-        if (layer_of(line.kind) == layer) draw_line(pen, line);
+        if (operation_of(line, plotter.profile) != operation) continue;
+        if (line.kind == LineKind::mark) {
+            plotter.begin(operation, line.plate, kMark.color, kMark.width_mm);
+        } else {
+            plotter.begin(operation, line.plate);
+        }
+        plotter.run(std::array{line.at.a, line.at.b}, false);
     }
 }
 
-void draw_layer(Pen& pen, const PatternPiece& piece, SheetLayer layer) {
-    switch (layer) {
-        case SheetLayer::fill:
+bool is_fold(const PatternLine& line) {
+    return line.kind == LineKind::valley || line.kind == LineKind::mountain ||
+           (line.kind == LineKind::seam && !line.glued_on);
+}
+
+void draw_perforations(Plotter& plotter, const PatternPiece& piece) {
+    for (const PatternLine& line : piece.lines) {
+        if (!is_fold(line) || line.at.a == line.at.b) continue;
+        plotter.begin(Operation::perforation, line.plate);
+        for (const Segment& cut : perforated(line.at, plotter.profile.perforation))
+            plotter.run(std::array{cut.a, cut.b}, false);
+    }
+}
+
+void draw_cuts(Plotter& plotter, const PatternPiece& piece, Operation operation) {
+    for (const Contour& cut : piece.cuts) {
+        if (operation_of(cut) != operation) continue;
+        plotter.begin(operation, -1);
+        plotter.run(cut.points, cut.closed);
+    }
+    draw_lines(plotter, piece, operation);
+}
+
+void draw_operation(Plotter& plotter, const PatternPiece& piece, Operation operation) {
+    if (!plotter.profile.draws(operation)) return;
+    switch (operation) {
+        case Operation::fill:
             for (const Fill& fill : piece.fills) {
-                pen.begin(layer, fill.plate, fill.color, 0.0);
-                pen.run(fill.area.outer, true);
-                for (const Ring& hole : fill.area.holes) pen.run(hole, true);
+                plotter.begin(operation, fill.plate, fill.color, 0.0);
+                plotter.run(fill.area.outer, true);
+                for (const Ring& hole : fill.area.holes) plotter.run(hole, true);
             }
             return;
-        case SheetLayer::draw:
+        case Operation::draw:
             for (const PatternStroke& drawn : piece.strokes) {
-                pen.begin(layer, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
-                pen.run(drawn.stroke.points, false);
+                plotter.begin(operation, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
+                plotter.run(drawn.stroke.points, false);
             }
-            return draw_lines(pen, piece, layer);
-        case SheetLayer::glue:
+            return draw_lines(plotter, piece, operation);
+        case Operation::glue:
             for (const GlueTarget& target : piece.targets) {
-                pen.begin(layer, target.plate);
-                pen.run(target.outline, true);
+                plotter.begin(operation, target.plate);
+                plotter.run(target.outline, true);
             }
-            return;
-        case SheetLayer::label:
+            return draw_lines(plotter, piece, operation);
+        case Operation::label:
             return;  // text, not shapes
-        case SheetLayer::valley:
-        case SheetLayer::mountain:
-        case SheetLayer::seam:
-            return draw_lines(pen, piece, layer);
-        case SheetLayer::cut:
-            for (const Contour& cut : piece.cuts) {
-                pen.begin(layer, -1);
-                pen.run(cut.points, cut.closed);
-            }
-            return draw_lines(pen, piece, layer);
+        case Operation::valley:
+        case Operation::mountain:
+        case Operation::seam:
+            return draw_lines(plotter, piece, operation);
+        case Operation::perforation:
+            return draw_perforations(plotter, piece);
+        case Operation::inner_cut:
+        case Operation::outer_cut:
+            return draw_cuts(plotter, piece, operation);
     }
-    broken_invariant("a layer is one of its enumerators", __FILE__, __LINE__);
+    broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
 }
 
-void draw_piece(SheetDrawing& drawing, const Layout& layout, const Placement& placement) {
+void draw_piece(SheetDrawing& drawing, const Layout& layout, const Profile& profile,
+                const Placement& placement) {
     const DesignPattern& design = layout.designs.at(static_cast<std::size_t>(placement.design));
     const PatternPiece& piece = design.pattern.pieces.at(static_cast<std::size_t>(placement.piece));
     SheetPiece& drawn = drawing.pieces.emplace_back();
@@ -136,89 +165,54 @@ void draw_piece(SheetDrawing& drawing, const Layout& layout, const Placement& pl
     drawn.copy = placement.copy;
     drawn.plate_names = design.pattern.plate_names;
 
-    Pen pen(drawing, placement);
-    for (const SheetLayer layer : kSheetLayers) {
-        drawn.first_shape.at(static_cast<std::size_t>(layer)) = drawing.shapes.size();
-        draw_layer(pen, piece, layer);
+    Plotter plotter(drawing, profile, placement);
+    for (const Operation operation : kOperations) {
+        drawn.first_shape.at(static_cast<std::size_t>(operation)) = drawing.shapes.size();
+        draw_operation(plotter, piece, operation);
     }
     drawn.first_shape.back() = drawing.shapes.size();
 
     drawn.first_text = drawing.texts.size();
     for (const Label& label : piece.labels) {
-        if (label.text.empty() || label.height_mm <= 0.0) continue;
+        if (label.text.empty() || label.height_mm <= 0.0 || !profile.draws(Operation::label)) continue;
         drawing.texts.push_back(
-            {visible(label.text), pen.at(label.at), label.height_mm, pen.turned(label.angle)});
+            {visible(label.text), plotter.at(label.at), label.height_mm, plotter.turned(label.angle)});
     }
     drawn.texts = drawing.texts.size() - drawn.first_text;
 }
 
 }  // namespace
 
-std::string_view to_string(SheetLayer layer) {
-    switch (layer) {
-        case SheetLayer::fill:
-            return "fill";
-        case SheetLayer::draw:
-            return "draw";
-        case SheetLayer::glue:
-            return "glue";
-        case SheetLayer::label:
-            return "label";
-        case SheetLayer::valley:
-            return "valley";
-        case SheetLayer::mountain:
-            return "mountain";
-        case SheetLayer::seam:
-            return "seam";
-        case SheetLayer::cut:
-            return "cut";
+std::vector<SheetLayer> layers_of(const Profile& profile) {
+    std::vector<SheetLayer> layers;
+    std::string_view before;
+    for (const Operation operation : kOperations) {
+        if (!profile.draws(operation)) continue;
+        const std::string_view name = profile.pen(operation).layer;
+        if (name == before) {
+            layers.back().last = operation;
+        } else {
+            layers.push_back({name, operation, operation});
+        }
+        before = name;
     }
-    broken_invariant("a layer is one of its enumerators", __FILE__, __LINE__);
+    return layers;
 }
 
-LayerStyle layer_style(SheetLayer layer) {
-    switch (layer) {
-        case SheetLayer::fill:
-        case SheetLayer::draw:
-            return {Color{0, 0, 0}, 0.0, false};
-        case SheetLayer::glue:
-            return {Color{0xa6, 0xa6, 0xa6}, 0.2, false};
-        case SheetLayer::label:
-            return {Color{0x73, 0x73, 0x73}, 0.0, false};
-        case SheetLayer::valley:
-            return {Color{0xff, 0x00, 0xff}, 0.3, true};
-        case SheetLayer::mountain:
-            return {Color{0x00, 0x00, 0xff}, 0.3, true};
-        case SheetLayer::seam:
-            return {Color{0x00, 0x00, 0x00}, 0.3, true};
-        case SheetLayer::cut:
-            return {Color{0xff, 0x00, 0x00}, 0.35, false};
-    }
-    broken_invariant("a layer is one of its enumerators", __FILE__, __LINE__);
-}
-
-Dashes fitted_dashes(SheetLayer layer, double length_mm) {
+Dashes fitted_dashes(Operation fold, double length_mm) {
     Dashes dashes;
     double tail = 0.0;  // what of the last period is left out, so that the line ends with its first dash
-    switch (layer) {
-        case SheetLayer::valley:
-            dashes = {{3.0, 1.5}, 2};
-            tail = 1.5;
-            break;
-        case SheetLayer::mountain:
-            dashes = {{5.0, 1.2, 1.0, 1.2}, 4};
-            tail = 3.4;
-            break;
-        case SheetLayer::seam:
-            dashes = {{1.2, 1.0}, 2};
-            tail = 1.0;
-            break;
-        case SheetLayer::fill:
-        case SheetLayer::draw:
-        case SheetLayer::glue:
-        case SheetLayer::label:
-        case SheetLayer::cut:
-            return dashes;
+    if (fold == Operation::valley) {
+        dashes = {{3.0, 1.5}, 2};
+        tail = 1.5;
+    } else if (fold == Operation::mountain) {
+        dashes = {{5.0, 1.2, 1.0, 1.2}, 4};
+        tail = 3.4;
+    } else if (fold == Operation::seam) {
+        dashes = {{1.2, 1.0}, 2};
+        tail = 1.0;
+    } else {
+        return dashes;
     }
     double period = 0.0;
     for (const double mm : dashes.pattern()) period += mm;
@@ -229,10 +223,11 @@ Dashes fitted_dashes(SheetLayer layer, double length_mm) {
     return dashes;
 }
 
-std::span<const SheetShape> SheetDrawing::shapes_of(const SheetPiece& piece, SheetLayer layer) const {
-    const auto i = static_cast<std::size_t>(layer);
-    const std::size_t first = piece.first_shape.at(i);
-    return std::span(shapes).subspan(first, piece.first_shape.at(i + 1) - first);
+std::span<const SheetShape> SheetDrawing::shapes_of(const SheetPiece& piece, Operation first,
+                                                    Operation last) const {
+    const std::size_t begin = piece.first_shape.at(static_cast<std::size_t>(first));
+    const std::size_t end = piece.first_shape.at(static_cast<std::size_t>(last) + 1);
+    return std::span(shapes).subspan(begin, end - begin);
 }
 
 std::span<const Run> SheetDrawing::runs_of(const SheetShape& shape) const {
@@ -257,7 +252,7 @@ double SheetDrawing::length_of(const SheetShape& shape) const {
     return sum;
 }
 
-SheetDrawing draw_sheet(const Layout& layout, int sheet) {
+SheetDrawing draw_sheet(const Layout& layout, const Profile& profile, int sheet) {
     SheetDrawing drawing;
     drawing.width_mm = layout.sheets.at(static_cast<std::size_t>(sheet)).width_mm;
     drawing.height_mm = layout.sheets[static_cast<std::size_t>(sheet)].height_mm;
@@ -269,7 +264,7 @@ SheetDrawing draw_sheet(const Layout& layout, int sheet) {
                                     [number](const Placement& p) { return p.sheet < number; });
     };
     const auto last = first_on(sheet + 1);
-    for (auto it = first_on(sheet); it != last; ++it) draw_piece(drawing, layout, *it);
+    for (auto it = first_on(sheet); it != last; ++it) draw_piece(drawing, layout, profile, *it);
     return drawing;
 }
 

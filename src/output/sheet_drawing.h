@@ -1,7 +1,7 @@
 // A sheet of a Layout as a picture: what SVG and PDF (and any later sheet format) have in common.
 //
-// Which layer a thing is drawn in, in which order, where it lies on the sheet, and how the notation
-// `workshop` draws it: each fact stands here once. Coordinates are those of the sheet: millimetres, origin at
+// What is done with a thing, in which order, where it lies on the sheet, and what becomes of folds: each fact
+// stands here once; how it looks is the profile's. Coordinates are those of the sheet: millimetres, origin at
 // the lower left corner, y up.
 #pragma once
 
@@ -13,34 +13,19 @@
 #include <vector>
 
 #include "popup/layout.h"
+#include "popup/profile.h"
 
 namespace popup {
 
-// In drawing order: what comes later is drawn over what came before.
-enum class SheetLayer { fill, draw, glue, label, valley, mountain, seam, cut };
-inline constexpr std::array kSheetLayers{SheetLayer::fill,  SheetLayer::draw,   SheetLayer::glue,
-                                         SheetLayer::label, SheetLayer::valley, SheetLayer::mountain,
-                                         SheetLayer::seam,  SheetLayer::cut};
-std::string_view to_string(SheetLayer layer);
-
-// How the lines of a layer are drawn. `fill`, `draw` have no pen of their own: each shape brings its colour
-// (and width). `label` has the colour of the text.
-struct LayerStyle {
-    Color color;
-    double width_mm = 0.0;
-    bool dashed = false;
-};
-LayerStyle layer_style(SheetLayer layer);
-
 // Lengths in mm of dash, gap, dash, gap … for one line of `length_mm` in a dashed layer, fitted so that the
-// line begins and ends with a whole dash. Valley: even dashes; mountain: long and short dashes in turn; seam:
-// short dashes. So they can be told apart without their colours, too.
+// line begins and ends with a whole dash; none for what is not a fold. Valley: even dashes; mountain: long
+// and short dashes in turn; seam: short dashes. So they can be told apart without their colours, too.
 struct Dashes {
     std::array<double, 4> mm{};
     std::size_t count = 0;
     [[nodiscard]] std::span<const double> pattern() const { return {mm.data(), count}; }
 };
-Dashes fitted_dashes(SheetLayer layer, double length_mm);
+Dashes fitted_dashes(Operation fold, double length_mm);
 
 // Points [first, first + count) of SheetDrawing::points.
 struct Run {
@@ -49,9 +34,18 @@ struct Run {
     bool closed = false;
 };
 
-// One path: a line, a contour, or an area with its holes (even-odd).
+// Operations that share a layer of a profile: [first, last].
+struct SheetLayer {
+    std::string_view name;
+    Operation first = Operation::fill;
+    Operation last = Operation::fill;
+};
+// The layers of a profile, in the order of its operations.
+std::vector<SheetLayer> layers_of(const Profile& profile);
+
+// One path: a line, a contour, a line of perforations, or an area with its holes (even-odd).
 struct SheetShape {
-    SheetLayer layer = SheetLayer::cut;
+    Operation operation = Operation::outer_cut;
     std::size_t first_run = 0;
     std::size_t runs = 0;
     int plate = -1;         // index into SheetPiece::plate_names, -1: none
@@ -73,8 +67,8 @@ struct SheetPiece {
     std::string prefix;  // goes before plate names; empty with a single input
     int copy = 0;        // from 0
     std::span<const std::string> plate_names;
-    // Shapes of layer i: [first_shape[i], first_shape[i + 1]) of SheetDrawing::shapes.
-    std::array<std::size_t, kSheetLayers.size() + 1> first_shape{};
+    // Shapes of operation i: [first_shape[i], first_shape[i + 1]) of SheetDrawing::shapes.
+    std::array<std::size_t, kOperations.size() + 1> first_shape{};
     std::size_t first_text = 0;
     std::size_t texts = 0;
 };
@@ -89,7 +83,8 @@ struct SheetDrawing {
     std::vector<Vec2> points;
     std::vector<SheetText> texts;
 
-    [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetPiece& piece, SheetLayer layer) const;
+    [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetPiece& piece, Operation first,
+                                                        Operation last) const;
     [[nodiscard]] std::span<const Run> runs_of(const SheetShape& shape) const;
     [[nodiscard]] std::span<const Vec2> points_of(const Run& run) const;
     [[nodiscard]] std::span<const SheetText> texts_of(const SheetPiece& piece) const;
@@ -100,7 +95,7 @@ struct SheetDrawing {
 // Draws sheet `sheet` (from 0). Placements must be ordered by sheet, as lay_out() leaves them. The drawing
 // refers to the layout's plate names and must not outlive it.
 // Cost: linear in what lies on the sheet, and a search for its first placement.
-SheetDrawing draw_sheet(const Layout& layout, int sheet);
+SheetDrawing draw_sheet(const Layout& layout, const Profile& profile, int sheet);
 
 // "castle", or "castle and 2 more" of several designs: for titles.
 std::string layout_title(const Layout& layout);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 
+#include "base/render_diagnostics.h"
 #include "output/numbers.h"
 #include "output/sheet_drawing.h"
 
@@ -17,7 +19,7 @@ constexpr int kDashDecimals = 3;
 
 class SvgText {
  public:
-    explicit SvgText(const SheetDrawing& drawing) : drawing_(drawing) {}
+    SvgText(const SheetDrawing& drawing, const Profile& profile) : drawing_(drawing), profile_(profile) {}
 
     std::string sheet(int index);
 
@@ -28,14 +30,17 @@ class SvgText {
     void point(Vec2 p);  // "x,y"
     void color(Color c) { fmt::format_to(fmt::appender(out_), "#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
-    void layer(SheetLayer layer);
-    void layer_attributes(SheetLayer layer);
-    void piece(const SheetPiece& piece, SheetLayer layer);
+    void layer(const SheetLayer& layer);
+    [[nodiscard]] std::string attributes(Operation operation) const;
+    void pieces(Operation first, Operation last);
+    void piece(const SheetPiece& piece, Operation first, Operation last);
     void shape(const SheetPiece& piece, const SheetShape& shape);
+    void paint(const SheetShape& shape);
     void geometry(const SheetShape& shape);
     void text(const SheetText& text);
 
     const SheetDrawing& drawing_;
+    const Profile& profile_;
     fmt::memory_buffer out_;
 };
 
@@ -90,6 +95,37 @@ void SvgText::geometry(const SheetShape& shape) {
     out_.push_back('"');
 }
 
+void SvgText::paint(const SheetShape& shape) {
+    if (shape.operation == Operation::fill) {
+        raw("fill=\"");
+        color(shape.color);
+        raw("\" ");
+    } else if (profile_.styled_paths) {
+        raw("style=\"fill:none;stroke:");
+        color(shape.color);
+        raw(";stroke-width:");
+        number(shape.width_mm);
+        raw("\" ");
+    } else if (shape.operation == Operation::draw) {
+        raw("stroke=\"");
+        color(shape.color);
+        raw("\" stroke-width=\"");
+        number(shape.width_mm);
+        raw("\" ");
+    }
+    if (!profile_.dashes(shape.operation)) return;
+    const Dashes dashes = fitted_dashes(shape.operation, drawing_.length_of(shape));
+    if (dashes.count == 0) return;
+    char separator = '"';
+    raw("stroke-dasharray=");
+    for (const double mm : dashes.pattern()) {
+        out_.push_back(separator);
+        append_number(out_, mm, kDashDecimals);
+        separator = ' ';
+    }
+    raw("\" ");
+}
+
 void SvgText::shape(const SheetPiece& piece, const SheetShape& shape) {
     raw("   <path ");
     if (shape.plate >= 0) {
@@ -98,29 +134,7 @@ void SvgText::shape(const SheetPiece& piece, const SheetShape& shape) {
         escaped(piece.plate_names[static_cast<std::size_t>(shape.plate)]);
         raw("\" ");
     }
-    if (shape.layer == SheetLayer::fill) {
-        raw("fill=\"");
-        color(shape.color);
-        raw("\" ");
-    } else if (shape.layer == SheetLayer::draw) {
-        raw("stroke=\"");
-        color(shape.color);
-        raw("\" stroke-width=\"");
-        number(shape.width_mm);
-        raw("\" ");
-    } else if (const Dashes dashes = layer_style(shape.layer).dashed
-                                         ? fitted_dashes(shape.layer, drawing_.length_of(shape))
-                                         : Dashes{};
-               dashes.count > 0) {
-        char separator = '"';
-        raw("stroke-dasharray=");
-        for (const double mm : dashes.pattern()) {
-            out_.push_back(separator);
-            append_number(out_, mm, kDashDecimals);
-            separator = ' ';
-        }
-        raw("\" ");
-    }
+    paint(shape);
     geometry(shape);
     raw("/>\n");
 }
@@ -149,7 +163,7 @@ void SvgText::text(const SheetText& text) {
     raw("</text>\n");
 }
 
-void SvgText::piece(const SheetPiece& piece, SheetLayer layer) {
+void SvgText::piece(const SheetPiece& piece, Operation first, Operation last) {
     raw("  <g data-piece=\"");
     escaped(piece.name);
     raw("\" data-design=\"");
@@ -159,53 +173,76 @@ void SvgText::piece(const SheetPiece& piece, SheetLayer layer) {
         raw(fmt::format_int(piece.copy + 1).c_str());
     }
     raw("\">\n");
-    for (const SheetShape& one : drawing_.shapes_of(piece, layer)) shape(piece, one);
-    if (layer == SheetLayer::label) {
+    for (const SheetShape& one : drawing_.shapes_of(piece, first, last)) shape(piece, one);
+    if (first == Operation::label) {
         for (const SheetText& one : drawing_.texts_of(piece)) text(one);
     }
     raw("  </g>\n");
 }
 
-void SvgText::layer_attributes(SheetLayer layer) {
-    switch (layer) {
-        case SheetLayer::fill:
-            raw(" fill-rule=\"evenodd\" stroke=\"none\"");
-            return;
-        case SheetLayer::draw:
-            raw(" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-            return;
-        case SheetLayer::label:
-            raw(" fill=\"");
-            color(layer_style(layer).color);
-            raw("\" stroke=\"none\" font-family=\"DejaVu Sans\" text-anchor=\"middle\"");
-            return;
-        case SheetLayer::glue:
-        case SheetLayer::valley:
-        case SheetLayer::mountain:
-        case SheetLayer::seam:
-        case SheetLayer::cut:
-            raw(" fill=\"none\" stroke=\"");
-            color(layer_style(layer).color);
-            raw("\" stroke-width=\"");
-            number(layer_style(layer).width_mm);
-            raw("\"");
-            if (!layer_style(layer).dashed) raw(" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-            return;
+void SvgText::pieces(Operation first, Operation last) {
+    for (const SheetPiece& one : drawing_.pieces) {
+        const bool holds_text = first == Operation::label && one.texts > 0;
+        if (holds_text || !drawing_.shapes_of(one, first, last).empty()) piece(one, first, last);
     }
 }
 
-void SvgText::layer(SheetLayer layer) {
-    const std::string_view name = to_string(layer);
+std::string SvgText::attributes(Operation operation) const {
+    const Pen& pen = profile_.pen(operation);
+    if (operation == Operation::fill) return " fill-rule=\"evenodd\" stroke=\"none\"";
+    if (operation == Operation::draw)
+        return " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    if (operation == Operation::label) {
+        return fmt::format(" fill=\"{}\" stroke=\"none\" font-family=\"DejaVu Sans\" text-anchor=\"middle\"",
+                           to_string(pen.color));
+    }
+    return fmt::format(
+        " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}", to_string(pen.color),
+        number_text(pen.width_mm, kDecimals),
+        profile_.dashes(operation) ? "" : " stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+}
+
+// An XML name that looks like the layer's.
+std::string id_of(std::string_view layer) {
+    std::string id;
+    for (const char c : layer) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+        const bool later = (c >= '0' && c <= '9') || c == '-' || c == '.';
+        if (id.empty() && !letter) id += '_';
+        id += letter || later ? c : '-';
+    }
+    return id;
+}
+
+// What is drawn alike stands in the layer's group piece by piece; else each operation has a group in it.
+void SvgText::layer(const SheetLayer& layer) {
+    std::vector<Operation> drawn;
+    for (const Operation one : kOperations) {
+        if (one >= layer.first && one <= layer.last && profile_.draws(one)) drawn.push_back(one);
+    }
+    const std::string look = attributes(layer.first);
+    const bool alike =
+        std::all_of(drawn.begin(), drawn.end(), [&](Operation one) { return attributes(one) == look; });
     raw(" <g id=\"");
-    raw(name);
+    raw(id_of(layer.name));
     raw("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
-    raw(name);
+    escaped(visible(layer.name));
     raw("\"");
-    layer_attributes(layer);
-    raw(">\n");
-    for (const SheetPiece& one : drawing_.pieces) {
-        const bool holds_text = layer == SheetLayer::label && one.texts > 0;
-        if (holds_text || !drawing_.shapes_of(one, layer).empty()) piece(one, layer);
+    if (alike) {
+        raw(look);
+        raw(">\n");
+        pieces(layer.first, layer.last);
+    } else {
+        raw(">\n");
+        for (const Operation one : drawn) {
+            raw(" <g class=\"");
+            raw(to_string(one));
+            raw("\"");
+            raw(attributes(one));
+            raw(">\n");
+            pieces(one, one);
+            raw(" </g>\n");
+        }
     }
     raw(" </g>\n");
 }
@@ -223,19 +260,22 @@ std::string SvgText::sheet(int index) {
     raw("</title>\n<desc>");
     escaped(generator());
     fmt::format_to(fmt::appender(out_), "</desc>\n<g class=\"sheet\" id=\"sheet-{}\">\n", index + 1);
-    for (const SheetLayer one : kSheetLayers) layer(one);
+    for (const SheetLayer& one : layers_of(profile_)) layer(one);
     raw("</g>\n</svg>\n");
     return fmt::to_string(out_);
 }
 
 }  // namespace
 
-std::optional<std::vector<std::string>> write_svg(const Layout& layout, const OutputOptions& /*options*/,
+std::optional<std::vector<std::string>> write_svg(const Layout& layout, const OutputOptions& options,
                                                   Diagnostics& /*diagnostics*/) {
     std::vector<std::string> sheets;
     const int count = static_cast<int>(layout.sheets.size());
     sheets.reserve(layout.sheets.size());
-    for (int i = 0; i < count; ++i) sheets.push_back(SvgText(draw_sheet(layout, i)).sheet(i));
+    for (int i = 0; i < count; ++i) {
+        const SheetDrawing drawing = draw_sheet(layout, options.profile, i);
+        sheets.push_back(SvgText(drawing, options.profile).sheet(i));
+    }
     return sheets;
 }
 

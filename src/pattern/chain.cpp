@@ -281,6 +281,7 @@ void put_in_order(std::vector<Contour>& contours) {
         const Vec2 probe =
             contours[i].closed ? points[0] - Vec2{kSameMm, 0.0} : lerp(points[0], points[1], 0.5);
         const int depth = index.winding(probe);
+        contours[i].depth = depth;
         ranked.push_back({depth, points[0], i});
         if (contours[i].closed && depth % 2 == 1) {
             std::reverse(contours[i].points.begin() + 1, contours[i].points.end());

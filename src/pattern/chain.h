@@ -27,9 +27,9 @@ std::vector<TaggedSegment> merged(std::vector<TaggedSegment> segments);
 // `segments` without what lies on any of `taken` (collinear overlaps only). Cost: near linear.
 std::vector<TaggedSegment> without(std::vector<TaggedSegment> segments, std::span<const Segment> taken);
 
-// Outer contours run counter-clockwise, those inside them clockwise, and so on inwards; inner ones come
-// first, then the lower, then the more to the left; closed contours start at their leftmost, then lowest,
-// corner. Precondition: no two closed contours cross.
+// Says of each how deep it lies. Outer contours run counter-clockwise, those inside them clockwise, and so on
+// inwards; inner ones come first, then the lower, then the more to the left; closed contours start at their
+// leftmost, then lowest, corner. Precondition: no two closed contours cross.
 void put_in_order(std::vector<Contour>& contours);
 
 // Joins merged segments into as few paths as possible in which every loop is a closed contour of its own and

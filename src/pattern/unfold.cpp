@@ -271,14 +271,17 @@ class Unfolder {
         work.cuts = without(std::move(work.cuts), work.glued);
         work.cuts.insert(work.cuts.end(), work.tab_cuts.begin(), work.tab_cuts.end());
         piece.cuts = chained(merged(std::move(work.cuts)));
-        work.lines[kSeam] = without(std::move(work.lines[kSeam]), work.glued);
-        work.lines[kSeam].insert(work.lines[kSeam].end(), work.tab_seams.begin(), work.tab_seams.end());
+        work.tab_seams = merged(std::move(work.tab_seams));
+        std::vector<Segment> folded;
+        for (const TaggedSegment& s : work.tab_seams) folded.push_back(s.at);
+        work.lines[kSeam] = without(without(std::move(work.lines[kSeam]), work.glued), folded);
         constexpr std::array kKinds{LineKind::mountain, LineKind::valley, LineKind::seam};
         for (std::size_t k = 0; k < kDrawnKinds; ++k) {
             for (const TaggedSegment& s : merged(std::move(work.lines[k]))) {
-                piece.lines.push_back({kKinds[k], s.at, s.tag});
+                piece.lines.push_back({kKinds[k], s.at, s.tag, kKinds[k] == LineKind::seam});
             }
         }
+        for (const TaggedSegment& s : work.tab_seams) piece.lines.push_back({LineKind::seam, s.at, s.tag});
         piece.lines.insert(piece.lines.end(), work.marks.begin(), work.marks.end());
         if (!work.tabs.empty()) {
             work.tabs.insert(work.tabs.end(), piece.silhouette.begin(), piece.silhouette.end());

@@ -21,8 +21,8 @@ inline Pattern example_pattern() {
 
     PatternPiece page;
     page.name = "page";
-    page.cuts = {{{{-20, -10}, {25, -10}}, false},
-                 {{{-20, 20}, {25, 20}}, false},
+    page.cuts = {{{{-20, -10}, {25, -10}}, false, 1},
+                 {{{-20, 20}, {25, 20}}, false, 1},
                  {rectangle(-100, -80, 100, 80), true}};
     page.lines = {{LineKind::valley, {{0, -80}, {0, -10}}, 0},
                   {LineKind::valley, {{0, 20}, {0, 80}}, 0},

@@ -11,7 +11,7 @@
 #include "input/drawing/read.h"
 #include "input/drawing/style.h"
 #include "input/drawing/transform.h"
-#include "output/sheet_drawing.h"
+#include "popup/profile.h"
 #include "support/drawings.h"
 
 namespace popup {
@@ -440,11 +440,11 @@ TEST(DrawingStyle, PaintIsReadInAllItsSpellings) {
 
 // The writer's notation and the reader's are the same.
 TEST(DrawingStyle, DashedLinesInTheColoursOfFoldsAreThoseFolds) {
-    const std::map<SheetLayer, LineKind> folds{{SheetLayer::valley, LineKind::valley},
-                                               {SheetLayer::mountain, LineKind::mountain},
-                                               {SheetLayer::seam, LineKind::seam}};
-    for (const auto& [layer, kind] : folds) {
-        const std::string color = to_string(layer_style(layer).color);
+    const std::map<Operation, LineKind> folds{{Operation::valley, LineKind::valley},
+                                              {Operation::mountain, LineKind::mountain},
+                                              {Operation::seam, LineKind::seam}};
+    for (const auto& [operation, kind] : folds) {
+        const std::string color = to_string(profile_table().front().pen(operation).color);
         const Part part = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" + color +
                                     "' stroke-dasharray='3,1'/>");
         ASSERT_EQ(part.lines.size(), 1U);

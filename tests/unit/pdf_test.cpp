@@ -99,7 +99,7 @@ TEST(Pdf, IsTheSameByteForByteWhateverWasWrittenBefore) {
 TEST(Pdf, AMissingFontIsAnErrorThatNamesTheFile) {
     for (const std::string file : {"/nowhere/font.ttf", "/dev/null"}) {
         Diagnostics diagnostics;
-        EXPECT_FALSE(write_pdf_with_font(example_layout(), file, diagnostics).has_value());
+        EXPECT_FALSE(write_pdf_with_font(example_layout(), {}, file, diagnostics).has_value());
         const auto all = diagnostics.sorted();
         ASSERT_EQ(all.size(), 1U);
         EXPECT_EQ(all[0].code, "font-missing");

@@ -1,0 +1,233 @@
+// The machine profiles: one row each. What `--profile` and `popupc list profiles` know of them follows from
+// the rows.
+#include <algorithm>
+
+#include "popup/diagnostics.h"
+#include "popup/profile.h"
+
+namespace popup {
+namespace {
+
+constexpr Color kBlack{0x00, 0x00, 0x00};
+constexpr Color kRed{0xff, 0x00, 0x00};
+constexpr Color kGreen{0x00, 0xff, 0x00};
+constexpr Color kBlue{0x00, 0x00, 0xff};
+constexpr Color kMagenta{0xff, 0x00, 0xff};
+constexpr Color kTarget{0xa6, 0xa6, 0xa6};
+constexpr Color kText{0x73, 0x73, 0x73};
+
+// Drivers that tell cutting from engraving by the width take no wider lines as cuts: 0.001 inch.
+constexpr double kHairline = 0.0254;
+constexpr double kThin = 0.1;
+
+const Pen kLeftOut{};
+
+bool is_fold(Operation operation) {
+    return operation == Operation::valley || operation == Operation::mountain || operation == Operation::seam;
+}
+
+// Pens: fill, draw, glue, label, valley, mountain, seam, perforation, inner cut, outer cut.
+std::span<const Profile> profiles() {
+    static const std::array kTable{
+        Profile{"workshop",
+                "for scissors and knife: cut red, valley magenta, mountain blue, seam black",
+                true,
+                FoldStyle::dashed,
+                {},
+                false,
+                false,
+                {{{"fill", kBlack, 0.0},
+                  {"draw", kBlack, 0.0},
+                  {"glue", kTarget, 0.2},
+                  {"label", kText, 0.0},
+                  {"valley", kMagenta, 0.3},
+                  {"mountain", kBlue, 0.3},
+                  {"seam", kBlack, 0.3},
+                  {"perforation", kRed, 0.35},
+                  {"cut", kRed, 0.35},
+                  {"cut", kRed, 0.35}}}},
+        Profile{"generic-laser",
+                "drivers that take hairlines in exact red as cuts and blue as scores",
+                true,
+                FoldStyle::score,
+                {},
+                true,
+                false,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"score", kBlue, kHairline},
+                  {"score", kBlue, kHairline},
+                  {"score", kBlue, kHairline},
+                  {"cut", kRed, kHairline},
+                  {"cut", kRed, kHairline},
+                  {"cut", kRed, kHairline}}}},
+        Profile{"lightburn",
+                "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
+                true,
+                FoldStyle::score,
+                {},
+                true,
+                false,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"score", kRed, kThin},
+                  {"score", kRed, kThin},
+                  {"score", kRed, kThin},
+                  {"perforation", {0x00, 0xe0, 0x00}, kThin},
+                  {"inner-cut", kBlue, kThin},
+                  {"outer-cut", kBlack, kThin}}}},
+        Profile{"k40",
+                "K40 Whisperer: red is cut, blue is engraved as a line, no third colour",
+                true,
+                FoldStyle::score,
+                {},
+                true,
+                true,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"ENGRAVE", kBlue, kThin},
+                  {"ENGRAVE", kBlue, kThin},
+                  {"ENGRAVE", kBlue, kThin},
+                  {"CUT", kRed, kThin},
+                  {"CUT", kRed, kThin},
+                  {"CUT", kRed, kThin}}}},
+        Profile{"glowforge",
+                "a step a colour: inner cuts red, outer black; choose score by hand for blue",
+                true,
+                FoldStyle::score,
+                {},
+                true,
+                false,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"score", kBlue, kThin},
+                  {"score", kBlue, kThin},
+                  {"score", kBlue, kThin},
+                  {"perforation", kGreen, kThin},
+                  {"inner-cut", kRed, kThin},
+                  {"outer-cut", kBlack, kThin}}}},
+        Profile{"cricut",
+                "Design Space: folds perforated, in a colour of their own",
+                false,
+                FoldStyle::perforated,
+                {},
+                false,
+                false,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"score", kBlue, kThin},
+                  {"score", kBlue, kThin},
+                  {"score", kBlue, kThin},
+                  {"perforation", kRed, kThin},
+                  {"cut", kBlack, kThin},
+                  {"cut", kBlack, kThin}}}},
+        Profile{"silhouette",
+                "folds as real dashes in the layer Cut; what is printed in the layer Print",
+                true,
+                FoldStyle::perforated,
+                {},
+                false,
+                false,
+                {{{"Print", kBlack, 0.0},
+                  {"Print", kBlack, 0.0},
+                  {"Print", kTarget, 0.2},
+                  {"Print", kText, 0.0},
+                  {"Score", kBlue, kThin},
+                  {"Score", kBlue, kThin},
+                  {"Score", kBlue, kThin},
+                  {"Cut", kRed, kThin},
+                  {"Cut", kRed, kThin},
+                  {"Cut", kRed, kThin}}}},
+        Profile{"boxes",
+                "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
+                true,
+                FoldStyle::score,
+                {},
+                true,
+                false,
+                {{kLeftOut,
+                  kLeftOut,
+                  kLeftOut,
+                  {"annotation", kRed, 0.0},
+                  {"etch", kGreen, kThin},
+                  {"etch", kGreen, kThin},
+                  {"etch", kGreen, kThin},
+                  {"inner-cut", kBlue, kThin},
+                  {"inner-cut", kBlue, kThin},
+                  {"outer-cut", kBlack, kThin}}}},
+    };
+    return kTable;
+}
+
+}  // namespace
+
+std::string_view to_string(Operation operation) {
+    switch (operation) {
+        case Operation::fill:
+            return "fill";
+        case Operation::draw:
+            return "draw";
+        case Operation::glue:
+            return "glue";
+        case Operation::label:
+            return "label";
+        case Operation::valley:
+            return "valley";
+        case Operation::mountain:
+            return "mountain";
+        case Operation::seam:
+            return "seam";
+        case Operation::perforation:
+            return "perforation";
+        case Operation::inner_cut:
+            return "inner-cut";
+        case Operation::outer_cut:
+            return "outer-cut";
+    }
+    broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
+}
+
+std::string_view to_string(FoldStyle style) {
+    switch (style) {
+        case FoldStyle::dashed:
+            return "dashed";
+        case FoldStyle::score:
+            return "score";
+        case FoldStyle::perforated:
+            return "perforated";
+        case FoldStyle::both:
+            return "both";
+    }
+    broken_invariant("a fold style is one of its enumerators", __FILE__, __LINE__);
+}
+
+bool Profile::dashes(Operation operation) const { return is_fold(operation) && folds == FoldStyle::dashed; }
+
+bool Profile::draws(Operation operation) const {
+    if (pen(operation).layer.empty()) return false;
+    if (is_fold(operation)) return folds != FoldStyle::perforated;
+    if (operation == Operation::perforation)
+        return folds == FoldStyle::perforated || folds == FoldStyle::both;
+    return true;
+}
+
+std::span<const Profile> profile_table() { return profiles(); }
+
+const Profile* find_profile(std::string_view name) {
+    const std::span<const Profile> table = profiles();
+    const auto at =
+        std::find_if(table.begin(), table.end(), [name](const Profile& row) { return row.name == name; });
+    return at == table.end() ? nullptr : &*at;
+}
+
+}  // namespace popup
