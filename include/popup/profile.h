@@ -31,6 +31,13 @@ struct Pen {
     double width_mm = 0.0;  // fill, draw and label: not used
 };
 
+struct Profile;
+// What is done along a line of a pattern. Where folds are not dashed for the eye, a seam along which another
+// piece is glued on is a place (glue), no fold: the paper stays whole there.
+Operation operation_of(const PatternLine& line, const Profile& profile);
+// Of a contour: an outer cut when it is closed and lies in no other of its piece.
+Operation operation_of(const Contour& cut);
+
 // What becomes of valley folds, mountain folds and seams.
 enum class FoldStyle {
     dashed,      // whole lines, dashed for the eye; a machine may take them as whole
@@ -68,6 +75,8 @@ struct Profile {
     [[nodiscard]] bool dashes(Operation operation) const;
     // False for what the profile leaves out, and for what its fold style has no use for.
     [[nodiscard]] bool draws(Operation operation) const;
+    // True for valley, mountain and seam where such folds are perforated.
+    [[nodiscard]] bool perforates(Operation fold) const;
 };
 
 // All profiles; the first, workshop, is the default.
@@ -82,13 +91,14 @@ const Profile* find_profile(std::string_view name);
 // for values that are not what their keys take.
 std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics);
 
-// What the profile cannot do with these sheets as one would expect. Remark: `one-sided-folds`. Cost: linear
-// in folds.
+// What the profile does to these sheets that one would not expect. Warning: `lines-left-out`, of cuts and
+// folds that no pen draws. Remark: `one-sided-folds`. Cost: linear in cuts and folds.
 void examine_profile(const Layout& layout, const Profile& profile, Diagnostics& diagnostics);
 
-// The cuts of a perforated line: at least one. Of a line that is too short for a whole cut between its clear
-// ends, the middle third is cut. Cuts and gaps are longer or shorter than asked by at most a half of a cut
-// and a gap, shared out over the line. Cost: linear in cuts. Precondition: the line has a length.
+// The cuts of a perforated line: at least one, and never its whole length. Cuts and gaps are by at most a
+// half longer or shorter than asked, all alike. A line with no room for two cuts between its clear ends has
+// one in its middle, as long as asked but no longer than a third of the line. Cost: linear in cuts.
+// Precondition: the line has a length.
 std::vector<Segment> perforated(const Segment& line, const Perforation& perforation);
 
 }  // namespace popup

@@ -204,6 +204,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "wholly, and what lies outside is left out. Often it is the side of an outline that does not close: "
      "the ends of lines must be within 0.02 mm of each other to be one corner. Join them, end the line at "
      "the outline, or take it out."},
+    {"lines-left-out", Severity::warning, "a profile leaves out cuts or folds",
+     "The pens of these lines have no layer, or folds are to be perforated and the pen of perforations has "
+     "none, so "
+     "that the files lack them. A file without its cuts is seldom what is wanted; without folds it may be, "
+     "where "
+     "they are made by hand: then --allow lines-left-out says so."},
     {"lock-impossible", Severity::error, "a piece cannot stay where it is locked",
      "--lock keeps a piece in a place, given as a report gives it: where the origin of the piece's page goes "
      "on the sheet, in millimetres from its lower left corner, and by how much the piece is turned. There, "

@@ -88,6 +88,7 @@ Rows profiles() {
                         {"verified", row.verified},
                         {"about", row.about},
                         {"one_sided", row.one_sided},
+                        {"styled_paths", row.styled_paths},
                         {"perforation",
                          {{"cut_mm", row.perforation.cut_mm},
                           {"gap_mm", row.perforation.gap_mm},

@@ -20,7 +20,11 @@ constexpr Color kText{0x73, 0x73, 0x73};
 constexpr double kHairline = 0.0254;
 constexpr double kThin = 0.1;
 
-const Pen kLeftOut{};
+// What is printed, and left out. A file that begins with such a profile may give it a layer.
+Pen fill_pen(std::string layer) { return {std::move(layer), kBlack, 0.0}; }
+Pen draw_pen(std::string layer) { return {std::move(layer), kBlack, 0.0}; }
+Pen glue_pen(std::string layer) { return {std::move(layer), kTarget, 0.2}; }
+Pen label_pen(std::string layer) { return {std::move(layer), kText, 0.0}; }
 
 bool is_fold(Operation operation) {
     return operation == Operation::valley || operation == Operation::mountain || operation == Operation::seam;
@@ -36,10 +40,10 @@ std::span<const Profile> profiles() {
                 {},
                 false,
                 false,
-                {{{"fill", kBlack, 0.0},
-                  {"draw", kBlack, 0.0},
-                  {"glue", kTarget, 0.2},
-                  {"label", kText, 0.0},
+                {{fill_pen("fill"),
+                  draw_pen("draw"),
+                  glue_pen("glue"),
+                  label_pen("label"),
                   {"valley", kMagenta, 0.3},
                   {"mountain", kBlue, 0.3},
                   {"seam", kBlack, 0.3},
@@ -53,10 +57,10 @@ std::span<const Profile> profiles() {
                 {},
                 true,
                 false,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
+                  label_pen(""),
                   {"score", kBlue, kHairline},
                   {"score", kBlue, kHairline},
                   {"score", kBlue, kHairline},
@@ -70,10 +74,10 @@ std::span<const Profile> profiles() {
                 {},
                 true,
                 false,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
+                  label_pen(""),
                   {"score", kRed, kThin},
                   {"score", kRed, kThin},
                   {"score", kRed, kThin},
@@ -87,10 +91,10 @@ std::span<const Profile> profiles() {
                 {},
                 true,
                 true,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
+                  label_pen(""),
                   {"ENGRAVE", kBlue, kThin},
                   {"ENGRAVE", kBlue, kThin},
                   {"ENGRAVE", kBlue, kThin},
@@ -104,10 +108,10 @@ std::span<const Profile> profiles() {
                 {},
                 true,
                 false,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
+                  label_pen(""),
                   {"score", kBlue, kThin},
                   {"score", kBlue, kThin},
                   {"score", kBlue, kThin},
@@ -121,10 +125,10 @@ std::span<const Profile> profiles() {
                 {},
                 false,
                 false,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
+                  label_pen(""),
                   {"score", kBlue, kThin},
                   {"score", kBlue, kThin},
                   {"score", kBlue, kThin},
@@ -138,10 +142,10 @@ std::span<const Profile> profiles() {
                 {},
                 false,
                 false,
-                {{{"Print", kBlack, 0.0},
-                  {"Print", kBlack, 0.0},
-                  {"Print", kTarget, 0.2},
-                  {"Print", kText, 0.0},
+                {{fill_pen("Print"),
+                  draw_pen("Print"),
+                  glue_pen("Print"),
+                  label_pen("Print"),
                   {"Score", kBlue, kThin},
                   {"Score", kBlue, kThin},
                   {"Score", kBlue, kThin},
@@ -155,9 +159,9 @@ std::span<const Profile> profiles() {
                 {},
                 true,
                 false,
-                {{kLeftOut,
-                  kLeftOut,
-                  kLeftOut,
+                {{fill_pen(""),
+                  draw_pen(""),
+                  glue_pen(""),
                   {"annotation", kRed, 0.0},
                   {"etch", kGreen, kThin},
                   {"etch", kGreen, kThin},
@@ -211,7 +215,31 @@ std::string_view to_string(FoldStyle style) {
     broken_invariant("a fold style is one of its enumerators", __FILE__, __LINE__);
 }
 
+Operation operation_of(const PatternLine& line, const Profile& profile) {
+    switch (line.kind) {
+        case LineKind::cut:
+            return Operation::inner_cut;
+        case LineKind::mountain:
+            return Operation::mountain;
+        case LineKind::valley:
+            return Operation::valley;
+        case LineKind::seam:
+            return line.glued_on && profile.folds != FoldStyle::dashed ? Operation::glue : Operation::seam;
+        case LineKind::mark:
+            return Operation::draw;
+    }
+    broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
+}
+
+Operation operation_of(const Contour& cut) {
+    return cut.closed && cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;
+}
+
 bool Profile::dashes(Operation operation) const { return is_fold(operation) && folds == FoldStyle::dashed; }
+
+bool Profile::perforates(Operation fold) const {
+    return is_fold(fold) && draws(Operation::perforation) && !pen(fold).layer.empty();
+}
 
 bool Profile::draws(Operation operation) const {
     if (pen(operation).layer.empty()) return false;

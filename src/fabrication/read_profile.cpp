@@ -47,6 +47,7 @@ class ProfileReader {
                 continue;
             }
             std::vector<std::string_view> known;
+            known.reserve(rows.size());
             for (const Row& one : rows) known.push_back(one.key);
             Diagnostic& unknown =
                 wrong(key.source(), fmt::format("there is no key \"{}\"{}", key.str(), where));
@@ -83,14 +84,17 @@ class ProfileReader {
     }
     std::function<void(const toml::node&)> length(std::string key, double& value, double least) {
         return [this, key = std::move(key), &value, least](const toml::node& node) {
-            const std::optional<double> given = node.value<double>();
-            if (!given || !node.is_number()) {
+            if (!node.is_number()) {
                 wrong(node, key, "a number of millimetres");
-            } else if (!std::isfinite(*given) || *given < least || *given > 1000.0) {
+                return;
+            }
+            const double given = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                                   : node.as_floating_point()->get();
+            if (!std::isfinite(given) || given < least || given > 1000.0) {
                 wrong(node.source(),
-                      fmt::format("\"{}\" is {} mm; it must be from {} to 1000", key, *given, least));
+                      fmt::format("\"{}\" is {} mm; it must be from {} to 1000", key, given, least));
             } else {
-                value = *given;
+                value = given;
             }
         };
     }
@@ -155,7 +159,26 @@ class ProfileReader {
     Diagnostics& diagnostics_;
 };
 
+// The parser follows dotted keys by recursion: no line may have more dots than any profile could need.
+constexpr std::size_t kMostBytes = 65536;
+constexpr std::ptrdiff_t kMostDots = 256;
+
 std::optional<toml::table> parse(std::string_view text, ProfileReader& reader) {
+    if (text.size() > kMostBytes) {
+        reader.wrong(toml::source_region{},
+                     fmt::format("a profile has at most {} bytes, not {}", kMostBytes, text.size()));
+        return std::nullopt;
+    }
+    toml::source_region region;
+    region.begin = {1, 1};
+    for (std::size_t at = 0; at < text.size(); ++region.begin.line) {
+        const std::string_view line = text.substr(at, text.find('\n', at) - at);
+        if (std::count(line.begin(), line.end(), '.') > kMostDots) {
+            reader.wrong(region, fmt::format("this line has more than {} dots", kMostDots));
+            return std::nullopt;
+        }
+        at += line.size() + 1;
+    }
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -175,6 +198,7 @@ std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
     }
     if (const Profile* base = find_profile(name->get())) return *base;
     std::vector<std::string_view> names;
+    names.reserve(profile_table().size());
     for (const Profile& row : profile_table()) names.push_back(row.name);
     reader.wrong(node->source(), fmt::format("there is no profile \"{}\" to begin with", name->get()))
         .hint(fmt::format("profiles: {}", fmt::join(names, ", ")));
@@ -203,13 +227,17 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
     };
     const auto read_pens = [&](const toml::table& table) {
         std::vector<ProfileReader::Row> rows;
+        rows.reserve(kOperations.size());
         for (const Operation operation : kOperations) {
             Pen& pen = profile.pens[static_cast<std::size_t>(operation)];
-            const auto read_pen = [&reader, &pen](const toml::table& one) {
+            // What is printed brings its own widths; of any other line no width at all would be no line.
+            const bool printed =
+                operation == Operation::fill || operation == Operation::draw || operation == Operation::label;
+            const auto read_pen = [&reader, &pen, least = printed ? 0.0 : 0.001](const toml::table& one) {
                 reader.read(one, " in a pen",
                             {{"layer", reader.text("layer", pen.layer)},
                              {"color", reader.color(pen.color)},
-                             {"width", reader.length("width", pen.width_mm, 0.0)}});
+                             {"width", reader.length("width", pen.width_mm, least)}});
             };
             rows.push_back({to_string(operation), reader.table(std::string(to_string(operation)), read_pen)});
         }

@@ -12,6 +12,8 @@ constexpr std::size_t kMostEnds = 96;
 constexpr double kSorting = 6.0;
 // What it costs to make a no-fit part and look at it, in looks.
 constexpr double kMaking = 8.0;
+// What it costs to set a weight anew, in looks.
+constexpr double kFilling = 1.0 / 32.0;
 // Of more items the weights of all pairs would not be worth their memory.
 constexpr std::size_t kMostWeighed = 2048;
 // How many no-fit polygons are kept when the table does not keep them.
@@ -92,7 +94,10 @@ void Board::set_weight(int a, int b, float weight) {
     weights_[index(b) * stands_.size() + index(a)] = weight;
 }
 
-void Board::reset_weights() { std::fill(weights_.begin(), weights_.end(), 1.0F); }
+void Board::reset_weights() {
+    std::fill(weights_.begin(), weights_.end(), 1.0F);
+    work += kFilling * static_cast<double>(weights_.size());
+}
 
 namespace {
 

@@ -52,7 +52,13 @@ void Lane::begin(const Arrangement& from, Aim aim) {
     least_ = least_length();
 }
 
-// What the last sheet needs at the least: its share of the area, and its widest piece.
+void Lane::forget() {
+    separator_.reset();
+    current_ = {};
+    pool_.clear();
+}
+
+// What the last sheet needs at the least: its share of the area, and the widest piece that fits no other.
 double Lane::least_length() const {
     double area = 0.0;
     double widest = 0.0;
@@ -62,11 +68,17 @@ double Lane::least_length() const {
             const Stand& lock = task_.locks[i];
             if (lock.sheet + 1 != static_cast<int>(best_.rows.size())) continue;
             widest = std::max(widest, lock.x + static_cast<double>(board_.shape(lock.shape).bounds.x1));
-        } else if (best_.rows.size() == 1) {
+        } else {
+            const std::vector<int>& shapes = task_.set.of_kind[index(task_.kinds[i])];
+            const bool elsewhere = std::any_of(best_.rows.begin(), best_.rows.end() - 1, [&](int row) {
+                return std::any_of(shapes.begin(), shapes.end(),
+                                   [&](int shape) { return task_.fits(shape, row); });
+            });
+            if (elsewhere) continue;
             double narrow = HUGE_VAL;
-            for (const int shape : task_.set.of_kind[index(task_.kinds[i])]) {
+            for (const int shape : shapes) {
                 const GridBox& box = board_.shape(shape).bounds;
-                if (task_.fits(shape, best_.rows[0]))
+                if (task_.fits(shape, best_.rows.back()))
                     narrow = std::min(narrow, static_cast<double>(box.width()));
             }
             widest = std::max(widest, narrow);
@@ -103,7 +115,8 @@ void Lane::run(double work) {
     while (!done_ && board_.work < limit) {
         if (!separator_) attempt();
         if (done_) return;
-        board_.work += 1.0;  // an attempt that has nothing to do must not go on for ever
+        // Even an attempt that has nothing to do costs what it takes to set out.
+        board_.work += static_cast<double>(board_.items());
         if (!separator_) continue;
         const Separator::State state = separator_->run(limit);
         if (state == Separator::State::paused) return;
@@ -181,7 +194,10 @@ void Lane::attempt_to_upset() {
     set_out(near ? current_.stands : best_.stands);
     disturb();
     Room room = board_.rooms().back();
-    target_ = std::min(room.width, std::floor((near ? own : best) * (1.0 + kWidening * dice_.unit())));
+    target_ = std::floor((near ? own : best) * (1.0 + kWidening * dice_.unit()));
+    for (const int item : board_.on_sheet(last()))
+        target_ = std::max(target_, static_cast<double>(board_.shape(board_.at(item).shape).bounds.width()));
+    target_ = std::min(room.width, target_);
     room.width = target_;
     board_.resize(last(), room);
     set_off(kShort);

@@ -26,6 +26,8 @@ class Lane {
     // Goes on from this layout, which holds (except under `fit`). As long as aim and sheets stay, what the
     // lane is about is gone on with if it may still come to something better.
     void begin(const Arrangement& from, Aim aim);
+    // Drops what the lane is about: what it goes on from next is all it knows.
+    void forget();
     // Looks for so much work more. Ends early when `done()`.
     void run(double work);
     // The best layout so far: `from`, or better. Under `fit` only once done().

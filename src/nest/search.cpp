@@ -259,9 +259,11 @@ class Nester {
                 finished_ = true;
                 return true;
             }
-            // Under `shorter` each goes its own way: two searches find more than one that is twice as long.
-            if (aim == Aim::compress) {
-                for (const auto& lane : lanes_) lane->begin(best_, aim);
+            // Under `shorter` each goes its own way, as long as none does with fewer sheets: two searches
+            // find more than one that is twice as long.
+            for (const auto& lane : lanes_) {
+                const bool behind = lane->best().rows.size() > best_.rows.size();
+                if (aim == Aim::compress || (aim == Aim::shorter && behind)) lane->begin(best_, aim);
             }
         }
         return false;
@@ -275,6 +277,7 @@ class Nester {
             const Arrangement& theirs = lane->best();
             if (aim == Aim::fit ? !found : theirs.better_than(best_, task_)) {
                 if (!theirs.holds(task_)) {
+                    lane->forget();
                     lane->begin(best_, aim);
                     continue;
                 }

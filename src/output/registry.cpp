@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "output/dxf.h"
 #include "output/gltf.h"
 #include "output/pdf.h"
 #include "output/report.h"
@@ -16,6 +17,7 @@ const std::array kFormats{
     Format{".svg", "cut sheets, one file a sheet, with a layer for each kind of line",
            SheetWriter{write_svg}},
     Format{".pdf", "cut sheets in true size, a page a sheet", SheetWriter{write_pdf}},
+    Format{".dxf", "cut sheets as AutoCAD 2000 drawings in mm, one file a sheet", SheetWriter{write_dxf}},
     Format{".glb", "the moving model, in one binary glTF file", SceneWriter{write_glb}},
     Format{".gltf", "the moving model, as glTF text", SceneWriter{write_gltf}},
     Format{".xml", "the popup document, with what was repaired", DocumentWriter{write_xml}},

@@ -11,29 +11,9 @@
 namespace popup {
 namespace {
 
-// Of a line that is not on an outline. A machine must leave the paper whole where a piece is glued on.
-Operation operation_of(const PatternLine& line, const Profile& profile) {
-    switch (line.kind) {
-        case LineKind::cut:
-            return Operation::inner_cut;
-        case LineKind::mountain:
-            return Operation::mountain;
-        case LineKind::valley:
-            return Operation::valley;
-        case LineKind::seam:
-            return line.glued_on && profile.folds != FoldStyle::dashed ? Operation::glue : Operation::seam;
-        case LineKind::mark:
-            return Operation::draw;
-    }
-    broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
-}
-
-Operation operation_of(const Contour& cut) {
-    return cut.closed && cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;
-}
-
 // A mark is drawn, never cut or folded: a thin grey line.
-constexpr Pen kMark{"", Color{0x80, 0x80, 0x80}, 0.2};
+constexpr Color kMarkColor{0x80, 0x80, 0x80};
+constexpr double kMarkMm = 0.2;
 
 // The turn that makes a line of text read from below or from the right.
 double upright(double angle) {
@@ -86,7 +66,7 @@ void draw_lines(Plotter& plotter, const PatternPiece& piece, Operation operation
     for (const PatternLine& line : piece.lines) {
         if (operation_of(line, plotter.profile) != operation) continue;
         if (line.kind == LineKind::mark) {
-            plotter.begin(operation, line.plate, kMark.color, kMark.width_mm);
+            plotter.begin(operation, line.plate, kMarkColor, kMarkMm);
         } else {
             plotter.begin(operation, line.plate);
         }
@@ -94,14 +74,10 @@ void draw_lines(Plotter& plotter, const PatternPiece& piece, Operation operation
     }
 }
 
-bool is_fold(const PatternLine& line) {
-    return line.kind == LineKind::valley || line.kind == LineKind::mountain ||
-           (line.kind == LineKind::seam && !line.glued_on);
-}
-
 void draw_perforations(Plotter& plotter, const PatternPiece& piece) {
     for (const PatternLine& line : piece.lines) {
-        if (!is_fold(line) || line.at.a == line.at.b) continue;
+        if (!plotter.profile.perforates(operation_of(line, plotter.profile)) || line.at.a == line.at.b)
+            continue;
         plotter.begin(Operation::perforation, line.plate);
         for (const Segment& cut : perforated(line.at, plotter.profile.perforation))
             plotter.run(std::array{cut.a, cut.b}, false);

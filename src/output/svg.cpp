@@ -41,6 +41,7 @@ class SvgText {
 
     const SheetDrawing& drawing_;
     const Profile& profile_;
+    std::vector<std::string> ids_;  // given so far
     fmt::memory_buffer out_;
 };
 
@@ -224,7 +225,11 @@ void SvgText::layer(const SheetLayer& layer) {
     const bool alike =
         std::all_of(drawn.begin(), drawn.end(), [&](Operation one) { return attributes(one) == look; });
     raw(" <g id=\"");
-    raw(id_of(layer.name));
+    std::string id = id_of(layer.name);
+    for (int i = 2; std::find(ids_.begin(), ids_.end(), id) != ids_.end(); ++i)
+        id = fmt::format("{}-{}", id_of(layer.name), i);
+    raw(id);
+    ids_.push_back(std::move(id));
     raw("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
     escaped(visible(layer.name));
     raw("\"");
@@ -260,6 +265,7 @@ std::string SvgText::sheet(int index) {
     raw("</title>\n<desc>");
     escaped(generator());
     fmt::format_to(fmt::appender(out_), "</desc>\n<g class=\"sheet\" id=\"sheet-{}\">\n", index + 1);
+    ids_ = {fmt::format("sheet-{}", index + 1)};
     for (const SheetLayer& one : layers_of(profile_)) layer(one);
     raw("</g>\n</svg>\n");
     return fmt::to_string(out_);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -96,7 +97,11 @@ TEST(Profiles, UseTheColoursThatTheirProgramsKnow) {
     const std::set<std::string> palette{"#000000", "#0000ff", "#ff0000", "#00e000", "#d0d000",
                                         "#ff8000", "#00e0e0", "#ff00ff", "#b4b4b4"};
     for (const std::string& color : colors("lightburn")) EXPECT_TRUE(palette.contains(color)) << color;
-    for (const Pen& pen : find_profile("generic-laser")->pens) EXPECT_LE(pen.width_mm, 0.0254);
+    for (const Pen& pen : find_profile("generic-laser")->pens) {
+        if (!pen.layer.empty()) {
+            EXPECT_LE(pen.width_mm, 0.0254);
+        }
+    }
 }
 
 // --- perforations
@@ -104,13 +109,14 @@ TEST(Profiles, UseTheColoursThatTheirProgramsKnow) {
 TEST(Perforations, BeginAndEndWithACutClearOfTheCorners) {
     for (double length = 0.05; length < 60.0; length += 0.37) {
         for (const Perforation& perforation :
-             {Perforation{}, Perforation{0.5, 0.5, 0.0}, Perforation{3.0, 0.4, 2.5}}) {
+             {Perforation{}, Perforation{0.5, 0.5, 0.0}, Perforation{3.0, 0.4, 2.5},
+              Perforation{0.5, 50.0, 0.0}, Perforation{10.0, 1.0, 0.0}, Perforation{2.0, 1.0, 50.0}}) {
             const Segment line{{1.0, 2.0}, {1.0 + 0.6 * length, 2.0 + 0.8 * length}};
             const std::vector<Segment> cuts = perforated(line, perforation);
             ASSERT_FALSE(cuts.empty());
             const auto along = [&](Vec2 p) { return 0.6 * (p.x - 1.0) + 0.8 * (p.y - 2.0); };
             double before = 0.0;
-            const bool fits = length >= 2.0 * perforation.clear_mm + perforation.cut_mm;
+            const bool fits = cuts.size() > 1;
             for (std::size_t i = 0; i < cuts.size(); ++i) {
                 EXPECT_NEAR(0.8 * (cuts[i].a.x - 1.0), 0.6 * (cuts[i].a.y - 2.0), 1e-9);
                 const double from = along(cuts[i].a);
@@ -120,10 +126,10 @@ TEST(Perforations, BeginAndEndWithACutClearOfTheCorners) {
                 if (fits) {
                     EXPECT_GE(from, perforation.clear_mm - 1e-9);
                     EXPECT_LE(to, length - perforation.clear_mm + 1e-9);
-                    EXPECT_GT(to - from, 0.45 * perforation.cut_mm);
-                    EXPECT_LT(to - from, 2.0 * perforation.cut_mm + perforation.gap_mm);
+                    EXPECT_GT(to - from, 0.499 * perforation.cut_mm);
+                    EXPECT_LT(to - from, 1.501 * perforation.cut_mm);
                     if (i > 0) {
-                        EXPECT_GT(from - before, 0.45 * perforation.gap_mm);
+                        EXPECT_GT(from - before, 0.499 * perforation.gap_mm);
                     }
                 }
                 before = to;
@@ -132,8 +138,10 @@ TEST(Perforations, BeginAndEndWithACutClearOfTheCorners) {
                 EXPECT_NEAR(along(cuts.front().a), perforation.clear_mm, 1e-9);
                 EXPECT_NEAR(along(cuts.back().b), length - perforation.clear_mm, 1e-9);
             } else {
-                ASSERT_EQ(cuts.size(), 1U);
-                EXPECT_NEAR(along(cuts[0].b) - along(cuts[0].a), length / 3.0, 1e-9);
+                const double cut = along(cuts[0].b) - along(cuts[0].a);
+                EXPECT_NEAR(cut, std::min(perforation.cut_mm, length / 3.0), 1e-9);
+                EXPECT_NEAR(along(cuts[0].a) + along(cuts[0].b), length, 1e-9);
+                EXPECT_LT(length - 2.0 * perforation.clear_mm, 2.0 * perforation.cut_mm + perforation.gap_mm);
             }
         }
     }
@@ -239,6 +247,66 @@ TEST(OneSided, MachinesAreRemarkedOnWhenFoldsGoBothWays) {
     EXPECT_TRUE(findings(*find_profile("workshop")).empty());
 }
 
+TEST(LeftOut, CutsAndFoldsAreWarnedOf) {
+    const auto findings = [](const Profile& profile) {
+        Diagnostics diagnostics;
+        examine_profile(test::example_layout(), profile, diagnostics);
+        return diagnostics.sorted();
+    };
+    const auto pen = [](Profile& profile, Operation operation) -> Pen& {
+        return profile.pens[static_cast<std::size_t>(operation)];
+    };
+    for (const Profile& row : profile_table()) {
+        for (const Diagnostic& one : findings(row)) EXPECT_EQ(one.code, "one-sided-folds") << row.name;
+    }
+    Profile profile = *find_profile("lightburn");
+    profile.folds = FoldStyle::perforated;
+    pen(profile, Operation::perforation).layer.clear();
+    std::vector<Diagnostic> found = findings(profile);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "lines-left-out");
+    // Three valley folds and a mountain fold of the page; a mountain fold and a seam of each of two houses.
+    EXPECT_EQ(found[0].message, "the profile lightburn leaves out 8 folds");
+    pen(profile, Operation::outer_cut).layer.clear();
+    EXPECT_EQ(findings(profile)[0].message, "the profile lightburn leaves out 3 cuts and 8 folds");
+
+    profile = *find_profile("cricut");
+    pen(profile, Operation::mountain).layer.clear();
+    EXPECT_EQ(findings(profile)[0].message, "the profile cricut leaves out 3 folds");
+    const std::string sheet = svg_of(profile)[1];
+    const std::size_t layer = sheet.find("inkscape:label=\"perforation\"");
+    EXPECT_EQ(count(sheet.substr(layer, sheet.find("\n </g>", layer) - layer), "<path"), 2U) << "two seams";
+}
+
+TEST(Layers, HaveIdsOfTheirOwn) {
+    Profile profile = profile_table().front();
+    for (const Operation operation : kOperations) {
+        profile.pens[static_cast<std::size_t>(operation)].layer =
+            static_cast<int>(operation) % 2 == 0 ? "sheet-1" : "1 ü";
+    }
+    const std::string sheet = svg_of(profile).front();
+    std::set<std::string> ids;
+    std::size_t n = 0;
+    for (std::size_t at = sheet.find(" id=\""); at != std::string::npos; at = sheet.find(" id=\"", at + 1)) {
+        ids.insert(sheet.substr(at, sheet.find('"', at + 5) - at));
+        ++n;
+    }
+    EXPECT_GT(n, 8U);
+    EXPECT_EQ(ids.size(), n);
+}
+
+TEST(Profiles, LeftOutPensCanBeSeenOnceTheyHaveALayer) {
+    for (const Profile& row : profile_table()) {
+        for (const Operation operation : kOperations) {
+            if (operation == Operation::fill || operation == Operation::draw) continue;
+            EXPECT_NE(to_string(row.pen(operation).color), "#ffffff") << row.name;
+            if (operation != Operation::label) {
+                EXPECT_GT(row.pen(operation).width_mm, 0.0) << row.name;
+            }
+        }
+    }
+}
+
 // --- files
 
 TEST(ProfileFiles, ChangeWhatTheySayAndNothingElse) {
@@ -297,6 +365,13 @@ TEST(ProfileFiles, WhatIsWrongIsSaidWithItsPlace) {
     expect("[perforation]\ncut = '2'\n", {2, 7}, "\"cut\" takes a number of millimetres, not a string");
     expect("[pens.label]\ncolor = 'red'\n", {2, 9},
            "\"color\" takes six hexadecimal digits after a #, not \"red\"", "such as \"#ff0000\"");
+    expect("[pens.valley]\nwidth = 0\n", {2, 9}, "\"width\" is 0 mm; it must be from 0.001 to 1000");
+    expect("[pens.valley]\nwidth = 9007199254740993\n", {2, 9},
+           "\"width\" is 9007199254740992 mm; it must be from 0.001 to 1000");
+    std::string deep = "base = 'k40'\na";
+    for (int i = 0; i < 30000; ++i) deep += ".a";
+    expect(deep + " = 1\n", {2, 1}, "this line has more than 256 dots");
+    expect(std::string(70000, '#'), {}, "a profile has at most 65536 bytes, not 70000");
     EXPECT_FALSE(read("name = \n").profile);
     EXPECT_FALSE(read(std::string(100000, '[')).profile);
     EXPECT_FALSE(read("\xff\xfe\n").profile);

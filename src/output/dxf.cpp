@@ -1,0 +1,349 @@
+// Group codes and their order are those of the DXF reference of AutoCAD 2000.
+#include "output/dxf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string_view>
+
+#include "base/render_diagnostics.h"
+#include "output/numbers.h"
+#include "output/sheet_drawing.h"
+
+namespace popup {
+namespace {
+
+constexpr int kDecimals = 6;
+
+// The colours that every program numbers alike. 7 is drawn black on white and white on black.
+struct IndexColor {
+    int index;
+    Color color;
+};
+constexpr std::array kIndexColors{
+    IndexColor{1, {0xff, 0x00, 0x00}}, IndexColor{2, {0xff, 0xff, 0x00}}, IndexColor{3, {0x00, 0xff, 0x00}},
+    IndexColor{4, {0x00, 0xff, 0xff}}, IndexColor{5, {0x00, 0x00, 0xff}}, IndexColor{6, {0xff, 0x00, 0xff}},
+    IndexColor{7, {0x00, 0x00, 0x00}}, IndexColor{8, {0x80, 0x80, 0x80}}, IndexColor{9, {0xc0, 0xc0, 0xc0}}};
+
+int color_index(Color color) {
+    const auto apart = [color](const IndexColor& row) {
+        const int r = row.color.r - color.r;
+        const int g = row.color.g - color.g;
+        const int b = row.color.b - color.b;
+        return r * r + g * g + b * b;
+    };
+    return std::min_element(kIndexColors.begin(), kIndexColors.end(),
+                            [&](const IndexColor& a, const IndexColor& b) { return apart(a) < apart(b); })
+        ->index;
+}
+
+// ASCII as it is, the rest as \U+XXXX in UTF-16. Precondition: valid UTF-8 without control characters.
+std::string dxf_text(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i]);
+        const std::size_t bytes = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+        if (bytes == 1) {
+            out += text[i++];
+            continue;
+        }
+        std::uint32_t code = first & (0x7fU >> bytes);
+        for (std::size_t k = 1; k < bytes && i + k < text.size(); ++k)
+            code = code << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
+        i += bytes;
+        if (code >= 0x10000U) {
+            out += fmt::format("\\U+{:04X}", 0xd800U + ((code - 0x10000U) >> 10U));
+            code = 0xdc00U + ((code - 0x10000U) & 0x3ffU);
+        }
+        out += fmt::format("\\U+{:04X}", code);
+    }
+    return out;
+}
+
+// A layer's name has none of the characters that DXF gives a meaning of their own.
+std::string layer_text(std::string_view name) {
+    std::string text = visible(name);
+    for (char& c : text) {
+        if (std::string_view("<>/\\\":;?*|=`,'").find(c) != std::string_view::npos) c = '-';
+    }
+    return dxf_text(text);
+}
+
+class DxfText {
+ public:
+    DxfText(const SheetDrawing& drawing, const Profile& profile) : drawing_(drawing), profile_(profile) {}
+
+    std::string sheet() {
+        for (const Operation operation : kOperations) {
+            if (!profile_.draws(operation)) continue;
+            const std::string layer = layer_text(profile_.pen(operation).layer);
+            if (std::find(layers_.begin(), layers_.end(), layer) == layers_.end()) {
+                layers_.push_back(layer);
+                colors_.push_back(color_index(profile_.pen(operation).color));
+            }
+        }
+        // The entities first: the header names the first handle that is free.
+        for (const SheetLayer& layer : layers_of(profile_)) entities(layer);
+        fmt::memory_buffer drawn;
+        std::swap(out_, drawn);
+        tables();
+        blocks();
+        section("ENTITIES");
+        out_.append(drawn.data(), drawn.data() + drawn.size());
+        group(0, "ENDSEC");
+        objects();
+        group(0, "EOF");
+        fmt::memory_buffer rest;
+        std::swap(out_, rest);
+        header();
+        out_.append(rest.data(), rest.data() + rest.size());
+        return fmt::to_string(out_);
+    }
+
+ private:
+    // Handles of what every document has.
+    enum Handle : unsigned {
+        kModelRecord = 0x10,
+        kPaperRecord,
+        kModelBlock,
+        kModelEnd,
+        kPaperBlock,
+        kPaperEnd,
+        kRoot,
+        kGroups,
+        kFree = 0x20
+    };
+
+    void group(int code, std::string_view value) {
+        fmt::format_to(fmt::appender(out_), "{}\n{}\n", code, value);
+    }
+    void group(int code, int value) { group(code, std::string_view(fmt::format_int(value).c_str())); }
+    void group(int code, std::size_t value) { group(code, std::string_view(fmt::format_int(value).c_str())); }
+    void group(int code, double value) {
+        std::string text = number_text(value, kDecimals);
+        if (text.find('.') == std::string::npos) text += ".0";
+        group(code, std::string_view(text));
+    }
+    void handle(int code, unsigned value) { fmt::format_to(fmt::appender(out_), "{}\n{:X}\n", code, value); }
+    // Groups code, code + 10 and code + 20.
+    void point(int code, Vec2 p) {
+        group(code, p.x);
+        group(code + 10, p.y);
+        group(code + 20, 0.0);
+    }
+    void section(std::string_view name) {
+        group(0, "SECTION");
+        group(2, name);
+    }
+
+    void header() {
+        section("HEADER");
+        const auto variable = [this](std::string_view name, int code, const auto& value) {
+            group(9, name);
+            group(code, value);
+        };
+        variable("$ACADVER", 1, "AC1015");
+        variable("$DWGCODEPAGE", 3, "ANSI_1252");
+        variable("$INSUNITS", 70, 4);
+        variable("$MEASUREMENT", 70, 1);
+        group(9, "$EXTMIN");
+        point(10, {0.0, 0.0});
+        group(9, "$EXTMAX");
+        point(10, {drawing_.width_mm, drawing_.height_mm});
+        group(9, "$HANDSEED");
+        handle(5, next_);
+        group(0, "ENDSEC");
+        section("CLASSES");
+        group(0, "ENDSEC");
+    }
+
+    void begin_table(std::string_view name, std::size_t rows) {
+        group(0, "TABLE");
+        group(2, name);
+        table_ = next_++;
+        handle(5, table_);
+        handle(330, 0);
+        group(100, "AcDbSymbolTable");
+        group(70, rows);
+    }
+    void row(std::string_view type, std::string_view subclass, std::string_view name, unsigned own) {
+        group(0, type);
+        handle(5, own);
+        handle(330, table_);
+        group(100, "AcDbSymbolTableRecord");
+        group(100, subclass);
+        group(2, name);
+    }
+    void row(std::string_view type, std::string_view subclass, std::string_view name) {
+        row(type, subclass, name, next_++);
+        group(70, 0);
+    }
+
+    void tables() {
+        section("TABLES");
+        begin_table("VPORT", 0);
+        group(0, "ENDTAB");
+        begin_table("LTYPE", 3);
+        for (const std::string_view name : {"ByBlock", "ByLayer", "Continuous"}) {
+            row("LTYPE", "AcDbLinetypeTableRecord", name);
+            group(3, name == "Continuous" ? "Solid line" : "");
+            group(72, 65);
+            group(73, 0);
+            group(40, 0.0);
+        }
+        group(0, "ENDTAB");
+        const bool has_zero = std::find(layers_.begin(), layers_.end(), "0") != layers_.end();
+        begin_table("LAYER", layers_.size() + (has_zero ? 0U : 1U));
+        const auto layer = [this](std::string_view name, int color) {
+            row("LAYER", "AcDbLayerTableRecord", name);
+            group(62, color);
+            group(6, "Continuous");
+        };
+        if (!has_zero) layer("0", 7);
+        for (std::size_t i = 0; i < layers_.size(); ++i) layer(layers_[i], colors_[i]);
+        group(0, "ENDTAB");
+        begin_table("STYLE", 1);
+        row("STYLE", "AcDbTextStyleTableRecord", "Standard");
+        group(40, 0.0);
+        group(41, 1.0);
+        group(50, 0.0);
+        group(71, 0);
+        group(42, 2.5);
+        group(3, "txt");
+        group(4, "");
+        group(0, "ENDTAB");
+        for (const std::string_view name : {"VIEW", "UCS"}) {
+            begin_table(name, 0);
+            group(0, "ENDTAB");
+        }
+        begin_table("APPID", 1);
+        row("APPID", "AcDbRegAppTableRecord", "ACAD");
+        group(0, "ENDTAB");
+        begin_table("DIMSTYLE", 0);
+        group(100, "AcDbDimStyleTable");
+        group(71, 0);
+        group(0, "ENDTAB");
+        begin_table("BLOCK_RECORD", 2);
+        row("BLOCK_RECORD", "AcDbBlockTableRecord", "*Model_Space", kModelRecord);
+        row("BLOCK_RECORD", "AcDbBlockTableRecord", "*Paper_Space", kPaperRecord);
+        group(0, "ENDTAB");
+        group(0, "ENDSEC");
+    }
+
+    void block(std::string_view name, unsigned record, unsigned begin, unsigned end) {
+        group(0, "BLOCK");
+        handle(5, begin);
+        handle(330, record);
+        group(100, "AcDbEntity");
+        group(8, "0");
+        group(100, "AcDbBlockBegin");
+        group(2, name);
+        group(70, 0);
+        point(10, {0.0, 0.0});
+        group(3, name);
+        group(1, "");
+        group(0, "ENDBLK");
+        handle(5, end);
+        handle(330, record);
+        group(100, "AcDbEntity");
+        group(8, "0");
+        group(100, "AcDbBlockEnd");
+    }
+    void blocks() {
+        section("BLOCKS");
+        block("*Model_Space", kModelRecord, kModelBlock, kModelEnd);
+        block("*Paper_Space", kPaperRecord, kPaperBlock, kPaperEnd);
+        group(0, "ENDSEC");
+    }
+
+    void objects() {
+        section("OBJECTS");
+        group(0, "DICTIONARY");
+        handle(5, kRoot);
+        handle(330, 0);
+        group(100, "AcDbDictionary");
+        group(3, "ACAD_GROUP");
+        handle(350, kGroups);
+        group(0, "DICTIONARY");
+        handle(5, kGroups);
+        handle(330, kRoot);
+        group(100, "AcDbDictionary");
+        group(0, "ENDSEC");
+    }
+
+    void begin_entity(std::string_view type, Operation operation, Color color) {
+        group(0, type);
+        handle(5, next_++);
+        handle(330, kModelRecord);
+        group(100, "AcDbEntity");
+        group(8, layer_text(profile_.pen(operation).layer));
+        group(62, color_index(color));
+    }
+
+    void entities(const SheetLayer& layer) {
+        for (const SheetPiece& piece : drawing_.pieces) {
+            for (const SheetShape& shape : drawing_.shapes_of(piece, layer.first, layer.last)) {
+                if (shape.operation == Operation::fill) continue;
+                for (const Run& run : drawing_.runs_of(shape)) path(shape, run);
+            }
+            if (layer.first > Operation::label || layer.last < Operation::label) continue;
+            for (const SheetText& text : drawing_.texts_of(piece)) label(text);
+        }
+    }
+
+    void path(const SheetShape& shape, const Run& run) {
+        const std::span<const Vec2> points = drawing_.points_of(run);
+        if (points.size() == 2 && !run.closed) {
+            begin_entity("LINE", shape.operation, shape.color);
+            group(100, "AcDbLine");
+            point(10, points[0]);
+            point(11, points[1]);
+            return;
+        }
+        begin_entity("LWPOLYLINE", shape.operation, shape.color);
+        group(100, "AcDbPolyline");
+        group(90, points.size());
+        group(70, run.closed ? 1 : 0);
+        for (const Vec2 p : points) {
+            group(10, p.x);
+            group(20, p.y);
+        }
+    }
+
+    void label(const SheetText& text) {
+        begin_entity("TEXT", Operation::label, profile_.pen(Operation::label).color);
+        group(100, "AcDbText");
+        point(10, text.at);
+        group(40, text.cap_mm);
+        group(1, dxf_text(text.text));
+        group(50, text.angle * 180.0 / std::numbers::pi);
+        group(72, 1);  // centred
+        point(11, text.at);
+        group(100, "AcDbText");
+        group(73, 2);  // half way up
+    }
+
+    const SheetDrawing& drawing_;
+    const Profile& profile_;
+    fmt::memory_buffer out_;
+    unsigned next_ = kFree;
+    unsigned table_ = 0;
+    std::vector<std::string> layers_;
+    std::vector<int> colors_;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::string>> write_dxf(const Layout& layout, const OutputOptions& options,
+                                                  Diagnostics& /*diagnostics*/) {
+    std::vector<std::string> sheets;
+    for (int i = 0; i < static_cast<int>(layout.sheets.size()); ++i) {
+        const SheetDrawing drawing = draw_sheet(layout, options.profile, i);
+        sheets.push_back(DxfText(drawing, options.profile).sheet());
+    }
+    return sheets;
+}
+
+}  // namespace popup
