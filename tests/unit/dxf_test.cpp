@@ -89,7 +89,7 @@ Dxf parsed(const std::string& text) {
         if (code == 330) dxf.owners.push_back(value);
         if (code == 2 && type == "LAYER") name = value;
         if (code == 62 && type == "LAYER") dxf.layers[name] = std::stoi(value);
-        if (section != "ENTITIES") continue;
+        if (section != "ENTITIES" || dxf.entities.empty()) continue;
         Entity& entity = dxf.entities.back();
         if (code == 8) entity.layer = value;
         if (code == 62) entity.color = std::stoi(value);
