@@ -22,6 +22,8 @@ struct Color {
 };
 // "#rrggbb", lower case.
 std::string to_string(Color color);
+// The colour of "#rrggbb", in either case; nullopt when it is not that.
+std::optional<Color> hex_color(std::string_view text);
 
 // Where a value stands in the source text, in bytes; length 0 and offset npos when it was not written.
 // Only input/ makes and uses these: with them a repair changes the author's numbers and nothing else of the

@@ -62,9 +62,9 @@ struct NestProgress {
 
 // How long to look. Work is counted, not timed: a unit is one look at two convex parts of pieces, some 10 ns.
 // So the same job, effort and seed give the same layout on every machine and with any number of threads.
-inline constexpr double kFastNesting = 2e6;
-inline constexpr double kNormalNesting = 2e7;
-inline constexpr double kBestNesting = 2e8;
+inline constexpr double kFastNesting = 3e6;
+inline constexpr double kNormalNesting = 3e7;
+inline constexpr double kBestNesting = 3e8;
 struct NestEffort {
     double work = kFastNesting;  // units an item, ≥ 0; beyond 64 each adds an 8th, beyond 1024 a 128th
     std::uint64_t seed = 0;

@@ -45,13 +45,16 @@ enum class FoldStyle {
     perforated,  // cuts with bridges between them, each a line of its own
     both         // scored whole, and perforated
 };
+inline constexpr std::array kFoldStyles{FoldStyle::dashed, FoldStyle::score, FoldStyle::perforated,
+                                        FoldStyle::both};
 std::string_view to_string(FoldStyle style);
 
 // A perforated line: cuts and gaps in turn, beginning and ending with a cut, fitted to the line.
 struct Perforation {
-    double cut_mm = 2.0;    // > 0
-    double gap_mm = 1.0;    // > 0
-    double clear_mm = 1.0;  // uncut at each end, so that no cut ends in a corner; ≥ 0
+    static constexpr double kLeastMm = 0.01;  // of cut and gap
+    double cut_mm = 2.0;                      // > 0
+    double gap_mm = 1.0;                      // > 0
+    double clear_mm = 1.0;                    // uncut at each end, so that no cut ends in a corner; ≥ 0
 };
 
 struct Profile {
@@ -81,6 +84,7 @@ struct Profile {
 
 // All profiles; the first, workshop, is the default.
 std::span<const Profile> profile_table();
+std::vector<std::string_view> profile_names();
 // The profile of this name; null: there is none.
 const Profile* find_profile(std::string_view name);
 

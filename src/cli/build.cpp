@@ -56,20 +56,14 @@ void add_output_options(CLI::App& verb, Options& options) {
            0.001);
 }
 
-std::string profile_names() {
-    std::string names;
-    for (const Profile& row : profile_table())
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
-    return names;
-}
-
 Perforation perforation_option(std::string_view text) {
     std::vector<Length> lengths;
     bool good = true;
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t comma = std::min(text.find(',', at), text.size());
         const std::optional<Length> length = parse_length(text.substr(at, comma - at));
-        good = good && length && length->mm >= (lengths.size() < 2 ? 0.01 : 0.0) && length->mm <= 1000.0;
+        good = good && length && length->mm >= (lengths.size() < 2 ? Perforation::kLeastMm : 0.0) &&
+               length->mm <= 1000.0;
         lengths.push_back(length.value_or(Length{}));
         at = comma + 1;
     }
@@ -93,11 +87,9 @@ void add_profile_options(CLI::App& verb, Options& options) {
               }
               const Profile* profile = find_profile(text);
               if (profile == nullptr) {
-                  std::vector<std::string_view> names;
-                  for (const Profile& row : profile_table()) names.push_back(row.name);
-                  std::vector<std::string> hints = did_you_mean(text, names);
-                  hints.push_back("profiles: " + profile_names() +
-                                  "; or a file of your own, with the suffix .toml");
+                  std::vector<std::string> hints = did_you_mean(text, profile_names());
+                  hints.push_back(fmt::format("profiles: {}; or a file of your own, with the suffix .toml",
+                                              fmt::join(profile_names(), ", ")));
                   throw UsageError(fmt::format("there is no profile \"{}\"", text), hints);
               }
               options.compile.output.profile = *profile;

@@ -30,145 +30,77 @@ bool is_fold(Operation operation) {
     return operation == Operation::valley || operation == Operation::mountain || operation == Operation::seam;
 }
 
-// Pens: fill, draw, glue, label, valley, mountain, seam, perforation, inner cut, outer cut.
+using Pens = std::array<Pen, kOperations.size()>;
+
+// For machines that cut and score: what is printed is left out, and all folds are scored alike.
+Pens cutting_pens(const Pen& score, const Pen& perforation, const Pen& inner_cut, const Pen& outer_cut) {
+    return {fill_pen(""), draw_pen(""), glue_pen(""), label_pen(""), score,
+            score,        score,        perforation,  inner_cut,     outer_cut};
+}
+
+// The same, with what is printed in a layer.
+Pens printing_pens(const char* layer, Pens pens) {
+    const std::array printed{fill_pen(layer), draw_pen(layer), glue_pen(layer), label_pen(layer)};
+    std::copy(printed.begin(), printed.end(), pens.begin());
+    return pens;
+}
+
+Pens workshop_pens() {
+    return {fill_pen("fill"),          draw_pen("draw"),
+            glue_pen("glue"),          label_pen("label"),
+            {"valley", kMagenta, 0.3}, {"mountain", kBlue, 0.3},
+            {"seam", kBlack, 0.3},     {"perforation", kRed, 0.35},
+            {"cut", kRed, 0.35},       {"cut", kRed, 0.35}};
+}
+
+Pens hairline_pens() {
+    const Pen cut{"cut", kRed, kHairline};
+    return cutting_pens({"score", kBlue, kHairline}, cut, cut, cut);
+}
+
+Pens k40_pens() {
+    const Pen cut{"CUT", kRed, kThin};
+    return cutting_pens({"ENGRAVE", kBlue, kThin}, cut, cut, cut);
+}
+
+Pens silhouette_pens() {
+    const Pen cut{"Cut", kRed, kThin};
+    return printing_pens("Print", cutting_pens({"Score", kBlue, kThin}, cut, cut, cut));
+}
+
+Pens boxes_pens() {
+    const Pen inner{"inner-cut", kBlue, kThin};
+    Pens pens = cutting_pens({"etch", kGreen, kThin}, inner, inner, {"outer-cut", kBlack, kThin});
+    pens[static_cast<std::size_t>(Operation::label)] = {"annotation", kRed, 0.0};
+    return pens;
+}
+
 std::span<const Profile> profiles() {
+    constexpr Perforation kUsual{};
+    // name, about, verified, folds, perforation, one-sided, styled paths, pens
     static const std::array kTable{
-        Profile{"workshop",
-                "for scissors and knife: cut red, valley magenta, mountain blue, seam black",
-                true,
-                FoldStyle::dashed,
-                {},
-                false,
-                false,
-                {{fill_pen("fill"),
-                  draw_pen("draw"),
-                  glue_pen("glue"),
-                  label_pen("label"),
-                  {"valley", kMagenta, 0.3},
-                  {"mountain", kBlue, 0.3},
-                  {"seam", kBlack, 0.3},
-                  {"perforation", kRed, 0.35},
-                  {"cut", kRed, 0.35},
-                  {"cut", kRed, 0.35}}}},
-        Profile{"generic-laser",
-                "drivers that take hairlines in exact red as cuts and blue as scores",
-                true,
-                FoldStyle::score,
-                {},
-                true,
-                false,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  label_pen(""),
-                  {"score", kBlue, kHairline},
-                  {"score", kBlue, kHairline},
-                  {"score", kBlue, kHairline},
-                  {"cut", kRed, kHairline},
-                  {"cut", kRed, kHairline},
-                  {"cut", kRed, kHairline}}}},
-        Profile{"lightburn",
-                "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
-                true,
-                FoldStyle::score,
-                {},
-                true,
-                false,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  label_pen(""),
-                  {"score", kRed, kThin},
-                  {"score", kRed, kThin},
-                  {"score", kRed, kThin},
-                  {"perforation", {0x00, 0xe0, 0x00}, kThin},
-                  {"inner-cut", kBlue, kThin},
-                  {"outer-cut", kBlack, kThin}}}},
-        Profile{"k40",
-                "K40 Whisperer: red is cut, blue is engraved as a line, no third colour",
-                true,
-                FoldStyle::score,
-                {},
-                true,
-                true,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  label_pen(""),
-                  {"ENGRAVE", kBlue, kThin},
-                  {"ENGRAVE", kBlue, kThin},
-                  {"ENGRAVE", kBlue, kThin},
-                  {"CUT", kRed, kThin},
-                  {"CUT", kRed, kThin},
-                  {"CUT", kRed, kThin}}}},
-        Profile{"glowforge",
-                "a step a colour: inner cuts red, outer black; choose score by hand for blue",
-                true,
-                FoldStyle::score,
-                {},
-                true,
-                false,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  label_pen(""),
-                  {"score", kBlue, kThin},
-                  {"score", kBlue, kThin},
-                  {"score", kBlue, kThin},
-                  {"perforation", kGreen, kThin},
-                  {"inner-cut", kRed, kThin},
-                  {"outer-cut", kBlack, kThin}}}},
-        Profile{"cricut",
-                "Design Space: folds perforated, in a colour of their own",
-                false,
-                FoldStyle::perforated,
-                {},
-                false,
-                false,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  label_pen(""),
-                  {"score", kBlue, kThin},
-                  {"score", kBlue, kThin},
-                  {"score", kBlue, kThin},
-                  {"perforation", kRed, kThin},
-                  {"cut", kBlack, kThin},
-                  {"cut", kBlack, kThin}}}},
-        Profile{"silhouette",
-                "folds as real dashes in the layer Cut; what is printed in the layer Print",
-                true,
-                FoldStyle::perforated,
-                {},
-                false,
-                false,
-                {{fill_pen("Print"),
-                  draw_pen("Print"),
-                  glue_pen("Print"),
-                  label_pen("Print"),
-                  {"Score", kBlue, kThin},
-                  {"Score", kBlue, kThin},
-                  {"Score", kBlue, kThin},
-                  {"Cut", kRed, kThin},
-                  {"Cut", kRed, kThin},
-                  {"Cut", kRed, kThin}}}},
-        Profile{"boxes",
-                "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
-                true,
-                FoldStyle::score,
-                {},
-                true,
-                false,
-                {{fill_pen(""),
-                  draw_pen(""),
-                  glue_pen(""),
-                  {"annotation", kRed, 0.0},
-                  {"etch", kGreen, kThin},
-                  {"etch", kGreen, kThin},
-                  {"etch", kGreen, kThin},
-                  {"inner-cut", kBlue, kThin},
-                  {"inner-cut", kBlue, kThin},
-                  {"outer-cut", kBlack, kThin}}}},
+        Profile{"workshop", "for scissors and knife: cut red, valley magenta, mountain blue, seam black",
+                true, FoldStyle::dashed, kUsual, false, false, workshop_pens()},
+        Profile{"generic-laser", "drivers that take hairlines in exact red as cuts and blue as scores", true,
+                FoldStyle::score, kUsual, true, false, hairline_pens()},
+        Profile{"lightburn", "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
+                true, FoldStyle::score, kUsual, true, false,
+                cutting_pens({"score", kRed, kThin}, {"perforation", {0x00, 0xe0, 0x00}, kThin},
+                             {"inner-cut", kBlue, kThin}, {"outer-cut", kBlack, kThin})},
+        Profile{"k40", "K40 Whisperer: red is cut, blue is engraved as a line, no third colour", true,
+                FoldStyle::score, kUsual, true, true, k40_pens()},
+        Profile{"glowforge", "a step a colour: inner cuts red, outer black; choose score by hand for blue",
+                true, FoldStyle::score, kUsual, true, false,
+                cutting_pens({"score", kBlue, kThin}, {"perforation", kGreen, kThin},
+                             {"inner-cut", kRed, kThin}, {"outer-cut", kBlack, kThin})},
+        Profile{"cricut", "Design Space: folds perforated, in a colour of their own", false,
+                FoldStyle::perforated, kUsual, false, false,
+                cutting_pens({"score", kBlue, kThin}, {"perforation", kRed, kThin}, {"cut", kBlack, kThin},
+                             {"cut", kBlack, kThin})},
+        Profile{"silhouette", "folds as real dashes in the layer Cut; what is printed in the layer Print",
+                true, FoldStyle::perforated, kUsual, false, false, silhouette_pens()},
+        Profile{"boxes", "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
+                true, FoldStyle::score, kUsual, true, false, boxes_pens()},
     };
     return kTable;
 }
@@ -250,6 +182,13 @@ bool Profile::draws(Operation operation) const {
 }
 
 std::span<const Profile> profile_table() { return profiles(); }
+
+std::vector<std::string_view> profile_names() {
+    std::vector<std::string_view> names;
+    names.reserve(profiles().size());
+    for (const Profile& row : profiles()) names.push_back(row.name);
+    return names;
+}
 
 const Profile* find_profile(std::string_view name) {
     const std::span<const Profile> table = profiles();

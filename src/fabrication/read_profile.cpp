@@ -111,8 +111,7 @@ class ProfileReader {
     std::function<void(const toml::node&)> folds(FoldStyle& value) {
         return [this, &value](const toml::node& node) {
             std::vector<std::string_view> names;
-            for (const FoldStyle style :
-                 {FoldStyle::dashed, FoldStyle::score, FoldStyle::perforated, FoldStyle::both}) {
+            for (const FoldStyle style : kFoldStyles) {
                 names.push_back(to_string(style));
                 if (node.value<std::string_view>() != names.back()) continue;
                 value = style;
@@ -133,25 +132,13 @@ class ProfileReader {
                 wrong(node, "color", "a string such as \"#ff0000\"");
                 return;
             }
-            const std::string& text = given->get();
-            const auto digit = [](char c) {
-                if (c >= '0' && c <= '9') return c - '0';
-                if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-                return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-            };
-            const bool good =
-                text.size() == 7 && text[0] == '#' &&
-                std::all_of(text.begin() + 1, text.end(), [&](char c) { return digit(c) >= 0; });
-            if (!good) {
-                wrong(node.source(),
-                      fmt::format("\"color\" takes six hexadecimal digits after a #, not \"{}\"", text))
-                    .hint("such as \"#ff0000\"");
+            if (const std::optional<Color> known = hex_color(given->get())) {
+                value = *known;
                 return;
             }
-            const auto byte = [&](std::size_t at) {
-                return static_cast<std::uint8_t>(16 * digit(text[at]) + digit(text[at + 1]));
-            };
-            value = {byte(1), byte(3), byte(5)};
+            wrong(node.source(),
+                  fmt::format("\"color\" takes six hexadecimal digits after a #, not \"{}\"", given->get()))
+                .hint("such as \"#ff0000\"");
         };
     }
 
@@ -197,11 +184,8 @@ std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
         return std::nullopt;
     }
     if (const Profile* base = find_profile(name->get())) return *base;
-    std::vector<std::string_view> names;
-    names.reserve(profile_table().size());
-    for (const Profile& row : profile_table()) names.push_back(row.name);
     reader.wrong(node->source(), fmt::format("there is no profile \"{}\" to begin with", name->get()))
-        .hint(fmt::format("profiles: {}", fmt::join(names, ", ")));
+        .hint(fmt::format("profiles: {}", fmt::join(profile_names(), ", ")));
     return std::nullopt;
 }
 
@@ -221,8 +205,8 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
     Perforation& perforation = profile.perforation;
     const auto read_perforation = [&](const toml::table& table) {
         reader.read(table, " in \"perforation\"",
-                    {{"cut", reader.length("cut", perforation.cut_mm, 0.01)},
-                     {"gap", reader.length("gap", perforation.gap_mm, 0.01)},
+                    {{"cut", reader.length("cut", perforation.cut_mm, Perforation::kLeastMm)},
+                     {"gap", reader.length("gap", perforation.gap_mm, Perforation::kLeastMm)},
                      {"clear", reader.length("clear", perforation.clear_mm, 0.0)}});
     };
     const auto read_pens = [&](const toml::table& table) {
