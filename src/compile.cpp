@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "fabrication/kerf.h"
+
 namespace popup {
 namespace {
 
@@ -121,6 +123,11 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     LayoutOptions layout = options.layout;
     layout.nesting.threads = options.threads;
     run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
+    if (!run.layout) return run;
+    const Profile& profile = options.output.profile;
+    const KerfWidths kerf{profile.pen(Operation::inner_cut).kerf_mm,
+                          profile.pen(Operation::outer_cut).kerf_mm};
+    if (!apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics)) run.layout.reset();
     return run;
 }
 

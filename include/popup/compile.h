@@ -32,7 +32,7 @@ struct CompileOptions {
     MotionOptions motion;
     PatternOptions pattern;
     LayoutOptions layout;
-    OutputOptions output;
+    OutputOptions output;  // the kerf of its profile is applied to the layout
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Called after each finished design, one call at a time but from any thread; may be empty.

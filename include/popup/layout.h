@@ -73,6 +73,7 @@ struct PieceRule {
 struct LayoutOptions {
     SheetChoice sheet;
     std::vector<StockRow> stock;                // if not empty, instead of `sheet`
+    Vec2 bed;                                   // of the machine: no sheet may be larger; 0 × 0: any may
     Length margin = Length::millimetres(5.0);   // free edge of the sheet, ≥ 0
     Length spacing = Length::millimetres(2.0);  // between pieces, ≥ 0
     Rotation rotation;
@@ -127,8 +128,8 @@ struct Layout {
 
 // Places all copies of all pieces by their outlines; each inside the margin, no two closer than the spacing,
 // as nest() promises. Errors name piece, size and usable sheet (`piece-too-large`), or what else stands in
-// the way: `sheet-too-small`, `too-many-pieces`, `unknown-piece`, `lock-impossible`, `stock-used-up`,
-// `group-too-large`.
+// the way: `sheet-too-small`, `sheet-too-large` for the bed, `too-many-pieces`, `unknown-piece`,
+// `lock-impossible`, `stock-used-up`, `group-too-large`.
 std::optional<Layout> lay_out(std::vector<DesignPattern> designs, const LayoutOptions& options,
                               Diagnostics& diagnostics);
 

@@ -22,6 +22,11 @@ struct OutputOptions {
     double fps = 0.0;         // scene: > 0 adds keys so that there are at least this many a second
     double duration_s = 4.0;  // scene: length of the animation, > 0
     Profile profile = profile_table().front();  // how lines of sheets are drawn
+    bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there
+    ScoreSide score_side = ScoreSide::front;
+    bool print_and_cut = false;      // what is printed and what is cut are files of their own
+    double reference_mm = 0.0;       // > 0: a bar of this length on each sheet, to measure
+    double dpi = 300.0;              // of raster pictures
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 
@@ -33,9 +38,17 @@ struct SceneCard {
     std::string prefix;
 };
 
-// Bytes a sheet (a format that holds all sheets in one file gives one).
-using SheetWriter = std::optional<std::vector<std::string>> (*)(const Layout&, const OutputOptions&,
-                                                                Diagnostics&);
+// How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.
+double margin_needed(const OutputOptions& options);
+
+// One file of a format: `suffix` goes between the stem and the format's own suffix ("-2": "card-2.svg").
+struct SheetFile {
+    std::string suffix;
+    std::string bytes;
+};
+// A file a sheet and side, or one that holds all sheets.
+using SheetWriter = std::optional<std::vector<SheetFile>> (*)(const Layout&, const OutputOptions&,
+                                                              Diagnostics&);
 using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, const OutputOptions&,
                                                    Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,

@@ -17,26 +17,51 @@ namespace popup {
 // What is done along a line, or with an area, of a sheet; in the order in which it is done. What is printed
 // comes first, then folds, then cuts from the inside outwards, so that a piece is not loose before it is
 // finished. Closed set.
-enum class Operation { fill, draw, glue, label, valley, mountain, seam, perforation, inner_cut, outer_cut };
-inline constexpr std::array kOperations{
-    Operation::fill,     Operation::draw, Operation::glue,        Operation::label,     Operation::valley,
-    Operation::mountain, Operation::seam, Operation::perforation, Operation::inner_cut, Operation::outer_cut};
+enum class Operation {
+    fill,
+    draw,
+    glue,
+    label,
+    registration,  // marks by which a sheet is found again, and the bar to measure
+    valley,
+    mountain,
+    seam,
+    perforation,
+    slit,  // a cut that takes nothing out of the paper, where inner cuts are moved for the kerf
+    inner_cut,
+    outer_cut
+};
+inline constexpr std::array kOperations{Operation::fill,     Operation::draw,         Operation::glue,
+                                        Operation::label,    Operation::registration, Operation::valley,
+                                        Operation::mountain, Operation::seam,         Operation::perforation,
+                                        Operation::slit,     Operation::inner_cut,    Operation::outer_cut};
 std::string_view to_string(Operation operation);  // "inner-cut"
+constexpr bool is_printed(Operation operation) { return operation <= Operation::registration; }
+constexpr bool is_fold(Operation operation) {
+    return operation >= Operation::valley && operation <= Operation::seam;
+}
+constexpr bool is_cut(Operation operation) { return operation >= Operation::slit; }
 
 // How the lines of an operation are drawn. Neighbours in the order of operations that name the same layer
 // share it.
 struct Pen {
-    std::string layer;      // empty: what this is about is left out
-    Color color;            // fill and draw: each area and line brings its own
-    double width_mm = 0.0;  // fill, draw and label: not used
+    std::string layer;           // empty: what this is about is left out
+    Color color;                 // fill and draw: each area and line brings its own
+    double width_mm = 0.0;       // fill, draw and label: not used
+    double kerf_mm = 0.0;        // inner and outer cuts: the whole width of what the tool burns away; 0: the
+                                 // lines are as drawn
+    double speed_mm_s = 0.0;     // 0: not known
+    double power_percent = 0.0;  // for programs that take it from the file; 0: not known
+    std::string spot = {};       // of a production PDF: the spot colour's name; empty: process colour
 };
 
 struct Profile;
 // What is done along a line of a pattern. Where folds are not dashed for the eye, a seam along which another
 // piece is glued on is a place (glue), no fold: the paper stays whole there.
 Operation operation_of(const PatternLine& line, const Profile& profile);
-// Of a contour: an outer cut when it is closed and lies in no other of its piece.
-Operation operation_of(const Contour& cut);
+// Of a contour: an outer cut when it is closed and lies in no other of its piece. Open ones are slits where
+// inner cuts are moved for the kerf, so that the two can be told apart, else inner cuts.
+Operation operation_of(const Contour& cut, const Profile& profile);
 
 // What becomes of valley folds, mountain folds and seams.
 enum class FoldStyle {
@@ -57,6 +82,24 @@ struct Perforation {
     double clear_mm = 1.0;                    // uncut at each end, so that no cut ends in a corner; ≥ 0
 };
 
+// Marks at the corners of a sheet, by which a printed sheet is found again for cutting.
+enum class Marks {
+    none,
+    corners,    // a cross in each corner, the first with a ring
+    silhouette  // a square and two brackets, as Silhouette's cutters look for them
+};
+inline constexpr std::array kMarks{Marks::none, Marks::corners, Marks::silhouette};
+std::string_view to_string(Marks marks);
+// How far from the edges of the sheet pieces must stay clear of the marks, in mm.
+double clear_of(Marks marks);
+
+// From which side of the sheet a machine works.
+enum class ScoreSide {
+    front,
+    back,  // all of it, the sheet lying on its face
+    both   // valley folds from the back, all else from the front: paper folds away from a score
+};
+
 struct Profile {
     std::string name;
     std::string about;
@@ -69,6 +112,16 @@ struct Profile {
     // Every path of an SVG says its colour by itself, in a style attribute, for programs that look nowhere
     // else.
     bool styled_paths = false;
+    // Lines are drawn in the order in which the machine does best to follow them, lines that pieces share
+    // once, without segments too short for it. Else piece by piece, every piece whole.
+    bool machine_order = false;
+    bool outlined_text = false;  // text is drawn as the outlines of its letters
+    Marks marks = Marks::none;
+    double bed_width_mm = 0.0;  // the largest sheet that goes into the machine, either way round; 0: any
+    double bed_height_mm = 0.0;
+    double travel_mm_s = 0.0;          // of the head between lines; 0: not known
+    double pierce_s = 0.0;             // at the beginning of each line
+    std::vector<std::string> formats;  // that the machine or its program takes: "svg"; empty: any
     std::array<Pen, kOperations.size()> pens;
 
     [[nodiscard]] const Pen& pen(Operation operation) const {
@@ -88,16 +141,18 @@ std::vector<std::string_view> profile_names();
 // The profile of this name; null: there is none.
 const Profile* find_profile(std::string_view name);
 
-// A profile of the user's own, in TOML as schemas/profile.schema.json has it: name, about, base, folds,
-// one-sided, styled-paths, perforation {cut, gap, clear}, pens.OPERATION {layer, color, width}; lengths in
-// mm. What it does not say is as in the profile that `base` names, or in workshop. A name that is not given
-// is the file's stem. Errors, with their places: `bad-profile`, for what is not TOML, for unknown keys, and
-// for values that are not what their keys take.
+// A profile of the user's own, in TOML as schemas/profile.schema.json has it; lengths in mm. What it does not
+// say is as in the profile that `base` names, or in workshop. A name that is not given is the file's stem.
+// Errors, with their places: `bad-profile`, for what is not TOML, for unknown keys, and for values that are
+// not what their keys take.
 std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics);
 
 // What the profile does to these sheets that one would not expect. Warning: `lines-left-out`, of cuts and
-// folds that no pen draws. Remark: `one-sided-folds`. Cost: linear in cuts and folds.
-void examine_profile(const Layout& layout, const Profile& profile, Diagnostics& diagnostics);
+// folds that no pen draws. Remarks: `one-sided-folds`, `kerf-shares-color`. Cost: linear in cuts and folds.
+void examine_profile(const Layout& layout, const Profile& profile, ScoreSide side, Diagnostics& diagnostics);
+// Remark: `unusual-format`, of a format (".svg") that the profile's machine is not known to take. Pictures are
+// for eyes, and none.
+void examine_format(std::string_view suffix, const Profile& profile, Diagnostics& diagnostics);
 
 // The cuts of a perforated line: at least one, and never its whole length. Cuts and gaps are by at most a
 // half longer or shorter than asked, all alike. A line with no room for two cuts between its clear ends has

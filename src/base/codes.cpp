@@ -193,6 +193,20 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "linkage passes from one of its two solutions to the other, its mirror image, or is so close to locking "
      "that a hair's breadth decides. This is looked for all the way from closed to open, not only at the "
      "angles that --angles names. Give it more room: a wider piece, a narrower V, less extreme angles."},
+    {"kerf-shares-color", Severity::remark, "cuts that are moved for the kerf share their colour with others",
+     "With --kerf closed cuts are moved out of the paper by half of what the tool burns away; slits, and "
+     "cuts "
+     "that no kerf was given for, are not. Programs that move cuts themselves do so by colour or layer, and "
+     "would do it twice to some of them. Let the program move nothing, or give the pens different colours in "
+     "a "
+     "profile of your own."},
+    {"kerf-too-wide", Severity::error, "a cut is narrower than what the tool burns away",
+     "With --kerf cuts are moved out of the paper by half the width that a laser burns away, or a knife "
+     "tears, so that pieces have the size they were drawn with. A hole, a notch, or a gap between two "
+     "contours that is no wider than the kerf then closes, and no path of the tool could make it; nor may "
+     "pieces be laid nearer to each other than the kerf is wide, for their cuts would cross. Cut without "
+     "--kerf, or with a narrower one, make the design larger with --scale, draw a narrow slot as an open "
+     "line, which is cut as it is, or raise --spacing."},
     {"layer-order", Severity::warning, "the plates of the closed card cannot lie on one another",
      "In the closed card all plates lie in layers between the left cover and the right one. Here there is no "
      "order in which all of them can lie: one lies partly under and partly over another, or several each lie "
@@ -268,9 +282,9 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
     {"one-sided-folds", Severity::remark, "mountain and valley folds are scored from the same side",
      "A laser, and most plotters, score the front of the paper only, and paper folds best away from its "
      "score: "
-     "mountain folds come out crisp, valley folds less so. Crease the valley folds by hand with a ruler, or "
-     "take "
-     "--fold-style perforated, which folds either way."},
+     "mountain folds come out crisp, valley folds less so. Take --score-side both, "
+     "which puts the valley folds on a mirrored sheet for the back, or --fold-style perforated, which folds "
+     "either way, or crease them by hand with a ruler."},
     {"opening-too-wide", Severity::warning, "an angled element opens too far",
      "The sides of a beak or angled step may open by at most 175° about the apex, and the V of a v-fold by "
      "at most 170°: beyond that the element hardly leaves the page, and its solution is lost when the card "
@@ -304,6 +318,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "A page of a PDF has at most 14400 points a side, which is 5080 mm; programs that read PDF refuse or "
      "shrink larger ones, and a sheet that is shrunk is useless. Choose a smaller sheet with --sheet, so "
      "that the pieces are spread over several pages, or write SVG, which has no such limit."},
+    {"picture-failed", Severity::error, "a picture could not be made",
+     "The library that makes pictures gave up: there was no memory for so many pixels. Choose a smaller "
+     "--dpi or a smaller --sheet, or write a format that is not made of pixels, such as SVG or PDF."},
+    {"picture-too-large", Severity::error, "a sheet has too many pixels",
+     "A picture has at most 32767 pixels on a side and 300 million in all, which is what the libraries that "
+     "make it take without gigabytes of memory. Choose a smaller --dpi, or a smaller --sheet."},
     {"piece-mirrored", Severity::warning, "an extra piece was drawn from the back",
      "Pieces are drawn with their printed side up. This one runs the wrong way round (a v-fold's G E H J I "
      "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands and "
@@ -321,6 +341,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The angles of the piece and of the V must not exceed 350° together. At 360° all of the paper round the "
      "apex lies in one plane before the card is open, and the card stops there. The piece was narrowed alike "
      "on both sides."},
+    {"plotter-range", Severity::remark, "a sheet is larger than what old plotters count to",
+     "HP-GL counts in units of 0.025 mm, and the plotters it was made for count no further than 32767, which "
+     "is 819 mm. Most machines of today take larger numbers; one that does not stops there, or draws in the "
+     "wrong place. Plot the sheet once with the pen or the knife up, or choose a smaller sheet with "
+     "--sheet."},
     {"point-count", Severity::error, "too few or too many points",
      "Every type of structure has a fixed number of outer points in a fixed order, called by the letters in "
      "the message; the corners that follow from them are computed. A drawn line has at least two points. Add "
@@ -334,6 +359,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "the message says how far, and on which side. It will be seen there before the card is opened, and bent "
      "and torn in its envelope. Make the plate smaller by as much, or move the element away from that edge. "
      "Where it is meant, --allow protrusion accepts it."},
+    {"reference-too-long", Severity::error, "the bar to measure does not fit on the sheet",
+     "--reference draws a bar of a known length below the pieces, with its figure beside it and clear of "
+     "registration marks. The sheet is too narrow for a bar of this length. Ask for a shorter one, or choose "
+     "a "
+     "wider --sheet."},
     {"seam-length", Severity::warning, "the seams of a piece do not match those on the page",
      "What is glued together must be the same length, end for end. The page's seams rule, since other "
      "elements may stand on them; the ends of the piece's seams were moved along their lines until they fit. "
@@ -350,6 +380,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "In a drawing that has stroked contours, these are what is cut, and shapes that have a fill and no "
      "stroke are printed on the parts they lie on. This one lies on none. Give it a stroke if it is a "
      "part, or take it out. In a drawing without any stroked contour the painted shapes are the parts."},
+    {"sheet-too-large", Severity::error, "a sheet is larger than the machine's bed",
+     "The machine profile says how large a sheet the machine takes, either way round, and the sheet that was "
+     "chosen is larger. Choose a smaller --sheet; with --sheet auto the largest paper that goes into the "
+     "machine is taken, or its whole bed."},
     {"sheet-too-small", Severity::error, "the margins leave nothing of the sheet",
      "The margin is kept free along all four edges of a sheet. When twice the margin is as much as the "
      "sheet's width or height, no paper is left to put pieces on. Choose a larger --sheet or a smaller "
@@ -426,6 +460,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The file does not exist, is a directory, is larger than 64 MiB, or may not be opened by this user. "
      "Nothing of it has been looked at. Check the path and the permissions; paths are taken relative to the "
      "directory the program was started in, and \"-\" stands for standard input."},
+    {"unusual-format", Severity::remark, "the machine's program is not known to take this format",
+     "A machine profile names the formats that the machine or its program takes. A file of another format "
+     "was "
+     "asked for. It is written all the same, with the profile's layers and colours."},
     {"unwritable-output", Severity::error, "an output file cannot be written",
      "The directory does not exist, is not writable, or the disk is full. Outputs are written to temporary "
      "files first and moved into place together, so no older file of this run has been touched. Create the "

@@ -2,6 +2,7 @@
 
 #include "cli/inputs.h"
 #include "cli/outputs.h"
+#include "cli/profile_options.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
 #include "cli/verbs.h"
@@ -54,79 +55,6 @@ void add_output_options(CLI::App& verb, Options& options) {
     number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
     number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
            0.001);
-}
-
-Perforation perforation_option(std::string_view text) {
-    std::vector<Length> lengths;
-    bool good = true;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        const std::optional<Length> length = parse_length(text.substr(at, comma - at));
-        good = good && length && length->mm >= (lengths.size() < 2 ? Perforation::kLeastMm : 0.0) &&
-               length->mm <= 1000.0;
-        lengths.push_back(length.value_or(Length{}));
-        at = comma + 1;
-    }
-    if (!good || lengths.size() < 2 || lengths.size() > 3) {
-        throw UsageError(fmt::format("--perforation takes CUT,GAP or CUT,GAP,CLEAR, not \"{}\"", text),
-                         {"such as 2,1 or 1.5mm,0.8mm,2mm; cut and gap are at least 0.01 mm"});
-    }
-    Perforation perforation{lengths[0].mm, lengths[1].mm};
-    if (lengths.size() == 3) perforation.clear_mm = lengths[2].mm;
-    return perforation;
-}
-
-void add_profile_options(CLI::App& verb, Options& options) {
-    BuildOptions& build = options.build;
-    value(verb, "--profile", "NAME", "for which machine: see \"popupc list profiles\"; or FILE.toml", "Lines",
-          [&options](std::string_view text) {
-              options.build.profile_file.clear();
-              if (text.ends_with(".toml")) {
-                  options.build.profile_file = text;
-                  return;
-              }
-              const Profile* profile = find_profile(text);
-              if (profile == nullptr) {
-                  std::vector<std::string> hints = did_you_mean(text, profile_names());
-                  hints.push_back(fmt::format("profiles: {}; or a file of your own, with the suffix .toml",
-                                              fmt::join(profile_names(), ", ")));
-                  throw UsageError(fmt::format("there is no profile \"{}\"", text), hints);
-              }
-              options.compile.output.profile = *profile;
-          });
-    value(verb, "--fold-style", "STYLE", "dashed, score, perforated or both, instead of the profile's",
-          "Lines", [&build](std::string_view text) {
-              build.folds = choose<FoldStyle>("--fold-style", text,
-                                              {{"dashed", FoldStyle::dashed},
-                                               {"score", FoldStyle::score},
-                                               {"perforated", FoldStyle::perforated},
-                                               {"both", FoldStyle::both}});
-          });
-    value(verb, "--perforation", "CUT,GAP",
-          "of perforated folds (default 2,1); CUT,GAP,CLEAR: and their ends", "Lines",
-          [&build](std::string_view text) { build.perforation = perforation_option(text); });
-}
-
-// The file of the profile, where one is named. Anything but exit_done: it cannot be used, and that was said.
-int load_profile(Options& options) {
-    if (options.build.profile_file.empty()) return exit_done;
-    Diagnostics diagnostics(options.build.profile_file, options.policy);
-    const std::optional<Source> source = read_source(options.build.profile_file, diagnostics);
-    const std::optional<Profile> profile = source ? read_profile(*source, diagnostics) : std::nullopt;
-    if (profile) {
-        options.compile.output.profile = *profile;
-        return exit_done;
-    }
-    const bool told = report(options.messages, {{&diagnostics, source ? std::string_view(source->text) : ""}},
-                             Diagnostics());
-    return told && source ? exit_findings : exit_unusable;
-}
-
-// What is said about lines stands above the profile, wherever it stands.
-void finish_profile(Options& options) {
-    Profile& profile = options.compile.output.profile;
-    profile.folds = options.build.folds.value_or(profile.folds);
-    profile.perforation = options.build.perforation.value_or(profile.perforation);
 }
 
 // "297.0 x 210.0 mm", or of several sizes each once: "305.0 x 305.0 and 420.0 x 297.0 mm".

@@ -80,8 +80,9 @@ Rows profiles() {
         for (const Operation operation : kOperations) {
             const Pen& pen = row.pen(operation);
             if (pen.layer.empty()) continue;
-            pens[std::string(to_string(operation))] = {
+            Json& drawn = pens[std::string(to_string(operation))] = {
                 {"layer", pen.layer}, {"color", to_string(pen.color)}, {"width_mm", pen.width_mm}};
+            if (!pen.spot.empty()) drawn["spot"] = pen.spot;
         }
         rows.push_back({{"name", row.name},
                         {"folds", to_string(row.folds)},
@@ -89,6 +90,9 @@ Rows profiles() {
                         {"about", row.about},
                         {"one_sided", row.one_sided},
                         {"styled_paths", row.styled_paths},
+                        {"machine_order", row.machine_order},
+                        {"outlined_text", row.outlined_text},
+                        {"formats", row.formats},
                         {"perforation",
                          {{"cut_mm", row.perforation.cut_mm},
                           {"gap_mm", row.perforation.gap_mm},

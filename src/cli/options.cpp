@@ -125,9 +125,10 @@ void add_sheet_options(CLI::App& verb, Options& options) {
               given = true;
           });
     value(verb, "--margin", "LENGTH", "free edge of the sheet (default 5mm)", "Sheet",
-          [&layout, &given](std::string_view text) {
+          [&layout, &given, &options](std::string_view text) {
               layout.margin = length_option("--margin", text, 0.0);
               given = true;
+              options.margin_given = true;
           });
     value(verb, "--spacing", "LENGTH", "free space between pieces (default 2mm)", "Sheet",
           [&layout, &given](std::string_view text) {

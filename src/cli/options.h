@@ -58,6 +58,9 @@ struct BuildOptions {
     std::string profile_file;                // empty: a built-in profile
     std::optional<FoldStyle> folds;          // instead of the profile's
     std::optional<Perforation> perforation;  // likewise
+    std::optional<Marks> marks;              // likewise
+    std::vector<std::string> kerfs;          // as given, each good in itself
+    std::vector<std::string> speeds;         // likewise
 };
 
 struct FixOptions {
@@ -78,6 +81,7 @@ struct Options {
     DiagnosticPolicy policy;
     CompileOptions compile;
     bool sheet_given = false;  // any option about the sheet
+    bool margin_given = false;
     BuildOptions build;
     FixOptions fix;
     std::string code;  // of `explain`

@@ -64,12 +64,11 @@ std::string canonical(const std::string& path) {
     return error ? path : result.string();
 }
 
-// "card.svg", 2 → "card-2.svg". The first sheet keeps the name.
-std::string sheet_name(const std::string& path, const Format& format, std::size_t number) {
-    if (number == 1) return path;
+// "card.svg", "-2" → "card-2.svg".
+std::string suffixed(const std::string& path, const Format& format, const std::string& suffix) {
     std::size_t stem = path.size();
     if (find_format(path) == &format && path.size() > format.suffix.size()) stem -= format.suffix.size();
-    return fmt::format("{}-{}{}", path.substr(0, stem), number, path.substr(stem));
+    return path.substr(0, stem) + suffix + path.substr(stem);
 }
 
 std::string emitted(Stage stage, const Compilation& compilation) {
@@ -110,14 +109,14 @@ std::vector<SceneCard> scene_of(const Compilation& compilation) {
     return cards;
 }
 
-// The bytes of one output: one string, or one a sheet.
-std::optional<std::vector<std::string>> write_format(const Format& format, const OutputOptions& options,
-                                                     Compilation& compilation) {
+// The files of one output.
+std::optional<std::vector<SheetFile>> write_format(const Format& format, const OutputOptions& options,
+                                                   Compilation& compilation) {
     Diagnostics& diagnostics = compilation.run_diagnostics;
-    const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<std::string>> {
+    const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<SheetFile>> {
         if (!bytes) return std::nullopt;
-        std::vector<std::string> all;
-        all.push_back(std::move(*bytes));
+        std::vector<SheetFile> all;
+        all.push_back({"", std::move(*bytes)});
         return all;
     };
     return std::visit(
@@ -151,6 +150,17 @@ void check_parts(const std::string& input, const std::vector<PlannedOutput>& out
     if (emit == Stage::design) refuse("design");
     if (emit == Stage::assembly) refuse("assembly");
     if (emit == Stage::motion) refuse("motion");
+}
+
+void examine_formats(const std::vector<PlannedOutput>& outputs, const Profile& profile,
+                     Diagnostics& diagnostics) {
+    std::vector<const Format*> seen;
+    for (const PlannedOutput& output : outputs) {
+        if (!std::holds_alternative<SheetWriter>(output.format->write)) continue;
+        if (std::find(seen.begin(), seen.end(), output.format) != seen.end()) continue;
+        seen.push_back(output.format);
+        examine_format(output.format->suffix, profile, diagnostics);
+    }
 }
 
 }  // namespace
@@ -230,7 +240,8 @@ bool output_refused(const Diagnostics& diagnostics) {
     const std::vector<Diagnostic> all = diagnostics.sorted();
     return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
         return one.code == "unwritable-output" || one.code == "font-missing" || one.code == "pdf-failed" ||
-               one.code == "pdf-page-size" || one.code == "model-too-large";
+               one.code == "pdf-page-size" || one.code == "model-too-large" || one.code == "picture-failed" ||
+               one.code == "picture-too-large";
     });
 }
 
@@ -249,8 +260,11 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
     const bool has_sheets = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return std::holds_alternative<SheetWriter>(output.format->write);
     });
-    if (has_sheets && compilation.layout)
-        examine_profile(*compilation.layout, options.compile.output.profile, compilation.run_diagnostics);
+    if (has_sheets && compilation.layout) {
+        const OutputOptions& output = options.compile.output;
+        examine_profile(*compilation.layout, output.profile, output.score_side, compilation.run_diagnostics);
+        examine_formats(outputs, output.profile, compilation.run_diagnostics);
+    }
     std::vector<PendingFile> files;
     bool good = true;
     OutputOptions writing = options.compile.output;
@@ -270,15 +284,17 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
         if (parts->size() > 1 && is_standard_output(output.path)) {
             compilation.run_diagnostics
                 .error("unwritable-output", {},
-                       fmt::format("standard output takes one file, and there are {} sheets", parts->size()))
+                       fmt::format(
+                           "standard output takes one file, and there are {} {}", parts->size(),
+                           compilation.layout->sheets.size() > 1 ? "sheets" : "sides or parts of a sheet"))
                 .hint(
                     "write to a file, choose a larger --sheet, or a format that holds several sheets (--to "
                     "pdf)");
             good = false;
             continue;
         }
-        for (std::size_t i = 0; i < parts->size(); ++i) {
-            files.push_back({sheet_name(output.path, *output.format, i + 1), std::move((*parts)[i])});
+        for (SheetFile& part : *parts) {
+            files.push_back({suffixed(output.path, *output.format, part.suffix), std::move(part.bytes)});
             // By name only: the report must not depend on the directory.
             const std::string& path = files.back().path;
             if (!is_standard_output(path)) writing.files.push_back(path.substr(path.rfind('/') + 1));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -13,50 +14,99 @@ std::string counted(std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-}  // namespace
+using Counts = std::array<std::size_t, kOperations.size()>;
 
-void examine_profile(const Layout& layout, const Profile& profile, Diagnostics& diagnostics) {
-    std::array<std::size_t, kOperations.size()> found{};
-    const auto count = [&found](Operation operation) -> std::size_t& {
-        return found[static_cast<std::size_t>(operation)];
-    };
+Counts count_lines(const Layout& layout, const Profile& profile) {
+    Counts found{};
+    const auto count = [&found](Operation operation) { ++found[static_cast<std::size_t>(operation)]; };
     for (const Placement& placement : layout.placements) {
         const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
         const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        for (const PatternLine& line : piece.lines) ++count(operation_of(line, profile));
-        for (const Contour& cut : piece.cuts) ++count(operation_of(cut));
+        for (const PatternLine& line : piece.lines) count(operation_of(line, profile));
+        for (const Contour& cut : piece.cuts) count(operation_of(cut, profile));
     }
+    return found;
+}
+
+std::size_t at(const Counts& counts, Operation operation) {
+    return counts[static_cast<std::size_t>(operation)];
+}
+
+void examine_left_out(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
     std::size_t folds = 0;
-    for (const Operation fold : {Operation::valley, Operation::mountain, Operation::seam}) {
-        if (!profile.draws(fold) && !profile.perforates(fold)) folds += count(fold);
-    }
     std::size_t cuts = 0;
-    for (const Operation cut : {Operation::inner_cut, Operation::outer_cut}) {
-        if (!profile.draws(cut)) cuts += count(cut);
+    for (const Operation operation : kOperations) {
+        if (profile.draws(operation) || profile.perforates(operation)) continue;
+        if (is_fold(operation)) folds += at(counts, operation);
+        if (is_cut(operation)) cuts += at(counts, operation);
     }
-    if (folds > 0 || cuts > 0) {
-        diagnostics
-            .warning("lines-left-out", {},
-                     fmt::format("the profile {} leaves out {}{}{}", profile.name,
-                                 cuts > 0 ? counted(cuts, "cut") : "", cuts > 0 && folds > 0 ? " and " : "",
-                                 folds > 0 ? counted(folds, "fold") : ""))
-            .hint("give the pens of what is to be drawn a layer");
-    }
+    if (folds == 0 && cuts == 0) return;
+    diagnostics
+        .warning("lines-left-out", {},
+                 fmt::format("the profile {} leaves out {}{}{}", profile.name,
+                             cuts > 0 ? counted(cuts, "cut") : "", cuts > 0 && folds > 0 ? " and " : "",
+                             folds > 0 ? counted(folds, "fold") : ""))
+        .hint("give the pens of what is to be drawn a layer");
+}
+
+void examine_sides(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
     // Perforated lines fold either way.
     if (!profile.one_sided || profile.folds == FoldStyle::perforated) return;
     if (!profile.draws(Operation::mountain) || !profile.draws(Operation::valley)) return;
-    const std::size_t mountains = count(Operation::mountain);
-    const std::size_t valleys = count(Operation::valley);
+    const std::size_t mountains = at(counts, Operation::mountain);
+    const std::size_t valleys = at(counts, Operation::valley);
     if (mountains == 0 || valleys == 0) return;
     diagnostics
-        .remark(
-            "one-sided-folds", {},
-            fmt::format("the sheets have {} mountain and {}, and the profile {} scores all of them from the "
-                        "front",
-                        mountains, counted(valleys, "valley fold"), profile.name))
+        .remark("one-sided-folds", {},
+                fmt::format("the sheets have {} mountain and {}, and the profile {} scores all of them from "
+                            "one side",
+                            mountains, counted(valleys, "valley fold"), profile.name))
         .hint(
-            "paper folds best away from its score: crease the valley folds by hand, or take --fold-style "
-            "perforated, which folds either way");
+            "paper folds best away from its score: take --score-side both, which puts valley folds on a "
+            "mirrored "
+            "sheet for the back, or --fold-style perforated, which folds either way, or crease them by hand");
+}
+
+// Programs that move cuts themselves do so by layer or colour.
+void examine_kerf(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
+    for (const Operation moved : {Operation::inner_cut, Operation::outer_cut}) {
+        const Pen& pen = profile.pen(moved);
+        if (pen.kerf_mm <= 0.0 || at(counts, moved) == 0) continue;
+        for (const Operation other : {Operation::slit, Operation::inner_cut, Operation::outer_cut}) {
+            const Pen& unmoved = profile.pen(other);
+            if (unmoved.kerf_mm > 0.0 || at(counts, other) == 0 || unmoved.color != pen.color) continue;
+            diagnostics
+                .remark("kerf-shares-color", {},
+                        fmt::format(
+                            "{} of kind {} are moved by half a kerf of {} mm, and {} of kind {}, which are "
+                            "not, have the same colour {}",
+                            counted(at(counts, moved), "cut"), to_string(moved), pen.kerf_mm,
+                            counted(at(counts, other), "cut"), to_string(other), to_string(pen.color)))
+                .hint("see to it that the machine's program does not move cuts of this colour once more");
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+void examine_profile(const Layout& layout, const Profile& profile, ScoreSide side, Diagnostics& diagnostics) {
+    const Counts counts = count_lines(layout, profile);
+    examine_left_out(counts, profile, diagnostics);
+    if (side != ScoreSide::both) examine_sides(counts, profile, diagnostics);
+    examine_kerf(counts, profile, diagnostics);
+}
+
+void examine_format(std::string_view suffix, const Profile& profile, Diagnostics& diagnostics) {
+    if (profile.formats.empty()) return;
+    const std::string_view name = suffix.substr(suffix.starts_with('.') ? 1 : 0);
+    if (name == "png" || name == "jpg") return;  // for eyes
+    if (std::find(profile.formats.begin(), profile.formats.end(), name) != profile.formats.end()) return;
+    diagnostics
+        .remark("unusual-format", {},
+                fmt::format("what the profile {} is for takes {}, as far as is known, and not {}",
+                            profile.name, fmt::join(profile.formats, ", "), name))
+        .hint("the file is written all the same");
 }
 
 }  // namespace popup

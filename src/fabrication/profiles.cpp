@@ -20,89 +20,173 @@ constexpr Color kText{0x73, 0x73, 0x73};
 constexpr double kHairline = 0.0254;
 constexpr double kThin = 0.1;
 
-// What is printed, and left out. A file that begins with such a profile may give it a layer.
-Pen fill_pen(std::string layer) { return {std::move(layer), kBlack, 0.0}; }
-Pen draw_pen(std::string layer) { return {std::move(layer), kBlack, 0.0}; }
-Pen glue_pen(std::string layer) { return {std::move(layer), kTarget, 0.2}; }
-Pen label_pen(std::string layer) { return {std::move(layer), kText, 0.0}; }
-
-bool is_fold(Operation operation) {
-    return operation == Operation::valley || operation == Operation::mountain || operation == Operation::seam;
-}
-
 using Pens = std::array<Pen, kOperations.size()>;
 
-// For machines that cut and score: what is printed is left out, and all folds are scored alike.
-Pens cutting_pens(const Pen& score, const Pen& perforation, const Pen& inner_cut, const Pen& outer_cut) {
-    return {fill_pen(""), draw_pen(""), glue_pen(""), label_pen(""), score,
-            score,        score,        perforation,  inner_cut,     outer_cut};
-}
+Pen& pen_of(Pens& pens, Operation operation) { return pens[static_cast<std::size_t>(operation)]; }
 
-// The same, with what is printed in a layer.
-Pens printing_pens(const char* layer, Pens pens) {
-    const std::array printed{fill_pen(layer), draw_pen(layer), glue_pen(layer), label_pen(layer)};
-    std::copy(printed.begin(), printed.end(), pens.begin());
+// What is printed. With an empty layer it is left out; a file that begins with such a profile may give it
+// one.
+Pens printing_pens(const char* layer) {
+    Pens pens;
+    pen_of(pens, Operation::fill) = {layer, kBlack};
+    pen_of(pens, Operation::draw) = {layer, kBlack};
+    pen_of(pens, Operation::glue) = {layer, kTarget, 0.2};
+    pen_of(pens, Operation::label) = {layer, kText};
+    pen_of(pens, Operation::registration) = {layer, kBlack, 0.3};
     return pens;
 }
 
+struct CuttingPens {
+    Pen score, perforation, slit, inner_cut, outer_cut;
+};
+// For machines that cut and score: all folds are scored alike.
+Pens cutting_pens(const CuttingPens& cutting, const char* printed = "") {
+    Pens pens = printing_pens(printed);
+    for (const Operation fold : {Operation::valley, Operation::mountain, Operation::seam})
+        pen_of(pens, fold) = cutting.score;
+    pen_of(pens, Operation::perforation) = cutting.perforation;
+    pen_of(pens, Operation::slit) = cutting.slit;
+    pen_of(pens, Operation::inner_cut) = cutting.inner_cut;
+    pen_of(pens, Operation::outer_cut) = cutting.outer_cut;
+    return pens;
+}
+Pens cutting_pens(const Pen& score, const Pen& cut, const char* printed = "") {
+    return cutting_pens({score, cut, cut, cut, cut}, printed);
+}
+
 Pens workshop_pens() {
-    return {fill_pen("fill"),          draw_pen("draw"),
-            glue_pen("glue"),          label_pen("label"),
-            {"valley", kMagenta, 0.3}, {"mountain", kBlue, 0.3},
-            {"seam", kBlack, 0.3},     {"perforation", kRed, 0.35},
-            {"cut", kRed, 0.35},       {"cut", kRed, 0.35}};
-}
-
-Pens hairline_pens() {
-    const Pen cut{"cut", kRed, kHairline};
-    return cutting_pens({"score", kBlue, kHairline}, cut, cut, cut);
-}
-
-Pens k40_pens() {
-    const Pen cut{"CUT", kRed, kThin};
-    return cutting_pens({"ENGRAVE", kBlue, kThin}, cut, cut, cut);
+    const Pen cut{"cut", kRed, 0.35};
+    Pens pens = cutting_pens({{}, {"perforation", kRed, 0.35}, cut, cut, cut});
+    pen_of(pens, Operation::valley) = {"valley", kMagenta, 0.3};
+    pen_of(pens, Operation::mountain) = {"mountain", kBlue, 0.3};
+    pen_of(pens, Operation::seam) = {"seam", kBlack, 0.3};
+    for (const Operation printed : kOperations) {
+        if (is_printed(printed)) pen_of(pens, printed).layer = to_string(printed);
+    }
+    return pens;
 }
 
 Pens silhouette_pens() {
-    const Pen cut{"Cut", kRed, kThin};
-    return printing_pens("Print", cutting_pens({"Score", kBlue, kThin}, cut, cut, cut));
+    Pens pens = cutting_pens({"Score", kBlue, kThin}, {"Cut", kRed, kThin}, "Print");
+    pen_of(pens, Operation::registration).layer = "Regmarks";
+    return pens;
 }
 
 Pens boxes_pens() {
     const Pen inner{"inner-cut", kBlue, kThin};
-    Pens pens = cutting_pens({"etch", kGreen, kThin}, inner, inner, {"outer-cut", kBlack, kThin});
-    pens[static_cast<std::size_t>(Operation::label)] = {"annotation", kRed, 0.0};
+    Pens pens = cutting_pens(
+        {{"etch", kGreen, kThin}, inner, {"slit", kBlue, kThin}, inner, {"outer-cut", kBlack, kThin}});
+    pen_of(pens, Operation::label) = {"annotation", kRed};
     return pens;
 }
 
-std::span<const Profile> profiles() {
-    constexpr Perforation kUsual{};
-    // name, about, verified, folds, perforation, one-sided, styled paths, pens
-    static const std::array kTable{
-        Profile{"workshop", "for scissors and knife: cut red, valley magenta, mountain blue, seam black",
-                true, FoldStyle::dashed, kUsual, false, false, workshop_pens()},
-        Profile{"generic-laser", "drivers that take hairlines in exact red as cuts and blue as scores", true,
-                FoldStyle::score, kUsual, true, false, hairline_pens()},
-        Profile{"lightburn", "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
-                true, FoldStyle::score, kUsual, true, false,
-                cutting_pens({"score", kRed, kThin}, {"perforation", {0x00, 0xe0, 0x00}, kThin},
-                             {"inner-cut", kBlue, kThin}, {"outer-cut", kBlack, kThin})},
-        Profile{"k40", "K40 Whisperer: red is cut, blue is engraved as a line, no third colour", true,
-                FoldStyle::score, kUsual, true, true, k40_pens()},
-        Profile{"glowforge", "a step a colour: inner cuts red, outer black; choose score by hand for blue",
-                true, FoldStyle::score, kUsual, true, false,
-                cutting_pens({"score", kBlue, kThin}, {"perforation", kGreen, kThin},
-                             {"inner-cut", kRed, kThin}, {"outer-cut", kBlack, kThin})},
-        Profile{"cricut", "Design Space: folds perforated, in a colour of their own", false,
-                FoldStyle::perforated, kUsual, false, false,
-                cutting_pens({"score", kBlue, kThin}, {"perforation", kRed, kThin}, {"cut", kBlack, kThin},
-                             {"cut", kBlack, kThin})},
-        Profile{"silhouette", "folds as real dashes in the layer Cut; what is printed in the layer Print",
-                true, FoldStyle::perforated, kUsual, false, false, silhouette_pens()},
-        Profile{"boxes", "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
-                true, FoldStyle::score, kUsual, true, false, boxes_pens()},
+// Spot colours are what tells lines apart in print shops; what they look like on a screen does not matter.
+Pens production_pens() {
+    constexpr double kQuarterPoint = 0.25 * 25.4 / 72.0;
+    Pens pens = workshop_pens();
+    const auto set = [&pens](Operation operation, const char* layer, Color color, const char* spot) {
+        Pen& pen = pen_of(pens, operation);
+        pen = {layer, color, kQuarterPoint};
+        pen.spot = spot;
     };
-    return kTable;
+    set(Operation::valley, "Creasing", kBlue, "Crease");
+    set(Operation::mountain, "Reverse creasing", kGreen, "ReverseCrease");
+    set(Operation::seam, "Creasing of tabs", kBlue, "Crease");
+    set(Operation::perforation, "Perforating", kRed, "PerfCutContour");
+    for (const Operation cut : {Operation::slit, Operation::inner_cut, Operation::outer_cut})
+        set(cut, "Cutting", kMagenta, "CutContour");
+    return pens;
+}
+
+// What most rows have in common: a machine that follows lines one after the other.
+Profile machine(std::string name, std::string about, FoldStyle folds, Pens pens) {
+    Profile profile;
+    profile.name = std::move(name);
+    profile.about = std::move(about);
+    profile.folds = folds;
+    profile.machine_order = true;
+    profile.pens = std::move(pens);
+    return profile;
+}
+
+// One that scores with a beam, from one side.
+Profile laser(std::string name, std::string about, Pens pens) {
+    Profile profile = machine(std::move(name), std::move(about), FoldStyle::score, std::move(pens));
+    profile.one_sided = true;
+    return profile;
+}
+
+std::vector<Profile> make_table() {
+    std::vector<Profile> table;
+    Profile& workshop = table.emplace_back();
+    workshop.name = "workshop";
+    workshop.about = "for scissors and knife: cut red, valley magenta, mountain blue, seam black";
+    workshop.pens = workshop_pens();
+
+    table.push_back(laser("generic-laser",
+                          "drivers that take hairlines in exact red as cuts and blue as scores",
+                          cutting_pens({"score", kBlue, kHairline}, {"cut", kRed, kHairline})));
+
+    table.push_back(laser("lightburn",
+                          "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
+                          cutting_pens({{"score", kRed, kThin},
+                                        {"perforation", {0x00, 0xe0, 0x00}, kThin},
+                                        {"slit", {0xff, 0x80, 0x00}, kThin},
+                                        {"inner-cut", kBlue, kThin},
+                                        {"outer-cut", kBlack, kThin}})));
+    table.back().formats = {"lbrn2", "svg", "dxf", "pdf"};
+
+    table.push_back(laser("k40", "K40 Whisperer: red is cut, blue is engraved as a line, no third colour",
+                          cutting_pens({"ENGRAVE", kBlue, kThin}, {"CUT", kRed, kThin})));
+    table.back().styled_paths = true;
+    table.back().outlined_text = true;
+    table.back().formats = {"svg", "dxf"};
+
+    table.push_back(laser("glowforge",
+                          "a step a colour: inner cuts red, outer black; choose score by hand for blue",
+                          cutting_pens({{"score", kBlue, kThin},
+                                        {"perforation", kGreen, kThin},
+                                        {"slit", {0xff, 0x80, 0x00}, kThin},
+                                        {"inner-cut", kRed, kThin},
+                                        {"outer-cut", kBlack, kThin}})));
+    table.back().outlined_text = true;
+    table.back().formats = {"svg", "pdf"};
+
+    const Pen design_space{"cut", kBlack, kThin};
+    table.push_back(machine("cricut", "Design Space: folds perforated, in a colour of their own",
+                            FoldStyle::perforated,
+                            cutting_pens({{"score", kBlue, kThin},
+                                          {"perforation", kRed, kThin},
+                                          design_space,
+                                          design_space,
+                                          design_space})));
+    table.back().verified = false;
+    table.back().formats = {"svg", "dxf"};
+
+    table.push_back(machine("silhouette",
+                            "folds as real dashes in the layer Cut; what is printed in the layer Print",
+                            FoldStyle::perforated, silhouette_pens()));
+    table.back().formats = {"svg", "dxf"};
+
+    table.push_back(machine("print-and-cut",
+                            "print shops: PDF with spot colours for cut, crease and perforation",
+                            FoldStyle::score, production_pens()));
+    table.back().outlined_text = true;
+    table.back().formats = {"pdf"};
+
+    table.push_back(laser("boxes",
+                          "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
+                          boxes_pens()));
+    return table;
+}
+
+std::span<const Profile> profiles() {
+    static const std::vector<Profile> table = make_table();
+    return table;
+}
+
+Operation open_cut(const Profile& profile) {
+    return profile.pen(Operation::inner_cut).kerf_mm > 0.0 ? Operation::slit : Operation::inner_cut;
 }
 
 }  // namespace
@@ -117,6 +201,8 @@ std::string_view to_string(Operation operation) {
             return "glue";
         case Operation::label:
             return "label";
+        case Operation::registration:
+            return "registration";
         case Operation::valley:
             return "valley";
         case Operation::mountain:
@@ -125,6 +211,8 @@ std::string_view to_string(Operation operation) {
             return "seam";
         case Operation::perforation:
             return "perforation";
+        case Operation::slit:
+            return "slit";
         case Operation::inner_cut:
             return "inner-cut";
         case Operation::outer_cut:
@@ -147,10 +235,22 @@ std::string_view to_string(FoldStyle style) {
     broken_invariant("a fold style is one of its enumerators", __FILE__, __LINE__);
 }
 
+std::string_view to_string(Marks marks) {
+    switch (marks) {
+        case Marks::none:
+            return "none";
+        case Marks::corners:
+            return "corners";
+        case Marks::silhouette:
+            return "silhouette";
+    }
+    broken_invariant("marks are one of their enumerators", __FILE__, __LINE__);
+}
+
 Operation operation_of(const PatternLine& line, const Profile& profile) {
     switch (line.kind) {
         case LineKind::cut:
-            return Operation::inner_cut;
+            return open_cut(profile);
         case LineKind::mountain:
             return Operation::mountain;
         case LineKind::valley:
@@ -163,8 +263,9 @@ Operation operation_of(const PatternLine& line, const Profile& profile) {
     broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
 }
 
-Operation operation_of(const Contour& cut) {
-    return cut.closed && cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;
+Operation operation_of(const Contour& cut, const Profile& profile) {
+    if (!cut.closed) return open_cut(profile);
+    return cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;
 }
 
 bool Profile::dashes(Operation operation) const { return is_fold(operation) && folds == FoldStyle::dashed; }

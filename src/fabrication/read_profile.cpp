@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -82,19 +83,47 @@ class ProfileReader {
             }
         };
     }
+    // A number of `unit`, such as "mm".
+    struct Range {
+        double least, most;
+        std::string_view unit;
+    };
+    void number(const toml::node& node, const std::string& key, double& value, const Range& range) {
+        if (!node.is_number()) {
+            wrong(node, key, fmt::format("a number of {}", range.unit == "mm" ? "millimetres" : range.unit));
+            return;
+        }
+        const double given = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                               : node.as_floating_point()->get();
+        if (!std::isfinite(given) || given < range.least || given > range.most) {
+            wrong(node.source(), fmt::format("\"{}\" is {} {}; it must be from {} to {}", key, given,
+                                             range.unit, range.least, range.most));
+        } else {
+            value = given;
+        }
+    }
+    std::function<void(const toml::node&)> number(std::string key, double& value, Range range) {
+        return [this, key = std::move(key), &value, range](const toml::node& node) {
+            number(node, key, value, range);
+        };
+    }
     std::function<void(const toml::node&)> length(std::string key, double& value, double least) {
-        return [this, key = std::move(key), &value, least](const toml::node& node) {
-            if (!node.is_number()) {
-                wrong(node, key, "a number of millimetres");
+        return number(std::move(key), value, {least, 1000.0, "mm"});
+    }
+    std::function<void(const toml::node&)> texts(std::string key, std::vector<std::string>& values) {
+        return [this, key = std::move(key), &values](const toml::node& node) {
+            const auto* given = node.as_array();
+            if (given == nullptr) {
+                wrong(node, key, "a list of strings");
                 return;
             }
-            const double given = node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                                                   : node.as_floating_point()->get();
-            if (!std::isfinite(given) || given < least || given > 1000.0) {
-                wrong(node.source(),
-                      fmt::format("\"{}\" is {} mm; it must be from {} to 1000", key, given, least));
-            } else {
-                value = given;
+            values.clear();
+            for (const toml::node& one : *given) {
+                if (const auto* text = one.as_string()) {
+                    values.push_back(text->get());
+                } else {
+                    wrong(one, key, "a list of strings");
+                }
             }
         };
     }
@@ -108,20 +137,23 @@ class ProfileReader {
             }
         };
     }
-    std::function<void(const toml::node&)> folds(FoldStyle& value) {
-        return [this, &value](const toml::node& node) {
+    // One of a closed list of values, by its name.
+    template <typename Value, std::size_t count>
+    std::function<void(const toml::node&)> choice(std::string key, Value& value,
+                                                  const std::array<Value, count>& values) {
+        return [this, key = std::move(key), &value, &values](const toml::node& node) {
             std::vector<std::string_view> names;
-            for (const FoldStyle style : kFoldStyles) {
-                names.push_back(to_string(style));
+            for (const Value one : values) {
+                names.push_back(to_string(one));
                 if (node.value<std::string_view>() != names.back()) continue;
-                value = style;
+                value = one;
                 return;
             }
             const std::string wanted = fmt::format("one of {}", fmt::join(names, ", "));
             if (const auto* given = node.as_string()) {
-                wrong(node.source(), fmt::format("\"folds\" takes {}, not \"{}\"", wanted, given->get()));
+                wrong(node.source(), fmt::format("\"{}\" takes {}, not \"{}\"", key, wanted, given->get()));
             } else {
-                wrong(node, "folds", wanted);
+                wrong(node, key, wanted);
             }
         };
     }
@@ -145,6 +177,8 @@ class ProfileReader {
  private:
     Diagnostics& diagnostics_;
 };
+
+constexpr ProfileReader::Range kSpeeds{0.001, 1e5, "mm/s"};
 
 // The parser follows dotted keys by recursion: no line may have more dots than any profile could need.
 constexpr std::size_t kMostBytes = 65536;
@@ -217,23 +251,50 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
             // What is printed brings its own widths; of any other line no width at all would be no line.
             const bool printed =
                 operation == Operation::fill || operation == Operation::draw || operation == Operation::label;
-            const auto read_pen = [&reader, &pen, least = printed ? 0.0 : 0.001](const toml::table& one) {
-                reader.read(one, " in a pen",
-                            {{"layer", reader.text("layer", pen.layer)},
-                             {"color", reader.color(pen.color)},
-                             {"width", reader.length("width", pen.width_mm, least)}});
+            const auto read_pen = [&reader, &pen, least = printed ? 0.0 : 0.001,
+                                   closed = operation >= Operation::inner_cut](const toml::table& one) {
+                std::vector<ProfileReader::Row> keys{
+                    {"layer", reader.text("layer", pen.layer)},
+                    {"color", reader.color(pen.color)},
+                    {"width", reader.length("width", pen.width_mm, least)},
+                    {"speed", reader.number("speed", pen.speed_mm_s, kSpeeds)},
+                    {"power", reader.number("power", pen.power_percent, {0.0, 100.0, "percent"})},
+                    {"spot", reader.text("spot", pen.spot)}};
+                // Only closed cuts have an inside and an outside to move away from.
+                if (closed) keys.push_back({"kerf", reader.number("kerf", pen.kerf_mm, {0.0, 10.0, "mm"})});
+                reader.read(one, " in a pen", keys);
             };
             rows.push_back({to_string(operation), reader.table(std::string(to_string(operation)), read_pen)});
         }
         reader.read(table, " in \"pens\"", rows);
     };
+    const auto read_bed = [&](const toml::table& table) {
+        constexpr ProfileReader::Range kBed{1.0, 1e5, "mm"};
+        profile.bed_width_mm = profile.bed_height_mm = 0.0;
+        reader.read(table, " in \"bed\"",
+                    {{"width", reader.number("width", profile.bed_width_mm, kBed)},
+                     {"height", reader.number("height", profile.bed_height_mm, kBed)}});
+        if (profile.bed_width_mm > 0.0 && profile.bed_height_mm > 0.0) return;
+        reader.wrong(table.source(), "\"bed\" takes both width and height");
+    };
+    const auto read_travel = [&](const toml::table& table) {
+        reader.read(table, " in \"travel\"",
+                    {{"speed", reader.number("speed", profile.travel_mm_s, kSpeeds)},
+                     {"pierce", reader.number("pierce", profile.pierce_s, {0.0, 60.0, "seconds"})}});
+    };
     reader.read(file, "",
                 {{"name", reader.text("name", profile.name)},
                  {"about", reader.text("about", profile.about)},
                  {"base", [](const toml::node&) { /* read first, see above */ }},
-                 {"folds", reader.folds(profile.folds)},
+                 {"folds", reader.choice("folds", profile.folds, kFoldStyles)},
                  {"one-sided", reader.flag("one-sided", profile.one_sided)},
                  {"styled-paths", reader.flag("styled-paths", profile.styled_paths)},
+                 {"machine-order", reader.flag("machine-order", profile.machine_order)},
+                 {"outlined-text", reader.flag("outlined-text", profile.outlined_text)},
+                 {"marks", reader.choice("marks", profile.marks, kMarks)},
+                 {"bed", reader.table("bed", read_bed)},
+                 {"travel", reader.table("travel", read_travel)},
+                 {"formats", reader.texts("formats", profile.formats)},
                  {"perforation", reader.table("perforation", read_perforation)},
                  {"pens", reader.table("pens", read_pens)}});
     if (diagnostics.has_errors()) return std::nullopt;

@@ -158,6 +158,13 @@ class Layouter {
                           [&](const PieceSource& source) { return takes(sheet, source); }));
     }
 
+    [[nodiscard]] bool in_bed(const SheetRow& sheet) const {
+        constexpr double kHair = 1e-6;
+        const Vec2 bed = options_.bed + Vec2{kHair, kHair};
+        return options_.bed == Vec2{} || (sheet.width <= bed.x && sheet.height <= bed.y) ||
+               (sheet.width <= bed.y && sheet.height <= bed.x);
+    }
+
     // A paper as takes most of the pieces; landscape if either way serves.
     [[nodiscard]] SheetRow oriented(const Paper& paper) const {
         const SheetRow lying{paper.height_mm, paper.width_mm, -1};
@@ -167,14 +174,17 @@ class Layouter {
 
     [[nodiscard]] SheetRow row_of(const SheetChoice& choice) const {
         if (choice.name.empty()) return {choice.width_mm, choice.height_mm, -1};
-        SheetRow row;
+        SheetRow row{options_.bed.x, options_.bed.y, -1};
         for (const Paper& paper : paper_table()) {
             if (choice.name != "auto" && choice.name != paper.name) continue;
-            row = oriented(paper);
+            const SheetRow next = oriented(paper);
+            if (choice.name == "auto" && !in_bed(next)) continue;
+            row = next;
             // Of no paper that takes all the largest remains, to say on it what does not fit.
-            if (choice.name == paper.name || taken_by(row) == sources_.size()) break;
+            if (choice.name == paper.name || taken_by(row) == sources_.size()) return row;
         }
-        return row;
+        // Where no paper that goes into the machine takes all, its whole bed is the sheet.
+        return options_.bed == Vec2{} ? row : SheetRow{options_.bed.x, options_.bed.y, -1};
     }
 
     bool choose_sheets() {
@@ -188,6 +198,17 @@ class Layouter {
         }
         bool all = true;
         for (const SheetRow& row : rows_) {
+            if (!in_bed(row)) {
+                all = false;
+                diagnostics_
+                    .error("sheet-too-large", {},
+                           fmt::format(
+                               "a sheet of {:.1f} × {:.1f} mm does not go into the machine, whose bed is "
+                               "{:.1f} × {:.1f} mm",
+                               row.width, row.height, options_.bed.x, options_.bed.y))
+                    .hint("choose a smaller --sheet, or --sheet auto");
+                continue;
+            }
             const SheetArea area = row.usable(options_.margin.mm);
             if (to_grid(area.width) > 0 && to_grid(area.height) > 0) {
                 areas_.push_back(area);
@@ -328,6 +349,7 @@ class Layouter {
         finding.about(piece.name);
         finding.file = layout_.designs[static_cast<std::size_t>(source.design)].file;
         for (const Paper& paper : paper_table()) {
+            if (!in_bed({paper.width_mm, paper.height_mm, -1})) continue;
             if (takes({paper.height_mm, paper.width_mm, -1}, source) ||
                 takes({paper.width_mm, paper.height_mm, -1}, source)) {
                 finding.hint(fmt::format("--sheet {} would take it", paper.name));

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "base/render_diagnostics.h"
-#include "output/numbers.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -73,19 +73,17 @@ std::string layer_text(std::string_view name) {
 
 class DxfText {
  public:
-    DxfText(const SheetDrawing& drawing, const Profile& profile) : drawing_(drawing), profile_(profile) {}
+    explicit DxfText(const SheetDrawing& drawing) : drawing_(drawing), profile_(drawing.profile) {}
 
     std::string sheet() {
-        for (const Operation operation : kOperations) {
-            if (!profile_.draws(operation)) continue;
-            const std::string layer = layer_text(profile_.pen(operation).layer);
-            if (std::find(layers_.begin(), layers_.end(), layer) == layers_.end()) {
-                layers_.push_back(layer);
-                colors_.push_back(color_index(profile_.pen(operation).color));
-            }
+        for (const SheetLayer& one : drawing_.layers) {
+            const std::string layer = layer_text(one.name);
+            if (std::find(layers_.begin(), layers_.end(), layer) != layers_.end()) continue;
+            layers_.push_back(layer);
+            colors_.push_back(color_index(profile_.pen(one.first).color));
         }
         // The entities first: the header names the first handle that is free.
-        for (const SheetLayer& layer : layers_of(profile_)) entities(layer);
+        for (const SheetLayer& layer : drawing_.layers) entities(layer);
         fmt::memory_buffer drawn;
         std::swap(out_, drawn);
         tables();
@@ -283,14 +281,11 @@ class DxfText {
     }
 
     void entities(const SheetLayer& layer) {
-        for (const SheetPiece& piece : drawing_.pieces) {
-            for (const SheetShape& shape : drawing_.shapes_of(piece, layer.first, layer.last)) {
-                if (shape.operation == Operation::fill) continue;
-                for (const Run& run : drawing_.runs_of(shape)) path(shape, run);
-            }
-            if (layer.first > Operation::label || layer.last < Operation::label) continue;
-            for (const SheetText& text : drawing_.texts_of(piece)) label(text);
+        for (const SheetShape& shape : drawing_.shapes_of(layer)) {
+            if (shape.operation == Operation::fill) continue;
+            for (const Run& run : drawing_.runs_of(shape)) path(shape, run);
         }
+        for (const SheetText& text : drawing_.texts_of(layer)) label(text);
     }
 
     void path(const SheetShape& shape, const Run& run) {
@@ -313,7 +308,7 @@ class DxfText {
     }
 
     void label(const SheetText& text) {
-        begin_entity("TEXT", Operation::label, profile_.pen(Operation::label).color);
+        begin_entity("TEXT", text.operation, profile_.pen(text.operation).color);
         group(100, "AcDbText");
         point(10, text.at);
         group(40, text.cap_mm);
@@ -336,14 +331,16 @@ class DxfText {
 
 }  // namespace
 
-std::optional<std::vector<std::string>> write_dxf(const Layout& layout, const OutputOptions& options,
-                                                  Diagnostics& /*diagnostics*/) {
-    std::vector<std::string> sheets;
-    for (int i = 0; i < static_cast<int>(layout.sheets.size()); ++i) {
-        const SheetDrawing drawing = draw_sheet(layout, options.profile, i);
-        sheets.push_back(DxfText(drawing, options.profile).sheet());
+std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const OutputOptions& options,
+                                                Diagnostics& diagnostics) {
+    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
+    std::vector<SheetFile> files;
+    for (const SheetView& view : *views) {
+        const SheetDrawing drawing = draw_sheet(layout, options, view);
+        files.push_back({view.suffix, DxfText(drawing).sheet()});
     }
-    return sheets;
+    return files;
 }
 
 }  // namespace popup

@@ -15,7 +15,7 @@ namespace popup {
 // labels TEXT; areas of colour are not drawn. All in the order of the profile's operations. Folds are whole
 // lines, whatever is dashed for the eye. Six decimals. What ASCII does not have is written \U+XXXX. Cost:
 // linear in lines.
-std::optional<std::vector<std::string>> write_dxf(const Layout& layout, const OutputOptions& options,
-                                                  Diagnostics& diagnostics);
+std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const OutputOptions& options,
+                                                Diagnostics& diagnostics);
 
 }  // namespace popup

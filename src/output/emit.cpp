@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "output/examination_json.h"
 #include "output/json_text.h"
-#include "output/numbers.h"
 
 namespace popup {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "output/numbers.h"
+#include "base/numbers.h"
 
 namespace popup {
 namespace {

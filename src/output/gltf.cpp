@@ -12,10 +12,10 @@
 #include <streambuf>
 #include <utility>
 
+#include "base/numbers.h"
 #include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"
-#include "output/numbers.h"
 
 namespace popup {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "output/numbers.h"
+#include "base/numbers.h"
 #include "popup/diagnostics.h"
 
 namespace popup {

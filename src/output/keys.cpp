@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "output/numbers.h"
+#include "base/numbers.h"
 
 namespace popup {
 namespace {

@@ -3,8 +3,12 @@
 #include <array>
 
 #include "output/dxf.h"
+#include "output/fold.h"
 #include "output/gltf.h"
+#include "output/hpgl.h"
+#include "output/lightburn.h"
 #include "output/pdf.h"
+#include "output/raster.h"
 #include "output/report.h"
 #include "output/svg.h"
 #include "output/xml.h"
@@ -18,8 +22,15 @@ const std::array kFormats{
            SheetWriter{write_svg}},
     Format{".pdf", "cut sheets in true size, a page a sheet", SheetWriter{write_pdf}},
     Format{".dxf", "cut sheets as AutoCAD 2000 drawings in mm, one file a sheet", SheetWriter{write_dxf}},
+    Format{".lbrn2", "cut sheets as LightBurn projects, one file a sheet, with a cut setting a layer",
+           SheetWriter{write_lightburn}},
+    Format{".plt", "cut sheets as HP-GL for plotters, one file a sheet, a pen a layer",
+           SheetWriter{write_hpgl}},
+    Format{".png", "pictures of cut sheets, one file a sheet, in true size at --dpi", SheetWriter{write_png}},
+    Format{".jpg", "pictures of 800 × 650 pixels, one file a piece's pattern page", SheetWriter{write_jpg}},
     Format{".glb", "the moving model, in one binary glTF file", SceneWriter{write_glb}},
     Format{".gltf", "the moving model, as glTF text", SceneWriter{write_gltf}},
+    Format{".fold", "the crease pattern and the sampled poses, as FOLD 1.2", SceneWriter{write_fold}},
     Format{".xml", "the popup document, with what was repaired", DocumentWriter{write_xml}},
     Format{".json", "the report: repairs, findings, motion and layout", ReportWriter{write_report}},
 };

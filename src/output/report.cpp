@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.h"
 #include "base/render_diagnostics.h"
+#include "output/cut_report.h"
 #include "output/examination_json.h"
 #include "output/json_text.h"
-#include "output/numbers.h"
 #include "popup/compile.h"
 
 namespace popup {
@@ -118,7 +119,8 @@ std::optional<std::string> write_report(const Compilation& run, const OutputOpti
     for (const CompiledDesign& one : run.designs) inputs.push_back(input(one));
     Json report{{"version", version()},
                 {"inputs", std::move(inputs)},
-                {"layout", run.layout ? layout(*run.layout) : Json()}};
+                {"layout", run.layout ? layout(*run.layout) : Json()},
+                {"cut", run.layout ? cut_report(*run.layout, options) : Json()}};
     if (!options.files.empty()) report["outputs"] = options.files;
     Json whole_run = findings(run.run_diagnostics);
     if (!whole_run.empty()) report["diagnostics"] = std::move(whole_run);

@@ -6,7 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.h"
 #include "base/render_diagnostics.h"
+#include "fabrication/marks.h"
+#include "output/machine_order.h"
+#include "output/sheet_sides.h"
+#include "output/text_outlines.h"
 
 namespace popup {
 namespace {
@@ -26,154 +31,236 @@ double upright(double angle) {
     return turned;
 }
 
-// Carries points of one piece to the sheet.
-class Plotter {
+// Where points and texts of a piece, or of the sheet itself, lie in a view.
+class Carrier {
  public:
-    Plotter(SheetDrawing& drawing, const Profile& the_profile, const Placement& placement)
-        : profile(the_profile),
-          drawing_(drawing),
+    Carrier(const Placement& placement, const SheetDrawing& drawing, bool back)
+        : back_(back),
+          width_(drawing.width_mm),
           offset_(placement.offset),
           angle_(placement.angle.rad()),
           x_(placement.apply({1, 0}) - placement.offset),
           y_(placement.apply({0, 1}) - placement.offset) {}
 
-    [[nodiscard]] Vec2 at(Vec2 p) const { return offset_ + p.x * x_ + p.y * y_; }
-    [[nodiscard]] double turned(double angle) const { return upright(angle + angle_); }
-
-    void begin(Operation operation, int plate, Color color, double width_mm) {
-        drawing_.shapes.push_back({operation, drawing_.runs.size(), 0, plate, color, width_mm});
+    [[nodiscard]] Vec2 at(Vec2 p) const {
+        const Vec2 q = offset_ + p.x * x_ + p.y * y_;
+        return back_ ? Vec2{width_ - q.x, q.y} : q;
     }
-    void begin(Operation operation, int plate) {
-        const Pen& pen = profile.pen(operation);
-        begin(operation, plate, pen.color, pen.width_mm);
+    [[nodiscard]] double turned(double angle) const {
+        return upright(back_ ? std::numbers::pi - angle - angle_ : angle + angle_);
     }
-    void run(std::span<const Vec2> points, bool closed) {
-        drawing_.runs.push_back({drawing_.points.size(), points.size(), closed});
-        for (const Vec2 p : points) drawing_.points.push_back(at(p));
-        ++drawing_.shapes.back().runs;
-    }
-
-    const Profile& profile;
 
  private:
-    SheetDrawing& drawing_;
+    bool back_;
+    double width_;
     Vec2 offset_;
     double angle_;
     Vec2 x_, y_;
 };
 
-void draw_lines(Plotter& plotter, const PatternPiece& piece, Operation operation) {
-    for (const PatternLine& line : piece.lines) {
-        if (operation_of(line, plotter.profile) != operation) continue;
-        if (line.kind == LineKind::mark) {
-            plotter.begin(operation, line.plate, kMarkColor, kMarkMm);
-        } else {
-            plotter.begin(operation, line.plate);
+class Drawer {
+ public:
+    Drawer(SheetDrawing& drawing, const Layout& layout, const OutputOptions& options, const SheetView& view)
+        : drawing_(drawing), layout_(layout), options_(options), view_(view) {}
+
+    void piece(const Placement& placement) {
+        const DesignPattern& design = layout_.designs.at(static_cast<std::size_t>(placement.design));
+        const PatternPiece& piece = design.pattern.pieces.at(static_cast<std::size_t>(placement.piece));
+        number_ = static_cast<int>(drawing_.pieces.size());
+        SheetPiece& drawn = drawing_.pieces.emplace_back();
+        drawn.name = visible(layout_.piece_name(placement));
+        drawn.design = visible(design.stem);
+        if (layout_.prefix_names) drawn.prefix = drawn.design + ":";
+        drawn.copy = placement.copy;
+        drawn.plate_names = design.pattern.plate_names;
+        carrier_ = Carrier(placement, drawing_, view_.back);
+        for (const Operation operation : kOperations) {
+            if (is_shown(operation, options_, view_)) draw(piece, operation);
         }
-        plotter.run(std::array{line.at.a, line.at.b}, false);
     }
-}
 
-void draw_perforations(Plotter& plotter, const PatternPiece& piece) {
-    for (const PatternLine& line : piece.lines) {
-        if (!plotter.profile.perforates(operation_of(line, plotter.profile)) || line.at.a == line.at.b)
-            continue;
-        plotter.begin(Operation::perforation, line.plate);
-        for (const Segment& cut : perforated(line.at, plotter.profile.perforation))
-            plotter.run(std::array{cut.a, cut.b}, false);
-    }
-}
-
-void draw_cuts(Plotter& plotter, const PatternPiece& piece, Operation operation) {
-    for (const Contour& cut : piece.cuts) {
-        if (operation_of(cut) != operation) continue;
-        plotter.begin(operation, -1);
-        plotter.run(cut.points, cut.closed);
-    }
-    draw_lines(plotter, piece, operation);
-}
-
-void draw_operation(Plotter& plotter, const PatternPiece& piece, Operation operation) {
-    if (!plotter.profile.draws(operation)) return;
-    switch (operation) {
-        case Operation::fill:
-            for (const Fill& fill : piece.fills) {
-                plotter.begin(operation, fill.plate, fill.color, 0.0);
-                plotter.run(fill.area.outer, true);
-                for (const Ring& hole : fill.area.holes) plotter.run(hole, true);
+    void sheet() {
+        if (!is_shown(Operation::registration, options_, view_)) return;
+        number_ = -1;
+        carrier_ = Carrier(Placement{}, drawing_, view_.back);
+        const auto marks = [this](const std::vector<SheetMark>& all) {
+            for (const SheetMark& mark : all) {
+                begin(Operation::registration, -1);
+                drawing_.shapes.back().filled = mark.filled;
+                run(mark.points, mark.closed);
             }
+        };
+        marks(registration_marks(drawing_.profile.marks, drawing_.width_mm, drawing_.height_mm));
+        if (options_.reference_mm <= 0.0) return;
+        const ReferenceBar bar = reference_bar(options_.reference_mm, drawing_.width_mm, layout_.margin_mm);
+        marks(bar.lines);
+        text(number_text(options_.reference_mm, 3) + " mm", bar.figure_at, kFigureMm, 0.0,
+             Operation::registration);
+    }
+
+ private:
+    void begin(Operation operation, int plate, Color color, double width_mm) {
+        SheetShape& shape = drawing_.shapes.emplace_back();
+        shape.operation = operation;
+        shape.first_run = drawing_.runs.size();
+        shape.piece = number_;
+        shape.plate = plate;
+        shape.color = color;
+        shape.width_mm = width_mm;
+    }
+    void begin(Operation operation, int plate) {
+        const Pen& pen = drawing_.profile.pen(operation);
+        begin(operation, plate, pen.color, pen.width_mm);
+    }
+    void run(std::span<const Vec2> points, bool closed) {
+        drawing_.runs.push_back({drawing_.points.size(), points.size(), closed});
+        for (const Vec2 p : points) drawing_.points.push_back(carrier_.at(p));
+        ++drawing_.shapes.back().runs;
+    }
+
+    void text(const std::string& written, Vec2 at, double cap_mm, double angle, Operation operation) {
+        SheetText text{visible(written), carrier_.at(at), cap_mm, carrier_.turned(angle), operation, number_};
+        if (!drawing_.profile.outlined_text) {
+            drawing_.texts.push_back(std::move(text));
             return;
-        case Operation::draw:
-            for (const PatternStroke& drawn : piece.strokes) {
-                plotter.begin(operation, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
-                plotter.run(drawn.stroke.points, false);
-            }
-            return draw_lines(plotter, piece, operation);
-        case Operation::glue:
-            for (const GlueTarget& target : piece.targets) {
-                plotter.begin(operation, target.plate);
-                plotter.run(target.outline, true);
-            }
-            return draw_lines(plotter, piece, operation);
-        case Operation::label:
-            return;  // text, not shapes
-        case Operation::valley:
-        case Operation::mountain:
-        case Operation::seam:
-            return draw_lines(plotter, piece, operation);
-        case Operation::perforation:
-            return draw_perforations(plotter, piece);
-        case Operation::inner_cut:
-        case Operation::outer_cut:
-            return draw_cuts(plotter, piece, operation);
+        }
+        begin(operation, -1);
+        drawing_.shapes.back().filled = true;
+        for (const Ring& letter : text_outlines(text.text, text.at, text.cap_mm, text.angle)) {
+            drawing_.runs.push_back({drawing_.points.size(), letter.size(), true});
+            drawing_.points.insert(drawing_.points.end(), letter.begin(), letter.end());
+            ++drawing_.shapes.back().runs;
+        }
+        if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
     }
-    broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
-}
 
-void draw_piece(SheetDrawing& drawing, const Layout& layout, const Profile& profile,
-                const Placement& placement) {
-    const DesignPattern& design = layout.designs.at(static_cast<std::size_t>(placement.design));
-    const PatternPiece& piece = design.pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-    SheetPiece& drawn = drawing.pieces.emplace_back();
-    drawn.name = visible(layout.piece_name(placement));
-    drawn.design = visible(design.stem);
-    if (layout.prefix_names) drawn.prefix = drawn.design + ":";
-    drawn.copy = placement.copy;
-    drawn.plate_names = design.pattern.plate_names;
+    void lines(const PatternPiece& piece, Operation operation) {
+        for (const PatternLine& line : piece.lines) {
+            if (operation_of(line, drawing_.profile) != operation) continue;
+            if (line.kind == LineKind::mark) {
+                begin(operation, line.plate, kMarkColor, kMarkMm);
+            } else {
+                begin(operation, line.plate);
+            }
+            run(std::array{line.at.a, line.at.b}, false);
+        }
+    }
 
-    Plotter plotter(drawing, profile, placement);
+    void perforations(const PatternPiece& piece) {
+        const Profile& profile = drawing_.profile;
+        for (const PatternLine& line : piece.lines) {
+            if (!profile.perforates(operation_of(line, profile)) || line.at.a == line.at.b) continue;
+            begin(Operation::perforation, line.plate);
+            for (const Segment& cut : perforated(line.at, profile.perforation))
+                run(std::array{cut.a, cut.b}, false);
+        }
+    }
+
+    void cuts(const PatternPiece& piece, Operation operation) {
+        for (const Contour& cut : piece.cuts) {
+            if (operation_of(cut, drawing_.profile) != operation) continue;
+            begin(operation, -1);
+            drawing_.shapes.back().depth = cut.depth;
+            run(cut.points, cut.closed);
+        }
+        lines(piece, operation);
+    }
+
+    void draw(const PatternPiece& piece, Operation operation) {
+        switch (operation) {
+            case Operation::fill:
+                for (const Fill& fill : piece.fills) {
+                    begin(operation, fill.plate, fill.color, 0.0);
+                    drawing_.shapes.back().filled = true;
+                    run(fill.area.outer, true);
+                    for (const Ring& hole : fill.area.holes) run(hole, true);
+                }
+                return;
+            case Operation::draw:
+                for (const PatternStroke& drawn : piece.strokes) {
+                    begin(operation, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
+                    run(drawn.stroke.points, false);
+                }
+                return lines(piece, operation);
+            case Operation::glue:
+                for (const GlueTarget& target : piece.targets) {
+                    begin(operation, target.plate);
+                    run(target.outline, true);
+                }
+                return lines(piece, operation);
+            case Operation::label:
+                for (const Label& label : piece.labels) {
+                    if (label.text.empty() || label.height_mm <= 0.0) continue;
+                    text(label.text, label.at, label.height_mm, label.angle, operation);
+                }
+                return;
+            case Operation::registration:
+                return;  // the sheet's
+            case Operation::valley:
+            case Operation::mountain:
+            case Operation::seam:
+                return lines(piece, operation);
+            case Operation::perforation:
+                return perforations(piece);
+            case Operation::slit:
+            case Operation::inner_cut:
+            case Operation::outer_cut:
+                return cuts(piece, operation);
+        }
+        broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
+    }
+
+    SheetDrawing& drawing_;
+    const Layout& layout_;
+    const OutputOptions& options_;
+    const SheetView& view_;
+    Carrier carrier_{Placement{}, drawing_, false};
+    int number_ = -1;
+};
+
+// Layer by layer; within a layer operations that look alike stay as they stand, piece by piece or in machine
+// order, and others stand apart.
+void put_in_layers(SheetDrawing& drawing, const OutputOptions& options, const SheetView& view) {
+    std::array<std::size_t, kOperations.size()> layer_of{};
+    std::array<std::size_t, kOperations.size()> group_of{};
+    const Pen* last = nullptr;
+    std::size_t groups = 0;
     for (const Operation operation : kOperations) {
-        drawn.first_shape.at(static_cast<std::size_t>(operation)) = drawing.shapes.size();
-        draw_operation(plotter, piece, operation);
+        if (!is_shown(operation, options, view) || !drawing.profile.draws(operation)) continue;
+        const Pen& pen = drawing.profile.pen(operation);
+        const std::string& name = pen.layer;
+        if (last == nullptr || is_printed(operation) || name != last->layer || pen.color != last->color ||
+            pen.width_mm != last->width_mm)
+            ++groups;
+        last = &pen;
+        group_of.at(static_cast<std::size_t>(operation)) = groups;
+        if (drawing.layers.empty() || drawing.layers.back().name != name) {
+            SheetLayer& layer = drawing.layers.emplace_back();
+            layer.name = name;
+            layer.first = operation;
+        }
+        drawing.layers.back().last = operation;
+        layer_of.at(static_cast<std::size_t>(operation)) = drawing.layers.size() - 1;
     }
-    drawn.first_shape.back() = drawing.shapes.size();
-
-    drawn.first_text = drawing.texts.size();
-    for (const Label& label : piece.labels) {
-        if (label.text.empty() || label.height_mm <= 0.0 || !profile.draws(Operation::label)) continue;
-        drawing.texts.push_back(
-            {visible(label.text), plotter.at(label.at), label.height_mm, plotter.turned(label.angle)});
+    const auto layer = [&layer_of](const auto& thing) {
+        return layer_of.at(static_cast<std::size_t>(thing.operation));
+    };
+    const auto before = [&group_of](const auto& a, const auto& b) {
+        return group_of.at(static_cast<std::size_t>(a.operation)) <
+               group_of.at(static_cast<std::size_t>(b.operation));
+    };
+    std::stable_sort(drawing.shapes.begin(), drawing.shapes.end(), before);
+    std::stable_sort(drawing.texts.begin(), drawing.texts.end(), before);
+    for (const SheetShape& shape : drawing.shapes) ++drawing.layers[layer(shape)].shapes;
+    for (const SheetText& text : drawing.texts) ++drawing.layers[layer(text)].texts;
+    for (std::size_t i = 1; i < drawing.layers.size(); ++i) {
+        const SheetLayer& last = drawing.layers[i - 1];
+        drawing.layers[i].first_shape = last.first_shape + last.shapes;
+        drawing.layers[i].first_text = last.first_text + last.texts;
     }
-    drawn.texts = drawing.texts.size() - drawn.first_text;
 }
 
 }  // namespace
-
-std::vector<SheetLayer> layers_of(const Profile& profile) {
-    std::vector<SheetLayer> layers;
-    std::string_view before;
-    for (const Operation operation : kOperations) {
-        if (!profile.draws(operation)) continue;
-        const std::string_view name = profile.pen(operation).layer;
-        if (name == before) {
-            layers.back().last = operation;
-        } else {
-            layers.push_back({name, operation, operation});
-        }
-        before = name;
-    }
-    return layers;
-}
 
 Dashes fitted_dashes(Operation fold, double length_mm) {
     Dashes dashes;
@@ -199,11 +286,12 @@ Dashes fitted_dashes(Operation fold, double length_mm) {
     return dashes;
 }
 
-std::span<const SheetShape> SheetDrawing::shapes_of(const SheetPiece& piece, Operation first,
-                                                    Operation last) const {
-    const std::size_t begin = piece.first_shape.at(static_cast<std::size_t>(first));
-    const std::size_t end = piece.first_shape.at(static_cast<std::size_t>(last) + 1);
-    return std::span(shapes).subspan(begin, end - begin);
+std::span<const SheetShape> SheetDrawing::shapes_of(const SheetLayer& layer) const {
+    return std::span(shapes).subspan(layer.first_shape, layer.shapes);
+}
+
+std::span<const SheetText> SheetDrawing::texts_of(const SheetLayer& layer) const {
+    return std::span(texts).subspan(layer.first_text, layer.texts);
 }
 
 std::span<const Run> SheetDrawing::runs_of(const SheetShape& shape) const {
@@ -212,10 +300,6 @@ std::span<const Run> SheetDrawing::runs_of(const SheetShape& shape) const {
 
 std::span<const Vec2> SheetDrawing::points_of(const Run& run) const {
     return std::span(points).subspan(run.first, run.count);
-}
-
-std::span<const SheetText> SheetDrawing::texts_of(const SheetPiece& piece) const {
-    return std::span(texts).subspan(piece.first_text, piece.texts);
 }
 
 double SheetDrawing::length_of(const SheetShape& shape) const {
@@ -228,19 +312,25 @@ double SheetDrawing::length_of(const SheetShape& shape) const {
     return sum;
 }
 
-SheetDrawing draw_sheet(const Layout& layout, const Profile& profile, int sheet) {
+SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, const SheetView& view) {
     SheetDrawing drawing;
-    drawing.width_mm = layout.sheets.at(static_cast<std::size_t>(sheet)).width_mm;
-    drawing.height_mm = layout.sheets[static_cast<std::size_t>(sheet)].height_mm;
+    drawing.profile = profile_of(options, view);
+    drawing.width_mm = layout.sheets.at(static_cast<std::size_t>(view.sheet)).width_mm;
+    drawing.height_mm = layout.sheets[static_cast<std::size_t>(view.sheet)].height_mm;
     drawing.title = layout_title(layout);
     if (layout.sheets.size() > 1)
-        drawing.title += fmt::format(", sheet {} of {}", sheet + 1, layout.sheets.size());
+        drawing.title += fmt::format(", sheet {} of {}", view.sheet + 1, layout.sheets.size());
+    if (view.back) drawing.title += ", back";
     const auto first_on = [&layout](int number) {
         return std::partition_point(layout.placements.begin(), layout.placements.end(),
                                     [number](const Placement& p) { return p.sheet < number; });
     };
-    const auto last = first_on(sheet + 1);
-    for (auto it = first_on(sheet); it != last; ++it) draw_piece(drawing, layout, profile, *it);
+    const auto last = first_on(view.sheet + 1);
+    Drawer drawer(drawing, layout, options, view);
+    for (auto it = first_on(view.sheet); it != last; ++it) drawer.piece(*it);
+    drawer.sheet();
+    if (drawing.profile.machine_order) put_in_machine_order(drawing);
+    put_in_layers(drawing, options, view);
     return drawing;
 }
 

@@ -1,18 +1,20 @@
-// A sheet of a Layout as a picture: what SVG and PDF (and any later sheet format) have in common.
+// A sheet of a Layout as a picture: what all sheet formats have in common.
 //
-// What is done with a thing, in which order, where it lies on the sheet, and what becomes of folds: each fact
-// stands here once; how it looks is the profile's. Coordinates are those of the sheet: millimetres, origin at
-// the lower left corner, y up.
+// What is done with a thing, in which order, on which side, where it lies on the sheet, and what becomes of
+// folds: each fact stands here once; how it looks is the profile's. Coordinates are those of the sheet:
+// millimetres, origin at the lower left corner, y up.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "popup/layout.h"
+#include "popup/output.h"
 #include "popup/profile.h"
 
 namespace popup {
@@ -34,22 +36,16 @@ struct Run {
     bool closed = false;
 };
 
-// Operations that share a layer of a profile: [first, last].
-struct SheetLayer {
-    std::string_view name;
-    Operation first = Operation::fill;
-    Operation last = Operation::fill;
-};
-// The layers of a profile, in the order of its operations.
-std::vector<SheetLayer> layers_of(const Profile& profile);
-
 // One path: a line, a contour, a line of perforations, or an area with its holes (even-odd).
 struct SheetShape {
     Operation operation = Operation::outer_cut;
     std::size_t first_run = 0;
     std::size_t runs = 0;
+    int piece = -1;         // index into SheetDrawing::pieces, -1: the sheet's own
     int plate = -1;         // index into SheetPiece::plate_names, -1: none
-    Color color;            // of the line, or in `fill` of the area
+    int depth = 0;          // of a cut: in how many contours of the sheet it lies
+    bool filled = false;    // an area in its colour, without a line
+    Color color;            // of the line, or of the area
     double width_mm = 0.0;  // of the line
 };
 
@@ -58,6 +54,8 @@ struct SheetText {
     Vec2 at;              // the middle of the text: half its length, half the height of its capitals
     double cap_mm = 0.0;  // height of the capitals
     double angle = 0.0;   // radians, counter-clockwise, in (-90°, 90°]: read from below or from the right
+    Operation operation = Operation::label;
+    int piece = -1;  // as of shapes
 };
 
 // One placed piece. Names are valid UTF-8 without control characters.
@@ -67,35 +65,66 @@ struct SheetPiece {
     std::string prefix;  // goes before plate names; empty with a single input
     int copy = 0;        // from 0
     std::span<const std::string> plate_names;
-    // Shapes of operation i: [first_shape[i], first_shape[i + 1]) of SheetDrawing::shapes.
-    std::array<std::size_t, kOperations.size() + 1> first_shape{};
+};
+
+// Operations [first, last] that share a layer of the profile, and what they draw.
+struct SheetLayer {
+    std::string name;
+    Operation first = Operation::fill;
+    Operation last = Operation::fill;
+    std::size_t first_shape = 0;  // shapes [first_shape, first_shape + shapes) of the drawing
+    std::size_t shapes = 0;
     std::size_t first_text = 0;
     std::size_t texts = 0;
 };
 
 struct SheetDrawing {
+    Profile profile;  // by which it is drawn
     double width_mm = 0.0;
     double height_mm = 0.0;
     std::string title;               // "castle" or "castle, sheet 2 of 3"
     std::vector<SheetPiece> pieces;  // in the order of the placements
-    std::vector<SheetShape> shapes;
+    std::vector<SheetLayer> layers;  // of the profile, in the order of its operations, empty ones too
+    std::vector<SheetShape> shapes;  // in the order in which they are drawn: layer by layer
+    std::vector<SheetText> texts;    // likewise
     std::vector<Run> runs;
     std::vector<Vec2> points;
-    std::vector<SheetText> texts;
 
-    [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetPiece& piece, Operation first,
-                                                        Operation last) const;
+    [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetLayer& layer) const;
+    [[nodiscard]] std::span<const SheetText> texts_of(const SheetLayer& layer) const;
     [[nodiscard]] std::span<const Run> runs_of(const SheetShape& shape) const;
     [[nodiscard]] std::span<const Vec2> points_of(const Run& run) const;
-    [[nodiscard]] std::span<const SheetText> texts_of(const SheetPiece& piece) const;
     // Of a shape's lines, for its dashes.
     [[nodiscard]] double length_of(const SheetShape& shape) const;
 };
 
-// Draws sheet `sheet` (from 0). Placements must be ordered by sheet, as lay_out() leaves them. The drawing
-// refers to the layout's plate names and must not outlive it.
-// Cost: linear in what lies on the sheet, and a search for its first placement.
-SheetDrawing draw_sheet(const Layout& layout, const Profile& profile, int sheet);
+// One picture of a sheet: a side of it, and what of that is in this file.
+struct SheetView {
+    enum class Part { whole, print, cut };
+    int sheet = 0;  // from 0
+    bool back = false;
+    Part part = Part::whole;
+    std::string part_suffix;  // "", "-print", "-cut"
+    std::string suffix;       // of a file that holds this view alone: "-2-back-cut", of the first sheet ""
+};
+
+// The pictures that the options ask for: of each sheet its front, then its back; all prints before all cuts.
+// A back that nothing is drawn on is left out, and so is a front when there is a back and nothing on the
+// front. Errors: `reference-too-long`, for a bar that a sheet has no room for; `font-missing`, when letters
+// are to be outlines and there is no font. Cost: linear in placements.
+std::optional<std::vector<SheetView>> views_of(const Layout& layout, const OutputOptions& options,
+                                               Diagnostics& diagnostics);
+// The views part by part, for formats that hold all of a part in one file.
+std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> views);
+
+// Draws a view. A back is drawn as it is seen when the sheet is turned over about its upright axis. Where the
+// profile wants machine order, cuts stand by their depth on the sheet (a piece in another's hole comes before
+// the hole), lines that pieces share are drawn once, points closer to each other than 0.02 mm are one, and
+// within a kind of line the way between lines is short (fabrication/tour.h), from the lower left corner on;
+// else all stands piece by piece. Placements must be ordered by sheet, as lay_out() leaves them. The drawing
+// refers to the layout and the options and must not outlive them. Cost: near linear in what lies on the
+// sheet.
+SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, const SheetView& view);
 
 // "castle", or "castle and 2 more" of several designs: for titles.
 std::string layout_title(const Layout& layout);

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "base/render_diagnostics.h"
-#include "output/numbers.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -19,7 +19,7 @@ constexpr int kDashDecimals = 3;
 
 class SvgText {
  public:
-    SvgText(const SheetDrawing& drawing, const Profile& profile) : drawing_(drawing), profile_(profile) {}
+    explicit SvgText(const SheetDrawing& drawing) : drawing_(drawing), profile_(drawing.profile) {}
 
     std::string sheet(int index);
 
@@ -32,9 +32,11 @@ class SvgText {
 
     void layer(const SheetLayer& layer);
     [[nodiscard]] std::string attributes(Operation operation) const;
-    void pieces(Operation first, Operation last);
-    void piece(const SheetPiece& piece, Operation first, Operation last);
-    void shape(const SheetPiece& piece, const SheetShape& shape);
+    void shapes(std::span<const SheetShape> shapes);
+    void texts(std::span<const SheetText> texts);
+    void begin_piece(int piece);
+    void end_piece(int piece);
+    void shape(const SheetShape& shape);
     void paint(const SheetShape& shape);
     void geometry(const SheetShape& shape);
     void text(const SheetText& text);
@@ -97,7 +99,9 @@ void SvgText::geometry(const SheetShape& shape) {
 }
 
 void SvgText::paint(const SheetShape& shape) {
-    if (shape.operation == Operation::fill) {
+    if (shape.filled) {
+        if (shape.operation == Operation::registration) raw("stroke=\"none\" ");
+        if (shape.operation == Operation::label) return;  // in the layer's colour
         raw("fill=\"");
         color(shape.color);
         raw("\" ");
@@ -127,9 +131,10 @@ void SvgText::paint(const SheetShape& shape) {
     raw("\" ");
 }
 
-void SvgText::shape(const SheetPiece& piece, const SheetShape& shape) {
+void SvgText::shape(const SheetShape& shape) {
     raw("   <path ");
     if (shape.plate >= 0) {
+        const SheetPiece& piece = drawing_.pieces[static_cast<std::size_t>(shape.piece)];
         raw("data-plate=\"");
         escaped(piece.prefix);
         escaped(piece.plate_names[static_cast<std::size_t>(shape.plate)]);
@@ -144,7 +149,13 @@ void SvgText::shape(const SheetPiece& piece, const SheetShape& shape) {
 void SvgText::text(const SheetText& text) {
     const Vec2 middle{text.at.x, drawing_.height_mm - text.at.y};
     const std::string degrees = number_text(-text.angle * 180.0 / std::numbers::pi, kDecimals);
-    raw("   <text x=\"");
+    raw("   <text ");
+    if (text.operation == Operation::registration) {
+        raw("stroke=\"none\" fill=\"");
+        color(profile_.pen(text.operation).color);
+        raw("\" ");
+    }
+    raw("x=\"");
     number(middle.x);
     raw("\" y=\"");
     number(middle.y + 0.5 * text.cap_mm);
@@ -164,27 +175,38 @@ void SvgText::text(const SheetText& text) {
     raw("</text>\n");
 }
 
-void SvgText::piece(const SheetPiece& piece, Operation first, Operation last) {
+void SvgText::begin_piece(int piece) {
+    if (piece < 0) return;
+    const SheetPiece& one = drawing_.pieces[static_cast<std::size_t>(piece)];
     raw("  <g data-piece=\"");
-    escaped(piece.name);
+    escaped(one.name);
     raw("\" data-design=\"");
-    escaped(piece.design);
-    if (piece.copy > 0) {
+    escaped(one.design);
+    if (one.copy > 0) {
         raw("\" data-copy=\"");
-        raw(fmt::format_int(piece.copy + 1).c_str());
+        raw(fmt::format_int(one.copy + 1).c_str());
     }
     raw("\">\n");
-    for (const SheetShape& one : drawing_.shapes_of(piece, first, last)) shape(piece, one);
-    if (first == Operation::label) {
-        for (const SheetText& one : drawing_.texts_of(piece)) text(one);
-    }
-    raw("  </g>\n");
 }
 
-void SvgText::pieces(Operation first, Operation last) {
-    for (const SheetPiece& one : drawing_.pieces) {
-        const bool holds_text = first == Operation::label && one.texts > 0;
-        if (holds_text || !drawing_.shapes_of(one, first, last).empty()) piece(one, first, last);
+void SvgText::end_piece(int piece) {
+    if (piece >= 0) raw("  </g>\n");
+}
+
+// What follows each other and is of one piece stands in a group of it.
+void SvgText::shapes(std::span<const SheetShape> shapes) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (i == 0 || shapes[i].piece != shapes[i - 1].piece) begin_piece(shapes[i].piece);
+        shape(shapes[i]);
+        if (i + 1 == shapes.size() || shapes[i].piece != shapes[i + 1].piece) end_piece(shapes[i].piece);
+    }
+}
+
+void SvgText::texts(std::span<const SheetText> texts) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i == 0 || texts[i].piece != texts[i - 1].piece) begin_piece(texts[i].piece);
+        text(texts[i]);
+        if (i + 1 == texts.size() || texts[i].piece != texts[i + 1].piece) end_piece(texts[i].piece);
     }
 }
 
@@ -197,10 +219,23 @@ std::string SvgText::attributes(Operation operation) const {
         return fmt::format(" fill=\"{}\" stroke=\"none\" font-family=\"DejaVu Sans\" text-anchor=\"middle\"",
                            to_string(pen.color));
     }
+    // The figure of the bar to measure.
+    const std::string_view font =
+        operation == Operation::registration ? " font-family=\"DejaVu Sans\" text-anchor=\"middle\"" : "";
     return fmt::format(
-        " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}", to_string(pen.color),
+        " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}{}", to_string(pen.color),
         number_text(pen.width_mm, kDecimals),
-        profile_.dashes(operation) ? "" : " stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+        profile_.dashes(operation) ? "" : " stroke-linecap=\"round\" stroke-linejoin=\"round\"", font);
+}
+
+// The things of operations [first, last]; they stand together.
+template <typename Thing>
+std::span<const Thing> stretch(std::span<const Thing> things, Operation first, Operation last) {
+    const auto is = [first, last](const Thing& one) {
+        return one.operation >= first && one.operation <= last;
+    };
+    const auto begin = std::find_if(things.begin(), things.end(), is);
+    return {begin, std::find_if_not(begin, things.end(), is)};
 }
 
 // An XML name that looks like the layer's.
@@ -215,15 +250,24 @@ std::string id_of(std::string_view layer) {
     return id;
 }
 
-// What is drawn alike stands in the layer's group piece by piece; else each operation has a group in it.
+// Operations that look alike stand together: in the layer's group itself when all do, else in groups in it.
 void SvgText::layer(const SheetLayer& layer) {
-    std::vector<Operation> drawn;
+    struct Group {
+        std::string look;
+        std::string operations;
+        Operation first, last;
+    };
+    std::vector<Group> groups;
     for (const Operation one : kOperations) {
-        if (one >= layer.first && one <= layer.last && profile_.draws(one)) drawn.push_back(one);
+        if (one < layer.first || one > layer.last || !profile_.draws(one)) continue;
+        std::string look = attributes(one);
+        if (!groups.empty() && groups.back().look == look) {
+            groups.back().last = one;
+            groups.back().operations += fmt::format(" {}", to_string(one));
+        } else {
+            groups.push_back({std::move(look), std::string(to_string(one)), one, one});
+        }
     }
-    const std::string look = attributes(layer.first);
-    const bool alike =
-        std::all_of(drawn.begin(), drawn.end(), [&](Operation one) { return attributes(one) == look; });
     raw(" <g id=\"");
     std::string id = id_of(layer.name);
     for (int i = 2; std::find(ids_.begin(), ids_.end(), id) != ids_.end(); ++i)
@@ -233,21 +277,19 @@ void SvgText::layer(const SheetLayer& layer) {
     raw("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
     escaped(visible(layer.name));
     raw("\"");
-    if (alike) {
-        raw(look);
-        raw(">\n");
-        pieces(layer.first, layer.last);
-    } else {
-        raw(">\n");
-        for (const Operation one : drawn) {
+    if (groups.size() == 1) raw(groups.front().look);
+    raw(">\n");
+    for (const Group& group : groups) {
+        if (groups.size() > 1) {
             raw(" <g class=\"");
-            raw(to_string(one));
+            raw(group.operations);
             raw("\"");
-            raw(attributes(one));
+            raw(group.look);
             raw(">\n");
-            pieces(one, one);
-            raw(" </g>\n");
         }
+        shapes(stretch(drawing_.shapes_of(layer), group.first, group.last));
+        texts(stretch(drawing_.texts_of(layer), group.first, group.last));
+        if (groups.size() > 1) raw(" </g>\n");
     }
     raw(" </g>\n");
 }
@@ -266,23 +308,24 @@ std::string SvgText::sheet(int index) {
     escaped(generator());
     fmt::format_to(fmt::appender(out_), "</desc>\n<g class=\"sheet\" id=\"sheet-{}\">\n", index + 1);
     ids_ = {fmt::format("sheet-{}", index + 1)};
-    for (const SheetLayer& one : layers_of(profile_)) layer(one);
+    for (const SheetLayer& one : drawing_.layers) layer(one);
     raw("</g>\n</svg>\n");
     return fmt::to_string(out_);
 }
 
 }  // namespace
 
-std::optional<std::vector<std::string>> write_svg(const Layout& layout, const OutputOptions& options,
-                                                  Diagnostics& /*diagnostics*/) {
-    std::vector<std::string> sheets;
-    const int count = static_cast<int>(layout.sheets.size());
-    sheets.reserve(layout.sheets.size());
-    for (int i = 0; i < count; ++i) {
-        const SheetDrawing drawing = draw_sheet(layout, options.profile, i);
-        sheets.push_back(SvgText(drawing, options.profile).sheet(i));
+std::optional<std::vector<SheetFile>> write_svg(const Layout& layout, const OutputOptions& options,
+                                                Diagnostics& diagnostics) {
+    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
+    std::vector<SheetFile> files;
+    files.reserve(views->size());
+    for (const SheetView& view : *views) {
+        const SheetDrawing drawing = draw_sheet(layout, options, view);
+        files.push_back({view.suffix, SvgText(drawing).sheet(view.sheet)});
     }
-    return sheets;
+    return files;
 }
 
 }  // namespace popup

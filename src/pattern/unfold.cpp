@@ -305,8 +305,16 @@ class Unfolder {
         return {EdgeIndex({}, lines), half_width};
     }
 
-    // The piece's name goes on one of its largest plates.
+    // The piece's name goes on one of its largest plates, with its number where there are several: they are
+    // glued in the order of their numbers, for none stands on a later one. The name alone where both are too
+    // long.
     void name_piece(std::size_t number) {
+        const std::string& name = in_.pieces[number].name;
+        if (in_.pieces.size() > 1 && write_on_piece(number, fmt::format("{}. {}", number + 1, name))) return;
+        write_on_piece(number, name);
+    }
+
+    bool write_on_piece(std::size_t number, const std::string& text) {
         constexpr std::size_t kTried = 3;
         std::vector<std::pair<double, int>> largest;
         for (const int plate : in_.pieces[number].plates) {
@@ -316,17 +324,15 @@ class Unfolder {
         std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(tried),
                           largest.end());
         std::optional<TextSpot> best;
-        const std::string& name = in_.pieces[number].name;
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
             const auto spot = place_on_plate(on_plate(plate), drawing_on(plate),
-                                             bounds(in_.plates[at(plate)].outline.outer), name);
+                                             bounds(in_.plates[at(plate)].outline.outer), text);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
-        if (best) {
-            pieces_[number].piece.labels.push_back(
-                {LabelKind::piece, name, best->at, best->height, best->angle});
-        }
+        if (!best) return false;
+        pieces_[number].piece.labels.push_back({LabelKind::piece, text, best->at, best->height, best->angle});
+        return true;
     }
 
     const Assembly& in_;

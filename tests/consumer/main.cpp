@@ -34,7 +34,7 @@ int main() {
     if (format == nullptr) return 1;
     const auto write = std::get<popup::SheetWriter>(format->write);
     const auto sheets = write(*run.layout, {}, run.run_diagnostics);
-    if (!sheets || sheets->size() != 1 || sheets->front().find("<svg") == std::string::npos) return 1;
+    if (!sheets || sheets->size() != 1 || sheets->front().bytes.find("<svg") == std::string::npos) return 1;
     std::printf("popup %s: %zu plates on %d sheet\n", std::string(popup::version()).c_str(),
                 assembly.plates.size(), run.layout->sheets.size());
     return 0;

@@ -2,11 +2,21 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "popup/layout.h"
+#include "popup/output.h"
 
 namespace popup::test {
+
+// The files of a sheet writer that must succeed, without their names.
+inline std::vector<std::string> bytes_of(const std::optional<std::vector<SheetFile>>& files) {
+    std::vector<std::string> bytes;
+    for (const SheetFile& file : files.value()) bytes.push_back(file.bytes);
+    return bytes;
+}
 
 inline Ring rectangle(double left, double low, double right, double high) {
     return {{left, low}, {right, low}, {right, high}, {left, high}};

@@ -147,7 +147,7 @@ TEST_F(Cli, WrongUsageIsTwoAndSaysWhatIsRight) {
                        "more than one user");
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--diagnostics", "x.pdf"}, "twice");
     expect_usage_error({"build", "-", "-", "-o", "x.pdf"}, "only once");
-    expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--kerf", "0.1"}, "no option --kerf");
+    expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--kerf", "slit=0.1"}, "--kerf takes WIDTH");
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--profile", "k41"}, "workshop");
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--emit", "plates"}, "assembly");
     expect_usage_error({"check", "card.xml", "--message-format", "sarif"}, "text, short, json");

@@ -404,7 +404,7 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
         const auto sheets = write_svg(*run.layout, {}, diagnostics);
         ASSERT_TRUE(sheets);
         std::size_t found = 0;
-        for (const std::string& sheet : *sheets) {
+        for (const auto& [suffix, sheet] : *sheets) {
             const auto reading = read_drawing(sheet);
             EXPECT_EQ(reading.codes(), "");
             ASSERT_TRUE(reading.list);

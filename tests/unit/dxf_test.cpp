@@ -105,7 +105,7 @@ std::vector<std::string> written(const Layout& layout, const Profile& profile) {
     OutputOptions options;
     options.profile = profile;
     Diagnostics diagnostics;
-    return write_dxf(layout, options, diagnostics).value();
+    return test::bytes_of(write_dxf(layout, options, diagnostics));
 }
 
 // What a layer must hold, from the example's own numbers.

@@ -30,8 +30,8 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"nest", {"base"}},
         {"layout", {"base", "nest"}},
         {"fabrication", {"base"}},
-        {"output", {"base"}},
-        {"compile.cpp", {"base"}},
+        {"output", {"base", "fabrication"}},
+        {"compile.cpp", {"base", "fabrication"}},
         {"cli", {"base", "output"}},
         {"main.cpp", {"cli"}},
     };
@@ -142,18 +142,26 @@ TEST(IncludeOrder, PublicHeadersFollowTheStages) {
 }
 
 TEST(IncludeOrder, LibrariesStayInTheirRooms) {
-    const std::map<std::string, std::string> home{{"tinyxml2.h", "input/xml/"},
-                                                  {"CLI/", "cli/"},
-                                                  {"cairo", "output/"},
-                                                  {"toml++/", "fabrication/read_profile.cpp"},
-                                                  {"tiny_gltf.h", "output/"}};
+    // XML is read in one room; a writer lends its printer.
+    const std::multimap<std::string, std::string> home{{"tinyxml2.h", "input/xml/"},
+                                                       {"tinyxml2.h", "output/lightburn.cpp"},
+                                                       {"CLI/", "cli/"},
+                                                       {"cairo", "output/"},
+                                                       {"toml++/", "fabrication/read_profile.cpp"},
+                                                       {"qpdf/", "output/production_pdf.cpp"},
+                                                       {"png.h", "output/raster.cpp"},
+                                                       {"jpeglib.h", "output/raster.cpp"},
+                                                       {"tiny_gltf.h", "output/"}};
     const fs::path root = fs::path(POPUP_SOURCE_DIR) / "src";
     for (const fs::path& path : sources(root)) {
         const std::string file = fs::relative(path, root);
         for (const Include& include : includes_of(path)) {
-            for (const auto& [library, room] : home) {
+            for (const auto& [library, first_room] : home) {
                 if (include.quoted || !include.what.starts_with(library) || file == "main.cpp") continue;
-                EXPECT_TRUE(file.starts_with(room)) << file << " includes " << include.what;
+                const auto [begin, end] = home.equal_range(library);
+                EXPECT_TRUE(std::any_of(begin, end,
+                                        [&file](const auto& row) { return file.starts_with(row.second); }))
+                    << file << " includes " << include.what;
             }
         }
     }

@@ -28,7 +28,7 @@ std::string written(const Layout& layout) {
     EXPECT_FALSE(diagnostics.has_findings());
     EXPECT_TRUE(documents.has_value());
     EXPECT_EQ(documents->size(), 1U);
-    return documents->front();
+    return documents->front().bytes;
 }
 
 std::vector<std::array<double, 4>> media_boxes(const std::string& pdf) {

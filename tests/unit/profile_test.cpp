@@ -40,7 +40,7 @@ std::vector<std::string> svg_of(const Profile& profile) {
     OutputOptions options;
     options.profile = profile;
     Diagnostics diagnostics;
-    return write_svg(test::example_layout(), options, diagnostics).value();
+    return test::bytes_of(write_svg(test::example_layout(), options, diagnostics));
 }
 
 // --- the table
@@ -170,14 +170,15 @@ TEST(FoldStyles, PerforatedFoldsAreSegmentsOfOnePath) {
     OutputOptions options;
     options.profile = profile;
     Diagnostics diagnostics;
-    const std::string sheet = write_svg(layout, options, diagnostics).value().front();
+    const std::string sheet = test::bytes_of(write_svg(layout, options, diagnostics)).front();
     const std::size_t begin = sheet.find("inkscape:label=\"perforation\"");
     ASSERT_NE(begin, std::string::npos);
     const std::string layer = sheet.substr(begin, sheet.find("\n </g>", begin) - begin);
     EXPECT_EQ(count(layer, "<path"), 2U);
     const std::size_t second = layer.rfind("<path");
-    EXPECT_EQ(count(layer.substr(0, second), "M"), 25U);
-    EXPECT_EQ(count(layer.substr(second), "M"), 13U);
+    EXPECT_EQ(count(layer, "M"), 25U + 13U);
+    const std::size_t first = count(layer.substr(0, second), "M");
+    EXPECT_TRUE(first == 25U || first == 13U) << first;
 }
 
 // Where a piece is glued on, the paper stays whole.
@@ -190,7 +191,7 @@ TEST(FoldStyles, SeamsOnTheBaseAreNotFolded) {
         options.profile = *find_profile(name);
         options.profile.folds = style;
         Diagnostics diagnostics;
-        return count(write_svg(layout, options, diagnostics).value()[1], "<path");
+        return count(test::bytes_of(write_svg(layout, options, diagnostics))[1], "<path");
     };
     for (const FoldStyle style : {FoldStyle::score, FoldStyle::perforated, FoldStyle::both}) {
         seam.glued_on = false;
@@ -230,7 +231,7 @@ TEST(FoldStyles, StyledPathsSayTheirColourThemselves) {
 TEST(OneSided, MachinesAreRemarkedOnWhenFoldsGoBothWays) {
     const auto findings = [](const Profile& profile) {
         Diagnostics diagnostics;
-        examine_profile(test::example_layout(), profile, diagnostics);
+        examine_profile(test::example_layout(), profile, ScoreSide::front, diagnostics);
         return diagnostics.sorted();
     };
     Profile laser = *find_profile("k40");
@@ -240,8 +241,8 @@ TEST(OneSided, MachinesAreRemarkedOnWhenFoldsGoBothWays) {
     EXPECT_EQ(found[0].severity, Severity::remark);
     EXPECT_EQ(
         found[0].message,
-        "the sheets have 3 mountain and 3 valley folds, and the profile k40 scores all of them from the "
-        "front");
+        "the sheets have 3 mountain and 3 valley folds, and the profile k40 scores all of them from one "
+        "side");
     laser.folds = FoldStyle::perforated;
     EXPECT_TRUE(findings(laser).empty());
     EXPECT_TRUE(findings(*find_profile("workshop")).empty());
@@ -250,7 +251,7 @@ TEST(OneSided, MachinesAreRemarkedOnWhenFoldsGoBothWays) {
 TEST(LeftOut, CutsAndFoldsAreWarnedOf) {
     const auto findings = [](const Profile& profile) {
         Diagnostics diagnostics;
-        examine_profile(test::example_layout(), profile, diagnostics);
+        examine_profile(test::example_layout(), profile, ScoreSide::front, diagnostics);
         return diagnostics.sorted();
     };
     const auto pen = [](Profile& profile, Operation operation) -> Pen& {
@@ -386,8 +387,14 @@ TEST(ProfileFiles, AreWhatTheSchemaSays) {
     EXPECT_EQ(schema["properties"]["base"]["enum"].get<std::set<std::string>>(), bases);
     for (const Json& style : schema["properties"]["folds"]["enum"])
         EXPECT_TRUE(read("folds = '" + style.get<std::string>() + "'").profile) << style;
-    const Json sample{{"string", "'x'"}, {"boolean", "true"}, {"number", "1.0"}};
-    const auto value = [&](const Json& property) {
+    const Json sample{{"string", "'x'"}, {"boolean", "true"}, {"number", "1.0"}, {"array", "['svg']"}};
+    const auto resolved = [&schema](Json node) {
+        while (node.contains("$ref"))
+            node = schema["$defs"][node["$ref"].get<std::string>().substr(std::string("#/$defs/").size())];
+        return node;
+    };
+    const auto value = [&](const Json& given) {
+        const Json property = resolved(given);
         if (property.contains("enum")) return "'" + property["enum"][0].get<std::string>() + "'";
         if (property.contains("pattern")) return std::string("'#123456'");
         return sample[property["type"].get<std::string>()].get<std::string>();
@@ -397,12 +404,19 @@ TEST(ProfileFiles, AreWhatTheSchemaSays) {
         if (key == "pens") {
             for (const auto& [operation, pen] : property["properties"].items()) {
                 operations.insert(operation);
-                for (const auto& [name, one] : schema["$defs"]["pen"]["properties"].items()) {
+                for (const auto& [name, one] : resolved(pen)["properties"].items()) {
                     const std::string text = "[pens." + operation + "]\n" + name + " = " + value(one);
                     EXPECT_TRUE(read(text).profile) << text;
                 }
             }
         } else if (property.contains("properties")) {
+            std::string required = "[" + key + "]\n";
+            if (property.contains("required")) {
+                for (const auto& [name, one] : property["properties"].items())
+                    required += name + " = " + value(one) + "\n";
+                EXPECT_TRUE(read(required).profile) << required;
+                continue;
+            }
             for (const auto& [name, one] : property["properties"].items())
                 EXPECT_TRUE(read("[" + key + "]\n" + name + " = " + value(one)).profile) << name;
         } else {

@@ -106,7 +106,7 @@ std::string text_of(const Compilation& run, const OutputOptions& options = {}) {
 
 TEST(Report, HasExactlyTheStructureThatIsPromised) {
     const Json report = Json::parse(text_of(example_run()));
-    EXPECT_EQ(keys(report), (Keys{"version", "inputs", "layout"}));
+    EXPECT_EQ(keys(report), (Keys{"version", "inputs", "layout", "cut"}));
     const Json& input = report["inputs"][0];
     EXPECT_EQ(keys(input),
               (Keys{"file", "elements", "plates", "pieces", "repairs", "diagnostics", "motion"}));

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "output/numbers.h"
+#include "base/numbers.h"
 #include "output/sheet_drawing.h"
 #include "support/sheet_example.h"
 
@@ -147,7 +147,7 @@ std::vector<std::string> written(const Layout& layout) {
     const auto sheets = write_svg(layout, OutputOptions{}, diagnostics);
     EXPECT_TRUE(sheets.has_value());
     EXPECT_FALSE(diagnostics.has_findings());
-    return *sheets;
+    return test::bytes_of(sheets);
 }
 
 double ring_length(const Ring& ring, bool closed = true) {

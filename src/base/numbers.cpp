@@ -1,4 +1,4 @@
-#include "output/numbers.h"
+#include "base/numbers.h"
 
 #include <array>
 #include <cmath>

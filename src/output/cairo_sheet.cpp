@@ -1,0 +1,112 @@
+#include "output/cairo_sheet.h"
+
+#include <cairo-ft.h>
+#include <fmt/format.h>
+
+#include "output/font_file.h"
+
+namespace popup {
+namespace {
+
+using FontOptions = std::unique_ptr<cairo_font_options_t, Release<cairo_font_options_destroy>>;
+
+class Painter {
+ public:
+    Painter(cairo_t* context, const SheetDrawing& drawing)
+        : cairo_(context), drawing_(drawing), profile_(drawing.profile) {}
+
+    void draw() {
+        for (const SheetLayer& layer : drawing_.layers) {
+            for (const SheetShape& one : drawing_.shapes_of(layer)) shape(one);
+            for (const SheetText& one : drawing_.texts_of(layer)) {
+                color(profile_.pen(one.operation).color);
+                text(one);
+            }
+        }
+    }
+
+ private:
+    void color(Color c) { cairo_set_source_rgb(cairo_, c.r / 255.0, c.g / 255.0, c.b / 255.0); }
+
+    void trace(const SheetShape& shape) {
+        for (const Run& run : drawing_.runs_of(shape)) {
+            cairo_new_sub_path(cairo_);
+            for (const Vec2 p : drawing_.points_of(run)) {
+                cairo_line_to(cairo_, p.x, drawing_.height_mm - p.y);
+            }
+            if (run.closed) cairo_close_path(cairo_);
+        }
+    }
+
+    void shape(const SheetShape& shape) {
+        color(shape.color);
+        trace(shape);
+        if (shape.filled) {
+            // Letters are filled by the other rule than areas with holes.
+            cairo_set_fill_rule(cairo_, shape.operation == Operation::fill ? CAIRO_FILL_RULE_EVEN_ODD
+                                                                           : CAIRO_FILL_RULE_WINDING);
+            cairo_fill(cairo_);
+            return;
+        }
+        const bool whole = !profile_.dashes(shape.operation);
+        cairo_set_line_cap(cairo_, whole ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_join(cairo_, whole ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
+        const Dashes dashes = whole ? Dashes{} : fitted_dashes(shape.operation, drawing_.length_of(shape));
+        cairo_set_dash(cairo_, dashes.mm.data(), static_cast<int>(dashes.count), 0.0);
+        cairo_set_line_width(cairo_, shape.width_mm);
+        cairo_stroke(cairo_);
+    }
+
+    void text(const SheetText& text) {
+        cairo_save(cairo_);
+        cairo_translate(cairo_, text.at.x, drawing_.height_mm - text.at.y);
+        cairo_rotate(cairo_, -text.angle);
+        cairo_set_font_size(cairo_, text.cap_mm / kCapHeight);
+        cairo_text_extents_t extents{};
+        cairo_text_extents(cairo_, text.text.c_str(), &extents);
+        cairo_move_to(cairo_, -0.5 * extents.x_advance, 0.5 * text.cap_mm);
+        cairo_show_text(cairo_, text.text.c_str());
+        cairo_restore(cairo_);
+        cairo_new_path(cairo_);
+    }
+
+    cairo_t* cairo_;
+    const SheetDrawing& drawing_;
+    const Profile& profile_;
+};
+
+}  // namespace
+
+FontFace open_font(const std::string& file) {
+    static const cairo_user_data_key_t kOwner{};
+    std::unique_ptr<FontFile> owned = FontFile::open(file);
+    if (owned == nullptr) return nullptr;
+    FontFace font(cairo_ft_font_face_create_for_ft_face(owned->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP));
+    const auto give_back = [](void* data) { delete static_cast<FontFile*>(data); };
+    if (cairo_font_face_set_user_data(font.get(), &kOwner, owned.get(), give_back) != CAIRO_STATUS_SUCCESS) {
+        return nullptr;
+    }
+    static_cast<void>(owned.release());
+    return font;
+}
+
+void set_font(cairo_t* context, cairo_font_face_t* font) {
+    const FontOptions options(cairo_font_options_create());
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(context, options.get());
+    cairo_set_font_face(context, font);
+}
+
+void paint_sheet(cairo_t* context, const SheetDrawing& drawing) { Painter(context, drawing).draw(); }
+
+void report_missing_font(const std::string& file, Diagnostics& diagnostics) {
+    diagnostics
+        .error("font-missing", {}, fmt::format("the font of the labels cannot be read from \"{}\"", file))
+        .hint(
+            "install DejaVu Sans (on Debian the package fonts-dejavu-core), or write SVG, which needs no "
+            "font "
+            "file");
+}
+
+}  // namespace popup

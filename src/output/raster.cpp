@@ -1,0 +1,242 @@
+#include "output/raster.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csetjmp>
+#include <cstdio>
+#include <cstdlib>
+// Needs <cstdio> before it.
+#include <jpeglib.h>
+
+#include "output/cairo_sheet.h"
+#include "output/sheet_drawing.h"
+
+namespace popup {
+namespace {
+
+constexpr double kInch = 25.4;
+constexpr int kMostSide = 32767;
+constexpr double kMostPixels = 300e6;
+
+constexpr int kPageWidth = 800;
+constexpr int kPageHeight = 650;
+constexpr double kPageDpi = 72.0;
+constexpr double kPageRoomMm = 5.0;  // at least, round pieces larger than the page
+constexpr int kQuality = 92;
+
+struct Pixels {
+    int width = 0;
+    int height = 0;
+    std::vector<unsigned char> rgb;  // rows from the top, three bytes a pixel
+};
+
+// The drawing on white, `scale` pixels a mm; nothing when Cairo gives no picture.
+std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height, double scale,
+                              cairo_font_face_t* font) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+    const Context context(cairo_create(surface.get()));
+    cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
+    cairo_paint(context.get());
+    cairo_scale(context.get(), scale, scale);
+    set_font(context.get(), font);
+    paint_sheet(context.get(), drawing);
+    cairo_surface_flush(surface.get());
+    if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) return std::nullopt;
+    const unsigned char* data = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    Pixels pixels{width, height, {}};
+    pixels.rgb.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3U);
+    for (int y = 0; y < height; ++y) {
+        const unsigned char* row = data + static_cast<std::ptrdiff_t>(y) * stride;
+        for (int x = 0; x < width; ++x) {
+            std::uint32_t pixel = 0;
+            std::copy_n(row + static_cast<std::ptrdiff_t>(x) * 4, 4,
+                        reinterpret_cast<unsigned char*>(&pixel));
+            for (const unsigned shift : {16U, 8U, 0U})
+                pixels.rgb.push_back(static_cast<unsigned char>(pixel >> shift));
+        }
+    }
+    return pixels;
+}
+
+void append_bytes(png_structp png, png_bytep data, png_size_t length) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), length);
+}
+void flush_nothing(png_structp /*png*/) {}
+
+// Both libraries leave by longjmp when they fail; nothing with a destructor may live in these functions.
+bool encode_png(png_structp png, png_infop info, const Pixels& pixels, double dpi, std::string& bytes) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height),
+                 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    const auto per_metre = static_cast<png_uint_32>(std::lround(dpi * 1000.0 / kInch));
+    png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    const std::size_t row = static_cast<std::size_t>(pixels.width) * 3U;
+    for (int y = 0; y < pixels.height; ++y)
+        png_write_row(png, pixels.rgb.data() + static_cast<std::size_t>(y) * row);
+    png_write_end(png, info);
+    return true;
+}
+
+bool to_png(const Pixels& pixels, double dpi, std::string& bytes) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    const bool good = info != nullptr && encode_png(png, info, pixels, dpi, bytes);
+    png_destroy_write_struct(&png, &info);
+    return good;
+}
+
+struct JpegErrors {
+    jpeg_error_mgr manager;
+    std::jmp_buf back;
+};
+
+[[noreturn]] void leave(j_common_ptr info) {
+    std::longjmp(reinterpret_cast<JpegErrors*>(info->err)->back, 1);
+}
+
+bool encode_jpeg(jpeg_compress_struct& info, JpegErrors& errors, const Pixels& pixels, unsigned char** data,
+                 unsigned long* size) {
+    if (setjmp(errors.back) != 0) return false;
+    jpeg_create_compress(&info);
+    jpeg_mem_dest(&info, data, size);
+    info.image_width = static_cast<JDIMENSION>(pixels.width);
+    info.image_height = static_cast<JDIMENSION>(pixels.height);
+    info.input_components = 3;
+    info.in_color_space = JCS_RGB;
+    jpeg_set_defaults(&info);
+    jpeg_set_quality(&info, kQuality, TRUE);
+    // Thin coloured lines on white would be smeared.
+    info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
+    info.density_unit = 1;
+    info.X_density = info.Y_density = static_cast<UINT16>(kPageDpi);
+    info.dct_method = JDCT_ISLOW;
+    jpeg_start_compress(&info, TRUE);
+    const std::size_t row = static_cast<std::size_t>(pixels.width) * 3U;
+    while (info.next_scanline < info.image_height) {
+        JSAMPROW line = const_cast<unsigned char*>(pixels.rgb.data()) + info.next_scanline * row;
+        jpeg_write_scanlines(&info, &line, 1);
+    }
+    jpeg_finish_compress(&info);
+    return true;
+}
+
+bool to_jpeg(const Pixels& pixels, std::string& bytes) {
+    jpeg_compress_struct info{};
+    JpegErrors errors{};
+    info.err = jpeg_std_error(&errors.manager);
+    errors.manager.error_exit = leave;
+    unsigned char* data = nullptr;
+    unsigned long size = 0;
+    const bool good = encode_jpeg(info, errors, pixels, &data, &size);
+    if (good) bytes.assign(reinterpret_cast<const char*>(data), size);
+    jpeg_destroy_compress(&info);
+    std::free(data);
+    return good;
+}
+
+void report_failure(std::string_view format, Diagnostics& diagnostics) {
+    diagnostics
+        .error("picture-failed", {},
+               fmt::format("the {} could not be made: there is no memory for it", format))
+        .hint("choose a smaller --dpi or --sheet");
+}
+
+// A layout of nothing but one piece, the middle of its page in the middle of the sheet.
+Layout page_of(const Layout& layout, std::size_t design, std::size_t piece) {
+    Layout page;
+    page.designs = {{layout.designs[design].file, layout.designs[design].stem, {}}};
+    page.designs.front().pattern.plate_names = layout.designs[design].pattern.plate_names;
+    page.designs.front().pattern.pieces = {layout.designs[design].pattern.pieces[piece]};
+    page.prefix_names = layout.prefix_names;
+    const Box& box = page.designs.front().pattern.pieces.front().bounds;
+    const Vec2 half{0.5 * kPageWidth / kPageDpi * kInch, 0.5 * kPageHeight / kPageDpi * kInch};
+    const Vec2 reach{std::max(-box.min.x, box.max.x) + kPageRoomMm,
+                     std::max(-box.min.y, box.max.y) + kPageRoomMm};
+    const double more = std::max({1.0, reach.x / half.x, reach.y / half.y});
+    LayoutSheet& sheet = page.sheets.emplace_back();
+    sheet.width_mm = 2.0 * more * half.x;
+    sheet.height_mm = 2.0 * more * half.y;
+    page.margin_mm = layout.margin_mm;
+    Placement placement;
+    placement.offset = {more * half.x, more * half.y};
+    page.placements = {placement};
+    return page;
+}
+
+}  // namespace
+
+std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const OutputOptions& options,
+                                                Diagnostics& diagnostics) {
+    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
+    const double scale = options.dpi / kInch;
+    for (const LayoutSheet& sheet : layout.sheets) {
+        const double width = std::ceil(sheet.width_mm * scale - 1e-6);
+        const double height = std::ceil(sheet.height_mm * scale - 1e-6);
+        if (std::max(width, height) <= kMostSide && width * height <= kMostPixels) continue;
+        diagnostics
+            .error(
+                "picture-too-large", {},
+                fmt::format("a sheet of {:.1f} × {:.1f} mm has {:.0f} × {:.0f} pixels at {} dpi; a picture "
+                            "has at most {} on a side and {:.0f} million in all",
+                            sheet.width_mm, sheet.height_mm, width, height, options.dpi, kMostSide,
+                            kMostPixels / 1e6))
+            .hint("choose a smaller --dpi");
+        return std::nullopt;
+    }
+    const FontFace font = open_font(POPUP_FONT_FILE);
+    if (font == nullptr) {
+        report_missing_font(POPUP_FONT_FILE, diagnostics);
+        return std::nullopt;
+    }
+    std::vector<SheetFile> files;
+    for (const SheetView& view : *views) {
+        const SheetDrawing drawing = draw_sheet(layout, options, view);
+        const auto pixels =
+            painted(drawing, static_cast<int>(std::ceil(drawing.width_mm * scale - 1e-6)),
+                    static_cast<int>(std::ceil(drawing.height_mm * scale - 1e-6)), scale, font.get());
+        SheetFile& file = files.emplace_back();
+        file.suffix = view.suffix;
+        if (pixels && to_png(*pixels, options.dpi, file.bytes)) continue;
+        report_failure("PNG", diagnostics);
+        return std::nullopt;
+    }
+    return files;
+}
+
+std::optional<std::vector<SheetFile>> write_jpg(const Layout& layout, const OutputOptions& /*options*/,
+                                                Diagnostics& diagnostics) {
+    const FontFace font = open_font(POPUP_FONT_FILE);
+    if (font == nullptr) {
+        report_missing_font(POPUP_FONT_FILE, diagnostics);
+        return std::nullopt;
+    }
+    // A page of its own has no marks, no bar and no back, and is for eyes, not for a machine.
+    const OutputOptions plain;
+    std::vector<SheetFile> files;
+    for (std::size_t d = 0; d < layout.designs.size(); ++d) {
+        for (std::size_t p = 0; p < layout.designs[d].pattern.pieces.size(); ++p) {
+            const Layout page = page_of(layout, d, p);
+            const SheetDrawing drawing = draw_sheet(page, plain, SheetView{});
+            const auto pixels =
+                painted(drawing, kPageWidth, kPageHeight, kPageWidth / drawing.width_mm, font.get());
+            SheetFile& file = files.emplace_back();
+            if (files.size() > 1) file.suffix = fmt::format("-{}", files.size());
+            if (pixels && to_jpeg(*pixels, file.bytes)) continue;
+            report_failure("JPEG", diagnostics);
+            return std::nullopt;
+        }
+    }
+    return files;
+}
+
+}  // namespace popup

@@ -1,0 +1,17 @@
+// What of a sheet is on which side of it, and in which file.
+#pragma once
+
+#include "output/sheet_drawing.h"
+
+namespace popup {
+
+// Whether the view shows what is done like that. Marks are in every view; what is printed on its front, or on
+// both sides where backs are wanted, notes on how to glue on the back alone then; what the machine does is on
+// the side it works from.
+bool is_shown(Operation operation, const OutputOptions& options, const SheetView& view);
+
+// The profile by which the view is drawn. What is printed has a file of its own under print_and_cut, and the
+// machine's pens have no say in that one: what they leave out is drawn as the profile workshop does.
+Profile profile_of(const OutputOptions& options, const SheetView& view);
+
+}  // namespace popup

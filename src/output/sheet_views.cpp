@@ -1,0 +1,160 @@
+// Which pictures of a layout there are.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/numbers.h"
+#include "fabrication/marks.h"
+#include "output/cairo_sheet.h"
+#include "output/sheet_sides.h"
+#include "output/text_outlines.h"
+
+namespace popup {
+namespace {
+
+// Whether the pattern of any piece of a sheet has something that this side of it shows.
+bool shows(const Layout& layout, const OutputOptions& options, const SheetView& view, Operation operation) {
+    if (!is_shown(operation, options, view)) return false;
+    const auto has = [&](const Placement& placement) {
+        const DesignPattern& design = layout.designs.at(static_cast<std::size_t>(placement.design));
+        const PatternPiece& piece = design.pattern.pieces.at(static_cast<std::size_t>(placement.piece));
+        const auto line = [&](const PatternLine& one) {
+            const Operation what = operation_of(one, options.profile);
+            return what == operation ||
+                   (operation == Operation::perforation && options.profile.perforates(what));
+        };
+        switch (operation) {
+            case Operation::fill:
+                return !piece.fills.empty();
+            case Operation::draw:
+                return !piece.strokes.empty() || std::any_of(piece.lines.begin(), piece.lines.end(), line);
+            case Operation::glue:
+                return !piece.targets.empty() || std::any_of(piece.lines.begin(), piece.lines.end(), line);
+            case Operation::label:
+                return !piece.labels.empty();
+            case Operation::registration:
+                return false;  // goes with what there is
+            case Operation::valley:
+            case Operation::mountain:
+            case Operation::seam:
+            case Operation::perforation:
+                return std::any_of(piece.lines.begin(), piece.lines.end(), line);
+            case Operation::slit:
+            case Operation::inner_cut:
+            case Operation::outer_cut:
+                return !piece.cuts.empty();
+        }
+        broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
+    };
+    return std::any_of(layout.placements.begin(), layout.placements.end(), has);
+}
+
+bool shows_anything(const Layout& layout, const OutputOptions& options, const SheetView& view) {
+    return std::any_of(kOperations.begin(), kOperations.end(),
+                       [&](Operation operation) { return shows(layout, options, view, operation); });
+}
+
+bool has_room(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    for (const LayoutSheet& sheet : layout.sheets) {
+        const double longest = longest_reference(sheet.width_mm);
+        if (options.reference_mm <= longest || options.reference_mm <= 0.0) continue;
+        diagnostics
+            .error(
+                "reference-too-long", {},
+                fmt::format("a bar of {} mm does not fit below the pieces of a sheet {:.1f} mm wide, which "
+                            "has room for {:.0f} mm",
+                            number_text(options.reference_mm, 3), sheet.width_mm, std::max(longest, 0.0)))
+            .hint("ask for a shorter bar with --reference");
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+double margin_needed(const OutputOptions& options) {
+    return std::max(clear_of(options.profile.marks), options.reference_mm > 0.0 ? kReferenceMarginMm : 0.0);
+}
+
+Profile profile_of(const OutputOptions& options, const SheetView& view) {
+    Profile profile = options.profile;
+    if (view.part != SheetView::Part::print) return profile;
+    const Profile& workshop = profile_table().front();
+    for (const Operation operation : kOperations) {
+        Pen& pen = profile.pens[static_cast<std::size_t>(operation)];
+        if (is_printed(operation) && pen.layer.empty()) pen = workshop.pen(operation);
+    }
+    return profile;
+}
+
+bool is_shown(Operation operation, const OutputOptions& options, const SheetView& view) {
+    const bool print = view.part == SheetView::Part::print;
+    if (is_printed(operation)) {
+        if (!print && !options.profile.draws(operation)) return false;
+        if (operation == Operation::registration)
+            return options.profile.marks != Marks::none || options.reference_mm > 0.0;
+        if (view.part == SheetView::Part::cut) return false;
+        const bool note = operation == Operation::glue || operation == Operation::label;
+        return view.back ? options.backs : !(note && options.backs);
+    }
+    if (print || !options.profile.draws(operation)) return false;
+    switch (options.score_side) {
+        case ScoreSide::front:
+            return !view.back;
+        case ScoreSide::back:
+            return view.back;
+        case ScoreSide::both:
+            return view.back == (operation == Operation::valley);
+    }
+    broken_invariant("a score side is one of its enumerators", __FILE__, __LINE__);
+}
+
+std::optional<std::vector<SheetView>> views_of(const Layout& layout, const OutputOptions& options,
+                                               Diagnostics& diagnostics) {
+    if (!has_room(layout, options, diagnostics)) return std::nullopt;
+    if (options.profile.outlined_text && !can_outline_text()) {
+        report_missing_font(POPUP_FONT_FILE, diagnostics);
+        return std::nullopt;
+    }
+    using Part = SheetView::Part;
+    const std::vector<Part> parts =
+        options.print_and_cut ? std::vector{Part::print, Part::cut} : std::vector{Part::whole};
+    std::vector<SheetView> views;
+    for (const Part part : parts) {
+        SheetView view;
+        view.part = part;
+        view.part_suffix = part == Part::print ? "-print" : part == Part::cut ? "-cut" : "";
+        const bool front = shows_anything(layout, options, view);
+        view.back = true;
+        const bool back = shows_anything(layout, options, view);
+        for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
+            view.sheet = static_cast<int>(i);
+            const std::string number = i == 0 ? std::string() : fmt::format("-{}", i + 1);
+            // A layout with nothing on it is a sheet with nothing on it.
+            if (front || !back) {
+                view.back = false;
+                view.suffix = number + view.part_suffix;
+                views.push_back(view);
+            }
+            if (back) {
+                view.back = true;
+                view.suffix = number + (front ? "-back" : "") + view.part_suffix;
+                views.push_back(view);
+            }
+        }
+    }
+    return views;
+}
+
+std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> views) {
+    std::vector<std::span<const SheetView>> parts;
+    for (std::size_t first = 0; first < views.size();) {
+        std::size_t last = first;
+        while (last < views.size() && views[last].part == views[first].part) ++last;
+        parts.push_back(views.subspan(first, last - first));
+        first = last;
+    }
+    return parts;
+}
+
+}  // namespace popup

@@ -1,0 +1,118 @@
+#include "output/text_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "output/font_file.h"
+#include FT_OUTLINE_H
+
+#include "output/sheet_drawing.h"
+
+namespace popup {
+namespace {
+
+// In font units; DejaVu Sans' capitals are 1493 of them high.
+constexpr double kFlatUnits = 7.0;
+
+// FreeType is not to be used from two threads at once; each has its own.
+const FontFile* font() {
+    thread_local const std::unique_ptr<FontFile> file = FontFile::open(POPUP_FONT_FILE);
+    return file.get();
+}
+
+// The next code point; moves `at` behind it.
+char32_t next_letter(std::string_view text, std::size_t& at) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const std::size_t bytes = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    char32_t code = bytes == 1 ? first : first & (0x7fU >> bytes);
+    for (std::size_t k = 1; k < bytes && at + k < text.size(); ++k)
+        code = code << 6U | (static_cast<unsigned char>(text[at + k]) & 0x3fU);
+    at += bytes;
+    return code;
+}
+
+struct Tracing {
+    std::vector<Ring> rings;
+    double right = 0.0;  // where the letter begins
+
+    [[nodiscard]] Vec2 point(const FT_Vector* p) const {
+        return {right + static_cast<double>(p->x), static_cast<double>(p->y)};
+    }
+    // Points of a curve whose second difference is at most `bend` long.
+    static int steps(double bend) {
+        return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (4.0 * kFlatUnits)))), 1, 64);
+    }
+};
+
+int move_to(const FT_Vector* to, void* user) {
+    auto& tracing = *static_cast<Tracing*>(user);
+    tracing.rings.push_back({tracing.point(to)});
+    return 0;
+}
+
+int line_to(const FT_Vector* to, void* user) {
+    auto& tracing = *static_cast<Tracing*>(user);
+    tracing.rings.back().push_back(tracing.point(to));
+    return 0;
+}
+
+int conic_to(const FT_Vector* control, const FT_Vector* to, void* user) {
+    auto& tracing = *static_cast<Tracing*>(user);
+    Ring& ring = tracing.rings.back();
+    const Vec2 a = ring.back();
+    const Vec2 b = tracing.point(control);
+    const Vec2 c = tracing.point(to);
+    const int steps = Tracing::steps(length(a - 2.0 * b + c));
+    for (int i = 1; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        const double u = 1.0 - t;
+        ring.push_back(u * u * a + 2.0 * u * t * b + t * t * c);
+    }
+    return 0;
+}
+
+int cubic_to(const FT_Vector* one, const FT_Vector* two, const FT_Vector* to, void* user) {
+    auto& tracing = *static_cast<Tracing*>(user);
+    Ring& ring = tracing.rings.back();
+    const Vec2 a = ring.back();
+    const Vec2 b = tracing.point(one);
+    const Vec2 c = tracing.point(two);
+    const Vec2 d = tracing.point(to);
+    const int steps = Tracing::steps(3.0 * std::max(length(a - 2.0 * b + c), length(b - 2.0 * c + d)));
+    for (int i = 1; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        const double u = 1.0 - t;
+        ring.push_back(u * u * u * a + 3.0 * u * u * t * b + 3.0 * u * t * t * c + t * t * t * d);
+    }
+    return 0;
+}
+
+}  // namespace
+
+bool can_outline_text() { return font() != nullptr; }
+
+std::vector<Ring> text_outlines(std::string_view text, Vec2 at, double cap_mm, double angle) {
+    const FontFile* file = font();
+    if (file == nullptr) return {};
+    Tracing tracing;
+    FT_Outline_Funcs tracers{move_to, line_to, conic_to, cubic_to, 0, 0};
+    for (std::size_t i = 0; i < text.size();) {
+        const FT_UInt glyph = FT_Get_Char_Index(file->face, next_letter(text, i));
+        if (FT_Load_Glyph(file->face, glyph, FT_LOAD_NO_SCALE) != 0) continue;
+        FT_Outline_Decompose(&file->face->glyph->outline, &tracers, &tracing);
+        tracing.right += static_cast<double>(file->face->glyph->metrics.horiAdvance);
+    }
+    const double scale = cap_mm / (kCapHeight * file->face->units_per_EM);
+    const Vec2 x{scale * std::cos(angle), scale * std::sin(angle)};
+    const Vec2 y{-x.y, x.x};
+    const double cap_units = kCapHeight * file->face->units_per_EM;
+    for (Ring& ring : tracing.rings) {
+        // FreeType closes contours by going back to where they began.
+        if (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+        for (Vec2& p : ring) p = at + (p.x - 0.5 * tracing.right) * x + (p.y - 0.5 * cap_units) * y;
+    }
+    return tracing.rings;
+}
+
+}  // namespace popup
