@@ -150,8 +150,8 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
 // What the profile does to these sheets that one would not expect. Warning: `lines-left-out`, of cuts and
 // folds that no pen draws. Remarks: `one-sided-folds`, `kerf-shares-color`. Cost: linear in cuts and folds.
 void examine_profile(const Layout& layout, const Profile& profile, ScoreSide side, Diagnostics& diagnostics);
-// Remark: `unusual-format`, of a format (".svg") that the profile's machine is not known to take. Pictures are
-// for eyes, and none.
+// Remark: `unusual-format`, of a format (".svg") that the profile's machine is not known to take. Pictures
+// are for eyes, and none.
 void examine_format(std::string_view suffix, const Profile& profile, Diagnostics& diagnostics);
 
 // The cuts of a perforated line: at least one, and never its whole length. Cuts and gaps are by at most a

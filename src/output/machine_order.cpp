@@ -74,8 +74,10 @@ void find_depths(SheetDrawing& drawing) {
             int& depth = deepest[hole.piece];
             depth = std::max(depth, hole.depth + 1);
         }
+        int sum = 0;
+        for (const auto& [piece, deep] : deepest) sum += deep;
         int& depth = sunk[static_cast<std::size_t>(shape.piece)];
-        for (const auto& [piece, deep] : deepest) depth += deep;
+        depth = std::max(depth, sum);
     }
     for (SheetShape& shape : drawing.shapes) {
         if (!is_cut(shape.operation) || shape.piece < 0) continue;

@@ -224,15 +224,17 @@ void put_in_layers(SheetDrawing& drawing, const OutputOptions& options, const Sh
     std::array<std::size_t, kOperations.size()> layer_of{};
     std::array<std::size_t, kOperations.size()> group_of{};
     const Pen* last = nullptr;
+    bool dashed = false;
     std::size_t groups = 0;
     for (const Operation operation : kOperations) {
         if (!is_shown(operation, options, view) || !drawing.profile.draws(operation)) continue;
         const Pen& pen = drawing.profile.pen(operation);
         const std::string& name = pen.layer;
         if (last == nullptr || is_printed(operation) || name != last->layer || pen.color != last->color ||
-            pen.width_mm != last->width_mm)
+            pen.width_mm != last->width_mm || dashed != drawing.profile.dashes(operation))
             ++groups;
         last = &pen;
+        dashed = drawing.profile.dashes(operation);
         group_of.at(static_cast<std::size_t>(operation)) = groups;
         if (drawing.layers.empty() || drawing.layers.back().name != name) {
             SheetLayer& layer = drawing.layers.emplace_back();

@@ -279,6 +279,7 @@ void SvgText::layer(const SheetLayer& layer) {
     raw("\"");
     if (groups.size() == 1) raw(groups.front().look);
     raw(">\n");
+    std::size_t left = layer.shapes + layer.texts;
     for (const Group& group : groups) {
         if (groups.size() > 1) {
             raw(" <g class=\"");
@@ -287,10 +288,14 @@ void SvgText::layer(const SheetLayer& layer) {
             raw(group.look);
             raw(">\n");
         }
-        shapes(stretch(drawing_.shapes_of(layer), group.first, group.last));
-        texts(stretch(drawing_.texts_of(layer), group.first, group.last));
+        const auto shown = stretch(drawing_.shapes_of(layer), group.first, group.last);
+        const auto written = stretch(drawing_.texts_of(layer), group.first, group.last);
+        shapes(shown);
+        texts(written);
+        left -= shown.size() + written.size();
         if (groups.size() > 1) raw(" </g>\n");
     }
+    POPUP_INVARIANT(left == 0);  // a sheet without some of its lines must not be cut
     raw(" </g>\n");
 }
 
