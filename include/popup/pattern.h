@@ -81,7 +81,8 @@ struct PatternOptions {
 
 // Unfolds the assembly. Tabs are trimmed so that none crosses another, a fold, a cut-out or an edge; what is
 // left of each is drawn, as its target, with the same number on the plate it is glued to. Pieces are labelled
-// with their names and, where there are several, the order in which they are glued: "2. castle".
+// with their names, glued ones after the number of their tabs, in the order of which they are glued:
+// "2. castle".
 // `tab-too-small` warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees: cuts
 // chained into as few paths as possible; no segment twice; every target inside its plate. Cost: near linear
 // in lines.

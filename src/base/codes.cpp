@@ -204,7 +204,9 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "With --kerf cuts are moved out of the paper by half the width that a laser burns away, or a knife "
      "tears, so that pieces have the size they were drawn with. A hole, a notch, or a gap between two "
      "contours that is no wider than the kerf then closes, and no path of the tool could make it; nor may "
-     "pieces be laid nearer to each other than the kerf is wide, for their cuts would cross. Cut without "
+     "pieces be laid nearer to each other than the kerf is wide, for their cuts would cross, or nearer to "
+     "the "
+     "edge of the sheet than half of it. Cut without "
      "--kerf, or with a narrower one, make the design larger with --scale, draw a narrow slot as an open "
      "line, which is cut as it is, or raise --spacing."},
     {"layer-order", Severity::warning, "the plates of the closed card cannot lie on one another",
@@ -354,6 +356,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The points of an angled step are written with the one nearer to the apex first on each side: B before "
      "C, G before F. Here both pairs stood the other way round, which describes the same cuts; they were "
      "exchanged in the checked design, and fix writes them in order."},
+    {"prints-left-out", Severity::remark, "the machine profile leaves out what was asked for",
+     "Profiles of lasers and cutters leave out what is printed, so that no machine burns it: registration "
+     "marks, "
+     "the bar to measure, and all that is on printed backs. --print-and-cut writes it to files of its own, "
+     "which "
+     "are for a printer; a profile of your own can give the pens of what is printed a layer."},
     {"protrusion", Severity::warning, "a plate sticks out of the closed card",
      "When the card is closed, every plate should lie between its covers. This one reaches over their edge: "
      "the message says how far, and on which side. It will be seen there before the card is opened, and bent "

@@ -263,6 +263,7 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
     if (has_sheets && compilation.layout) {
         const OutputOptions& output = options.compile.output;
         examine_profile(*compilation.layout, output.profile, output.score_side, compilation.run_diagnostics);
+        examine_prints(output, compilation.run_diagnostics);
         examine_formats(outputs, output.profile, compilation.run_diagnostics);
     }
     std::vector<PendingFile> files;
@@ -285,8 +286,8 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
             compilation.run_diagnostics
                 .error("unwritable-output", {},
                        fmt::format(
-                           "standard output takes one file, and there are {} {}", parts->size(),
-                           compilation.layout->sheets.size() > 1 ? "sheets" : "sides or parts of a sheet"))
+                           "standard output takes one file, and the sheets, their sides and parts make {}",
+                           parts->size()))
                 .hint(
                     "write to a file, choose a larger --sheet, or a format that holds several sheets (--to "
                     "pdf)");

@@ -501,6 +501,16 @@ bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagn
             .hint(fmt::format("take a --spacing of at least {} mm",
                               number_text(std::ceil(least * 1e3 - 1e-6) / 1e3, 3)));
     }
+    if (!layout.placements.empty() && layout.margin_mm < 0.5 * kerf.outer_mm - kGridMm) {
+        ++findings;
+        diagnostics
+            .error("kerf-too-wide", {},
+                   fmt::format(
+                       "the margin of {} mm has no room for cuts that are moved out by half a kerf of {} mm",
+                       number_text(layout.margin_mm, 3), number_text(kerf.outer_mm, 3)))
+            .hint(fmt::format("take a --margin of at least {} mm",
+                              number_text(std::ceil(0.5 * kerf.outer_mm * 1e3 - 1e-6) / 1e3, 3)));
+    }
     std::vector<std::vector<Contour>> all;
     std::size_t unnamed = 0;  // failing pieces that have no finding
     Diagnostic* last = nullptr;

@@ -52,9 +52,10 @@ std::optional<std::vector<Contour>> compensated(const PatternPiece& piece, std::
 // the layout stays as it was, and the answer is false.
 // Errors: `kerf-too-wide`, at most 20 findings: for each piece as compensated() has it, and for the layout
 // where pieces that share a sheet are kept only `spacing_mm` apart, less than the kerf is wide, so that the
-// cuts of neighbours would cross. (Of a piece in the hole of another, the hole's kerf counts for half. It is
-// not known which pieces lie in holes: any with a hole may have one there.)
-// Cost: near linear in corners of all designs, and in placements.
+// cuts of neighbours would cross, and where the margin is under half the kerf of outer cuts, which would
+// leave the sheet. (Of a piece in the hole of another, the hole's kerf counts for half. It is not known which
+// pieces lie in holes: any with a hole may have one there.) Cost: near linear in corners of all designs, and
+// in placements.
 bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagnostics& diagnostics);
 
 }  // namespace popup

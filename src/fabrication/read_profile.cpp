@@ -74,6 +74,33 @@ class ProfileReader {
             }
         };
     }
+    // A name that stands in files: not empty unless `may_be_empty`, without control characters, and none of
+    // those that mean something else there.
+    std::function<void(const toml::node&)> name(std::string key, std::string& value, bool may_be_empty,
+                                                std::vector<std::string_view> taken = {}) {
+        return [this, key = std::move(key), &value, may_be_empty,
+                taken = std::move(taken)](const toml::node& node) {
+            const auto* given = node.as_string();
+            if (given == nullptr) {
+                wrong(node, key, "a string");
+                return;
+            }
+            const std::string& text = given->get();
+            const bool control = std::any_of(text.begin(), text.end(), [](char c) {
+                return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+            });
+            if (text.empty() && !may_be_empty) {
+                wrong(node.source(), fmt::format("\"{}\" is empty", key));
+            } else if (control) {
+                wrong(node.source(), fmt::format("\"{}\" has control characters", key));
+            } else if (std::find(taken.begin(), taken.end(), text) != taken.end()) {
+                wrong(node.source(),
+                      fmt::format("\"{}\" cannot be \"{}\", which has a meaning of its own", key, text));
+            } else {
+                value = text;
+            }
+        };
+    }
     std::function<void(const toml::node&)> flag(std::string key, bool& value) {
         return [this, key = std::move(key), &value](const toml::node& node) {
             if (const auto* given = node.as_boolean()) {
@@ -119,10 +146,13 @@ class ProfileReader {
             }
             values.clear();
             for (const toml::node& one : *given) {
-                if (const auto* text = one.as_string()) {
+                const auto* text = one.as_string();
+                const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+                if (text != nullptr && !text->get().empty() &&
+                    std::all_of(text->get().begin(), text->get().end(), plain)) {
                     values.push_back(text->get());
                 } else {
-                    wrong(one, key, "a list of strings");
+                    wrong(one.source(), fmt::format("\"{}\" takes a list of names such as \"svg\"", key));
                 }
             }
         };
@@ -259,7 +289,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                     {"width", reader.length("width", pen.width_mm, least)},
                     {"speed", reader.number("speed", pen.speed_mm_s, kSpeeds)},
                     {"power", reader.number("power", pen.power_percent, {0.0, 100.0, "percent"})},
-                    {"spot", reader.text("spot", pen.spot)}};
+                    {"spot", reader.name("spot", pen.spot, true, {"All", "None"})}};
                 // Only closed cuts have an inside and an outside to move away from.
                 if (closed) keys.push_back({"kerf", reader.number("kerf", pen.kerf_mm, {0.0, 10.0, "mm"})});
                 reader.read(one, " in a pen", keys);
@@ -283,7 +313,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                      {"pierce", reader.number("pierce", profile.pierce_s, {0.0, 60.0, "seconds"})}});
     };
     reader.read(file, "",
-                {{"name", reader.text("name", profile.name)},
+                {{"name", reader.name("name", profile.name, false)},
                  {"about", reader.text("about", profile.about)},
                  {"base", [](const toml::node&) { /* read first, see above */ }},
                  {"folds", reader.choice("folds", profile.folds, kFoldStyles)},

@@ -228,10 +228,11 @@ class Layouter {
         // Pieces of one outline and the same turns are of one kind, whatever design they come from.
         std::map<std::vector<double>, int> known;
         bool all_fit = true;
+        const double smallest = smallest_outline();
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             PieceSource& source = sources_[i];
             source.turns = turns_on(source, areas_);
-            const std::vector<Polygon>& outline = piece_of(source).silhouette;
+            const std::vector<Polygon> outline = with_useful_holes(piece_of(source).silhouette, smallest);
             std::vector<double> key;
             for (const Angle turn : source.turns) key.push_back(turn.deg);
             for (const Polygon& polygon : outline) {
@@ -262,6 +263,25 @@ class Layouter {
         job_.spacing = options_.spacing.mm;
         job_.use_holes = options_.part_in_hole;
         return apply_rules() && all_fit;
+    }
+
+    // The area of the smallest part of any piece, its holes counted in.
+    [[nodiscard]] double smallest_outline() const {
+        double least = HUGE_VAL;
+        for (const PieceSource& source : sources_) {
+            for (const Polygon& part : piece_of(source).silhouette)
+                least = std::min(least, std::abs(signed_area(part.outer)));
+        }
+        return least;
+    }
+
+    // Without the holes that no part of any piece goes into: grilles have thousands.
+    static std::vector<Polygon> with_useful_holes(std::vector<Polygon> outline, double smallest) {
+        for (Polygon& part : outline) {
+            std::erase_if(part.holes,
+                          [smallest](const Ring& hole) { return std::abs(signed_area(hole)) < smallest; });
+        }
+        return outline;
     }
 
     [[nodiscard]] bool all_locked(const PieceSource& source) const {

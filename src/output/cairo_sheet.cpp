@@ -104,9 +104,8 @@ void report_missing_font(const std::string& file, Diagnostics& diagnostics) {
     diagnostics
         .error("font-missing", {}, fmt::format("the font of the labels cannot be read from \"{}\"", file))
         .hint(
-            "install DejaVu Sans (on Debian the package fonts-dejavu-core), or write SVG, which needs no "
-            "font "
-            "file");
+            "install DejaVu Sans (on Debian the package fonts-dejavu-core), or write SVG with the profile "
+            "workshop, which needs no font file");
 }
 
 }  // namespace popup

@@ -86,10 +86,9 @@ void describe(Json& row, const Work& work, const Profile& profile) {
 
 }  // namespace
 
-Json cut_report(const Layout& layout, const OutputOptions& options) {
-    Diagnostics unheard;
-    const auto views = views_of(layout, options, unheard);
-    if (!views) return {};
+std::optional<Json> cut_report(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    const auto views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
     Work total;
     Json sheets = Json::array();
     for (const SheetView& view : *views) {

@@ -22,8 +22,8 @@ bool has_spot_colors(const Profile& profile);
 // C = (1 - K - r) / (1 - K), likewise M and Y: black is K alone, greys too. That is for telling things apart,
 // no colour management. A pen's spot colour takes what its operation draws in full tint, the own colours of
 // fills and drawn lines too, and overprints, so that nothing below it is knocked out; for screens and proofs
-// its alternate is the pen's colour, of several pens with one spot name the first's. A spot named All or None
-// has the meaning that PDF gives that name.
+// its alternate is the pen's colour, of several pens with one spot name the first's. Spots named All or None
+// have the meaning that PDF gives these names; profiles read from files have none.
 //
 // Letters are outlines, whatever the profile says of text.
 //

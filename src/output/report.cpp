@@ -114,13 +114,19 @@ Json layout(const Layout& layout) {
 }  // namespace
 
 std::optional<std::string> write_report(const Compilation& run, const OutputOptions& options,
-                                        Diagnostics& /*diagnostics*/) {
+                                        Diagnostics& diagnostics) {
+    Json cut;
+    if (run.layout) {
+        std::optional<Json> known = cut_report(*run.layout, options, diagnostics);
+        if (!known) return std::nullopt;
+        cut = std::move(*known);
+    }
     Json inputs = Json::array();
     for (const CompiledDesign& one : run.designs) inputs.push_back(input(one));
     Json report{{"version", version()},
                 {"inputs", std::move(inputs)},
                 {"layout", run.layout ? layout(*run.layout) : Json()},
-                {"cut", run.layout ? cut_report(*run.layout, options) : Json()}};
+                {"cut", std::move(cut)}};
     if (!options.files.empty()) report["outputs"] = options.files;
     Json whole_run = findings(run.run_diagnostics);
     if (!whole_run.empty()) report["diagnostics"] = std::move(whole_run);

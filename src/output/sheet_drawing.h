@@ -109,9 +109,9 @@ struct SheetView {
 };
 
 // The pictures that the options ask for: of each sheet its front, then its back; all prints before all cuts.
-// A back that nothing is drawn on is left out, and so is a front when there is a back and nothing on the
-// front. Errors: `reference-too-long`, for a bar that a sheet has no room for; `font-missing`, when letters
-// are to be outlines and there is no font. Cost: linear in placements.
+// A side on which no sheet of the layout has anything is left out: names do not depend on what lies where.
+// Errors: `reference-too-long`, for a bar that a sheet has no room for; `font-missing`, when letters are to
+// be outlines and there is no font. Cost: linear in placements.
 std::optional<std::vector<SheetView>> views_of(const Layout& layout, const OutputOptions& options,
                                                Diagnostics& diagnostics);
 // The views part by part, for formats that hold all of a part in one file.

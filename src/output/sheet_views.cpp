@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/numbers.h"
 #include "fabrication/marks.h"
@@ -63,7 +64,8 @@ bool has_room(const Layout& layout, const OutputOptions& options, Diagnostics& d
                 "reference-too-long", {},
                 fmt::format("a bar of {} mm does not fit below the pieces of a sheet {:.1f} mm wide, which "
                             "has room for {:.0f} mm",
-                            number_text(options.reference_mm, 3), sheet.width_mm, std::max(longest, 0.0)))
+                            number_text(options.reference_mm, 3), sheet.width_mm,
+                            std::max(std::floor(longest), 0.0)))
             .hint("ask for a shorter bar with --reference");
         return false;
     }
@@ -74,6 +76,28 @@ bool has_room(const Layout& layout, const OutputOptions& options, Diagnostics& d
 
 double margin_needed(const OutputOptions& options) {
     return std::max(clear_of(options.profile.marks), options.reference_mm > 0.0 ? kReferenceMarginMm : 0.0);
+}
+
+void examine_prints(const OutputOptions& options, Diagnostics& diagnostics) {
+    const Profile& profile = options.profile;
+    std::vector<std::string_view> missing;
+    if (!profile.draws(Operation::registration)) {
+        if (profile.marks != Marks::none) missing.emplace_back("registration marks");
+        if (options.reference_mm > 0.0) missing.emplace_back("the bar to measure");
+    }
+    const bool prints = std::any_of(kOperations.begin(), kOperations.end(), [&profile](Operation operation) {
+        return is_printed(operation) && operation != Operation::registration && profile.draws(operation);
+    });
+    if (options.backs && !prints && !options.print_and_cut) missing.emplace_back("printed backs");
+    if (missing.empty()) return;
+    diagnostics
+        .remark("prints-left-out", {},
+                fmt::format("the profile {} leaves out {}{}", profile.name, fmt::join(missing, " and "),
+                            options.print_and_cut ? ", which only the files of prints have" : ""))
+        .hint(options.print_and_cut
+                  ? "a profile of your own can give the pen of registration a layer"
+                  : "take --print-and-cut, which prints them to files of their own, or give "
+                    "their pens a layer in a profile of your own");
 }
 
 Profile profile_of(const OutputOptions& options, const SheetView& view) {

@@ -55,6 +55,7 @@ class Unfolder {
     // A piece in the making.
     struct Work {
         PatternPiece piece;
+        std::string tab_label;  // of any of its tabs
         std::vector<TaggedSegment> cuts;
         std::array<std::vector<TaggedSegment>, kDrawnKinds> lines;
         std::vector<PatternLine> marks;
@@ -179,6 +180,7 @@ class Unfolder {
         const std::vector<Ring> parts = trimmed_tab(on_piece.length(), rules_, base_side, piece_side);
         judge(glue, on_piece.length(), parts);
 
+        work.tab_label = glue.label;
         work.glued.push_back(glue.on_piece);
         Work& under = pieces_[at(in_.plates[at(glue.base_plate)].piece)];
         for (const Ring& part : parts) {
@@ -305,13 +307,19 @@ class Unfolder {
         return {EdgeIndex({}, lines), half_width};
     }
 
-    // The piece's name goes on one of its largest plates, with its number where there are several: they are
-    // glued in the order of their numbers, for none stands on a later one. The name alone where both are too
+    // The piece's name goes on one of its largest plates, after the number that its tabs have: in the order
+    // of these numbers pieces are glued, for none stands on a later one. The name alone where both are too
     // long.
     void name_piece(std::size_t number) {
         const std::string& name = in_.pieces[number].name;
-        if (in_.pieces.size() > 1 && write_on_piece(number, fmt::format("{}. {}", number + 1, name))) return;
+        const std::string order = glue_number(number);
+        if (!order.empty() && write_on_piece(number, fmt::format("{}. {}", order, name))) return;
         write_on_piece(number, name);
+    }
+
+    // "3" of a piece with the tabs "3L" and "3R"; empty for one without tabs.
+    [[nodiscard]] std::string glue_number(std::size_t piece) const {
+        return pieces_[piece].tab_label.substr(0, pieces_[piece].tab_label.find_first_not_of("0123456789"));
     }
 
     bool write_on_piece(std::size_t number, const std::string& text) {

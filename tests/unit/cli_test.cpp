@@ -234,7 +234,7 @@ TEST_F(Cli, EverySheetIsAFile) {
     EXPECT_EQ(scratch.names(),
               (std::vector<std::string>{"card.xml", "run-2.svg", "run-3.svg", "run.pdf", "run.svg"}));
     expect_usage_error({"build", "card.xml", "--copies", "2", "--sheet", "220x170", "-o", "-", "--to", "svg"},
-                       "2 sheets");
+                       "parts make 2");
     expect_usage_error(
         {"build", "card.xml", "--copies", "2", "--sheet", "220x170", "-o", "x.svg", "-o", "x-2.svg"},
         "same file");

@@ -1,5 +1,5 @@
-// What a machine has to do: against the written SVG, followed path by path by a reader of this test's own, and
-// against times worked out by hand.
+// What a machine has to do: against the written SVG, followed path by path by a reader of this test's own,
+// and against times worked out by hand.
 #include "output/cut_report.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +20,15 @@ namespace popup {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// Null when there is none.
+Json reported(const Layout& layout, const OutputOptions& options) {
+    Diagnostics diagnostics;
+    const auto report = cut_report(layout, options, diagnostics);
+    EXPECT_NE(report.has_value(), diagnostics.has_errors());
+    return report.value_or(nullptr);
+}
+
 using test::rectangle;
 
 // --- a reader of sheets
@@ -127,7 +136,7 @@ void expect_same(const Json& row, const Walk& walk) {
 
 // The report's sheets are those files in which a machine does anything, in their order.
 void expect_same(const Layout& layout, const OutputOptions& options) {
-    const Json report = cut_report(layout, options);
+    const Json report = reported(layout, options);
     EXPECT_EQ(report.at("profile"), options.profile.name);
     std::vector<Walk> walks;
     for (const SheetFile& file : svg_files(layout, options)) {
@@ -191,7 +200,7 @@ TEST(CutReport, SaysWhatTheFilesOfASampleHave) {
 TEST(CutReport, TellsFrontsFromBacks) {
     OutputOptions options;
     options.score_side = ScoreSide::both;
-    const Json report = cut_report(test::example_layout(), options);
+    const Json report = reported(test::example_layout(), options);
     std::vector<std::string> sides;
     for (const Json& sheet : report.at("sheets"))
         sides.push_back(std::to_string(sheet.at("sheet").get<int>()) + sheet.at("side").get<std::string>());
@@ -239,7 +248,7 @@ OutputOptions timed_options() {
 const double kTravel = std::hypot(70, 70) + std::hypot(10, 20) + std::hypot(10, 10);
 
 TEST(CutReport, WorksOutTheTime) {
-    const Json report = cut_report(square_layout(), timed_options());
+    const Json report = reported(square_layout(), timed_options());
     EXPECT_EQ(report.at("pierces"), 3);
     EXPECT_NEAR(report.at("travel_mm").get<double>(), kTravel, 1e-6);
     EXPECT_NEAR(report.at("time_s").get<double>(),
@@ -261,19 +270,18 @@ TEST(CutReport, KnowsNoTimeWhereASpeedThatItNeedsIsMissing) {
                             operation == Operation::outer_cut;
         OutputOptions options = timed_options();
         pen_of(options, operation).speed_mm_s = 0.0;
-        EXPECT_EQ(cut_report(square_layout(), options).at("time_s").is_null(), needed)
-            << to_string(operation);
+        EXPECT_EQ(reported(square_layout(), options).at("time_s").is_null(), needed) << to_string(operation);
     }
     OutputOptions options = timed_options();
     options.profile.travel_mm_s = 0.0;
-    const Json report = cut_report(square_layout(), options);
+    const Json report = reported(square_layout(), options);
     EXPECT_TRUE(report.at("time_s").is_null());
     EXPECT_TRUE(report.at("sheets")[0].at("time_s").is_null());
     EXPECT_FALSE(report.at("travel_mm").is_null());
     // A pierce that takes no time is known.
     options = timed_options();
     options.profile.pierce_s = 0.0;
-    EXPECT_FALSE(cut_report(square_layout(), options).at("time_s").is_null());
+    EXPECT_FALSE(reported(square_layout(), options).at("time_s").is_null());
 }
 
 // Of one sheet all may be known and of another not.
@@ -285,12 +293,12 @@ TEST(CutReport, KnowsTheTimeSheetBySheet) {
     layout.designs[0].pattern.pieces.push_back(layout.designs[0].pattern.pieces[0]);
     layout.designs[0].pattern.pieces[1].lines[0].kind = LineKind::valley;
     layout.placements.push_back({0, 1, 0, 1, {30, 40}, Angle::degrees(0)});
-    const Json report = cut_report(layout, options);
+    const Json report = reported(layout, options);
     EXPECT_TRUE(report.at("time_s").is_null());
     EXPECT_TRUE(report.at("sheets")[0].at("time_s").is_number());
     EXPECT_TRUE(report.at("sheets")[1].at("time_s").is_null());
     pen_of(options, Operation::valley).speed_mm_s = 20.0;
-    const Json known = cut_report(layout, options);
+    const Json known = reported(layout, options);
     EXPECT_NEAR(known.at("time_s").get<double>(), 2.0 * known.at("sheets")[0].at("time_s").get<double>(),
                 1e-3);
 }
@@ -301,7 +309,7 @@ TEST(CutReport, CountsEveryCutOfAPerforatedFold) {
     options.profile.folds = FoldStyle::perforated;
     options.profile.perforation = {2.0, 2.0, 1.0};
     pen_of(options, Operation::perforation).speed_mm_s = 19.0;
-    const Json report = cut_report(square_layout(), options);
+    const Json report = reported(square_layout(), options);
     // 40 mm, a millimetre clear at each end: ten cuts and nine gaps, all of 2 mm.
     const Json& row = report.at("operations")[0];
     EXPECT_EQ(row.at("operation"), "perforation");
@@ -317,13 +325,13 @@ TEST(CutReport, CountsEveryCutOfAPerforatedFold) {
 TEST(CutReport, IsNullWhereTheSheetsCannotBeDrawn) {
     OutputOptions options = timed_options();
     options.reference_mm = 500.0;
-    EXPECT_TRUE(cut_report(square_layout(), options).is_null());
+    EXPECT_TRUE(reported(square_layout(), options).is_null());
 }
 
 TEST(CutReport, OfSheetsWithNothingToCutHasNoSheets) {
     Layout layout = square_layout();
     layout.placements.clear();
-    const Json report = cut_report(layout, timed_options());
+    const Json report = reported(layout, timed_options());
     EXPECT_TRUE(report.at("sheets").empty());
     EXPECT_TRUE(report.at("operations").empty());
     EXPECT_EQ(report.at("pierces"), 0);

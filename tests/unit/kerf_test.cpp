@@ -470,6 +470,7 @@ TEST(Kerf, OneFindingNamesTheNarrowestAndCountsTheOthers) {
 
 Layout layout_of(std::vector<PatternPiece> pieces, int copies) {
     Layout layout;
+    layout.margin_mm = 5.0;
     layout.prefix_names = true;
     layout.sheets.resize(1);
     DesignPattern design;

@@ -182,8 +182,8 @@ class Segments {
             for (int y = -1; y <= 1; ++y) {
                 const auto found = cells_.find(cell(one, x, y));
                 if (found == cells_.end()) continue;
-                const auto same = std::find_if(
-                    found->second.begin(), found->second.end(), [&one](const Segment& other) {
+                const auto same =
+                    std::find_if(found->second.begin(), found->second.end(), [&one](const Segment& other) {
                         return (distance(one.a, other.a) < kSame && distance(one.b, other.b) < kSame) ||
                                (distance(one.a, other.b) < kSame && distance(one.b, other.a) < kSame);
                     });
@@ -362,7 +362,8 @@ TEST(MachineOrder, CutsPiecesInHolesOfOthersBeforeTheHoles) {
             EXPECT_EQ(shape.color, profile.pen(shape.operation).color);
             EXPECT_EQ(shape.width_mm, profile.pen(shape.operation).width_mm);
         }
-        EXPECT_EQ(closed, (std::vector<std::pair<double, int>>{{40, 4}, {80, 3}, {160, 2}, {240, 1}, {400, 0}}));
+        EXPECT_EQ(closed,
+                  (std::vector<std::pair<double, int>>{{40, 4}, {80, 3}, {160, 2}, {240, 1}, {400, 0}}));
     }
 }
 
@@ -478,11 +479,10 @@ TEST(MachineOrder, HasNoTinySegmentsAndMovesNothingFar) {
 
 // Two parts of one piece in the same hole are no deeper than one would be.
 TEST(MachineOrder, CountsTheHoleRoundAPieceOfSeveralPartsOnce) {
-    const Layout layout =
-        layout_of({piece_of("ring", {{rectangle(-30, -30, 30, 30), true, 1},
-                                     {rectangle(-50, -50, 50, 50), true, 0}}),
-                   piece_of("pair", {{rectangle(-20, -20, -5, 20), true, 0}, {rectangle(5, -20, 20, 20), true, 0}})},
-                  {{100, 100}, {100, 100}});
+    const Layout layout = layout_of(
+        {piece_of("ring", {{rectangle(-30, -30, 30, 30), true, 1}, {rectangle(-50, -50, 50, 50), true, 0}}),
+         piece_of("pair", {{rectangle(-20, -20, -5, 20), true, 0}, {rectangle(5, -20, 20, 20), true, 0}})},
+        {{100, 100}, {100, 100}});
     const SheetDrawing drawing = drawn(layout, plain_machine());
     for (const SheetShape& shape : drawing.shapes) {
         if (shape.piece != 1) continue;

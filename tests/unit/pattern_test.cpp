@@ -502,8 +502,8 @@ TEST(Pattern, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
         const auto label = std::find_if(piece.labels.begin(), piece.labels.end(),
                                         [](const Label& l) { return l.kind == LabelKind::piece; });
         ASSERT_NE(label, piece.labels.end());
-        // The base is the first piece to be had, the v-fold the second.
-        EXPECT_EQ(label->text, (piece.name == "page" ? "1. " : "2. ") + piece.name);
+        // The base has no tabs; the v-fold's are 1L and 1R.
+        EXPECT_EQ(label->text, (piece.name == "page" ? "" : "1. ") + piece.name);
         const double c = std::cos(label->angle);
         const double s = std::sin(label->angle);
         const Vec2 x = 0.5 * text_width(label->text, label->height_mm) * Vec2{c, s};

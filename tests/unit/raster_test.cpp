@@ -246,10 +246,10 @@ TEST(Png, ThatWouldBeTooLargeIsAnError) {
         double width, height, dpi;
         bool good;
     };
-    for (const Row& row : {Row{25400, 25.4, 32.767, true},    // 32767 × 33
-                           Row{25400, 25.4, 32.768, false},   // 32768 × 33
-                           Row{25.4, 25400, 32.768, false},   //
-                           Row{508, 508, 900, false},         // 18000 × 18000 are 324 million
+    for (const Row& row : {Row{25400, 25.4, 32.767, true},   // 32767 × 33
+                           Row{25400, 25.4, 32.768, false},  // 32768 × 33
+                           Row{25.4, 25400, 32.768, false},  //
+                           Row{508, 508, 900, false},        // 18000 × 18000 are 324 million
                            Row{2540, 2540, 1000, false}}) {
         SCOPED_TRACE(row.dpi);
         Layout layout;

@@ -1,5 +1,5 @@
-// Lines that lie on others: what is left is measured against a grid of edges that this test counts itself, and
-// by points along everything that was put in.
+// Lines that lie on others: what is left is measured against a grid of edges that this test counts itself,
+// and by points along everything that was put in.
 #include "fabrication/shared_lines.h"
 
 #include <gtest/gtest.h>
@@ -119,8 +119,7 @@ TEST(SharedLines, GivesTwoSquaresSideBySideTheirEdgeOnce) {
         const PathPart& open = left.of[1][0];
         EXPECT_FALSE(open.closed);
         // Round the other three sides, in the square's order.
-        EXPECT_EQ(open.points,
-                  (std::vector<Vec2>{{10 + gap, 0}, {20, 0}, {20, 10}, {10 + gap, 10}}));
+        EXPECT_EQ(open.points, (std::vector<Vec2>{{10 + gap, 0}, {20, 0}, {20, 10}, {10 + gap, 10}}));
         expect_same_lines(paths, left, kSharedMm);
     }
 }

@@ -188,7 +188,8 @@ TEST(SheetViews, HaveOnEachSideWhatBelongsThere) {
         options.print_and_cut = true;
         options.profile.marks = Marks::corners;
         for (const bool back : {false, true}) {
-            const Operations print = operations_on(draw_sheet(layout, options, view_of(0, back, Part::print)));
+            const Operations print =
+                operations_on(draw_sheet(layout, options, view_of(0, back, Part::print)));
             const Operations cut = operations_on(draw_sheet(layout, options, view_of(0, back, Part::cut)));
             EXPECT_TRUE(print.contains(registration) && cut.contains(registration));
             for (const Operation one : print) EXPECT_TRUE(is_printed(one));
@@ -221,8 +222,8 @@ Layout turned_layout() {
     layout.placements[2].angle = Angle::degrees(-125);
     PatternPiece& house = layout.designs[0].pattern.pieces[1];
     for (int degrees = -360; degrees <= 360; degrees += 15)
-        house.labels.push_back({LabelKind::tab, "text", {degrees / 20.0, 30}, 3.0,
-                                degrees * std::numbers::pi / 180.0});
+        house.labels.push_back(
+            {LabelKind::tab, "text", {degrees / 20.0, 30}, 3.0, degrees * std::numbers::pi / 180.0});
     return layout;
 }
 
@@ -563,7 +564,8 @@ TEST(SheetLayers, HaveEveryShapeInTheFile) {
             EXPECT_EQ(in_layers, drawing.shapes.size());
             const std::string& svg = files[static_cast<std::size_t>(sheet)].bytes;
             std::size_t paths = 0;
-            for (std::size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1))
+            for (std::size_t at = svg.find("<path "); at != std::string::npos;
+                 at = svg.find("<path ", at + 1))
                 ++paths;
             EXPECT_EQ(paths, drawing.shapes.size());
         }

@@ -209,7 +209,8 @@ TEST(Tour, OfManyStopsIsShorterThanByNearestNeighbours) {
     EXPECT_LE(sum, 0.92 * by_nearest);
 }
 
-// The shortest tour of n random places in an area A is about 0.7124 √(nA) long (Johnson, McGeoch and Rothberg 1996).
+// The shortest tour of n random places in an area A is about 0.7124 √(nA) long (Johnson, McGeoch and Rothberg
+// 1996).
 TEST(Tour, OfTwentyThousandStopsIsWithinAQuarterOfTheShortest) {
     constexpr std::size_t kStops = 20000;
     const Instance instance = random_instance(7, kStops, 1e-3);
