@@ -78,7 +78,11 @@ std::vector<PathPart> SharedLines::left_of(std::span<const Vec2> points, bool cl
             add(at(first), at(last));
         }
     }
-    for (const Segment& line : own) taken_.insert(line, false);
+    // Only what is drawn counts as taken: of many lines close to each other not each takes the next away.
+    for (const PathPart& part : parts) {
+        for (std::size_t i = 1; i < part.points.size(); ++i)
+            taken_.insert({part.points[i - 1], part.points[i]}, false);
+    }
     if (whole) return {{{points.begin(), points.end()}, closed}};
     // What goes on round the corner where the contour begins is one part.
     if (closed && parts.size() > 1 && parts.back().points.back() == parts.front().points.front()) {

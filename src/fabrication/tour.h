@@ -22,9 +22,9 @@ struct Visit {
 };
 
 // Visits every stop once: from `from` always to the nearest, then made shorter by 2-opt (Croes 1958) over
-// near neighbours until no exchange it looks at helps. Never longer than by nearest neighbours. The same
-// stops in the same order give the same tour. Cost: O(n log n) for n corners, and at most a thousand steps an
-// exchange.
+// near neighbours until no exchange it looks at helps. Never longer than by nearest neighbours, where
+// contours have at most 64 corners; of those with more only so many are looked at. The same stops in the same
+// order give the same tour. Cost: O(n log n) for n corners, and at most a thousand steps an exchange.
 std::vector<Visit> tour(std::span<const Stop> stops, Vec2 from);
 
 // The way between stops when they are visited like that, the way from `from` included.

@@ -102,7 +102,7 @@ std::vector<Vec2> without_tiny(std::span<const Vec2> points, bool closed) {
         // So small a hole is drawn as it is.
         if (kept.size() < 3) return {points.begin(), points.end()};
     } else if (kept.back() != points.back()) {
-        if (kept.size() > 1) kept.pop_back();
+        if (kept.size() > 1 && distance(kept.back(), points.back()) < kTinyMm) kept.pop_back();
         kept.push_back(points.back());
     }
     return kept;

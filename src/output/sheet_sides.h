@@ -5,9 +5,9 @@
 
 namespace popup {
 
-// Whether the view shows what is done like that. Marks are in every view; what is printed on its front, or on
-// both sides where backs are wanted, notes on how to glue on the back alone then; what the machine does is on
-// the side it works from.
+// Whether the view shows what is done like that. Marks are in every view that has a pen for them; what is
+// printed on its front, or on both sides where backs are wanted, notes on how to glue on the back alone then;
+// what the machine does is on the side it works from.
 bool is_shown(Operation operation, const OutputOptions& options, const SheetView& view);
 
 // The profile by which the view is drawn. What is printed has a file of its own under print_and_cut, and the

@@ -309,6 +309,90 @@ TEST(MachineOrder, GoesLessFarBetweenLinesThanPieceByPiece) {
     }
 }
 
+// A shape from its first point to its last.
+struct Whole {
+    std::pair<int, int> stretch;  // those of one may change places
+    bool closed = false;
+    std::vector<Vec2> points;
+};
+
+std::vector<Whole> wholes_of(const SheetDrawing& drawing) {
+    std::vector<Whole> all;
+    for (const SheetShape& shape : drawing.shapes) {
+        if (is_printed(shape.operation)) continue;
+        Whole& line = all.emplace_back();
+        line.stretch = {turn_of(shape.operation), shape.depth};
+        for (const popup::Run& run : drawing.runs_of(shape)) {
+            line.closed = run.closed;
+            const auto points = drawing.points_of(run);
+            line.points.insert(line.points.end(), points.begin(), points.end());
+        }
+    }
+    return all;
+}
+
+double way_by_nearest(std::vector<Whole> left, Vec2 from) {
+    double sum = 0.0;
+    while (!left.empty()) {
+        std::size_t best = 0;
+        double least = HUGE_VAL;
+        Vec2 to;
+        const auto look = [&](std::size_t i, Vec2 begin, Vec2 end) {
+            if (distance(from, begin) >= least) return;
+            least = distance(from, begin);
+            best = i;
+            to = end;
+        };
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const std::vector<Vec2>& points = left[i].points;
+            if (left[i].closed) {
+                for (const Vec2 p : points) look(i, p, p);
+            } else {
+                look(i, points.front(), points.back());
+                look(i, points.back(), points.front());
+            }
+        }
+        sum += least;
+        from = to;
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
+    }
+    return sum;
+}
+
+// Each stretch of lines that may change places, from where the one before it ends.
+TEST(MachineOrder, GoesNoFurtherBetweenLinesThanByNearestNeighbours) {
+    std::size_t compared = 0;
+    for (const char* name : {"lightburn", "silhouette"}) {
+        for (const auto& [sample, layout] : sample_layouts()) {
+            SCOPED_TRACE(name + (" " + sample));
+            std::vector<Whole> stretch;
+            Vec2 begin;
+            Vec2 at;
+            double way = 0.0;
+            const auto compare = [&] {
+                // Of very fine contours not all corners are looked at.
+                if (std::all_of(stretch.begin(), stretch.end(),
+                                [](const Whole& line) { return line.points.size() <= 64; })) {
+                    // Equally near ones may be taken in another order.
+                    EXPECT_LE(way, 1.02 * way_by_nearest(stretch, begin) + 1e-6);
+                    ++compared;
+                }
+                stretch.clear();
+                begin = at;
+                way = 0.0;
+            };
+            for (const Whole& line : wholes_of(drawn(layout, *find_profile(name)))) {
+                if (!stretch.empty() && stretch.back().stretch != line.stretch) compare();
+                stretch.push_back(line);
+                way += distance(at, line.points.front());
+                at = line.closed ? line.points.front() : line.points.back();
+            }
+            compare();
+        }
+    }
+    EXPECT_GE(compared, 60U);
+}
+
 PatternPiece piece_of(const std::string& name, std::vector<Contour> cuts) {
     PatternPiece piece;
     piece.name = name;
@@ -432,8 +516,12 @@ TEST(MachineOrder, LeavesAFoldThatLiesOnACut) {
 TEST(MachineOrder, HasNoTinySegmentsAndMovesNothingFar) {
     // A disc in steps of 0.003 to 0.03 mm, and an open wave likewise.
     Ring disc;
-    for (double angle = 0.0; angle < 6.28; angle += 0.001 + 0.0009 * std::sin(40 * angle))
+    double angle = 0.0;
+    while (angle < 6.28) {
         disc.push_back({15.0 * std::cos(angle), 15.0 * std::sin(angle)});
+        angle += 0.001 + 0.0009 * std::sin(40 * angle);
+    }
+    disc.push_back({15.0 * std::cos(-0.0007), 15.0 * std::sin(-0.0007)});  // a hair from where it begins
     std::vector<Vec2> wave;
     for (int i = 0; i <= 1003; ++i) wave.push_back({-8.0 + 0.015 * i, std::sin(0.01 * i)});
     const Ring dot{{0, 5}, {0.008, 5}, {0.008, 5.008}, {0, 5.008}};

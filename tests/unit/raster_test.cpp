@@ -124,6 +124,7 @@ struct JpegHeader {
     std::uint32_t density_unit = 0;
     std::uint32_t density_x = 0;
     std::uint32_t density_y = 0;
+    std::vector<std::uint32_t> steps;  // of the first table of quantization, as they stand
 };
 JpegHeader jpeg_header(const std::string& bytes) {
     JpegHeader header;
@@ -135,6 +136,10 @@ JpegHeader jpeg_header(const std::string& bytes) {
             header.density_unit = big_endian(bytes, at + 11, 1);
             header.density_x = big_endian(bytes, at + 12, 2);
             header.density_y = big_endian(bytes, at + 14, 2);
+        }
+        if (marker == 0xffdbU && header.steps.empty()) {
+            EXPECT_EQ(big_endian(bytes, at + 4, 1), 0U) << "table 0, a byte a step";
+            for (std::size_t i = 0; i < 64; ++i) header.steps.push_back(big_endian(bytes, at + 5 + i, 1));
         }
         if (marker == 0xffc0U) {
             header.height = big_endian(bytes, at + 5, 2);
@@ -246,10 +251,10 @@ TEST(Png, ThatWouldBeTooLargeIsAnError) {
         double width, height, dpi;
         bool good;
     };
-    for (const Row& row : {Row{25400, 25.4, 32.767, true},   // 32767 × 33
-                           Row{25400, 25.4, 32.768, false},  // 32768 × 33
-                           Row{25.4, 25400, 32.768, false},  //
-                           Row{508, 508, 900, false},        // 18000 × 18000 are 324 million
+    for (const Row& row : {Row{25400, 25.4, 32.767, true},    // 32767 × 33
+                           Row{25400, 25.4, 32.7675, false},  // 32768 × 33
+                           Row{25.4, 25400, 32.768, false},   //
+                           Row{508, 508, 900, false},         // 18000 × 18000 are 324 million
                            Row{2540, 2540, 1000, false}}) {
         SCOPED_TRACE(row.dpi);
         Layout layout;
@@ -298,6 +303,10 @@ TEST(Jpg, IsAPictureOfAPageForEveryPiece) {
         EXPECT_EQ(header.density_unit, 1U) << "dots an inch";
         EXPECT_EQ(header.density_x, 72U);
         EXPECT_EQ(header.density_y, 72U);
+        // Quality 92: 16 % of the steps 16 and 99, with which the standard's example begins and ends.
+        ASSERT_EQ(header.steps.size(), 64U);
+        EXPECT_EQ(header.steps.front(), 3U);
+        EXPECT_EQ(header.steps.back(), 16U);
     }
     EXPECT_EQ(files[0].bytes, files[2].bytes);
     EXPECT_NE(files[0].bytes, files[1].bytes);

@@ -87,6 +87,7 @@ void expect_same_lines(const std::vector<Path>& paths, const Left& left, double 
 
 std::vector<Vec2> carried(const std::vector<Vec2>& points, double angle, Vec2 by) {
     std::vector<Vec2> all;
+    all.reserve(points.size());
     for (const Vec2 p : points) all.push_back(rotated(p, angle) + by);
     return all;
 }
@@ -264,6 +265,15 @@ TEST(SharedLines, LeavesTheUnionHoweverItIsTurnedAndALittleMoved) {
                     4.0 * kOff * static_cast<double>(grid.edges));
         expect_same_lines(grid.paths, left, kSharedMm);
     }
+}
+
+// Each is near enough to the next to be one with it, but what was taken away takes nothing away itself.
+TEST(SharedLines, OfManyCloseLinesNoneIsFarFromOneThatIsLeft) {
+    std::vector<Path> paths;
+    for (int i = 0; i < 100; ++i) paths.push_back({{{0.0, 0.009 * i}, {50.0, 0.009 * i}}, false});
+    const Left left = left_of_all(paths);
+    EXPECT_EQ(left.segments.size(), 50U);
+    expect_same_lines(paths, left, kSharedMm);
 }
 
 }  // namespace

@@ -179,6 +179,27 @@ TEST(Tour, BeginsFineContoursWhereTheWayIsShortest) {
                 1e-5);
 }
 
+// So few that all stops are near each other: there is no part of the tour to turn round that would help.
+TEST(Tour, OfFourLinesCannotBeMendedByTurningAPartRound) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        Instance instance = random_instance(seed, 4, 60.0);
+        instance.closed.assign(4, false);
+        const std::vector<Stop> stops = instance.stops();
+        const std::vector<Visit> visits = tour(stops, instance.from);
+        const double way = expect_tour(instance, visits);
+        for (std::ptrdiff_t first = 0; first < 4; ++first) {
+            for (std::ptrdiff_t last = first; last < 4; ++last) {
+                std::vector<Visit> turned = visits;
+                std::reverse(turned.begin() + first, turned.begin() + last + 1);
+                for (std::ptrdiff_t i = first; i <= last; ++i)
+                    turned[static_cast<std::size_t>(i)].reversed ^= true;
+                EXPECT_GE(expect_tour(instance, turned), way - 1e-5);
+            }
+        }
+    }
+}
+
 TEST(Tour, OfFewStopsIsOnAverageCloseToTheShortest) {
     double sum = 0.0;
     double by_nearest = 0.0;
@@ -235,7 +256,8 @@ TEST(Tour, IsTheSameTwice) {
         Instance instance = random_instance(3, 400, 2.0);
         // A grid is full of ways that are equally long.
         for (std::size_t i = 0; grid && i < instance.paths.size(); ++i) {
-            const Vec2 at{10.0 * static_cast<double>(i % 20), 10.0 * static_cast<double>(i / 20)};
+            const std::size_t row = i / 20;
+            const Vec2 at{10.0 * static_cast<double>(i % 20), 10.0 * static_cast<double>(row)};
             instance.paths[i] = {at, at + Vec2{5, 0}, at + Vec2{5, 5}, at + Vec2{0, 5}};
             instance.closed[i] = true;
         }
