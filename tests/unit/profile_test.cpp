@@ -404,7 +404,8 @@ TEST(ProfileFiles, AreWhatTheSchemaSays) {
         if (key == "pens") {
             for (const auto& [operation, pen] : property["properties"].items()) {
                 operations.insert(operation);
-                for (const auto& [name, one] : resolved(pen)["properties"].items()) {
+                const Json keys = resolved(pen)["properties"];
+                for (const auto& [name, one] : keys.items()) {
                     const std::string text = "[pens." + operation + "]\n" + name + " = " + value(one);
                     EXPECT_TRUE(read(text).profile) << text;
                 }
