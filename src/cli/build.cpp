@@ -1,8 +1,8 @@
+#include "cli/build.h"
+
 #include <algorithm>
 
-#include "cli/inputs.h"
 #include "cli/outputs.h"
-#include "cli/profile_options.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
 #include "cli/verbs.h"
@@ -67,20 +67,19 @@ std::string sheet_sizes(const Layout& layout) {
     return fmt::format("{} mm", fmt::join(sizes, " and "));
 }
 
-void tell(const Options& options, const Compilation& compilation, const std::vector<PendingFile>& files) {
+void tell(const Options& options, const Build& build) {
     if (!options.messages.verbose) return;
-    say_layers(options.messages, compilation);
-    if (compilation.layout) {
-        const Layout& layout = *compilation.layout;
+    say_layers(options.messages, build.run.compilation);
+    if (build.run.compilation.layout) {
+        const Layout& layout = *build.run.compilation.layout;
         say(options.messages,
             fmt::format("{} sheet{} of {}, {} piece{}", layout.sheets.size(),
                         layout.sheets.size() == 1 ? "" : "s", sheet_sizes(layout), layout.placements.size(),
                         layout.placements.size() == 1 ? "" : "s"));
     }
-    for (const PendingFile& file : files) {
+    for (const WrittenFile& file : build.files) {
         say(options.messages,
-            fmt::format("wrote {} ({} bytes)", file.path == "-" ? "standard output" : file.path,
-                        file.bytes.size()));
+            fmt::format("wrote {} ({} bytes)", file.path == "-" ? "standard output" : file.path, file.bytes));
     }
 }
 
@@ -108,28 +107,55 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     return verb;
 }
 
-int run_build(const Options& given) {
+std::vector<FileFindings> Build::findings() const {
+    std::vector<FileFindings> all = run.findings();
+    if (profile && !profile->diagnostics.sorted().empty()) {
+        all.insert(all.begin(), {&profile->diagnostics, profile->source.text});
+    }
+    return all;
+}
+
+Build build(const Options& given) {
     Options options = given;
     check_motion_options(options);
     const std::vector<PlannedOutput> planned = plan_outputs(options);
-    if (const int status = load_profile(options); status != exit_done) return status;
+    Build result;
+    result.inputs = options.inputs.names;
+    if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
+    result.profile = load_profile(options);
+    if (result.profile && result.profile->diagnostics.has_errors()) {
+        result.status = result.profile->readable ? exit_findings : exit_unusable;
+        return result;
+    }
     finish_profile(options);
-    Run run = run_inputs(options, needed_stage(planned, options.build.emit));
-    Compilation& compilation = run.compilation;
+    result.run = run_inputs(options, needed_stage(planned, options.build.emit));
+    Compilation& compilation = result.run.compilation;
     bool written = true;
-    if (run.usable() && !compilation.has_errors()) {
+    if (result.run.usable() && !compilation.has_errors()) {
         const auto files = make_files(planned, options, compilation);
         if (files && !compilation.has_errors()) {
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
-            if (written) tell(options, compilation, *files);
+            if (written) {
+                for (const PendingFile& file : *files) result.files.push_back({file.path, file.bytes.size()});
+            }
         } else {
             written = !output_refused(compilation.run_diagnostics);
         }
     }
-    if (!written && reader_has_gone()) return exit_unusable;
-    const bool told = report(options.messages, run.findings(), compilation.run_diagnostics);
-    if (!run.usable() || !written || !told) return exit_unusable;
-    return compilation.has_errors() ? exit_findings : exit_done;
+    if (!result.run.usable() || !written) {
+        result.status = exit_unusable;
+    } else if (compilation.has_errors()) {
+        result.status = exit_findings;
+    }
+    return result;
+}
+
+int run_build(const Options& options) {
+    const Build done = build(options);
+    if (done.status == exit_done) tell(options, done);
+    if (done.status == exit_unusable && reader_has_gone()) return exit_unusable;
+    const bool told = report(options.messages, done.findings(), done.run.compilation.run_diagnostics);
+    return told ? done.status : exit_unusable;
 }
 
 }  // namespace popup::cli

@@ -1,8 +1,8 @@
 #include "cli/profile_options.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "cli/report.h"
 #include "cli/value_option.h"
 #include "popup/files.h"
 
@@ -159,18 +159,17 @@ void add_profile_options(CLI::App& verb, Options& options) {
           [&output](std::string_view text) { output.dpi = number_option("--dpi", text, 10.0, 4800.0); });
 }
 
-int load_profile(Options& options) {
-    if (options.build.profile_file.empty()) return exit_done;
-    Diagnostics diagnostics(options.build.profile_file, options.policy);
-    const std::optional<Source> source = read_source(options.build.profile_file, diagnostics);
-    const std::optional<Profile> profile = source ? read_profile(*source, diagnostics) : std::nullopt;
-    if (profile) {
-        options.compile.output.profile = *profile;
-        return exit_done;
-    }
-    const bool told = report(options.messages, {{&diagnostics, source ? std::string_view(source->text) : ""}},
-                             Diagnostics());
-    return told && source ? exit_findings : exit_unusable;
+std::optional<ProfileFile> load_profile(Options& options) {
+    const std::string& name = options.build.profile_file;
+    if (name.empty()) return std::nullopt;
+    ProfileFile file{Diagnostics(name, options.policy), Source{name, {}}};
+    std::optional<Source> source = read_source(name, file.diagnostics);
+    file.readable = source.has_value();
+    if (source) file.source = std::move(*source);
+    const std::optional<Profile> profile =
+        file.readable ? read_profile(file.source, file.diagnostics) : std::nullopt;
+    if (profile) options.compile.output.profile = *profile;
+    return file;
 }
 
 void finish_profile(Options& options) {

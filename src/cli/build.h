@@ -1,0 +1,35 @@
+// One build from its options to its files, before anybody is told of it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/inputs.h"
+#include "cli/profile_options.h"
+
+namespace popup::cli {
+
+struct WrittenFile {
+    std::string path;  // "-" is standard output
+    std::size_t bytes = 0;
+};
+
+struct Build {
+    std::optional<ProfileFile> profile;  // where one is named
+    Run run;                             // empty where the profile cannot be used
+    std::vector<WrittenFile> files;  // all that was written, in the order of writing; empty after an error
+    ExitCode status = exit_done;     // of the build; whether its findings can be told is not in it
+
+    // Every file's findings: the profile's where there are any, then the inputs' in argument order. Valid as
+    // long as this object.
+    [[nodiscard]] std::vector<FileFindings> findings() const;
+    // The names of the files that were read, or should have been: the inputs, then the profile.
+    std::vector<std::string> inputs;
+};
+
+// Compiles the inputs and writes all outputs, or none. UsageError when the options do not go together.
+Build build(const Options& options);
+
+}  // namespace popup::cli
