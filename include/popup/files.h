@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "popup/diagnostics.h"
@@ -36,5 +37,32 @@ struct PendingFile {
 // and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
 // With `keep_identical`, a file that already holds these bytes is left alone, modification time included.
 bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics);
+
+// A file written piece by piece, which replaces the old one when it is complete, and never before.
+class NewFile {
+ public:
+    // Nothing is made before the first write().
+    explicit NewFile(std::string path);
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile();  // without commit(): no trace is left
+    // False: it cannot be written; trouble() says why.
+    bool write(std::string_view bytes);
+    // Flushes what was written and moves it into place.
+    bool commit();
+    [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+ private:
+    bool open();
+    bool fail();
+    std::string path_;
+    std::string temporary_;
+    std::string trouble_;
+    int fd_ = -1;
+};
+
+// Takes away the temporary files that a write_all() of this machine left in the directory because its process
+// was killed. Those of running processes and of other machines stay. Returns how many there were.
+std::size_t remove_litter(const std::string& directory);
 
 }  // namespace popup

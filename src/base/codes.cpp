@@ -27,6 +27,16 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "an underscore first, then letters, digits, underscores, full stops and hyphens. The id \"page\" is "
      "kept for the base page. Choose another id, or leave it out: the n-th structure is then called e "
      "followed by n."},
+    {"bad-job", Severity::error, "a job of a batch that cannot be run as it is written",
+     "The words that a row of the manifest makes of its inputs, outputs, options and copies are no build: "
+     "an option is not known, an output has a suffix that names no format, or the job asks for standard "
+     "input or output, which batches do not have. The job is not done; the others are. Mend the row, then "
+     "run the batch again: only what is missing is done."},
+    {"bad-manifest", Severity::error, "a row of a manifest that is no job",
+     "The list of a batch's jobs is read whole before any job begins. Each row needs at least one input "
+     "and one output; a row of JSON lines is an object with the keys input, output, options and copies, a "
+     "row of CSV has these columns. No two jobs may write the same file, and none may read what another "
+     "writes, because jobs have no order. Mend the row at the place given."},
     {"bad-number", Severity::error, "a number that cannot be read, or is out of range",
      "Numbers are decimal, with a full stop before the decimals and an optional exponent: 1.5, -0.25, 1e-3. "
      "Hexadecimal numbers, decimal commas, NaN and infinity are not read, and coordinates further than a "
@@ -188,6 +198,19 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "Two contours within one part have an area in common though neither lies in the other. The paper that "
      "is left is what both leave, and the outline of that is cut. Unite the two contours if one opening is "
      "meant, or move them apart if they are two."},
+    {"job-crashed", Severity::error, "a job whose process died",
+     "The process that did a job of a batch ended without an answer, and so did a second one that tried "
+     "the job again. Often the system had no memory left: run fewer processes at a time with -j. Otherwise "
+     "it is a mistake in this program; please report it with the input. All other jobs went on, and a "
+     "rerun tries this one anew."},
+    {"job-failed", Severity::error, "a job of a batch that ended with errors",
+     "The input of the job has errors, or a file could not be read or written, so nothing of it was "
+     "written. The report has the findings of the job itself, with their places. When the input is mended, "
+     "or the file can be used again, run the batch once more: only what is missing or has changed is done."},
+    {"job-missing", Severity::error, "a job of a batch whose files are not there",
+     "No result says that the job was done, or a file that it wrote has been removed or changed since. A "
+     "shard may not have run, or its machine went down. Run the batch again, or the shard: what was "
+     "finished stays as it is, and only what is missing is done."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: the "
      "linkage passes from one of its two solutions to the other, its mirror image, or is so close to locking "

@@ -9,15 +9,20 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <climits>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string_view>
 #include <system_error>
+#include <utility>
+
+#include "base/digest.h"
 
 namespace popup {
 namespace {
@@ -172,19 +177,39 @@ std::string beside(const std::string& path, const std::string& name) {
     return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
 }
 
-// Random, so that no other file, not even one another machine makes in a shared directory, has this name.
+// What tells the processes of this machine, and of this space of process numbers in it, from others that
+// share the disk.
+const std::string& machine() {
+    static const std::string id = [] {
+        std::array<char, 256> name{};
+        ::gethostname(name.data(), name.size() - 1);
+        std::array<char, 64> space{};
+        const ssize_t length = ::readlink("/proc/self/ns/pid", space.data(), space.size() - 1);
+        const std::string text = std::string(name.data()) + '/' +
+                                 std::string(space.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+        return sha256(text).substr(0, 8);
+    }();
+    return id;
+}
+
+constexpr std::string_view kTemporary = ".popup-";
+constexpr std::string_view kTemporaryEnd = ".tmp";
+
+// ".popup-MACHINE-PROCESS-NOISE.tmp". Random, so that no other file, not even one another machine makes in a
+// shared directory, has this name.
 std::string temporary_name() {
-    std::array<unsigned char, 12> noise{};
+    static std::atomic<unsigned> counter{0};
+    std::array<unsigned char, 8> noise{};
     if (::getrandom(noise.data(), noise.size(), 0) != static_cast<ssize_t>(noise.size())) {
-        static std::atomic<unsigned> counter{0};
-        return ".popup-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+        const unsigned number = counter++;
+        std::memcpy(noise.data(), &number, sizeof number);
     }
-    std::string name = ".popup-";
+    std::string name = std::string(kTemporary) + machine() + '-' + std::to_string(::getpid()) + '-';
     for (const unsigned char byte : noise) {
         name += "0123456789abcdef"[byte >> 4U];
         name += "0123456789abcdef"[byte & 15U];
     }
-    return name + ".tmp";
+    return name.append(kTemporaryEnd);
 }
 
 bool same_file(const struct stat& a, const struct stat& b) {
@@ -420,6 +445,61 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     }
     for (const char* name : litter) ::unlink(name);
     return good;
+}
+
+NewFile::NewFile(std::string path) : path_(std::move(path)) {}
+
+NewFile::~NewFile() {
+    if (fd_ < 0) return;
+    ::close(fd_);
+    ::unlink(temporary_.c_str());
+}
+
+bool NewFile::fail() {
+    trouble_ = reason(errno);
+    return false;
+}
+
+bool NewFile::open() {
+    temporary_ = beside(path_, temporary_name());
+    fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return fd_ >= 0 || fail();
+}
+
+bool NewFile::write(std::string_view bytes) {
+    if (fd_ < 0 && !open()) return false;
+    errno = write_fully(fd_, bytes);
+    return errno == 0 || fail();
+}
+
+bool NewFile::commit() {
+    if (fd_ < 0 && !open()) return false;
+    if (::fsync(fd_) != 0 && errno != EINVAL) return fail();
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
+    ::close(std::exchange(fd_, -1));
+    return true;
+}
+
+std::size_t remove_litter(const std::string& directory) {
+    std::size_t removed = 0;
+    const std::string mine = std::string(kTemporary) + machine() + '-';
+    std::error_code error;
+    std::vector<std::string> stale;
+    for (std::filesystem::directory_iterator at(directory.empty() ? "." : directory, error), end;
+         !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (!name.starts_with(mine) || !name.ends_with(kTemporaryEnd)) continue;
+        pid_t process = 0;
+        const char* const begin = name.data() + mine.size();
+        const auto [stop, wrong] = std::from_chars(begin, name.data() + name.size(), process);
+        if (wrong != std::errc() || *stop != '-' || process <= 0) continue;
+        if (::kill(process, 0) == 0 || errno != ESRCH) continue;
+        stale.push_back(at->path().string());
+    }
+    for (const std::string& name : stale) {
+        if (::unlink(name.c_str()) == 0) ++removed;
+    }
+    return removed;
 }
 
 }  // namespace popup

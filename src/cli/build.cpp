@@ -77,9 +77,10 @@ void tell(const Options& options, const Build& build) {
                         layout.sheets.size() == 1 ? "" : "s", sheet_sizes(layout), layout.placements.size(),
                         layout.placements.size() == 1 ? "" : "s"));
     }
-    for (const WrittenFile& file : build.files) {
+    for (const PendingFile& file : build.files) {
         say(options.messages,
-            fmt::format("wrote {} ({} bytes)", file.path == "-" ? "standard output" : file.path, file.bytes));
+            fmt::format("wrote {} ({} bytes)", file.path == "-" ? "standard output" : file.path,
+                        file.bytes.size()));
     }
 }
 
@@ -132,12 +133,10 @@ Build build(const Options& given) {
     Compilation& compilation = result.run.compilation;
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
-        const auto files = make_files(planned, options, compilation);
+        auto files = make_files(planned, options, compilation);
         if (files && !compilation.has_errors()) {
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
-            if (written) {
-                for (const PendingFile& file : *files) result.files.push_back({file.path, file.bytes.size()});
-            }
+            if (written) result.files = std::move(*files);
         } else {
             written = !output_refused(compilation.run_diagnostics);
         }

@@ -1,7 +1,6 @@
 // One build from its options to its files, before anybody is told of it.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,15 +10,10 @@
 
 namespace popup::cli {
 
-struct WrittenFile {
-    std::string path;  // "-" is standard output
-    std::size_t bytes = 0;
-};
-
 struct Build {
     std::optional<ProfileFile> profile;  // where one is named
     Run run;                             // empty where the profile cannot be used
-    std::vector<WrittenFile> files;  // all that was written, in the order of writing; empty after an error
+    std::vector<PendingFile> files;  // all that was written, in the order of writing; empty after an error
     ExitCode status = exit_done;     // of the build; whether its findings can be told is not in it
 
     // Every file's findings: the profile's where there are any, then the inputs' in argument order. Valid as

@@ -16,6 +16,8 @@ std::span<const Verb> verb_table() {
     static constexpr Verb kVerbs[] = {{add_build, run_build},
                                       {add_check, run_check},
                                       {add_fix, run_fix},
+                                      {add_batch, run_batch},
+                                      {add_merge_reports, run_merge_reports},
                                       {add_explain, run_explain},
                                       {add_list, run_list}};
     return kVerbs;

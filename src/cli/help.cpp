@@ -121,8 +121,14 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
                                         verb == nullptr ? "" : verb->get_name());
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) {
-        const std::string word = unknown.front().substr(0, unknown.front().find('='));
-        const bool is_option = word.starts_with('-') && word.size() > 1;
+        // An option that is not known makes its value an argument too many: the option is what is wrong.
+        const auto looks_like_option = [](const std::string& text) {
+            return text.size() > 1 && text.starts_with('-') && text != "--";
+        };
+        const auto option = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
+        const std::string& first = option == unknown.end() ? unknown.front() : *option;
+        const std::string word = first.substr(0, first.find('='));
+        const bool is_option = looks_like_option(word);
         if (verb == nullptr && !is_option) {
             auto hints = hints_for(word, verb_names(app));
             hints.push_back(fmt::format("verbs: {}", fmt::join(verb_names(app), " ")));

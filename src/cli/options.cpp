@@ -74,6 +74,11 @@ void add_message_options(CLI::App& verb, Options& options) {
               if (text.empty()) throw UsageError("--diagnostics takes the name of a file");
               messages.file = text;
           });
+    add_talk_options(verb, options);
+}
+
+void add_talk_options(CLI::App& verb, Options& options) {
+    MessageOptions& messages = options.messages;
     const auto when = [](std::string_view option, std::string_view text) {
         return choose<When>(option, text,
                             {{"auto", When::automatic}, {"always", When::always}, {"never", When::never}});

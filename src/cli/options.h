@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "batch/manifest.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
 
@@ -74,6 +75,28 @@ struct ListOptions {
     bool json = false;
 };
 
+// "2/5": the second of five.
+struct Shard {
+    int number = 1;  // from 1 to `count`
+    int count = 1;
+};
+
+struct BatchOptions {
+    std::string manifest;  // "-": standard input
+    std::optional<ManifestForm> form;
+    std::optional<Shard> shard;
+    std::string results;              // empty: beside the manifest
+    std::vector<std::string> common;  // words that stand before each job's options
+    bool dry_run = false;
+};
+
+struct MergeOptions {
+    std::string manifest;
+    std::vector<std::string> results;  // empty: those beside the manifest
+    std::string output;                // empty: none
+    std::string missing;               // likewise
+};
+
 // Everything of one run. A verb fills what it offers.
 struct Options {
     InputOptions inputs;
@@ -86,11 +109,15 @@ struct Options {
     FixOptions fix;
     std::string code;  // of `explain`
     ListOptions list;
+    BatchOptions batch;
+    MergeOptions merge;
 };
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
 void add_input_options(CLI::App& verb, Options& options);
 void add_message_options(CLI::App& verb, Options& options);
+// Of these, those about colour, progress and how much is said.
+void add_talk_options(CLI::App& verb, Options& options);
 void add_policy_options(CLI::App& verb, Options& options);
 void add_check_options(CLI::App& verb, Options& options);
 void add_sheet_options(CLI::App& verb, Options& options);

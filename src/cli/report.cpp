@@ -23,14 +23,6 @@ void to_standard_error(std::string_view text) {
     std::fflush(stderr);
 }
 
-bool colorful(const MessageOptions& options) {
-    if (options.color != When::automatic) return options.color == When::always;
-    const char* no_color = std::getenv("NO_COLOR");
-    const char* terminal = std::getenv("TERM");
-    return options.file.empty() && (no_color == nullptr || *no_color == '\0') &&
-           (terminal == nullptr || std::string_view(terminal) != "dumb") && ::isatty(STDERR_FILENO) != 0;
-}
-
 std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -45,6 +37,20 @@ std::string summary(std::size_t files, const std::array<std::size_t, 3>& counts)
 }
 
 }  // namespace
+
+bool colorful(const MessageOptions& options) {
+    if (options.color != When::automatic) return options.color == When::always;
+    const char* no_color = std::getenv("NO_COLOR");
+    const char* terminal = std::getenv("TERM");
+    return options.file.empty() && (no_color == nullptr || *no_color == '\0') &&
+           (terminal == nullptr || std::string_view(terminal) != "dumb") && ::isatty(STDERR_FILENO) != 0;
+}
+
+void say_between(const MessageOptions& options, std::string_view text) {
+    const bool bar = options.progress != When::never && ::isatty(STDERR_FILENO) != 0;
+    if (bar) to_standard_error("\r\x1b[K");
+    to_standard_error(text);
+}
 
 bool report(const MessageOptions& options, const std::vector<FileFindings>& files, const Diagnostics& run) {
     const bool color = colorful(options);

@@ -30,6 +30,12 @@ bool print(std::string_view text);
 // A line on standard error that --verbose asks for.
 void say(const MessageOptions& options, std::string_view line);
 
+// True when text that goes to the user may be coloured.
+bool colorful(const MessageOptions& options);
+
+// Text on standard error, as it is; where a progress bar may stand, it makes way.
+void say_between(const MessageOptions& options, std::string_view text);
+
 // For each design that was examined, where --verbose asks for it: how thick the closed card is.
 void say_layers(const MessageOptions& options, const Compilation& compilation);
 

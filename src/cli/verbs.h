@@ -15,6 +15,12 @@ int run_check(const Options& options);
 CLI::App* add_fix(CLI::App& app, Options& options);
 int run_fix(const Options& options);
 
+CLI::App* add_batch(CLI::App& app, Options& options);
+int run_batch(const Options& options);
+
+CLI::App* add_merge_reports(CLI::App& app, Options& options);
+int run_merge_reports(const Options& options);
+
 CLI::App* add_explain(CLI::App& app, Options& options);
 int run_explain(const Options& options);
 

@@ -1,0 +1,79 @@
+// The list of a batch's jobs: JSON lines or CSV.
+//
+// A row says what `popupc build` is asked for: its inputs, its outputs, its options and how many copies. Rows
+// stay text, with their places, and are parsed when they are wanted: a million jobs cost what their text
+// does.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "popup/diagnostics.h"
+#include "popup/files.h"
+
+namespace popup {
+
+// Files above this size are refused as manifests: rows have 32 bits for their offsets.
+inline constexpr std::size_t kLongestManifest = 0xFFFFFFFFU;
+
+// One build. Names are as the manifest has them.
+struct BatchJob {
+    std::vector<std::string> inputs;   // at least one, none empty
+    std::vector<std::string> outputs;  // likewise
+    std::vector<std::string> options;  // words of a command line
+    std::optional<int> copies;         // at least 1
+};
+
+enum class ManifestForm { json_lines, csv };
+
+class Manifest {
+ public:
+    [[nodiscard]] std::size_t size() const { return rows_.size(); }
+    [[nodiscard]] const std::string& name() const { return source_.name; }
+    // Parses row `index`.
+    [[nodiscard]] BatchJob job(std::size_t index) const;
+    // Where row `index` begins.
+    [[nodiscard]] Place place(std::size_t index) const { return {static_cast<int>(rows_[index].line), 1}; }
+    // The row's text as the manifest has it, without a line break at its end.
+    [[nodiscard]] std::string_view text(std::size_t index) const;
+    // What stands before the first row and is needed to read the others: the columns of CSV, with a line
+    // break.
+    [[nodiscard]] std::string_view heading() const;
+
+ private:
+    friend std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
+                                                 Diagnostics& diagnostics);
+    struct Row {
+        std::uint32_t begin = 0, end = 0;  // bytes of the text
+        std::uint32_t line = 0;
+    };
+    Source source_;
+    ManifestForm form_ = ManifestForm::json_lines;
+    std::vector<Row> rows_;
+    std::vector<std::size_t> columns_;  // of CSV: which of the four fields
+    std::uint32_t heading_end_ = 0;
+
+    bool read_json_lines(Diagnostics& diagnostics);
+    bool read_csv(Diagnostics& diagnostics);
+    bool read_columns(const std::vector<std::string>& names, Place place, Diagnostics& diagnostics);
+};
+
+// Reads every row once; a row that is no job is a `bad-manifest` error at its place, and so are two jobs that
+// write the same file and one that reads what another writes, as far as names tell; then nullopt. Without
+// `form`, names that end in .csv are CSV and all others JSON lines. Manifests without a job are errors.
+//
+// JSON lines: an object a line, with `input` (a name or a list of names), `output` (likewise), and, if
+// wanted, `options` (a list of words, or one string of words with blanks between, quoted as in a shell) and
+// `copies`. CSV: a first line with the columns' names, the same four; `input` and `output` may be columns
+// more than once, empty fields are left out. Empty lines are passed over.
+std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
+                                      Diagnostics& diagnostics);
+
+// Words of a line, quoted as POSIX shells do it with '…', "…" and \; nothing is expanded. nullopt when a
+// quote stays open.
+std::optional<std::vector<std::string>> split_words(std::string_view text);
+
+}  // namespace popup

@@ -1,0 +1,36 @@
+// The results of a batch, from however many machines, held against its manifest.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "batch/manifest.h"
+#include "batch/results.h"
+
+namespace popup {
+
+// missing: there is no result. gone: there is one, and files it wrote are not there as they were. The others
+// are those of the result.
+enum class JobState { done, failed, unusable, crashed, missing, gone };
+std::string_view to_string(JobState state);
+
+struct MergedJob {
+    std::size_t job = 0;  // a row of the manifest
+    JobState state = JobState::missing;
+    std::string gone;  // a file that is not there as it was
+};
+
+struct MergedReport {
+    std::vector<MergedJob> jobs;  // all, in the manifest's order
+    std::string json;             // the report, see report_json in the manual
+    std::map<JobState, std::size_t> counts;
+    [[nodiscard]] bool complete() const { return counts.size() == 1 && counts.contains(JobState::done); }
+};
+
+// One result a job: of several the one whose files are there. Files are looked at by size, where there are
+// several results by their bytes; relative names count from the working directory.
+MergedReport merge_results(const Manifest& manifest, const ResultIndex& results);
+
+}  // namespace popup

@@ -1,0 +1,231 @@
+#include "batch/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "base/digest.h"
+#include "popup/compile.h"
+
+namespace popup {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::string_view kBegin = "{\"key\":\"";  // of every line
+constexpr std::size_t kKeyDigits = 32;
+constexpr JobStatus kStatuses[] = {JobStatus::done, JobStatus::failed, JobStatus::unusable,
+                                   JobStatus::crashed};
+
+std::string dumped(const ordered_json& json) {
+    return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json json_of(const std::vector<FileDigest>& files) {
+    ordered_json list = ordered_json::array();
+    for (const FileDigest& one : files) {
+        list.push_back({{"file", one.file}, {"bytes", one.bytes}, {"sha256", one.sha256}});
+    }
+    return list;
+}
+
+std::vector<FileDigest> files_of(const ordered_json& list) {
+    std::vector<FileDigest> files;
+    for (const ordered_json& one : list) {
+        files.push_back({one.at("file").get<std::string>(), one.at("bytes").get<std::uint64_t>(),
+                         one.at("sha256").get<std::string>()});
+    }
+    return files;
+}
+
+// Directory, with its slash, and stem of a manifest.
+std::pair<std::string, std::string> parts_of(const std::string& manifest) {
+    const std::string stem = Source{manifest, {}}.stem();
+    const std::size_t slash = manifest.rfind('/');
+    return {slash == std::string::npos ? std::string() : manifest.substr(0, slash + 1), stem};
+}
+
+}  // namespace
+
+std::string_view to_string(JobStatus status) {
+    switch (status) {
+        case JobStatus::done:
+            return "done";
+        case JobStatus::failed:
+            return "failed";
+        case JobStatus::unusable:
+            return "unusable";
+        case JobStatus::crashed:
+            return "crashed";
+    }
+    broken_invariant("a job has one of four ends", __FILE__, __LINE__);
+}
+
+std::string to_line(const JobResult& result) {
+    ordered_json line;
+    line["key"] = result.key;
+    line["command"] = result.command;
+    line["status"] = to_string(result.status);
+    line["inputs"] = json_of(result.inputs);
+    line["outputs"] = json_of(result.outputs);
+    line["errors"] = result.errors;
+    line["warnings"] = result.warnings;
+    line["diagnostics"] = ordered_json::parse(result.diagnostics.empty() ? "[]" : result.diagnostics);
+    return dumped(line) + "\n";
+}
+
+std::optional<JobResult> result_of(std::string_view line) {
+    const ordered_json read = ordered_json::parse(line, nullptr, false);
+    if (read.is_discarded()) return std::nullopt;
+    try {
+        JobResult result;
+        result.key = read.at("key").get<std::string>();
+        result.command = read.at("command").get<std::string>();
+        const std::string status = read.at("status").get<std::string>();
+        const auto* const known = std::find_if(std::begin(kStatuses), std::end(kStatuses),
+                                               [&](JobStatus one) { return to_string(one) == status; });
+        if (known == std::end(kStatuses)) return std::nullopt;
+        result.status = *known;
+        result.inputs = files_of(read.at("inputs"));
+        result.outputs = files_of(read.at("outputs"));
+        result.errors = read.at("errors").get<std::size_t>();
+        result.warnings = read.at("warnings").get<std::size_t>();
+        if (!read.at("diagnostics").is_array()) return std::nullopt;
+        result.diagnostics = dumped(read.at("diagnostics"));
+        return result;
+    } catch (const ordered_json::exception&) {
+        return std::nullopt;
+    }
+}
+
+std::string job_key(const BatchJob& job) {
+    ordered_json words = {job.inputs, job.outputs, job.options};
+    words.push_back(job.copies ? ordered_json(*job.copies) : ordered_json());
+    return sha256(dumped(words)).substr(0, kKeyDigits);
+}
+
+std::string command_digest(const std::vector<std::string>& words) {
+    std::string text(version());
+    for (const std::string& word : words) {
+        text += '\0';
+        text += word;
+    }
+    return sha256(text);
+}
+
+FileDigest digest_of(const std::string& name, std::string_view bytes) {
+    return {name, bytes.size(), sha256(bytes)};
+}
+
+FileDigest digest_of(const std::string& name) {
+    Diagnostics unheard;
+    const std::optional<Source> source = read_source(name, unheard, std::size_t{1} << 40U);
+    return source ? digest_of(name, source->text) : FileDigest{name, 0, {}};
+}
+
+bool is_fresh(const JobResult& result, const std::string& command) {
+    const bool settled = result.status == JobStatus::done || result.status == JobStatus::failed;
+    if (!settled || result.command != command) return false;
+    // Sizes first: they are cheap to ask for.
+    const auto all = [](const std::vector<FileDigest>& files, auto holds) {
+        return std::all_of(files.begin(), files.end(), holds);
+    };
+    const auto as_large = [](const FileDigest& file) {
+        std::error_code error;
+        const std::uintmax_t bytes = std::filesystem::file_size(file.file, error);
+        return file.sha256.empty() || (!error && bytes == file.bytes);
+    };
+    const auto same = [](const FileDigest& file) { return digest_of(file.file) == file; };
+    return all(result.inputs, as_large) && all(result.outputs, as_large) && all(result.inputs, same) &&
+           all(result.outputs, same);
+}
+
+std::string results_name(const std::string& manifest, int shard, int shards) {
+    const auto [directory, stem] = parts_of(manifest);
+    if (shards == 1) return directory + stem + ".results.jsonl";
+    return fmt::format("{}{}.results.{}-of-{}.jsonl", directory, stem, shard, shards);
+}
+
+std::vector<std::string> results_beside(const std::string& manifest) {
+    const auto [directory, stem] = parts_of(manifest);
+    std::vector<std::string> names;
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(directory.empty() ? "." : directory, error), end;
+         !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        const std::string begin = stem + ".results.";
+        if (!name.starts_with(begin) || !name.ends_with(".jsonl")) continue;
+        // "jsonl" itself, or "2-of-5.jsonl".
+        const std::string middle = name.substr(begin.size());
+        if (middle != "jsonl" && middle.find("-of-") == std::string::npos) continue;
+        names.push_back(directory + name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::optional<ResultIndex::Key> ResultIndex::key_of(std::string_view text) {
+    Key key{};
+    if (text.size() != kKeyDigits) return std::nullopt;
+    for (std::size_t half = 0; half < 2; ++half) {
+        const char* begin = text.data() + 16 * half;
+        const auto [stop, error] = std::from_chars(begin, begin + 16, key[half], 16);
+        if (error != std::errc() || stop != begin + 16) return std::nullopt;
+    }
+    return key;
+}
+
+bool ResultIndex::add(const std::string& name, Diagnostics& diagnostics) {
+    std::error_code error;
+    if (!std::filesystem::exists(name, error) && !error) return true;
+    std::ifstream in(name, std::ios::binary);
+    if (!in) {
+        diagnostics.error("unreadable-input", {}, name + " cannot be read");
+        return false;
+    }
+    const auto file = static_cast<std::uint32_t>(files_.size());
+    files_.push_back(name);
+    std::uint64_t offset = 0;
+    for (std::string line; std::getline(in, line); offset += line.size() + 1) {
+        if (!line.starts_with(kBegin) || !line.ends_with('}')) continue;
+        const std::optional<Key> key = key_of(std::string_view(line).substr(kBegin.size(), kKeyDigits));
+        if (!key) continue;
+        const Spot spot{offset, static_cast<std::uint32_t>(line.size()), file};
+        const auto [begin, end] = spots_.equal_range(*key);
+        const auto old =
+            std::find_if(begin, end, [file](const auto& one) { return one.second.file == file; });
+        if (old != end) {
+            old->second = spot;
+        } else {
+            spots_.emplace(*key, spot);
+        }
+    }
+    return true;
+}
+
+std::vector<JobResult> ResultIndex::of(const std::string& key) const {
+    std::vector<JobResult> results;
+    const std::optional<Key> wanted = key_of(key);
+    if (!wanted) return results;
+    std::vector<Spot> spots;
+    const auto [begin, end] = spots_.equal_range(*wanted);
+    for (auto at = begin; at != end; ++at) spots.push_back(at->second);
+    std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.file < b.file; });
+    for (const Spot& spot : spots) {
+        std::ifstream in(files_[spot.file], std::ios::binary);
+        std::string line(spot.length, '\0');
+        in.seekg(static_cast<std::streamoff>(spot.offset));
+        if (!in.read(line.data(), static_cast<std::streamsize>(line.size()))) continue;
+        std::optional<JobResult> result = result_of(line);
+        if (result && result->key == key) results.push_back(std::move(*result));
+    }
+    return results;
+}
+
+}  // namespace popup

@@ -1,0 +1,263 @@
+// Thousands of builds: done by worker processes, written down as they end, and begun again where they were.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "batch/results.h"
+#include "cli/batch_files.h"
+#include "cli/batch_job.h"
+#include "cli/command_line.h"
+#include "cli/report.h"
+#include "cli/value_option.h"
+#include "cli/verbs.h"
+#include "cli/worker_pool.h"
+
+namespace popup::cli {
+namespace {
+
+std::optional<int> whole_number(std::string_view text) {
+    const std::optional<double> number = parse_number(text);
+    if (!number || *number < 0.0 || *number > 1e9 || *number != static_cast<int>(*number))
+        return std::nullopt;
+    return static_cast<int>(*number);
+}
+
+Shard parse_shard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash != std::string_view::npos) {
+        const std::optional<int> number = whole_number(text.substr(0, slash));
+        const std::optional<int> count = whole_number(text.substr(slash + 1));
+        if (number && count && *number >= 1 && *number <= *count) return {*number, *count};
+    }
+    throw UsageError(fmt::format("--shard takes I/N with I from 1 to N, not \"{}\"", text),
+                     {"such as 2/5: every fifth job from the second on"});
+}
+
+// What a Slurm job array says of itself.
+Shard shard_of_environment() {
+    const auto variable = [](const char* name) -> std::optional<int> {
+        const char* text = std::getenv(name);
+        return text == nullptr ? std::nullopt : whole_number(text);
+    };
+    const std::optional<int> id = variable("SLURM_ARRAY_TASK_ID");
+    const std::optional<int> count = variable("SLURM_ARRAY_TASK_COUNT");
+    if (!id || !count) return {};
+    const int first = variable("SLURM_ARRAY_TASK_MIN").value_or(1);
+    const int step = std::max(1, variable("SLURM_ARRAY_TASK_STEP").value_or(1));
+    const Shard shard{(*id - first) / step + 1, *count};
+    if (*id >= first && (*id - first) % step == 0 && shard.number <= shard.count) return shard;
+    throw UsageError(
+        fmt::format("the job array has {} tasks and this is task {}, counted from {} in steps of {}", *count,
+                    *id, first, step),
+        {"say which part this is with --shard I/N"});
+}
+
+struct Tally {
+    std::map<JobStatus, std::size_t> ended;
+    std::size_t fresh = 0;
+    std::vector<std::size_t> due;
+    bool lost = false;  // a result could not be written down
+};
+
+std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
+    std::string text = fmt::format("popupc: {} job{}: ", jobs, jobs == 1 ? "" : "s");
+    const auto count = [&tally](JobStatus status) {
+        const auto at = tally.ended.find(status);
+        return at == tally.ended.end() ? std::size_t{0} : at->second;
+    };
+    text += fmt::format("{} done", count(JobStatus::done));
+    for (const JobStatus status : {JobStatus::failed, JobStatus::unusable, JobStatus::crashed}) {
+        if (count(status) > 0) text += fmt::format(", {} {}", count(status), to_string(status));
+    }
+    if (tally.fresh > 0) text += fmt::format("; {} as they were", tally.fresh);
+    const std::size_t built = jobs - tally.fresh;
+    text += fmt::format(" in {:.1f} s", seconds);
+    if (built > 0 && seconds > 0.0)
+        text += fmt::format(", {:.1f} a second", static_cast<double>(built) / seconds);
+    return text + "\n";
+}
+
+// The options that all jobs share are looked at once, before any job is begun.
+void check_common(const std::vector<std::string>& common) {
+    std::vector<std::string> words{"build"};
+    words.insert(words.end(), common.begin(), common.end());
+    words.insert(words.end(), {"--output=a.svg", "--", "a.xml"});
+    const std::variant<Command, std::string> wanted = read_command(std::move(words));
+    const Command* command = std::get_if<Command>(&wanted);
+    const bool plain = command != nullptr && command->options.inputs.names.size() == 1 &&
+                       command->options.build.outputs.size() == 1;
+    if (!plain) {
+        throw UsageError("what stands behind -- are options of builds, for every job",
+                         {"such as: popupc batch jobs.jsonl -- --sheet a4 --profile k40"});
+    }
+}
+
+std::vector<std::size_t> jobs_of(const Shard& shard, std::size_t count) {
+    std::vector<std::size_t> jobs;
+    for (auto i = static_cast<std::size_t>(shard.number - 1); i < count;
+         i += static_cast<std::size_t>(shard.count)) {
+        jobs.push_back(i);
+    }
+    return jobs;
+}
+
+// What killed runs left where this one writes.
+void clean_up(const Manifest& manifest, const std::string& results) {
+    std::set<std::string> directories{std::filesystem::path(results).parent_path().string()};
+    for (std::size_t i = 0; i < manifest.size(); ++i) {
+        for (const std::string& name : manifest.job(i).outputs) {
+            directories.insert(std::filesystem::path(name).parent_path().string());
+        }
+    }
+    for (const std::string& directory : directories) remove_litter(directory);
+}
+
+ExitCode exit_of(const Tally& tally) {
+    if (tally.lost || tally.ended.contains(JobStatus::unusable) || tally.ended.contains(JobStatus::crashed)) {
+        return exit_unusable;
+    }
+    return tally.ended.contains(JobStatus::failed) ? exit_findings : exit_done;
+}
+
+}  // namespace
+
+CLI::App* add_batch(CLI::App& app, Options& options) {
+    CLI::App* verb =
+        app.add_subcommand("batch", "Do the builds that a manifest lists; go on where it was left");
+    BatchOptions& batch = options.batch;
+    verb->add_option("MANIFEST", batch.manifest, "the jobs, as JSON lines or CSV; \"-\" is standard input")
+        ->required()
+        ->type_name("");
+    verb->add_option("OPTIONS", batch.common, "behind \"--\": options of every build")->type_name("");
+    value(*verb, "--shard", "I/N", "every N-th job from the I-th (default: as a Slurm job array says)",
+          "Jobs", [&batch](std::string_view text) { batch.shard = parse_shard(text); });
+    value(*verb, "--results", "FILE", "where results are kept (default: beside the manifest)", "Jobs",
+          [&batch](std::string_view text) {
+              if (text.empty()) throw UsageError("--results takes the name of a file");
+              batch.results = text;
+          });
+    value(*verb, "--manifest-format", "FORMAT", "jsonl or csv (default: by the manifest's suffix)", "Jobs",
+          [&batch](std::string_view text) {
+              batch.form =
+                  choose<ManifestForm>("--manifest-format", text,
+                                       {{"jsonl", ManifestForm::json_lines}, {"csv", ManifestForm::csv}});
+          });
+    verb->add_flag("-n,--dry-run", batch.dry_run, "print the rows that have something to do; do nothing")
+        ->group("Jobs");
+    add_talk_options(*verb, options);
+    add_thread_option(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc batch jobs.jsonl\n"
+        "  popupc batch jobs.csv -j 8 -- --sheet a4 --profile lightburn\n"
+        "  popupc batch jobs.jsonl --shard 2/5\n"
+        "  popupc batch jobs.jsonl --dry-run > due.jsonl\n"
+        "\nNames in a manifest count from its directory. A job that fails does not stop the others.\n"
+        "Exit status 0 when all jobs are done, 1 when the inputs of some are wrong, 2 when some could not "
+        "be\n"
+        "read, written or run.");
+    return verb;
+}
+
+int run_batch(const Options& options) {
+    const BatchOptions& batch = options.batch;
+    const Shard shard = batch.shard ? *batch.shard : shard_of_environment();
+    check_common(batch.common);
+    std::optional<BatchFiles> files = open_batch(batch.manifest, batch.form, options.messages);
+    if (!files) return exit_unusable;
+    if (!files->manifest) return exit_findings;
+    const Manifest& manifest = *files->manifest;
+    const std::string results = batch.results.empty() ? results_for(batch.manifest, shard.number, shard.count)
+                                                      : files->absolute(batch.results);
+    if (!files->enter()) return exit_unusable;
+
+    ResultsFile own;
+    if (const std::string why = batch.dry_run ? std::string() : own.open(results); !why.empty()) {
+        report_usage(UsageError(fmt::format("{}: {}", results, why)));
+        return exit_unusable;
+    }
+    Diagnostics trouble;
+    ResultIndex known;
+    ResultIndex mine;
+    bool readable = mine.add(results, trouble) && known.add(results, trouble);
+    for (const std::string& name : files->results_beside()) {
+        if (name != results) readable = known.add(name, trouble) && readable;
+    }
+    if (!readable) {
+        report(options.messages, {}, trouble);
+        return exit_unusable;
+    }
+    if (!batch.dry_run) clean_up(manifest, results);
+
+    const BatchRun run{&manifest,    &known, batch.common, colorful(options.messages), options.messages.quiet,
+                       batch.dry_run};
+    const std::vector<std::size_t> jobs = jobs_of(shard, manifest.size());
+    const auto progress = progress_meter(options.messages, jobs.size());
+    Tally tally;
+    std::size_t done = 0;
+    PoolOptions pool;
+    pool.workers = static_cast<std::size_t>(std::max(1, options.compile.threads));
+    const auto begun = std::chrono::steady_clock::now();
+    const int signal = run_pool(
+        jobs, pool, [&run](std::size_t job) { return packed(do_job(run, job)); },
+        [&](const JobEnd& end) {
+            const JobReport report = end.reply ? unpacked(*end.reply) : crashed_job(run, end.job, end.signal);
+            if (report.news == JobNews::due) {
+                tally.due.push_back(end.job);
+            } else {
+                ++tally.ended[report.result.status];
+                if (report.news == JobNews::fresh) ++tally.fresh;
+                if (!batch.dry_run) tally.lost = !own.add(report.result, mine) || tally.lost;
+            }
+            if (!report.text.empty()) say_between(options.messages, report.text);
+            if (progress) progress(++done, jobs.size());
+            return !tally.lost;
+        });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    if (tally.lost) {
+        report_usage(UsageError(fmt::format("{}: results cannot be written: {}", results, own.trouble()),
+                                {"what is written down stays done; run the same command again to go on"}));
+    }
+    if (signal != 0) {
+        std::size_t ended = 0;
+        for (const auto& [status, count] : tally.ended) ended += count;
+        say_between(options.messages,
+                    fmt::format("popupc: interrupted: {} of {} jobs have ended; the same command "
+                                "goes on from there\n",
+                                ended, jobs.size()));
+        own.close();
+        std::raise(signal);
+        return exit_unusable;
+    }
+    if (batch.dry_run) {
+        std::sort(tally.due.begin(), tally.due.end());
+        std::string rows(manifest.heading());
+        for (const std::size_t job : tally.due) rows += std::string(manifest.text(job)) + "\n";
+        return print(tally.due.empty() ? std::string() : rows) ? exit_of(tally) : exit_unusable;
+    }
+    std::vector<std::string> keys;
+    keys.reserve(jobs.size());
+    for (const std::size_t job : jobs) keys.push_back(job_key(manifest.job(job)));
+    if (!tally.lost && !own.settle(keys)) {
+        tally.lost = true;
+        report_usage(
+            UsageError(fmt::format("{}: results cannot be put in order: {}", results, own.trouble())));
+    }
+    if (!options.messages.quiet) say_between(options.messages, summary(tally, jobs.size(), took.count()));
+    return exit_of(tally);
+}
+
+}  // namespace popup::cli

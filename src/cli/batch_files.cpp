@@ -1,0 +1,144 @@
+#include "cli/batch_files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "cli/report.h"
+
+namespace popup::cli {
+namespace {
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+std::string joined(const std::string& directory, const std::string& name) {
+    return name.starts_with('/') ? name : directory + "/" + name;
+}
+
+// Appends all of it in one call where the system lets it.
+bool append(int fd, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string BatchFiles::absolute(const std::string& file) const { return joined(home, file); }
+
+std::vector<std::string> BatchFiles::results_beside() const {
+    return name == "-" ? std::vector<std::string>() : popup::results_beside(absolute(name));
+}
+
+bool BatchFiles::enter() const {
+    if (directory.empty() || ::chdir(directory.c_str()) == 0) return true;
+    report_usage(UsageError(fmt::format("{}: {}", directory, reason(errno))));
+    return false;
+}
+
+std::optional<BatchFiles> open_batch(const std::string& name, std::optional<ManifestForm> form,
+                                     const MessageOptions& messages) {
+    BatchFiles files;
+    files.name = name;
+    std::error_code error;
+    files.home = std::filesystem::current_path(error).string();
+    const std::size_t slash = name.rfind('/');
+    if (name != "-" && slash != std::string::npos) files.directory = slash == 0 ? "/" : name.substr(0, slash);
+    Diagnostics findings(name);
+    std::optional<Source> source = read_source(name, findings, kLongestManifest);
+    const bool readable = source.has_value();
+    if (source) files.manifest = read_manifest(std::move(*source), form, findings);
+    if (!findings.sorted().empty()) report(messages, {{&findings, {}}}, Diagnostics());
+    if (!readable) return std::nullopt;
+    return files;
+}
+
+std::string results_for(const std::string& manifest, int shard, int shards) {
+    if (manifest == "-") {
+        throw UsageError("a manifest from standard input has no place for its results",
+                         {"name one with --results"});
+    }
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::absolute(manifest, error);
+    return results_name(error ? manifest : path.string(), shard, shards);
+}
+
+std::string ResultsFile::open(const std::string& name) {
+    name_ = name;
+    fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (fd_ < 0) return reason(errno);
+    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+        const int error = errno;
+        close();
+        return error == EWOULDBLOCK ? "another run is writing its results there" : reason(error);
+    }
+    // A run that finished in between may have put another file in its place.
+    struct stat held {};
+    struct stat named {};
+    if (::fstat(fd_, &held) != 0 || ::stat(name.c_str(), &named) != 0 || held.st_ino != named.st_ino ||
+        held.st_dev != named.st_dev) {
+        close();
+        return "another run has just written its results there";
+    }
+    if (!S_ISREG(held.st_mode)) return "it is no file";
+    char last = '\n';
+    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) return reason(errno);
+    if (last != '\n' && !append(fd_, "\n")) return reason(errno);
+    return {};
+}
+
+bool ResultsFile::add(const JobResult& result, const ResultIndex& before) {
+    const std::string line = to_line(result);
+    for (const JobResult& one : before.of(result.key)) {
+        if (to_line(one) == line) return true;
+    }
+    if (append(fd_, line)) return true;
+    trouble_ = reason(errno);
+    return false;
+}
+
+bool ResultsFile::settle(const std::vector<std::string>& keys) {
+    Diagnostics trouble;
+    ResultIndex index;
+    if (!index.add(name_, trouble)) {
+        trouble_ = "it cannot be read again";
+        return false;
+    }
+    std::ifstream old(name_, std::ios::binary);
+    NewFile made(name_);
+    bool same = true;
+    for (const std::string& key : keys) {
+        for (const JobResult& one : index.of(key)) {
+            const std::string line = to_line(one);
+            std::string there;
+            same = same && std::getline(old, there) && there + "\n" == line;
+            if (!made.write(line)) {
+                trouble_ = made.trouble();
+                return false;
+            }
+        }
+    }
+    if (same && old.peek() == std::ifstream::traits_type::eof()) return true;
+    if (made.commit()) return true;
+    trouble_ = made.trouble();
+    return false;
+}
+
+void ResultsFile::close() {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,134 @@
+// The results of a batch's shards as one report.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "batch/merge.h"
+#include "cli/batch_files.h"
+#include "cli/outputs.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+
+namespace popup::cli {
+namespace {
+
+constexpr std::size_t kMostNamed = 20;  // jobs that are named one by one
+
+void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& findings) {
+    const BatchJob job = manifest.job(merged.job);
+    const Place place = manifest.place(merged.job);
+    const std::string& input = job.inputs.front();
+    switch (merged.state) {
+        case JobState::done:
+            return;
+        case JobState::missing:
+            findings.error("job-missing", place, fmt::format("{} has not been built", input))
+                .hint("popupc batch does what is missing");
+            return;
+        case JobState::gone:
+            findings
+                .error("job-missing", place,
+                       fmt::format("{} was built, but {} is not there as it was written", input, merged.gone))
+                .hint("popupc batch does what is missing");
+            return;
+        case JobState::failed:
+            findings.error("job-failed", place, fmt::format("{} has errors, and was not built", input))
+                .hint("the report has them; mend the design");
+            return;
+        case JobState::unusable:
+            findings.error("job-failed", place, fmt::format("{}: a file could not be read or written", input))
+                .hint("the report says which");
+            return;
+        case JobState::crashed:
+            findings.error("job-crashed", place, fmt::format("the process that built {} died twice", input));
+            return;
+    }
+}
+
+}  // namespace
+
+CLI::App* add_merge_reports(CLI::App& app, Options& options) {
+    CLI::App* verb = app.add_subcommand(
+        "merge-reports", "Join the results of a batch's shards to one report; say what is missing");
+    MergeOptions& merge = options.merge;
+    verb->add_option("MANIFEST", merge.manifest, "the batch's manifest")->required()->type_name("");
+    verb->add_option("RESULTS", merge.results, "results files (default: all beside the manifest)")
+        ->type_name("");
+    verb->add_option("-o,--output", merge.output, "write the report here, as JSON; \"-\" is standard output")
+        ->type_name("FILE")
+        ->group("Output");
+    verb->add_option("--missing", merge.missing, "write a manifest of the jobs that are not done")
+        ->type_name("FILE")
+        ->group("Output");
+    add_talk_options(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc merge-reports jobs.jsonl -o report.json\n"
+        "  popupc merge-reports jobs.jsonl --missing again.jsonl\n"
+        "\nExit status 0 when every job is done and its files are there, 1 when not.");
+    return verb;
+}
+
+int run_merge_reports(const Options& options) {
+    const MergeOptions& merge = options.merge;
+    if (merge.manifest == "-") throw UsageError("merge-reports reads its manifest from a file");
+    std::optional<BatchFiles> files = open_batch(merge.manifest, std::nullopt, options.messages);
+    if (!files) return exit_unusable;
+    if (!files->manifest) return exit_findings;
+    const Manifest& manifest = *files->manifest;
+    for (const std::string& output : {merge.output, merge.missing}) {
+        if (!output.empty() && output != "-" && overwrites(output, merge.manifest)) {
+            throw UsageError(fmt::format("{} is the manifest, and would be written over", output));
+        }
+    }
+    std::vector<PendingFile> written;
+    const auto place = [&](const std::string& name) { return name == "-" ? name : files->absolute(name); };
+
+    Diagnostics findings(merge.manifest);
+    ResultIndex results;
+    bool readable = true;
+    std::vector<std::string> names;
+    for (const std::string& name : merge.results) names.push_back(files->absolute(name));
+    for (const std::string& name : names) {
+        if (digest_of(name).sha256.empty()) {
+            findings.error("unreadable-input", {}, name + " cannot be read");
+            readable = false;
+        }
+    }
+    if (names.empty()) names = files->results_beside();
+    for (const std::string& name : names) readable = results.add(name, findings) && readable;
+    if (!readable) {
+        report(options.messages, {{&findings, {}}}, Diagnostics());
+        return exit_unusable;
+    }
+    if (!files->enter()) return exit_unusable;
+    MergedReport merged = merge_results(manifest, results);
+
+    std::string again(manifest.heading());
+    std::size_t told = 0;
+    for (const MergedJob& job : merged.jobs) {
+        if (job.state == JobState::done) continue;
+        again += std::string(manifest.text(job.job)) + "\n";
+        if (++told <= kMostNamed) tell_job(job, manifest, findings);
+    }
+    if (!merge.output.empty()) written.push_back({place(merge.output), std::move(merged.json)});
+    if (!merge.missing.empty())
+        written.push_back({place(merge.missing), told > 0 ? std::move(again) : std::string()});
+    Diagnostics trouble;
+    const bool good = write_all(written, false, trouble);
+    report(options.messages, {{&findings, {}}}, trouble);
+    if (!options.messages.quiet) {
+        std::string text = fmt::format("popupc: {} job{}", manifest.size(), manifest.size() == 1 ? "" : "s");
+        char separator = ':';
+        for (const auto& [state, count] : merged.counts) {
+            text += fmt::format("{} {} {}", separator, count, to_string(state));
+            separator = ',';
+        }
+        if (told > kMostNamed) text += fmt::format("; {} of them are not named here", told - kMostNamed);
+        say_between(options.messages, text + "\n");
+    }
+    if (!good) return exit_unusable;
+    return merged.complete() ? exit_done : exit_findings;
+}
+
+}  // namespace popup::cli
