@@ -192,6 +192,19 @@ const std::string& machine() {
     return id;
 }
 
+// False for a process that has ended and waits for its parent to hear of it, too.
+bool is_running(pid_t process) {
+    if (::kill(process, 0) != 0 && errno == ESRCH) return false;
+    const Descriptor file(
+        ::open(("/proc/" + std::to_string(process) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
+    std::string text;
+    if (!file.open() || read_all(file.get(), 4096, 512, text) != 0) return true;
+    // "17 (name) S …": the name may hold anything.
+    const std::size_t close = text.rfind(')');
+    const char state = close != std::string::npos && close + 2 < text.size() ? text[close + 2] : 'R';
+    return state != 'Z' && state != 'X';
+}
+
 constexpr std::string_view kTemporary = ".popup-";
 constexpr std::string_view kTemporaryEnd = ".tmp";
 
@@ -493,7 +506,7 @@ std::size_t remove_litter(const std::string& directory) {
         const char* const begin = name.data() + mine.size();
         const auto [stop, wrong] = std::from_chars(begin, name.data() + name.size(), process);
         if (wrong != std::errc() || *stop != '-' || process <= 0) continue;
-        if (::kill(process, 0) == 0 || errno != ESRCH) continue;
+        if (is_running(process)) continue;
         stale.push_back(at->path().string());
     }
     for (const std::string& name : stale) {

@@ -114,7 +114,7 @@ std::vector<std::size_t> jobs_of(const Shard& shard, std::size_t count) {
     return jobs;
 }
 
-// What killed runs left where this one writes.
+// What killed runs, and workers of this one that were killed, left where it writes.
 void clean_up(const Manifest& manifest, const std::string& results) {
     std::set<std::string> directories{std::filesystem::path(results).parent_path().string()};
     for (std::size_t i = 0; i < manifest.size(); ++i) {
@@ -231,6 +231,7 @@ int run_batch(const Options& options) {
         report_usage(UsageError(fmt::format("{}: results cannot be written: {}", results, own.trouble()),
                                 {"what is written down stays done; run the same command again to go on"}));
     }
+    if (!batch.dry_run) clean_up(manifest, results);
     if (signal != 0) {
         std::size_t ended = 0;
         for (const auto& [status, count] : tally.ended) ended += count;
