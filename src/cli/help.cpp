@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/dependency_options.h"
 #include "popup/compile.h"
 
 namespace popup::cli {
@@ -54,8 +55,10 @@ class HelpFormatter : public CLI::FormatterBase {
     static std::string line(const CLI::Option& option) {
         std::string names;
         for (const std::string& name : option.get_snames()) names += (names.empty() ? "-" : ", -") + name;
-        for (const std::string& name : option.get_lnames())
-            names += (names.empty() ? "    --" : ", --") + name;
+        for (const std::string& name : option.get_lnames()) {
+            const std::string shown = shown_option(name);
+            names += (names.empty() ? (shown.starts_with("--") ? "    " : "") : ", ") + shown;
+        }
         if (option.get_type_size() != 0) names += " " + option.get_type_name();
         return entry(names, option.get_description());
     }
@@ -70,7 +73,7 @@ const CLI::App* verb_of(const CLI::App& app) {
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_lnames()) names.push_back(shown_option(name));
     }
     return names;
 }
@@ -121,7 +124,8 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
                                         verb == nullptr ? "" : verb->get_name());
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) {
-        const std::string word = unknown.front().substr(0, unknown.front().find('='));
+        std::string word = unknown.front().substr(0, unknown.front().find('='));
+        if (word.starts_with("--")) word = shown_option(word.substr(2));
         const bool is_option = word.starts_with('-') && word.size() > 1;
         if (verb == nullptr && !is_option) {
             auto hints = hints_for(word, verb_names(app));
