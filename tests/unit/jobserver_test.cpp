@@ -124,13 +124,31 @@ TEST_P(JobserverOf, WithoutTokensThereIsOneThread) {
 }
 
 TEST_P(JobserverOf, TokensComeBackAfterSignals) {
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGUSR1, SIGABRT, SIGSEGV}) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGUSR1, SIGABRT}) {
         const Server server(GetParam(), "wxyz");
         Background check(long_check(200), server.options());
         ASSERT_TRUE(eventually([&] { return server.there() == 0; }));
         check.send(signal);
         EXPECT_EQ(check.wait(), 128 + signal);
         EXPECT_TRUE(server.complete()) << signal;
+    }
+}
+
+// The search for places asks for a thread too, and ends at the first interrupt with what it has.
+TEST_P(JobserverOf, ASearchThatIsStoppedGivesItsTokenBack) {
+    const ScratchDirectory scratch;
+    for (const auto& [signal, exit] : {std::pair(SIGINT, 0), std::pair(SIGTERM, 128 + SIGTERM)}) {
+        const Server server(GetParam(), "abc");
+        RunOptions options = server.options();
+        options.directory = scratch.path();
+        Background build({POPUPC_BINARY, "build", "-q", "--nest-time", "600", "--sheet", "a1", "--copies",
+                          "5", kSource / "samples/castle.xml", "-o", "a.svg"},
+                         options);
+        ASSERT_TRUE(eventually([&] { return server.there() < 3; }));
+        EXPECT_EQ(server.there(), 2) << "there is work for two";
+        build.send(signal);
+        EXPECT_EQ(build.wait(), exit) << build.err();
+        EXPECT_TRUE(server.complete());
     }
 }
 
