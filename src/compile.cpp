@@ -1,14 +1,12 @@
 #include "popup/compile.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <mutex>
 #include <set>
-#include <system_error>
-#include <thread>
 #include <utility>
 
+#include "base/crew.h"
 #include "fabrication/kerf.h"
 
 namespace popup {
@@ -62,28 +60,18 @@ void name_stems(std::vector<CompiledDesign>& designs) {
     }
 }
 
-// Each worker takes the next design that nobody has begun; designs share nothing.
+// Designs share nothing, so any thread takes the next one.
 void compile_designs(std::vector<CompiledDesign>& designs, const CompileOptions& options) {
-    std::atomic<std::size_t> next{0};
     std::mutex telling;
     std::size_t done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < designs.size(); i = next++) {
-            compile_one(designs[i], options);
-            if (!options.progress) continue;
-            const std::lock_guard lock(telling);
-            options.progress(++done, designs.size());
-        }
-    };
-    const std::size_t threads =
-        std::min(static_cast<std::size_t>(std::max(options.threads, 1)), designs.size());
-    std::vector<std::jthread> others;
-    try {
-        for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-    } catch (const std::system_error&) {
-        // The system gives no more threads; those there are do the work.
-    }
-    work();
+    const CrewOptions crew{static_cast<std::size_t>(std::max(options.threads, 1)), options.may_start_thread,
+                           options.thread_ended};
+    share_work(designs.size(), crew, [&](std::size_t i) {
+        compile_one(designs[i], options);
+        if (!options.progress) return;
+        const std::lock_guard lock(telling);
+        options.progress(++done, designs.size());
+    });
 }
 
 }  // namespace
@@ -122,6 +110,8 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     }
     LayoutOptions layout = options.layout;
     layout.nesting.threads = options.threads;
+    layout.nesting.may_start_thread = options.may_start_thread;
+    layout.nesting.thread_ended = options.thread_ended;
     run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
     if (!run.layout) return run;
     const Profile& profile = options.output.profile;

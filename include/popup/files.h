@@ -29,6 +29,7 @@ std::optional<Source> read_source(const std::string& name, Diagnostics& diagnost
 struct PendingFile {
     std::string path;
     std::string bytes;
+    bool fresh = false;  // written even where `keep_identical` finds the same bytes
 };
 
 // Writes all of them, or none: each goes to a temporary file in its own directory, is flushed, and only when

@@ -68,7 +68,12 @@ inline constexpr double kBestNesting = 3e8;
 struct NestEffort {
     double work = kFastNesting;  // units an item, ≥ 0; beyond 64 each adds an 8th, beyond 1024 a 128th
     std::uint64_t seed = 0;
-    int threads = 1;                // ≥ 1
+    int threads = 1;  // ≥ 1
+    // Asked, once for each thread beside the caller's that the search can use, whether it may be started; it
+    // answers at once. May be empty: yes. Each yes is answered with one call of `thread_ended` when the
+    // search is over.
+    std::function<bool()> may_start_thread;
+    std::function<void()> thread_ended;
     std::optional<double> seconds;  // look for this long instead: the layout then depends on the clock
     // Ends the search as soon as it is set: the best layout so far is the result. May be null.
     const std::atomic<bool>* stop = nullptr;

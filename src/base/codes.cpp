@@ -112,6 +112,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "A seam, side fold or width is under 1 mm, or an angle under 1°. No paper folds that small, and small "
      "errors of the knife would decide how it moves. Give the element room; where a point lies on the wrong "
      "side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
+    {"dependency-name", Severity::warning, "a name that ninja does not read in a dependency file",
+     "A dependency file names the inputs and outputs of a build as makefiles write names. GNU make reads this "
+     "one, but ninja knows fewer characters and ways to protect them, and takes it for another name or for "
+     "several: it would build again every time, or miss a change. Rename the file; letters, digits, blanks "
+     "and most marks are no trouble. Where only make reads the dependency file, allow this warning."},
     {"doctype", Severity::error, "a document type declaration",
      "The document has a DTD, or another declaration that begins with \"<!\". Popup documents need none, and "
      "entities that a DTD defines can be made to unfold into gigabytes or to read other files, so none is "

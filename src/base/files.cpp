@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <climits>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -23,6 +22,8 @@
 #include <utility>
 
 #include "base/digest.h"
+
+#include "base/signal_cleanup.h"
 
 namespace popup {
 namespace {
@@ -98,73 +99,11 @@ int write_fully(int fd, std::string_view bytes) {
     return 0;
 }
 
-// Temporary files of the running write_all(), for the signal handler: it may only touch lock-free atomics and
-// call unlink(). The names are listed before any file is made, so no signal finds a file it does not know of.
-std::atomic<const char* const*> g_litter{nullptr};
-std::atomic<std::size_t> g_litter_count{0};
-static_assert(std::atomic<std::size_t>::is_always_lock_free);
-
-constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-
-extern "C" void popup_remove_litter(int signal) {
-    const int saved = errno;
-    const char* const* names = g_litter.load();
-    const std::size_t count = g_litter_count.load();
-    for (std::size_t i = 0; names != nullptr && i < count; ++i) ::unlink(names[i]);
-    errno = saved;
-    // The handler was installed with SA_RESETHAND: the second time the signal has its ordinary effect.
-    ::raise(signal);
+// Temporary files of the running write_all(). The names are listed before any file is made, so no signal
+// finds a file it does not know of. It may be called at any moment: unlink() and nothing else.
+void remove_litter(void* names) {
+    for (const char* name : *static_cast<const std::vector<const char*>*>(names)) ::unlink(name);
 }
-
-// Installs the handler for as long as temporary files may lie about. Signals that the program already handles
-// or ignores (nohup) are left alone.
-class LitterGuard {
- public:
-    explicit LitterGuard(const std::vector<const char*>& names) {
-        g_litter_count.store(0);
-        g_litter.store(names.data());
-        g_litter_count.store(names.size());
-        struct sigaction action {};
-        action.sa_handler = popup_remove_litter;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigemptyset(&action.sa_mask);
-        for (std::size_t i = 0; i < kSignals.size(); ++i) {
-            struct sigaction before {};
-            ::sigaction(kSignals[i], nullptr, &before);
-            if ((before.sa_flags & SA_SIGINFO) != 0 || before.sa_handler != SIG_DFL) continue;
-            installed_[i] = ::sigaction(kSignals[i], &action, nullptr) == 0;
-        }
-    }
-    LitterGuard(const LitterGuard&) = delete;
-    LitterGuard& operator=(const LitterGuard&) = delete;
-    ~LitterGuard() {
-        for (std::size_t i = 0; i < kSignals.size(); ++i) {
-            if (installed_[i]) ::signal(kSignals[i], SIG_DFL);
-        }
-        g_litter_count.store(0);
-        g_litter.store(nullptr);
-    }
-
- private:
-    std::array<bool, kSignals.size()> installed_{};
-};
-
-// Holds the signals back for the few system calls between the first rename and the last.
-class SignalPause {
- public:
-    SignalPause() {
-        sigset_t set;
-        sigemptyset(&set);
-        for (const int signal : kSignals) sigaddset(&set, signal);
-        ::pthread_sigmask(SIG_BLOCK, &set, &before_);
-    }
-    SignalPause(const SignalPause&) = delete;
-    SignalPause& operator=(const SignalPause&) = delete;
-    ~SignalPause() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
- private:
-    sigset_t before_{};
-};
 
 std::string directory_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -417,7 +356,7 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
             fail(target, why);
             continue;
         }
-        if (keep_identical) target.unchanged = holds(target);
+        if (keep_identical && !files[i].fresh) target.unchanged = holds(target);
         if (target.stream) continue;
         struct stat where {};
         const std::string directory = directory_of(target.path);
@@ -433,7 +372,7 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     for (const Target& target : targets) {
         if (!target.stream && !target.unchanged) litter.push_back(target.temporary.c_str());
     }
-    const LitterGuard guard(litter);
+    const SignalCleanup guard(remove_litter, &litter);
     for (const Target& target : targets) {
         if (target.stream || target.unchanged) continue;
         if (const int error = write_temporary(target); error != 0) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "cli/dependency_file.h"
 #include "cli/outputs.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
 #include "cli/verbs.h"
+#include "cli/watch.h"
 
 namespace popup::cli {
 namespace {
@@ -40,6 +42,8 @@ void add_output_options(CLI::App& verb, Options& options) {
         ->type_name("STAGE")
         ->group("Output");
     verb.add_flag("--if-changed", build.if_changed, "leave files alone that hold the same bytes already")
+        ->group("Output");
+    verb.add_flag("--watch", build.watch, "build again whenever an input changes, until Ctrl-C")
         ->group("Output");
     const auto number = [&verb](const std::string& name, const std::string& about, double& target,
                                 double least) {
@@ -90,6 +94,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("build", "Compile documents into sheets, models and reports");
     add_input_options(*verb, options);
     add_output_options(*verb, options);
+    add_dependency_options(*verb, options);
     add_profile_options(*verb, options);
     add_check_options(*verb, options);
     add_sheet_options(*verb, options);
@@ -116,17 +121,45 @@ std::vector<FileFindings> Build::findings() const {
     return all;
 }
 
-Build build(const Options& given) {
-    Options options = given;
-    check_motion_options(options);
-    const std::vector<PlannedOutput> planned = plan_outputs(options);
-    Build result;
-    result.inputs = options.inputs.names;
-    if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
+namespace {
+
+std::vector<std::string> paths_of(const std::vector<PendingFile>& files) {
+    std::vector<std::string> paths;
+    for (const PendingFile& file : files) paths.push_back(file.path);
+    return paths;
+}
+
+// Adds the dependency file, where one is wanted. Where it cannot be, the diagnostics have an error.
+void add_dependency_file(const Options& options, const Build& result, std::vector<PendingFile>& files,
+                         Diagnostics& diagnostics) {
+    const std::string path = dependency_file_name(options);
+    if (path.empty()) return;
+    const DependencyOptions& wanted = options.build.dependencies;
+    const std::vector<std::string> inputs = names_of_files(result.inputs);
+    const std::vector<std::string> outputs = paths_of(files);
+    std::optional<std::string> text = wanted.format == DependencyFormat::make
+                                          ? dependency_rule(wanted.targets.empty() ? outputs : wanted.targets,
+                                                            inputs, wanted.phony, path, diagnostics)
+                                          : dependency_json(inputs, outputs, path, diagnostics);
+    // Always anew: where outputs keep their times, it tells when they were last made sure of.
+    if (text) files.push_back({path, std::move(*text), true});
+}
+
+// As JSON it tells what a failed run has read, too.
+void tell_dependencies_of_failure(const Options& options, Build& result) {
+    const std::string path = dependency_file_name(options);
+    if (path.empty() || options.build.dependencies.format != DependencyFormat::json) return;
+    Diagnostics& diagnostics = result.run.compilation.run_diagnostics;
+    const auto text = dependency_json(names_of_files(result.inputs), std::nullopt, path, diagnostics);
+    if (!text || !write_all({{path, *text}}, false, diagnostics)) result.status = exit_unusable;
+}
+
+// From the profile on.
+void compile_and_write(Options& options, const std::vector<PlannedOutput>& planned, Build& result) {
     result.profile = load_profile(options);
     if (result.profile && result.profile->diagnostics.has_errors()) {
         result.status = result.profile->readable ? exit_findings : exit_unusable;
-        return result;
+        return;
     }
     finish_profile(options);
     result.run = run_inputs(options, needed_stage(planned, options.build.emit));
@@ -134,6 +167,7 @@ Build build(const Options& given) {
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
         auto files = make_files(planned, options, compilation);
+        if (files) add_dependency_file(options, result, *files, compilation.run_diagnostics);
         if (files && !compilation.has_errors()) {
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
             if (written) result.files = std::move(*files);
@@ -146,10 +180,31 @@ Build build(const Options& given) {
     } else if (compilation.has_errors()) {
         result.status = exit_findings;
     }
+}
+
+}  // namespace
+
+Build build(const Options& given) {
+    Options options = given;
+    check_motion_options(options);
+    const std::vector<PlannedOutput> planned = plan_outputs(options);
+    Build result;
+    result.inputs = options.inputs.names;
+    if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
+    const std::string dependencies = dependency_file_name(options);
+    for (const std::string& input : result.inputs) {
+        if (dependencies.empty() || !overwrites(dependencies, input)) continue;
+        throw UsageError(
+            fmt::format("{} is an input; the dependency file does not overwrite it", dependencies),
+            {"-MF FILE names another"});
+    }
+    compile_and_write(options, planned, result);
+    if (result.status != exit_done) tell_dependencies_of_failure(options, result);
     return result;
 }
 
 int run_build(const Options& options) {
+    if (options.build.watch) return run_watch(options);
     const Build done = build(options);
     if (done.status == exit_done) tell(options, done);
     if (done.status == exit_unusable && reader_has_gone()) return exit_unusable;

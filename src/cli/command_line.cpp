@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/dependency_options.h"
 #include "cli/help.h"
 #include "cli/verbs.h"
 #include "popup/compile.h"
@@ -25,6 +26,7 @@ std::span<const Verb> verb_table() {
 
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments) {
     Command command;
+    command.options.arguments = arguments;
     CLI::App app{"A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
                  "popupc"};
     set_up_help(app);
@@ -34,6 +36,7 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
         verbs.back()->get_help_ptr()->group("Other");
     }
     app.require_subcommand(1);
+    arguments = with_long_dependency_options(arguments);
     // The parser takes them from the end.
     std::reverse(arguments.begin(), arguments.end());
     try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/dependency_options.h"
 #include "popup/compile.h"
 
 namespace popup::cli {
@@ -54,8 +55,10 @@ class HelpFormatter : public CLI::FormatterBase {
     static std::string line(const CLI::Option& option) {
         std::string names;
         for (const std::string& name : option.get_snames()) names += (names.empty() ? "-" : ", -") + name;
-        for (const std::string& name : option.get_lnames())
-            names += (names.empty() ? "    --" : ", --") + name;
+        for (const std::string& name : option.get_lnames()) {
+            const std::string shown = shown_option(name);
+            names += (names.empty() ? (shown.starts_with("--") ? "    " : "") : ", ") + shown;
+        }
         if (option.get_type_size() != 0) names += " " + option.get_type_name();
         return entry(names, option.get_description());
     }
@@ -70,7 +73,7 @@ const CLI::App* verb_of(const CLI::App& app) {
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_lnames()) names.push_back(shown_option(name));
     }
     return names;
 }
@@ -127,7 +130,8 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
         };
         const auto option = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
         const std::string& first = option == unknown.end() ? unknown.front() : *option;
-        const std::string word = first.substr(0, first.find('='));
+        std::string word = first.substr(0, first.find('='));
+        if (word.starts_with("--")) word = shown_option(word.substr(2));
         const bool is_option = looks_like_option(word);
         if (verb == nullptr && !is_option) {
             auto hints = hints_for(word, verb_names(app));

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
+
+#include "cli/jobserver.h"
 
 namespace popup::cli {
 std::vector<FileFindings> Run::findings() const {
@@ -52,7 +55,10 @@ Run run_inputs(const Options& options, Stage until) {
     NestEffort& nesting = compile_options.layout.nesting;
     nesting.progress = nesting_meter(options.messages);
     // Who asked for a time may find it long enough sooner; else an interrupted run writes nothing.
-    if (nesting.seconds) nesting.stop = stop_on_interrupt();
+    if (nesting.seconds && nesting.stop == nullptr) nesting.stop = stop_on_interrupt();
+    Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
+    ask_before_threads(jobserver, compile_options);
+    if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
     run.compilation = compile(std::move(sources), compile_options, options.policy);
     return run;
 }

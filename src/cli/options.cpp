@@ -194,10 +194,11 @@ void check_motion_options(const Options& options) {
 
 void add_thread_option(CLI::App& verb, Options& options) {
     options.compile.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    value(verb, "-j,--jobs", "N", "threads (default: one a processor); results do not depend on it", "Other",
+    value(verb, "-j,--jobs", "N", "threads (default: one a processor, or as make allows)", "Other",
           [&options](std::string_view text) {
               const double count = number_option("-j", text, 1.0, 1024.0);
               options.compile.threads = static_cast<int>(count);
+              options.jobs_given = true;
               if (options.compile.threads != count) {
                   throw UsageError(fmt::format("-j takes a whole number, not \"{}\"", text));
               }

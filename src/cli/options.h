@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/manifest.h"
+#include "cli/dependency_options.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
 
@@ -56,12 +57,14 @@ struct BuildOptions {
     std::string format;  // --to, for standard output and suffixes that say nothing
     std::optional<Stage> emit;
     bool if_changed = false;
+    bool watch = false;
     std::string profile_file;                // empty: a built-in profile
     std::optional<FoldStyle> folds;          // instead of the profile's
     std::optional<Perforation> perforation;  // likewise
     std::optional<Marks> marks;              // likewise
     std::vector<std::string> kerfs;          // as given, each good in itself
     std::vector<std::string> speeds;         // likewise
+    DependencyOptions dependencies;
 };
 
 struct FixOptions {
@@ -99,10 +102,12 @@ struct MergeOptions {
 
 // Everything of one run. A verb fills what it offers.
 struct Options {
+    std::vector<std::string> arguments;  // all of these come from
     InputOptions inputs;
     MessageOptions messages;
     DiagnosticPolicy policy;
     CompileOptions compile;
+    bool jobs_given = false;   // -j: make's jobserver is not asked
     bool sheet_given = false;  // any option about the sheet
     bool margin_given = false;
     BuildOptions build;

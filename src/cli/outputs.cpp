@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/dependency_options.h"
 #include "output/emit.h"
 
 namespace popup::cli {
@@ -19,10 +20,6 @@ struct Overloaded : Fs... {
 };
 template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
-
-bool is_standard_output(const std::string& path) {
-    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
-}
 
 std::vector<std::string_view> format_names() {
     std::vector<std::string_view> names;
@@ -165,6 +162,10 @@ void examine_formats(const std::vector<PlannedOutput>& outputs, const Profile& p
 
 }  // namespace
 
+bool is_standard_output(const std::string& path) {
+    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 bool same_place(const std::string& a, const std::string& b) {
     if (a == b || (is_standard_output(a) && is_standard_output(b))) return true;
     if (a == "-" || b == "-") return false;
@@ -206,6 +207,8 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
                 {"build each on its own, or use \"popupc fix --in-place\""});
         }
     }
+    const std::string dependencies = dependency_file_name(options);
+    if (is_standard_output(dependencies)) standard.push_back("-MF " + dependencies);
     check_format_option(build.outputs, build.format);
     if (standard.size() > 1) {
         throw UsageError(fmt::format("standard output has more than one user: {}", fmt::join(standard, ", ")),
@@ -213,6 +216,7 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
     }
     std::vector<std::string> written = build.outputs;
     if (!options.messages.file.empty()) written.push_back(options.messages.file);
+    if (!dependencies.empty()) written.push_back(dependencies);
     for (std::size_t i = 0; i < written.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (!same_place(written[i], written[j])) continue;

@@ -17,9 +17,13 @@ struct PlannedOutput {
 };
 
 // Finds the format of every output. UsageError on an unknown one, on two users of standard output, on an
-// output that is named twice or is an input, on one document for several inputs, and when an output needs
-// what an input does not have: parts that do not move have no model.
+// output, diagnostics and the dependency file among them, that is named twice or is an input, on one document
+// for several inputs, and when an output needs what an input does not have: parts that do not move have no
+// model.
 std::vector<PlannedOutput> plan_outputs(const Options& options);
+
+// True for "-" and for the other names of standard output.
+bool is_standard_output(const std::string& path);
 
 // True when both names are the same file now, or would be once written.
 bool same_place(const std::string& a, const std::string& b);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/render_diagnostics.h"
+#include "base/signal_cleanup.h"
 
 namespace popup::cli {
 namespace {
@@ -164,8 +165,10 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 const std::atomic<bool>* stop_on_interrupt() {
     struct sigaction action {};
-    action.sa_handler = [](int) { interrupted.store(true); };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_handler = [](int signal) {
+        if (interrupted.exchange(true)) end_by_signal(signal);
+    };
+    action.sa_flags = static_cast<int>(SA_RESTART);
     ::sigaction(SIGINT, &action, nullptr);
     return &interrupted;
 }

@@ -36,6 +36,13 @@ class Nester {
  public:
     Nester(const NestJob& job, const NestEffort& effort, double work)
         : job_(job), effort_(effort), task_(job), start_(std::chrono::steady_clock::now()), total_(work) {}
+    Nester(const Nester&) = delete;
+    Nester& operator=(const Nester&) = delete;
+    ~Nester() {
+        for (int i = 1; i < threads_; ++i) {
+            if (effort_.thread_ended) effort_.thread_ended();
+        }
+    }
 
     NestResult run() {
         if (job_.items.empty()) return {NestPlan{}, {}};
@@ -289,7 +296,7 @@ class Nester {
     }
 
     void run_lanes(double slice) {
-        const int threads = std::min(kLanes, slice < kLeastSlice * 2.0 ? 1 : std::max(1, effort_.threads));
+        const int threads = slice < kLeastSlice * 2.0 ? 1 : allowed_threads();
         const auto work = [&](int first) {
             for (int i = first; i < kLanes; i += threads) lanes_[index(i)]->run(slice);
         };
@@ -302,6 +309,17 @@ class Nester {
             for (int i = begun; i < threads; ++i) work(i);
         }
         work(0);
+    }
+
+    // Asks for threads when there is something for them to do, and keeps those it got.
+    int allowed_threads() {
+        if (threads_ > 0) return threads_;
+        threads_ = 1;
+        while (threads_ < std::min(kLanes, effort_.threads) &&
+               (!effort_.may_start_thread || effort_.may_start_thread())) {
+            ++threads_;
+        }
+        return threads_;
     }
 
     [[nodiscard]] double spent() const {
@@ -354,6 +372,7 @@ class Nester {
     double total_;
     double work_ = 0.0;
     bool finished_ = false;
+    int threads_ = 0;  // that may be used, this one among them; 0: nobody has been asked
     std::vector<std::unique_ptr<Lane>> lanes_;
     Arrangement best_;
 };

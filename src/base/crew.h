@@ -1,0 +1,20 @@
+// Threads that share a row of pieces of work, as many as there are allowed to be while it lasts.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace popup {
+
+struct CrewOptions {
+    std::size_t most = 1;             // threads, the caller's among them; ≥ 1
+    std::function<bool()> may_start;  // asked before each thread beside the caller's; empty: yes
+    std::function<void()> ended;      // after each yes, once, when that thread has no more work; may be empty
+};
+
+// Calls work(0) to work(count - 1), each once, in the caller's thread and in others beside it. Whoever takes
+// a piece while others are left asks for one more thread. Returns when all is done; what `work` throws in the
+// caller's thread comes through after the others have ended, and in another thread ends the program.
+void share_work(std::size_t count, const CrewOptions& options, const std::function<void(std::size_t)>& work);
+
+}  // namespace popup

@@ -1,0 +1,160 @@
+#include "cli/watch.h"
+
+#include <fmt/format.h>
+#include <sys/eventfd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <variant>
+
+#include "base/signal_cleanup.h"
+#include "cli/build.h"
+#include "cli/command_line.h"
+#include "cli/file_changes.h"
+#include "cli/outputs.h"
+#include "cli/report.h"
+
+namespace popup::cli {
+namespace {
+
+std::atomic<bool> g_over{false};
+std::atomic<int> g_wake{-1};
+
+extern "C" void popup_stop_watching(int signal) {
+    if (g_over.exchange(true)) end_by_signal(signal);
+    const std::uint64_t one = 1;
+    // Nothing can be done where it fails; the loop also asks after each build.
+    [[maybe_unused]] const ssize_t put = ::write(g_wake.load(), &one, sizeof one);
+}
+
+// From now on SIGINT and SIGTERM end the loop. Gives a descriptor that becomes readable then.
+int stop_on_signals() {
+    const int wake = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    if (wake < 0) throw UsageError("files cannot be watched: no more descriptors can be had");
+    g_wake.store(wake);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        struct sigaction before {};
+        ::sigaction(signal, nullptr, &before);
+        // Ignored on purpose: in the background of a script.
+        if ((before.sa_flags & SA_SIGINFO) == 0 && before.sa_handler == SIG_IGN) continue;
+        struct sigaction action {};
+        action.sa_handler = popup_stop_watching;
+        action.sa_flags = static_cast<int>(SA_RESTART);
+        sigemptyset(&action.sa_mask);
+        ::sigaction(signal, &action, nullptr);
+    }
+    return wake;
+}
+
+void refuse_streams(const Options& options) {
+    const auto refuse = [](const std::string& what) {
+        throw UsageError(fmt::format("--watch builds again and again, and {}", what),
+                         {"name files for inputs, outputs and diagnostics"});
+    };
+    for (const std::string& name : options.inputs.names) {
+        struct stat status {};
+        const bool once =
+            ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+        if (name == "-" || once) {
+            refuse(fmt::format("{} can be read only once", name == "-" ? "standard input" : name));
+        }
+    }
+    bool standard = options.build.emit || options.messages.use_standard_output() ||
+                    is_standard_output(options.messages.file) ||
+                    is_standard_output(dependency_file_name(options));
+    for (const std::string& output : options.build.outputs) standard = standard || is_standard_output(output);
+    if (standard) refuse("standard output takes one result");
+}
+
+bool has_any(const std::vector<FileFindings>& findings, const Diagnostics& run) {
+    bool any = !run.sorted().empty();
+    for (const FileFindings& one : findings) any = any || !one.diagnostics->sorted().empty();
+    return any;
+}
+
+// One line for --verbose.
+std::string line_of(const Build& done, const std::string& why) {
+    std::string text = why.empty() ? "" : why + " has changed: ";
+    if (done.files.empty()) return text + "nothing was written";
+    text += "wrote " + done.files.front().path;
+    const std::size_t more = done.files.size() - 1;
+    if (more > 0) text += fmt::format(" and {} more file{}", more, more == 1 ? "" : "s");
+    return text;
+}
+
+// Builds and tells; gives what was read.
+std::vector<std::string> build_and_tell(Options options, const std::string& why) {
+    NestEffort& nesting = options.compile.layout.nesting;
+    if (nesting.seconds) nesting.stop = &g_over;
+    const Build done = build(options);
+    say(options.messages, line_of(done, why));
+    const std::vector<FileFindings> findings = done.findings();
+    const Diagnostics& run = done.run.compilation.run_diagnostics;
+    // A file of diagnostics also has to become empty again.
+    if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
+    return done.inputs;
+}
+
+// The options as they are now: files that they are read from may be what has changed.
+Options read_again(const Options& options) {
+    if (options.arguments.empty()) return options;
+    std::variant<Command, std::string> wanted = read_command(options.arguments);
+    return std::get<Command>(std::move(wanted)).options;
+}
+
+}  // namespace
+
+void watch_loop(const std::vector<std::string>& first, const Watching& watching) {
+    watching.look_at(first);
+    for (std::string why;;) {
+        const std::vector<std::string> files = watching.build(why);
+        if (watching.over()) return;
+        watching.look_at(files);
+        std::optional<std::string> change;
+        while (!change) {
+            change = watching.wait(std::nullopt);
+            if (watching.over()) return;
+        }
+        why = *change;
+        for (int i = 0; i < kMostQuietWaits && watching.wait(kQuietTime); ++i) {
+        }
+        if (watching.over()) return;
+    }
+}
+
+int run_watch(const Options& options) {
+    refuse_streams(options);
+    FileChanges changes;
+    const int wake = stop_on_signals();
+    std::vector<std::string> files = options.inputs.names;
+    if (!options.build.profile_file.empty()) files.push_back(options.build.profile_file);
+    bool first = true;
+    Watching watching;
+    watching.build = [&](const std::string& why) {
+        if (first) {
+            first = false;
+            return files = build_and_tell(options, why);
+        }
+        try {
+            const Options now = read_again(options);
+            refuse_streams(now);
+            files = build_and_tell(now, why);
+        } catch (const UsageError& error) {
+            // Of a configuration that is being edited, say. What was looked at stays looked at.
+            report_usage(error);
+        }
+        return files;
+    };
+    watching.look_at = [&](const std::vector<std::string>& names) { changes.look_at(names); };
+    watching.wait = [&](std::optional<std::chrono::milliseconds> longest) {
+        return changes.wait(wake, longest);
+    };
+    watching.over = [] { return g_over.load(); };
+    watch_loop(files, watching);
+    return exit_done;
+}
+
+}  // namespace popup::cli
