@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/allowances.h"
 #include "fabrication/kerf.h"
 
 namespace popup {
@@ -22,7 +23,7 @@ void compile_parts(CompiledDesign& one, const Language& language, const CompileO
 }
 
 // The stages of one design, in order.
-void compile_one(CompiledDesign& one, const CompileOptions& options) {
+void run_stages(CompiledDesign& one, const CompileOptions& options) {
     const Language* language = find_language(one.source, options.read.language);
     if (language != nullptr && language->read_parts != nullptr) return compile_parts(one, *language, options);
     one.design = read_design(one.source, options.read, one.diagnostics);
@@ -40,6 +41,17 @@ void compile_one(CompiledDesign& one, const CompileOptions& options) {
     if (!one.motion || options.until == Stage::motion) return;
 
     one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+}
+
+void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    run_stages(one, options);
+    one.diagnostics.apply_allowances();
+    // What has not been looked for cannot be missed.
+    const bool examined = one.parts || (one.motion && one.motion->examination);
+    if (!one.pattern || !examined || one.diagnostics.has_errors()) return;
+    std::set<std::string_view> unasked;
+    if (!options.motion.clearance_mm) unasked.insert("clearance-low");
+    tell_unused_allowances(one.diagnostics, unasked);
 }
 
 // Equal stems become "castle", "castle~2"; a stem that somebody really has is never given to another.
@@ -62,28 +74,33 @@ void name_stems(std::vector<CompiledDesign>& designs) {
     }
 }
 
-// Each worker takes the next design that nobody has begun; designs share nothing.
-void compile_designs(std::vector<CompiledDesign>& designs, const CompileOptions& options) {
+// Each worker takes the next number that nobody has begun; designs share nothing.
+void in_parallel(std::size_t count, const CompileOptions& options,
+                 const std::function<void(std::size_t)>& compile_nth) {
     std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> done{0};
     std::mutex telling;
-    std::size_t done = 0;
     const auto work = [&] {
-        for (std::size_t i = next++; i < designs.size(); i = next++) {
-            compile_one(designs[i], options);
+        for (std::size_t i = next++; i < count; i = next++) {
+            compile_nth(i);
+            ++done;
             if (!options.progress) continue;
-            const std::lock_guard lock(telling);
-            options.progress(++done, designs.size());
+            // Nobody waits for somebody else who is telling.
+            const std::unique_lock lock(telling, std::try_to_lock);
+            if (lock && done < count) options.progress(done, count);
         }
     };
-    const std::size_t threads =
-        std::min(static_cast<std::size_t>(std::max(options.threads, 1)), designs.size());
-    std::vector<std::jthread> others;
-    try {
-        for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-    } catch (const std::system_error&) {
-        // The system gives no more threads; those there are do the work.
+    {
+        const std::size_t threads = std::min(static_cast<std::size_t>(std::max(options.threads, 1)), count);
+        std::vector<std::jthread> others;
+        try {
+            for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+        } catch (const std::system_error&) {
+            // The system gives no more threads; those there are do the work.
+        }
+        work();
     }
-    work();
+    if (options.progress && count > 0) options.progress(count, count);
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
     }
     name_stems(run.designs);
-    compile_designs(run.designs, options);
+    in_parallel(run.designs.size(), options, [&](std::size_t i) { compile_one(run.designs[i], options); });
 
     if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
     std::vector<DesignPattern> patterns;
@@ -129,6 +146,21 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                           profile.pen(Operation::outer_cut).kerf_mm};
     if (!apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics)) run.layout.reset();
     return run;
+}
+
+void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
+                  const std::function<void(std::size_t, CompiledDesign&&)>& done,
+                  const CompileOptions& options, const DiagnosticPolicy& policy) {
+    in_parallel(count, options, [&](std::size_t i) {
+        std::optional<Source> text = source(i);
+        if (!text) return;
+        CompiledDesign one;
+        one.diagnostics = Diagnostics(text->name, policy);
+        one.source = std::move(*text);
+        one.stem = one.source.stem();
+        compile_one(one, options);
+        done(i, std::move(one));
+    });
 }
 
 }  // namespace popup
