@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/allowances.h"
 #include "base/crew.h"
 #include "fabrication/kerf.h"
 
@@ -20,7 +21,7 @@ void compile_parts(CompiledDesign& one, const Language& language, const CompileO
 }
 
 // The stages of one design, in order.
-void compile_one(CompiledDesign& one, const CompileOptions& options) {
+void run_stages(CompiledDesign& one, const CompileOptions& options) {
     const Language* language = find_language(one.source, options.read.language);
     if (language != nullptr && language->read_parts != nullptr) return compile_parts(one, *language, options);
     one.design = read_design(one.source, options.read, one.diagnostics);
@@ -38,6 +39,17 @@ void compile_one(CompiledDesign& one, const CompileOptions& options) {
     if (!one.motion || options.until == Stage::motion) return;
 
     one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+}
+
+void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    run_stages(one, options);
+    one.diagnostics.apply_allowances();
+    // What has not been looked for cannot be missed.
+    const bool examined = one.parts || (one.motion && one.motion->examination);
+    if (!one.pattern || !examined || one.diagnostics.has_errors()) return;
+    std::set<std::string_view> unasked;
+    if (!options.motion.clearance_mm) unasked.insert("clearance-low");
+    tell_unused_allowances(one.diagnostics, unasked);
 }
 
 // Equal stems become "castle", "castle~2"; a stem that somebody really has is never given to another.
@@ -61,17 +73,21 @@ void name_stems(std::vector<CompiledDesign>& designs) {
 }
 
 // Designs share nothing, so any thread takes the next one.
-void compile_designs(std::vector<CompiledDesign>& designs, const CompileOptions& options) {
+void share_designs(std::size_t count, const CompileOptions& options,
+                   const std::function<void(std::size_t)>& compile_nth) {
+    std::atomic<std::size_t> done{0};
     std::mutex telling;
-    std::size_t done = 0;
     const CrewOptions crew{static_cast<std::size_t>(std::max(options.threads, 1)), options.may_start_thread,
                            options.thread_ended};
-    share_work(designs.size(), crew, [&](std::size_t i) {
-        compile_one(designs[i], options);
+    share_work(count, crew, [&](std::size_t i) {
+        compile_nth(i);
+        ++done;
         if (!options.progress) return;
-        const std::lock_guard lock(telling);
-        options.progress(++done, designs.size());
+        // Nobody waits for somebody else who is telling.
+        const std::unique_lock lock(telling, std::try_to_lock);
+        if (lock && done < count) options.progress(done, count);
     });
+    if (options.progress && count > 0) options.progress(count, count);
 }
 
 }  // namespace
@@ -100,7 +116,7 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
     }
     name_stems(run.designs);
-    compile_designs(run.designs, options);
+    share_designs(run.designs.size(), options, [&](std::size_t i) { compile_one(run.designs[i], options); });
 
     if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
     std::vector<DesignPattern> patterns;
@@ -119,6 +135,21 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                           profile.pen(Operation::outer_cut).kerf_mm};
     if (!apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics)) run.layout.reset();
     return run;
+}
+
+void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
+                  const std::function<void(std::size_t, CompiledDesign&&)>& done,
+                  const CompileOptions& options, const DiagnosticPolicy& policy) {
+    share_designs(count, options, [&](std::size_t i) {
+        std::optional<Source> text = source(i);
+        if (!text) return;
+        CompiledDesign one;
+        one.diagnostics = Diagnostics(text->name, policy);
+        one.source = std::move(*text);
+        one.stem = one.source.stem();
+        compile_one(one, options);
+        done(i, std::move(one));
+    });
 }
 
 }  // namespace popup

@@ -33,10 +33,9 @@ std::vector<Case> all_cases() {
     const fs::path root = fs::path(POPUP_SOURCE_DIR) / "tests/cases";
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         const fs::path& path = entry.path();
-        if (!entry.is_regular_file() || path.parent_path().filename() == "parts" ||
-            path.filename() == "README.md") {
-            continue;
-        }
+        const fs::path inside = fs::relative(path, root).parent_path();
+        const bool part = std::find(inside.begin(), inside.end(), "parts") != inside.end();
+        if (!entry.is_regular_file() || part || path.filename() == "README.md") continue;
         Case& one = cases[path.parent_path() / path.stem()];
         one.directory = path.parent_path();
         one.name = path.stem();

@@ -42,7 +42,8 @@ struct CompileOptions {
     // After each yes, once: that thread has no more work. May be empty. Called by any thread, and not any
     // more when compile() returns or throws.
     std::function<void()> thread_ended;
-    // Called after each finished design, one call at a time but from any thread; may be empty.
+    // Told how many designs are done, one call at a time but from any thread, and at the end that all are.
+    // When designs are finished faster than it returns, it is not told of each. May be empty.
     std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
@@ -73,5 +74,13 @@ struct Compilation {
 // it. Never throws for bad input; findings are in the result.
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy);
+
+// The same without the layout, for more designs than the memory can hold the values of: each source is asked
+// for when its turn comes, each design handed over when it is done, and nothing else is kept. Both functions
+// are called once for each number below `count`, from any of the threads, in no certain order, and must not
+// throw. A source of nullopt is left out, and `done` is not called for it. Stems are not made unique.
+void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
+                  const std::function<void(std::size_t, CompiledDesign&&)>& done,
+                  const CompileOptions& options, const DiagnosticPolicy& policy);
 
 }  // namespace popup

@@ -5,8 +5,9 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -65,12 +66,25 @@ struct DiagnosticPolicy {
     bool warnings_are_errors = false;
 };
 
+// What a document itself says of a finding that is meant to be: findings of this code are dropped, unless
+// they are errors or denied by the policy.
+struct Allowance {
+    std::string code;  // of code_table()
+    Place place;       // where it is written
+    // The element it is for, from its first character to behind its last. Concerned are findings with a place
+    // of theirs, or a related one, in there, or with its id. nullopt: it is for the whole file.
+    std::optional<std::pair<Place, Place>> within;
+    std::string element;  // that element's id; empty: none, or the whole file
+    bool used = false;    // a finding was concerned, even if it stays because the policy denies it
+};
+
 // The findings on one file, in the order they were found. After 100 findings of one code and severity further
 // ones are only counted, so that a hostile document cannot fill the memory; sorted() adds one line that says
 // how many.
 class Diagnostics {
  public:
-    explicit Diagnostics(std::string file = {}, DiagnosticPolicy policy = {});
+    explicit Diagnostics(std::string file = {});
+    Diagnostics(std::string file, DiagnosticPolicy policy);
 
     // Adds a finding. `code` must stand in code_table(); an unknown one is a broken invariant and aborts.
     // The reference stays valid as long as this object.
@@ -82,7 +96,15 @@ class Diagnostics {
     [[nodiscard]] bool has_errors() const { return errors_ > 0; }
     [[nodiscard]] bool has_findings() const { return findings_ > 0; }  // warnings or errors
     [[nodiscard]] const std::string& file() const { return file_; }
-    [[nodiscard]] const DiagnosticPolicy& policy() const { return policy_; }
+    [[nodiscard]] const DiagnosticPolicy& policy() const { return *policy_; }
+    // Takes in what the document allows. What is for the whole file is dropped from now on; what is for an
+    // element with the next apply_allowances(), because a finding is complete only after add(). Of several
+    // that say the same of the whole file, the first is used.
+    void allow(Allowance allowance);
+    // Drops the findings that allowances for elements concern. Of what is only counted (see above), nothing
+    // is dropped here.
+    void apply_allowances();
+    [[nodiscard]] const std::vector<Allowance>& allowances() const { return allowances_; }
     // Everything, worst first; within a severity by place, then as found.
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
     // All repairs (diagnostics with a change) in the order they were made, allowed ones included: a repair is
@@ -90,15 +112,21 @@ class Diagnostics {
     [[nodiscard]] std::vector<Diagnostic> repairs() const;
 
  private:
-    std::string file_;
-    DiagnosticPolicy policy_;
     struct Entry {
         Diagnostic diagnostic;
-        bool allowed = false;  // dropped by the policy; kept for repairs() only
+        bool may_go = true;    // no error as it was given, and not denied
+        bool allowed = false;  // dropped; kept for repairs() only
     };
-    std::deque<Entry> list_;
+    void count(Severity severity, int step);
+    [[nodiscard]] Allowance* allowance_for_all(std::string_view code);
+    std::string file_;
+    // Thousands of these are held at once, most of them empty: what is seldom there takes no room here.
+    std::shared_ptr<const DiagnosticPolicy> policy_;
+    std::list<Entry> list_;
+    std::list<Diagnostic> overflow_;  // at most one: where findings beyond the limit go
     std::map<std::pair<std::string, Severity>, std::size_t> counts_;
-    Diagnostic overflow_;  // where findings beyond the limit go
+    std::vector<Allowance> allowances_;
+    std::map<std::string, std::size_t, std::less<>> for_all_;  // code → the allowance for the whole file
     std::size_t errors_ = 0;
     std::size_t findings_ = 0;
 };

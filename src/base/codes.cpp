@@ -12,6 +12,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the fold "
      "the element stands on: only then do its sides stay the same length while the card moves. The apex was "
      "moved onto the fold, the shortest way. Choose it on the fold to begin with."},
+    {"bad-allow", Severity::warning, "a comment to popupc that is not understood",
+     "A comment that begins with popupc: is meant for this program, and <!-- popupc: allow CODE, CODE: "
+     "reason "
+     "--> is the only one it knows. This one has another word, names no code, names one that does not exist, "
+     "or one that is always an error, which nothing can allow. It has no effect as it is, so that findings "
+     "may be told that it was meant to allow. Correct it, or take the word popupc: out of it."},
     {"bad-character", Severity::error, "a character that XML forbids",
      "The document holds a NUL byte, a control character, or a reference such as &#0; that stands for one. "
      "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
@@ -296,6 +302,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The input describes flat parts that do not move: a drawing. What was asked for needs the design of a "
      "pop-up card, which a drawing is not. Give it to popupc build for sheets (.svg, .pdf) or the report "
      "(.json), or name a popup document."},
+    {"no-designs", Severity::warning, "a directory in which there is nothing to look at",
+     "A directory was named as an input, and in it and below it there is no design: no file whose suffix is "
+     "that of a popup document, or none that --include asks for, or all of them are left out by --exclude, "
+     "by a .popupcignore file, or because their names begin with a full stop. Nothing has been checked, "
+     "which is seldom what was meant. Correct the path or the patterns."},
     {"not-cut", Severity::warning, "texts, images and the like in a drawing",
      "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
      "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path), "
@@ -493,9 +504,15 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "document names another, and is read as 2.0; what a later version has added would be reported as "
      "unknown. Correct the version, or see whether there is a newer popupc."},
     {"unreadable-input", Severity::error, "an input file cannot be read",
-     "The file does not exist, is a directory, is larger than 64 MiB, or may not be opened by this user. "
-     "Nothing of it has been looked at. Check the path and the permissions; paths are taken relative to the "
-     "directory the program was started in, and \"-\" stands for standard input."},
+     "The file does not exist, is larger than 64 MiB, may not be opened by this user, or is a directory, "
+     "which only check and fix look into. Nothing of it has been looked at. Check the path and the "
+     "permissions; paths are taken relative to the directory the program was started in, and \"-\" stands "
+     "for standard input."},
+    {"unused-allow", Severity::warning, "a comment allows what is not there",
+     "A comment of the document allows a diagnostic, and where it stands nothing of the kind was found, "
+     "although everything was looked at. The reason for it may have gone, or the comment has lost the "
+     "element that it was written for. Left alone it would hide the next such finding, which nobody has "
+     "looked at. Take the code out of the comment, or the comment out of the document."},
     {"unusual-format", Severity::remark, "the machine's program is not known to take this format",
      "A machine profile names the formats that the machine or its program takes. A file of another format "
      "was "

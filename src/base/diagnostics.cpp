@@ -17,6 +17,22 @@ Severity under_policy(const DiagnosticPolicy& policy, Severity severity, std::st
     return severity;
 }
 
+std::shared_ptr<const DiagnosticPolicy> no_policy() {
+    static const auto none = std::make_shared<const DiagnosticPolicy>();
+    return none;
+}
+
+bool concerns(const Allowance& allowance, const Diagnostic& found) {
+    if (!allowance.element.empty() && found.element == allowance.element) return true;
+    const auto& [begin, end] = *allowance.within;
+    const auto inside = [&, begin = begin, end = end](Place place) {
+        const auto key = [](Place at) { return std::pair(at.line, at.column); };
+        return place.line > 0 && key(begin) <= key(place) && key(place) < key(end);
+    };
+    return inside(found.place) || std::any_of(found.related.begin(), found.related.end(),
+                                              [&](const Related& one) { return inside(one.place); });
+}
+
 }  // namespace
 
 std::string_view to_string(Severity severity) {
@@ -51,8 +67,10 @@ Diagnostic& Diagnostic::changed(std::string before, std::string after) {
     return *this;
 }
 
+Diagnostics::Diagnostics(std::string file) : file_(std::move(file)), policy_(no_policy()) {}
+
 Diagnostics::Diagnostics(std::string file, DiagnosticPolicy policy)
-    : file_(std::move(file)), policy_(std::move(policy)) {}
+    : file_(std::move(file)), policy_(std::make_shared<const DiagnosticPolicy>(std::move(policy))) {}
 
 Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place place, std::string message) {
     if (find_code(code) == nullptr) {
@@ -61,19 +79,54 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
         broken_invariant("every diagnostic code has a row in code_table()", __FILE__, __LINE__);
     }
     // Allowing a code hides what it says of doubtful things; it never turns an error into silence.
-    const bool allowed =
-        severity != Severity::error && policy_.allow.contains(code) && !policy_.deny.contains(code);
-    if (!allowed) severity = under_policy(policy_, severity, code);
+    const bool may_go = severity != Severity::error && !policy_->deny.contains(code);
+    Allowance* for_all = severity != Severity::error ? allowance_for_all(code) : nullptr;
+    if (for_all != nullptr) for_all->used = true;
+    const bool allowed = may_go && (policy_->allow.contains(code) || for_all != nullptr);
+    if (!allowed) severity = under_policy(*policy_, severity, code);
     Diagnostic made{severity, std::string(code), file_, place, std::move(message), {}, {}, {}, {}};
-    if (!allowed) {
-        errors_ += severity == Severity::error ? 1 : 0;
-        findings_ += severity != Severity::remark ? 1 : 0;
-    }
+    if (!allowed) count(severity, 1);
     if (++counts_[{made.code, severity}] > kLimit) {
-        overflow_ = std::move(made);
-        return overflow_;
+        // In its place for good: somebody may still hold the one before.
+        if (overflow_.empty()) overflow_.emplace_back();
+        return overflow_.front() = std::move(made);
     }
-    return list_.emplace_back(Entry{std::move(made), allowed}).diagnostic;
+    return list_.emplace_back(Entry{std::move(made), may_go, allowed}).diagnostic;
+}
+
+void Diagnostics::count(Severity severity, int step) {
+    if (severity == Severity::error) errors_ += static_cast<std::size_t>(step);
+    if (severity != Severity::remark) findings_ += static_cast<std::size_t>(step);
+}
+
+Allowance* Diagnostics::allowance_for_all(std::string_view code) {
+    const auto at = for_all_.find(code);
+    return at == for_all_.end() ? nullptr : &allowances_[at->second];
+}
+
+void Diagnostics::allow(Allowance allowance) {
+    if (!allowance.within) for_all_.emplace(allowance.code, allowances_.size());
+    allowances_.push_back(std::move(allowance));
+}
+
+void Diagnostics::apply_allowances() {
+    std::multimap<std::string_view, Allowance*> for_elements;
+    for (Allowance& one : allowances_) {
+        if (one.within) for_elements.emplace(one.code, &one);
+    }
+    if (for_elements.empty()) return;
+    for (Entry& entry : list_) {
+        // What the policy has dropped still shows that an allowance is for something.
+        if (!entry.may_go && !policy_->deny.contains(entry.diagnostic.code)) continue;
+        const auto [first, last] = for_elements.equal_range(entry.diagnostic.code);
+        for (auto at = first; at != last; ++at) {
+            if (!concerns(*at->second, entry.diagnostic)) continue;
+            at->second->used = true;
+            if (!entry.may_go || entry.allowed) continue;
+            entry.allowed = true;
+            count(entry.diagnostic.severity, -1);
+        }
+    }
 }
 
 Diagnostic& Diagnostics::error(std::string_view code, Place place, std::string message) {
@@ -100,7 +153,8 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     for (const auto& [key, count] : counts_) {
         const auto& [code, severity] = key;
         if (count <= kLimit) continue;
-        if (severity != Severity::error && policy_.allow.contains(code)) continue;
+        if (severity != Severity::error && (policy_->allow.contains(code) || for_all_.contains(code)))
+            continue;
         Diagnostic more{Severity::remark, code, file_, {}, {}, {}, {}, {}, {}};
         more.message = std::to_string(count - kLimit) + " more " + std::string(to_string(severity)) +
                        (count - kLimit == 1 ? " of this kind is not shown" : "s of this kind are not shown");

@@ -324,7 +324,11 @@ std::optional<Source> read_source(const std::string& name, Diagnostics& diagnost
     const int fd = standard ? STDIN_FILENO : file.get();
     struct stat status {};
     if (::fstat(fd, &status) != 0) return refuse(reason(errno));
-    if (S_ISDIR(status.st_mode)) return refuse(reason(EISDIR));
+    if (S_ISDIR(status.st_mode)) {
+        diagnostics.error("unreadable-input", {}, "cannot be read: " + reason(EISDIR))
+            .hint("name the files in it; only check and fix look into directories");
+        return std::nullopt;
+    }
     const auto too_large = [&](const std::string& size) {
         return refuse("it holds " + size + " bytes, the limit is " + std::to_string(limit_bytes));
     };

@@ -20,6 +20,7 @@
 #include "cli/batch_files.h"
 #include "cli/batch_job.h"
 #include "cli/command_line.h"
+#include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
 #include "cli/verbs.h"

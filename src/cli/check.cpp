@@ -9,6 +9,7 @@ namespace popup::cli {
 CLI::App* add_check(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("check", "Report everything wrong or doubtful; write nothing");
     add_input_options(*verb, options);
+    add_tree_options(*verb, options);
     add_check_options(*verb, options);
     add_sheet_options(*verb, options);
     add_nest_options(*verb, options);
@@ -18,7 +19,7 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_thread_option(*verb, options);
     verb->footer(
         "Examples:\n"
-        "  popupc check designs/*.xml\n"
+        "  popupc check designs/\n"
         "  popupc check castle.xml --repair never --werror\n"
         "  popupc check castle.xml --sheet a4\n"
         "  popupc check *.xml --message-format json > findings.jsonl\n"
@@ -29,11 +30,13 @@ CLI::App* add_check(CLI::App& app, Options& options) {
 int run_check(const Options& options) {
     check_motion_options(options);
     // Without a sheet there is nothing to lay out: inputs that are checked together need not be one run.
-    const Run run = run_inputs(options, options.sheet_given ? Stage::layout : Stage::pattern);
+    const Run run =
+        run_inputs(options, find_inputs(options), options.sheet_given ? Stage::layout : Stage::pattern,
+                   options.sheet_given ? Keep::everything : Keep::findings);
     say_layers(options.messages, run.compilation);
     const bool told = report(options.messages, run.findings(), run.compilation.run_diagnostics);
     if (!run.usable() || !told) return exit_unusable;
-    return run.compilation.has_findings() ? exit_findings : exit_done;
+    return run.has_findings() ? exit_findings : exit_done;
 }
 
 }  // namespace popup::cli

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostRounds = 8;
 
-void check_usage(const Options& options) {
+void check_usage(const Options& options, const InputFiles& files) {
     const std::vector<std::string>& inputs = options.inputs.names;
     const FixOptions& fix = options.fix;
     if (fix.in_place) {
@@ -35,7 +35,7 @@ void check_usage(const Options& options) {
     if (!options.messages.file.empty() && same_place(options.messages.file, fix.output)) {
         throw UsageError(fix.output + " is named twice as an output");
     }
-    if (!fix.diff && inputs.size() > 1) {
+    if (!fix.diff && files.names.size() > 1) {
         throw UsageError("several inputs make several documents", {"use --in-place or --diff"});
     }
     if (!fix.output.empty() && fix.output != "-" && find_format(fix.output) != nullptr) {
@@ -91,6 +91,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("fix", "Write the repaired document; comments and layout stay");
     FixOptions& fix = options.fix;
     add_input_options(*verb, options);
+    add_tree_options(*verb, options);
     CLI::Option* diff =
         verb->add_flag("--diff", fix.diff, "print what would change as a unified diff; write nothing")
             ->group("Output");
@@ -110,7 +111,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     verb->footer(
         "Examples:\n"
         "  popupc fix --diff castle.xml\n"
-        "  popupc fix --in-place designs/*.xml\n"
+        "  popupc fix --in-place designs/\n"
         "  popupc fix castle.xml -o castle-fixed.xml\n"
         "\nExit status 0 when what was written is right; 1 when something could not be repaired (nothing is\n"
         "written), or, with --diff, when there is something to change.");
@@ -118,15 +119,16 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
 }
 
 int run_fix(const Options& options) {
-    check_usage(options);
-    Run run = run_inputs(options, Stage::motion);
+    InputFiles files = find_inputs(options);
+    check_usage(options, files);
+    Run run = run_inputs(options, std::move(files), Stage::motion);
     Compilation& compilation = run.compilation;
     check_languages(options, compilation);
     bool written = true;
     bool changed = false;
     if (run.usable() && !compilation.has_errors()) {
         std::string diff;
-        std::vector<PendingFile> files;
+        std::vector<PendingFile> documents;
         for (CompiledDesign& one : compilation.designs) {
             std::optional<std::string> text = mended(options, one);
             if (!text) continue;
@@ -134,14 +136,15 @@ int run_fix(const Options& options) {
             if (options.fix.diff) {
                 diff += unified_diff(one.source.name, one.source.text, *text);
             } else if (options.fix.in_place) {
-                files.push_back({one.source.name, std::move(*text)});
+                documents.push_back({one.source.name, std::move(*text)});
             } else {
-                files.push_back({options.fix.output.empty() ? "-" : options.fix.output, std::move(*text)});
+                documents.push_back(
+                    {options.fix.output.empty() ? "-" : options.fix.output, std::move(*text)});
             }
         }
-        if (options.fix.diff && !diff.empty()) files.push_back({"-", std::move(diff)});
+        if (options.fix.diff && !diff.empty()) documents.push_back({"-", std::move(diff)});
         if (!compilation.has_errors()) {
-            written = write_all(files, options.fix.in_place, compilation.run_diagnostics);
+            written = write_all(documents, options.fix.in_place, compilation.run_diagnostics);
         }
     }
     if (!written && reader_has_gone()) return exit_unusable;

@@ -60,6 +60,20 @@ void add_input_options(CLI::App& verb, Options& options) {
         ->group("Input");
 }
 
+void add_tree_options(CLI::App& verb, Options& options) {
+    InputOptions& inputs = options.inputs;
+    verb.get_option("INPUT")->description("documents, or directories of them; \"-\" is standard input");
+    const auto add = [&verb](const std::string& name, const std::string& about,
+                             std::vector<std::string>& patterns) {
+        values(verb, name, "GLOB", about, "Directories", [name, &patterns](std::string_view text) {
+            if (text.empty()) throw UsageError(name + " takes a pattern of file names, such as 'draft-*'");
+            patterns.emplace_back(text);
+        });
+    };
+    add("--include", "take the files that match this, not all .xml files. Repeatable", inputs.include);
+    add("--exclude", "leave out files and directories that match this. Repeatable", inputs.exclude);
+}
+
 void add_message_options(CLI::App& verb, Options& options) {
     MessageOptions& messages = options.messages;
     value(verb, "--message-format", "FORMAT", "text (default), short, or json: one object a line",

@@ -49,7 +49,8 @@ struct MessageOptions {
 
 struct InputOptions {
     std::vector<std::string> names;
-    std::string language;  // --from; empty: by suffix
+    std::string language;                       // --from; empty: by suffix
+    std::vector<std::string> include, exclude;  // of what is found in directories
 };
 
 struct BuildOptions {
@@ -120,6 +121,7 @@ struct Options {
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
 void add_input_options(CLI::App& verb, Options& options);
+void add_tree_options(CLI::App& verb, Options& options);
 void add_message_options(CLI::App& verb, Options& options);
 // Of these, those about colour, progress and how much is said.
 void add_talk_options(CLI::App& verb, Options& options);

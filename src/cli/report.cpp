@@ -104,32 +104,21 @@ void say(const MessageOptions& options, std::string_view line) {
     if (options.verbose) to_standard_error(fmt::format("popupc: {}\n", visible(line)));
 }
 
-void say_layers(const MessageOptions& options, const Compilation& compilation) {
-    for (const CompiledDesign& one : compilation.designs) {
-        if (!one.motion || !one.motion->examination) continue;
-        const ClosedCard& closed = one.motion->examination->closed;
-        if (closed.max_layers == 0) continue;  // too many to count
-        std::string line = fmt::format("{}: closed, up to {} plates lie on one another, covers included",
-                                       one.source.name, closed.max_layers);
-        if (closed.thickness_mm) line += fmt::format(", {:.2f} mm", *closed.thickness_mm);
-        say(options, line);
-    }
+std::string layers_line(const CompiledDesign& one) {
+    if (!one.motion || !one.motion->examination) return {};
+    const ClosedCard& closed = one.motion->examination->closed;
+    if (closed.max_layers == 0) return {};  // too many to count
+    std::string line = fmt::format("{}: closed, up to {} plates lie on one another, covers included",
+                                   one.source.name, closed.max_layers);
+    if (closed.thickness_mm) line += fmt::format(", {:.2f} mm", *closed.thickness_mm);
+    return line;
 }
 
-std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,
-                                                             std::size_t inputs) {
-    const bool terminal = ::isatty(STDERR_FILENO) != 0;
-    if (options.progress == When::never) return {};
-    if (options.progress == When::automatic && (inputs < 2 || !terminal || options.quiet)) return {};
-    return [terminal](std::size_t done, std::size_t total) {
-        if (!terminal) {
-            to_standard_error(fmt::format("popupc: {} of {} designs\n", done, total));
-        } else if (done < total) {
-            to_standard_error(fmt::format("\r{} of {} designs", done, total));
-        } else {
-            to_standard_error("\r\x1b[K");
-        }
-    };
+void say_layers(const MessageOptions& options, const Compilation& compilation) {
+    for (const CompiledDesign& one : compilation.designs) {
+        const std::string line = layers_line(one);
+        if (!line.empty()) say(options, line);
+    }
 }
 
 std::function<void(const NestProgress&)> nesting_meter(const MessageOptions& options) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,15 +37,14 @@ bool colorful(const MessageOptions& options);
 // Text on standard error, as it is; where a progress bar may stand, it makes way.
 void say_between(const MessageOptions& options, std::string_view text);
 
+// How thick the closed card of a design that was examined is; empty for others.
+std::string layers_line(const CompiledDesign& one);
+
 // For each design that was examined, where --verbose asks for it: how thick the closed card is.
 void say_layers(const MessageOptions& options, const Compilation& compilation);
 
-// Shows on standard error how many designs are done, where --progress wants that; otherwise an empty
-// function.
-std::function<void(std::size_t, std::size_t)> progress_meter(const MessageOptions& options,
-                                                             std::size_t inputs);
-
-// The same for the search for places on sheets: at most one line a second, and none for what is done at once.
+// Shows on standard error how far the search for places on sheets is, where --progress wants that: at most
+// one line a second, and none for what is done at once. Otherwise an empty function.
 std::function<void(const NestProgress&)> nesting_meter(const MessageOptions& options);
 
 // From now on the first interrupt (Ctrl-C) sets the flag that is returned, and the second ends the process.

@@ -3,6 +3,7 @@
 #include "input/drawing/parts.h"
 #include "input/drawing/trace.h"
 #include "input/text.h"
+#include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/locate.h"
 
@@ -12,6 +13,7 @@ std::optional<PartList> read(const Source& source, const ReadOptions& options, D
     if (!xml::check_encoding(source.text, diagnostics)) return std::nullopt;
     const auto located = xml::locate(source.text, diagnostics, xml::Doctype::skip);
     if (!located) return std::nullopt;
+    xml::read_allowances(*located, xml::AllowanceScope::document, diagnostics);
     const auto tracing = trace(*located, options, diagnostics);
     if (!tracing) return std::nullopt;
     return make_parts(*tracing, diagnostics);

@@ -64,7 +64,7 @@ class Scanner {
         if (next > at_) return piece_of_text(next);
         const std::string_view rest = text_.substr(at_);
         if (rest.starts_with("</")) return end_tag();
-        if (rest.starts_with("<!--")) return skip_to("-->", 4, "comment") && count_aside();
+        if (rest.starts_with("<!--")) return comment();
         if (rest.starts_with("<![CDATA[")) return cdata();
         if (doctype_ == Doctype::skip && rest.starts_with("<!DOCTYPE") && out_.elements.empty()) {
             return skip_doctype() && count_aside();
@@ -145,6 +145,20 @@ class Scanner {
         }
         at_ = found + closing.size();
         return true;
+    }
+
+    bool comment() {
+        const std::size_t begin = at_ + 4;
+        if (!skip_to("-->", 4, "comment")) return false;
+        const std::size_t end = at_ - 3;
+        std::size_t word = begin;
+        while (word < end && is_blank(text_[word])) ++word;
+        if (text_.substr(word, end - word).starts_with(kAddress)) {
+            out_.comments.push_back({static_cast<Offset>(begin), static_cast<Offset>(end),
+                                     open_.empty() ? kNoElement : open_.back(),
+                                     static_cast<Offset>(out_.elements.size())});
+        }
+        return count_aside();
     }
 
     bool instruction() {

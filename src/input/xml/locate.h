@@ -45,12 +45,23 @@ struct Instruction {
     Offset begin = 0, end = 0;
 };
 
+// A comment that is meant for this program: its first word is "popupc:".
+struct LocatedComment {
+    Offset begin = 0, end = 0;  // its content, between "<!--" and "-->"
+    Offset around = 0;  // index of the innermost element that it stands in, kNoElement outside the root
+    Offset next = 0;    // index of the first element that begins behind it; there may be none
+};
+inline constexpr Offset kNoElement = static_cast<Offset>(-1);
+// The word.
+inline constexpr std::string_view kAddress = "popupc:";
+
 struct Located {
     std::string_view text;
     std::vector<LocatedElement> elements;  // in document order; the first is the root
     std::vector<LocatedAttribute> attributes;
     std::vector<LocatedText> texts;
     std::vector<Instruction> instructions;  // processing instructions, the XML declaration not among them
+    std::vector<LocatedComment> comments;   // those that are meant for this program, and no others
     Offset asides = 0;                      // number of comments and instructions
 
     [[nodiscard]] std::string_view name(Offset element) const;

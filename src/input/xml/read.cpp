@@ -9,9 +9,12 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "base/nearest.h"
 #include "input/text.h"
+#include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/fields.h"
 #include "input/xml/locate.h"
@@ -371,7 +374,11 @@ std::optional<Design> read(const Source& source, const ReadOptions& options, Dia
     if (!check_encoding(source.text, diagnostics)) return std::nullopt;
     const auto located = locate(source.text, diagnostics);
     if (!located) return std::nullopt;
+    // What is allowed is known before anything is found, or --werror would end the reading for it.
+    std::vector<Allowance> for_elements = read_allowances(*located, AllowanceScope::elements, diagnostics);
     Design design = DocumentReader(source, *located, options, diagnostics).run();
+    allow_for_elements(std::move(for_elements), design.structures, diagnostics);
+    diagnostics.apply_allowances();
     if (diagnostics.has_errors()) return std::nullopt;
     return design;
 }
