@@ -1,15 +1,12 @@
 #include "popup/compile.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <mutex>
 #include <set>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include "base/allowances.h"
+#include "base/in_parallel.h"
 #include "fabrication/kerf.h"
 
 namespace popup {
@@ -74,35 +71,6 @@ void name_stems(std::vector<CompiledDesign>& designs) {
     }
 }
 
-// Each worker takes the next number that nobody has begun; designs share nothing.
-void in_parallel(std::size_t count, const CompileOptions& options,
-                 const std::function<void(std::size_t)>& compile_nth) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<std::size_t> done{0};
-    std::mutex telling;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            compile_nth(i);
-            ++done;
-            if (!options.progress) continue;
-            // Nobody waits for somebody else who is telling.
-            const std::unique_lock lock(telling, std::try_to_lock);
-            if (lock && done < count) options.progress(done, count);
-        }
-    };
-    {
-        const std::size_t threads = std::min(static_cast<std::size_t>(std::max(options.threads, 1)), count);
-        std::vector<std::jthread> others;
-        try {
-            for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-        } catch (const std::system_error&) {
-            // The system gives no more threads; those there are do the work.
-        }
-        work();
-    }
-    if (options.progress && count > 0) options.progress(count, count);
-}
-
 }  // namespace
 
 std::string_view version() { return POPUP_VERSION; }
@@ -129,7 +97,8 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
     }
     name_stems(run.designs);
-    in_parallel(run.designs.size(), options, [&](std::size_t i) { compile_one(run.designs[i], options); });
+    in_parallel(run.designs.size(), options.threads, options.progress,
+                [&](std::size_t i) { compile_one(run.designs[i], options); });
 
     if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
     std::vector<DesignPattern> patterns;
@@ -151,7 +120,7 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
                   const std::function<void(std::size_t, CompiledDesign&&)>& done,
                   const CompileOptions& options, const DiagnosticPolicy& policy) {
-    in_parallel(count, options, [&](std::size_t i) {
+    in_parallel(count, options.threads, options.progress, [&](std::size_t i) {
         std::optional<Source> text = source(i);
         if (!text) return;
         CompiledDesign one;
