@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 #include <set>
 #include <utility>
 
@@ -73,21 +72,9 @@ void name_stems(std::vector<CompiledDesign>& designs) {
 }
 
 // Designs share nothing, so any thread takes the next one.
-void share_designs(std::size_t count, const CompileOptions& options,
-                   const std::function<void(std::size_t)>& compile_nth) {
-    std::atomic<std::size_t> done{0};
-    std::mutex telling;
-    const CrewOptions crew{static_cast<std::size_t>(std::max(options.threads, 1)), options.may_start_thread,
-                           options.thread_ended};
-    share_work(count, crew, [&](std::size_t i) {
-        compile_nth(i);
-        ++done;
-        if (!options.progress) return;
-        // Nobody waits for somebody else who is telling.
-        const std::unique_lock lock(telling, std::try_to_lock);
-        if (lock && done < count) options.progress(done, count);
-    });
-    if (options.progress && count > 0) options.progress(count, count);
+CrewOptions crew_of(const CompileOptions& options) {
+    return {static_cast<std::size_t>(std::max(options.threads, 1)), options.may_start_thread,
+            options.thread_ended, options.progress};
 }
 
 }  // namespace
@@ -116,7 +103,8 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
     }
     name_stems(run.designs);
-    share_designs(run.designs.size(), options, [&](std::size_t i) { compile_one(run.designs[i], options); });
+    share_work(run.designs.size(), crew_of(options),
+               [&](std::size_t i) { compile_one(run.designs[i], options); });
 
     if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
     std::vector<DesignPattern> patterns;
@@ -140,7 +128,7 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
                   const std::function<void(std::size_t, CompiledDesign&&)>& done,
                   const CompileOptions& options, const DiagnosticPolicy& policy) {
-    share_designs(count, options, [&](std::size_t i) {
+    share_work(count, crew_of(options), [&](std::size_t i) {
         std::optional<Source> text = source(i);
         if (!text) return;
         CompiledDesign one;

@@ -35,6 +35,8 @@ class Crew {
         for (std::size_t i = next_++; i < count_; i = next_++) {
             grow();
             work_(i);
+            ++done_;
+            tell();
         }
     }
 
@@ -56,10 +58,21 @@ class Crew {
         }
     }
 
+    void tell() {
+        if (!options_.progress) return;
+        // Nobody waits for somebody else who is telling.
+        const std::unique_lock lock(telling_, std::try_to_lock);
+        if (!lock) return;
+        const std::size_t now = done_;
+        if (now < count_) options_.progress(now, count_);
+    }
+
     const std::size_t count_;
     const CrewOptions& options_;
     const std::function<void(std::size_t)>& work_;
     std::atomic<std::size_t> next_{0};
+    std::atomic<std::size_t> done_{0};
+    std::mutex telling_;
     std::mutex growing_;
     std::size_t begun_ = 1;
     std::vector<std::thread> others_;
@@ -68,8 +81,11 @@ class Crew {
 }  // namespace
 
 void share_work(std::size_t count, const CrewOptions& options, const std::function<void(std::size_t)>& work) {
-    Crew crew(count, options, work);
-    crew.work();
+    {
+        Crew crew(count, options, work);
+        crew.work();
+    }
+    if (options.progress && count > 0) options.progress(count, count);
 }
 
 }  // namespace popup

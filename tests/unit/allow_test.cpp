@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -242,10 +243,16 @@ TEST(CompileEach, FindsWhatCompilingTogetherFindsWithAnyNumberOfThreads) {
             last = done;
             ++told;
         };
+        std::atomic<int> in_memory{0};
         compile_each(
             sources.size() + 1,
-            [&](std::size_t i) { return i < sources.size() ? std::optional(sources[i]) : std::nullopt; },
+            [&](std::size_t i) {
+                if (i == sources.size()) return std::optional<Source>();
+                EXPECT_LE(++in_memory, threads) << "a source is asked for before its turn";
+                return std::optional(sources[i]);
+            },
             [&](std::size_t i, CompiledDesign&& one) {
+                --in_memory;
                 EXPECT_EQ(one.source.name, sources[i].name);
                 found[i] = codes(one.diagnostics);
             },

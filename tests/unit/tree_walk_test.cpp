@@ -123,6 +123,26 @@ TEST(TreeWalk, TellsWhatCannotBeReadAndGoesOn) {
     EXPECT_EQ(walk.unreadable[0].sorted().front().code, "unreadable-input");
 }
 
+TEST(TreeWalk, ACheckOfADirectoryTellsTheSameWithAnyNumberOfThreads) {
+    const ScratchDirectory root;
+    const std::string cases = std::string(POPUP_SOURCE_DIR) + "/tests/cases/";
+    for (int i = 0; i < 12; ++i) {
+        const std::string design = i % 3 == 0 ? "found/sticks-out.xml" : "found/too-close.xml";
+        const fs::path file = root.path() / ("s" + std::to_string(i % 4)) / (std::to_string(i) + ".xml");
+        fs::create_directories(file.parent_path());
+        test::write_file(file, i == 7 ? "<popup" : test::read_file(cases + design));
+    }
+    fs::create_directory(root / "empty");
+    test::RunOptions options;
+    options.directory = root.path();
+    const test::RunResult one = test::popupc({"check", "-v", "-j1", "s2", "empty", "."}, options);
+    const test::RunResult many = test::popupc({"check", "-v", "-j5", "s2", "empty", "."}, options);
+    EXPECT_EQ(one.exit, 1);
+    EXPECT_EQ(one.err, many.err);
+    EXPECT_NE(one.err.find("s3/7.xml:1:1: error"), std::string::npos) << one.err;
+    EXPECT_LT(one.err.find("no-designs"), one.err.find("s0/0.xml:4")) << one.err;
+}
+
 TEST(PathPatterns, LinesReadAsInAGitignoreFile) {
     EXPECT_EQ(says("# a\n\n  \na.xml\r\n", "a.xml"), true);
     EXPECT_EQ(says("#a\n", "#a"), std::nullopt);

@@ -103,7 +103,10 @@ class AllowanceReader {
         const std::string written = shown(code);
         constexpr std::size_t kShortestSlip = 4;  // of shorter words anything is like something
         std::vector<std::string> near;
-        if (code.size() >= kShortestSlip) near = nearest(lower(written), names, 1);
+        // Looking for what is meant costs more than reading does, and nobody reads that many hints.
+        constexpr std::size_t kMostHints = 100;
+        if (code.size() >= kShortestSlip && ++unknown_ <= kMostHints)
+            near = nearest(lower(written), names, 1);
         strange = near.empty();
         Diagnostic& made = diagnostics_.warning("bad-allow", place,
                                                 fmt::format("there is no diagnostic '{}' to allow", written));
@@ -164,7 +167,8 @@ class AllowanceReader {
     std::vector<Allowance> for_elements_;
     std::size_t at_ = 0;
     std::size_t end_ = 0;
-    std::size_t count_ = 0;
+    std::size_t count_ = 0;    // codes allowed
+    std::size_t unknown_ = 0;  // words that may have been meant for codes
     Offset list_ = 1;
     Offset child_ = 2;
 };
