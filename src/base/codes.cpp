@@ -12,6 +12,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the fold "
      "the element stands on: only then do its sides stay the same length while the card moves. The apex was "
      "moved onto the fold, the shortest way. Choose it on the fold to begin with."},
+    {"bad-baseline", Severity::error, "a baseline that cannot be read",
+     "The file that --baseline names is not a list of accepted findings as --write-baseline makes it. A "
+     "baseline is a JSON file with a finding on each line: its file, code, element, digest and count. "
+     "Nothing is checked against a broken one, since findings would fail, or pass, for no reason. Mend the "
+     "line, which a merge of two branches may have broken, or take the file away and write it anew."},
     {"bad-character", Severity::error, "a character that XML forbids",
      "The document holds a NUL byte, a control character, or a reference such as &#0; that stands for one. "
      "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
@@ -65,6 +70,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The units of a document are in (inches, when nothing is said), mm, cm, pt or px, the last two both "
      "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of drawn "
      "lines, which is always in points. Name one of these units."},
+    {"baseline-outdated", Severity::remark, "accepted findings that are no longer there",
+     "The baseline accepts findings that did not occur in the designs that were checked: they have been "
+     "mended, or changed so that they count as new. Nothing is wrong, but an entry that is left would "
+     "accept the same mistake if it were made again. Run the check with --write-baseline to take them out; "
+     "entries of designs that were not checked stay."},
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
      "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are only "
