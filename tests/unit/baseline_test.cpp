@@ -252,6 +252,7 @@ TEST_F(BaselineFiles, WrongUsageIsRefused) {
     refused({"check", "designs/a.xml", "--baseline", "x", "--write-baseline", "--diagnostics", "./x"});
     const std::string before = read_file(scratch / "designs/a.xml");
     refused({"check", "designs/a.xml", "--baseline", "./designs/a.xml", "--write-baseline"});
+    refused({"check", "designs/a.xml", "--diagnostics", "designs/../designs/a.xml"});
     EXPECT_EQ(read_file(scratch / "designs/a.xml"), before);
     refused({"build", "designs/a.xml", "-o", "x.svg", "--baseline", "x"});
 }
