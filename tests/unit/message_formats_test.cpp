@@ -446,7 +446,8 @@ TEST(Sarif, FingerprintsOfEqualFindingsAreNumbered) {
     const auto fingerprints = [](int line) {
         Findings findings;
         findings.files = {told("a.xml", {found(Severity::warning, "x", {line, 1}),
-                                         found(Severity::warning, "y", {line + 1, 1})}),
+                                         found(Severity::warning, "y", {line + 1, 1}),
+                                         found(Severity::warning, "z", {line + 2, 1})}),
                           told("b.xml", {found(Severity::warning, "x", {line, 1})})};
         std::vector<std::string> all;
         const json log = json::parse(rendered("sarif", findings));
@@ -455,7 +456,7 @@ TEST(Sarif, FingerprintsOfEqualFindingsAreNumbered) {
         return all;
     };
     const auto all = fingerprints(3);
-    EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), 3U);
+    EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), 4U);
     EXPECT_EQ(fingerprints(30), all);
 }
 
