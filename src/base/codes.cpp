@@ -18,6 +18,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "--> is the only one it knows. This one has another word, names no code, names one that does not exist, "
      "or one that is always an error, which nothing can allow. It has no effect as it is, so that findings "
      "may be told that it was meant to allow. Correct it, or take the word popupc: out of it."},
+    {"bad-baseline", Severity::error, "a baseline that cannot be read",
+     "The file that --baseline names is not a list of accepted findings as --write-baseline makes it. A "
+     "baseline is a JSON file with a finding on each line: its file, code, element, digest and count. "
+     "Nothing is checked against a broken one, since findings would fail, or pass, for no reason. Mend the "
+     "line, which a merge of two branches may have broken, or take the file away and write it anew."},
     {"bad-character", Severity::error, "a character that XML forbids",
      "The document holds a NUL byte, a control character, or a reference such as &#0; that stands for one. "
      "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
@@ -81,6 +86,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The units of a document are in (inches, when nothing is said), mm, cm, pt or px, the last two both "
      "being a 72nd of an inch. Every length of the document is in that unit, but for the thickness of drawn "
      "lines, which is always in points. Name one of these units."},
+    {"baseline-outdated", Severity::remark, "accepted findings that are no longer there",
+     "The baseline accepts findings that did not occur in the designs that were checked: they have been "
+     "mended, or changed so that they count as new. Nothing is wrong, but an entry that is left would "
+     "accept the same mistake if it were made again. Run the check with --write-baseline to take them out; "
+     "entries of designs that were not checked stay."},
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
      "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are only "
@@ -119,7 +129,8 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "errors of the knife would decide how it moves. Give the element room; where a point lies on the wrong "
      "side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
     {"dependency-name", Severity::warning, "a name that ninja does not read in a dependency file",
-     "A dependency file names the inputs and outputs of a build as makefiles write names. GNU make reads this "
+     "A dependency file names the inputs and outputs of a build as makefiles write names. GNU make reads "
+     "this "
      "one, but ninja knows fewer characters and ways to protect them, and takes it for another name or for "
      "several: it would build again every time, or miss a change. Rename the file; letters, digits, blanks "
      "and most marks are no trouble. Where only make reads the dependency file, allow this warning."},

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/further_findings.h"
+
 namespace popup {
 namespace {
 
@@ -155,10 +157,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
         if (count <= kLimit) continue;
         if (severity != Severity::error && (policy_->allow.contains(code) || for_all_.contains(code)))
             continue;
-        Diagnostic more{Severity::remark, code, file_, {}, {}, {}, {}, {}, {}};
-        more.message = std::to_string(count - kLimit) + " more " + std::string(to_string(severity)) +
-                       (count - kLimit == 1 ? " of this kind is not shown" : "s of this kind are not shown");
-        result.push_back(std::move(more));
+        result.push_back(further_findings(code, file_, {count - kLimit, severity}));
     }
     return result;
 }

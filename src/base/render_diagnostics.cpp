@@ -62,6 +62,7 @@ bool treacherous(char32_t code) {
                                                           {0x2028, 0x202E},
                                                           {0x2060, 0x206F},
                                                           {0xFEFF, 0xFEFF},
+                                                          {0xFFFE, 0xFFFF},
                                                           {0xE0000, 0xE007F}});
     return in(kRanges, code);
 }

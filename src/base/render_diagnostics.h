@@ -11,8 +11,8 @@
 namespace popup {
 
 // Makes what a terminal would act on visible instead: control characters and bidirectional overrides become
-// "\x1b" or
-// "\u202e", bytes that are no UTF-8 "\xff", tabs and line breaks one space. Everything else is kept.
+// "\x1b" or "\u202e", bytes that are no UTF-8 "\xff", tabs and line breaks one space. Everything else is
+// kept. What comes out may stand in XML.
 std::string visible(std::string_view text);
 
 // Finds places in one text. Asking in ascending order costs one pass over the text altogether, however many

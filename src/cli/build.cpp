@@ -116,7 +116,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
 std::vector<FileFindings> Build::findings() const {
     std::vector<FileFindings> all = run.findings();
     if (profile && !profile->diagnostics.sorted().empty()) {
-        all.insert(all.begin(), {&profile->diagnostics, profile->source.text});
+        all.insert(all.begin(), {&profile->diagnostics, profile->source.text, false});
     }
     return all;
 }

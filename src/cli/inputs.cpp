@@ -160,7 +160,7 @@ std::vector<FileFindings> Run::findings() const {
     auto directory = files.directories.begin();
     for (std::size_t i = 0; i <= order.size(); ++i) {
         for (; directory != files.directories.end() && directory->first == i; ++directory) {
-            all.push_back({&directory->second, {}});
+            all.push_back({&directory->second, {}, false});
         }
         if (i == order.size()) break;
         const int index = order[i];

@@ -37,7 +37,7 @@ void add_codes(CLI::App& verb, const std::string& name, const std::string& about
 }  // namespace
 
 bool MessageOptions::use_standard_output() const {
-    return file == "-" || (file.empty() && format == MessageFormat::json);
+    return file == "-" || (file.empty() && format->for_machines);
 }
 
 void add_input_options(CLI::App& verb, Options& options) {
@@ -76,12 +76,19 @@ void add_tree_options(CLI::App& verb, Options& options) {
 
 void add_message_options(CLI::App& verb, Options& options) {
     MessageOptions& messages = options.messages;
-    value(verb, "--message-format", "FORMAT", "text (default), short, or json: one object a line",
-          "Diagnostics", [&messages](std::string_view text) {
-              messages.format = choose<MessageFormat>("--message-format", text,
-                                                      {{"text", MessageFormat::text},
-                                                       {"short", MessageFormat::brief},
-                                                       {"json", MessageFormat::json}});
+    std::vector<std::string_view> formats;
+    for (const MessageFormat& row : message_format_table()) formats.push_back(row.name);
+    value(verb, "--message-format", "FORMAT",
+          fmt::format("{} (default), {} or {}", formats.front(),
+                      fmt::join(formats.begin() + 1, formats.end() - 1, ", "), formats.back()),
+          "Diagnostics", [&messages, formats](std::string_view text) {
+              const MessageFormat* format = find_message_format(text);
+              if (format == nullptr) {
+                  throw UsageError(
+                      fmt::format("--message-format takes {}, not \"{}\"", fmt::join(formats, ", "), text),
+                      did_you_mean(text, formats));
+              }
+              messages.format = format;
           });
     value(verb, "--diagnostics", "FILE", "write diagnostics to FILE", "Diagnostics",
           [&messages](std::string_view text) {
@@ -112,6 +119,19 @@ void add_policy_options(CLI::App& verb, Options& options) {
     add_codes(verb, "--deny", "make this diagnostic an error", options.policy.deny);
     add_codes(verb, "--allow", "drop this diagnostic, unless it is an error", options.policy.allow);
     verb.add_flag("--werror", options.policy.warnings_are_errors, "make all warnings errors")
+        ->group("Diagnostics");
+}
+
+void add_judge_options(CLI::App& verb, Options& options) {
+    JudgeOptions& judge = options.judge;
+    value(verb, "--baseline", "FILE", "findings that stand in FILE are accepted; only new ones count",
+          "Diagnostics", [&judge](std::string_view text) {
+              if (text.empty() || text == "-") throw UsageError("--baseline takes the name of a file");
+              judge.baseline = text;
+          });
+    verb.add_flag("--write-baseline", judge.write_baseline, "accept all findings: write them to the baseline")
+        ->group("Diagnostics");
+    verb.add_flag("--statistics", judge.statistics, "count the findings of each kind instead of telling them")
         ->group("Diagnostics");
 }
 

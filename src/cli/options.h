@@ -1,6 +1,7 @@
 // What the command line asks for, and how it is read. Options that verbs share are declared here once.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "batch/manifest.h"
 #include "cli/dependency_options.h"
+#include "findings/message_formats.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
 
@@ -33,16 +35,17 @@ class UsageError : public std::runtime_error {
 };
 
 enum class When { automatic, always, never };
-enum class MessageFormat { text, brief, json };
 
 // How findings are told.
 struct MessageOptions {
-    MessageFormat format = MessageFormat::text;
+    const MessageFormat* format = message_format_table().data();  // never null
     std::string file;  // --diagnostics; empty: standard error, for machine formats standard output
     When color = When::automatic;
     When progress = When::automatic;
     bool quiet = false;
     bool verbose = false;
+    // When the run began; the summary names how long it took.
+    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     // Machine formats without a file go to standard output, which then has its one user.
     [[nodiscard]] bool use_standard_output() const;
 };
@@ -72,6 +75,13 @@ struct FixOptions {
     bool diff = false;
     bool in_place = false;
     std::string output;  // empty: standard output
+};
+
+// What `check` makes of its findings.
+struct JudgeOptions {
+    std::string baseline;  // --baseline; empty: none
+    bool write_baseline = false;
+    bool statistics = false;
 };
 
 struct ListOptions {
@@ -113,6 +123,7 @@ struct Options {
     bool margin_given = false;
     BuildOptions build;
     FixOptions fix;
+    JudgeOptions judge;
     std::string code;  // of `explain`
     ListOptions list;
     BatchOptions batch;
@@ -126,6 +137,7 @@ void add_message_options(CLI::App& verb, Options& options);
 // Of these, those about colour, progress and how much is said.
 void add_talk_options(CLI::App& verb, Options& options);
 void add_policy_options(CLI::App& verb, Options& options);
+void add_judge_options(CLI::App& verb, Options& options);
 void add_check_options(CLI::App& verb, Options& options);
 void add_sheet_options(CLI::App& verb, Options& options);
 void add_nest_options(CLI::App& verb, Options& options);

@@ -4,19 +4,23 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "base/render_diagnostics.h"
 #include "base/signal_cleanup.h"
+#include "findings/repository.h"
+#include "findings/statistics.h"
 
 namespace popup::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 void to_standard_error(std::string_view text) {
     // Nothing can be said about a standard error that does not take it.
@@ -24,17 +28,44 @@ void to_standard_error(std::string_view text) {
     std::fflush(stderr);
 }
 
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+fs::path absolute_or(const char* given, const fs::path& otherwise) {
+    if (given == nullptr || *given == '\0') return otherwise;
+    const fs::path path(given);
+    return path.is_absolute() ? path : otherwise;
 }
 
-std::string summary(std::size_t files, const std::array<std::size_t, 3>& counts) {
-    std::string text = "popupc: " + counted(files, "file") + ": ";
-    if (counts[2] + counts[1] == 0) return text + "nothing to report\n";
-    if (counts[2] > 0) text += counted(counts[2], "error");
-    if (counts[2] > 0 && counts[1] > 0) text += ", ";
-    if (counts[1] > 0) text += counted(counts[1], "warning");
-    return text + "\n";
+MessageStyle style_of(const MessageOptions& options) {
+    MessageStyle style;
+    style.color = colorful(options);
+    std::error_code error;
+    style.working = fs::current_path(error);
+    // In a directory that is gone files have the names that were given.
+    if (error) style.working = "/";
+    style.repository = repository_of(style.working);
+    style.workspace = absolute_or(std::getenv("GITHUB_WORKSPACE"), style.repository);
+    return style;
+}
+
+// A line that closes the findings of several designs; files are the same whenever they are written, so they
+// name no time.
+std::string summary(const MessageOptions& options, const Findings& findings) {
+    if (options.quiet || findings.designs() < 2) return {};
+    if (!options.file.empty()) return summary_line(findings, std::nullopt);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - options.began;
+    return summary_line(findings, passed.count());
+}
+
+// To where the user wants the findings.
+bool deliver(const MessageOptions& options, const std::string& text) {
+    if (options.use_standard_output()) return print(text);
+    if (options.file.empty()) {
+        to_standard_error(text);
+        return true;
+    }
+    Diagnostics trouble;
+    if (write_all({{options.file, text}}, false, trouble)) return true;
+    for (const Diagnostic& one : trouble.sorted()) to_standard_error(render_short(one));
+    return false;
 }
 
 }  // namespace
@@ -54,41 +85,21 @@ void say_between(const MessageOptions& options, std::string_view text) {
 }
 
 bool report(const MessageOptions& options, const std::vector<FileFindings>& files, const Diagnostics& run) {
-    const bool color = colorful(options);
-    std::string text;
-    std::array<std::size_t, 3> counts{};
-    const auto add = [&](const Diagnostics& diagnostics, std::string_view source) {
-        PlaceFinder finder(source);
-        for (const Diagnostic& one : diagnostics.sorted()) {
-            if (options.quiet && one.severity == Severity::remark) continue;
-            ++counts[static_cast<std::size_t>(one.severity)];
-            switch (options.format) {
-                case MessageFormat::text:
-                    text += render_text(one, finder, color);
-                    break;
-                case MessageFormat::brief:
-                    text += render_short(one, color);
-                    break;
-                case MessageFormat::json:
-                    text += render_json(one);
-                    break;
-            }
-        }
-    };
-    for (const FileFindings& file : files) add(*file.diagnostics, file.text);
-    add(run, {});
-    if (files.size() > 1 && !options.quiet && options.format != MessageFormat::json) {
-        text += summary(files.size(), counts);
-    }
-    if (options.file.empty() && !options.use_standard_output()) {
-        to_standard_error(text);
-        return true;
-    }
-    if (options.use_standard_output()) return print(text);
-    Diagnostics trouble;
-    if (write_all({{options.file, text}}, false, trouble)) return true;
-    for (const Diagnostic& one : trouble.sorted()) to_standard_error(render_short(one));
-    return false;
+    return report(options, collect(files, run));
+}
+
+bool report(const MessageOptions& options, Findings findings) {
+    if (options.quiet) findings = without_remarks(std::move(findings));
+    MessageStyle style = style_of(options);
+    style.summary = summary(options, findings);
+    return deliver(options, options.format->render(findings, style));
+}
+
+bool report_statistics(const MessageOptions& options, Findings findings) {
+    if (options.quiet) findings = without_remarks(std::move(findings));
+    const std::vector<CodeCount> rows = count_findings(findings);
+    if (options.format->for_machines) return deliver(options, statistics_json(rows));
+    return deliver(options, statistics_text(rows) + summary(options, findings));
 }
 
 bool print(std::string_view text) {
@@ -102,6 +113,10 @@ bool print(std::string_view text) {
 
 void say(const MessageOptions& options, std::string_view line) {
     if (options.verbose) to_standard_error(fmt::format("popupc: {}\n", visible(line)));
+}
+
+void announce(const MessageOptions& options, std::string_view line) {
+    if (!options.quiet) to_standard_error(fmt::format("popupc: {}\n", visible(line)));
 }
 
 std::string layers_line(const CompiledDesign& one) {

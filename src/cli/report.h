@@ -8,21 +8,21 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "findings/findings.h"
 #include "popup/compile.h"
 
 namespace popup::cli {
 
-// The findings on one input, and its text for the excerpts (empty where it could not be read).
-struct FileFindings {
-    const Diagnostics* diagnostics = nullptr;
-    std::string_view text;
-};
-
 // Tells all findings in the order given, worst first within each, then those of the run, then (several
-// inputs, not
-// --quiet, not a machine format) one line that counts them.
+// inputs, not --quiet, not a machine format) one line that counts them, with the time that the run took where
+// it goes to standard error.
 // False when they could not be written where the user wants them; that has then been said.
 bool report(const MessageOptions& options, const std::vector<FileFindings>& files, const Diagnostics& run);
+bool report(const MessageOptions& options, Findings findings);
+
+// The same, but how many there are of each kind instead. Precondition: the format is one that has them
+// (text, short, json).
+bool report_statistics(const MessageOptions& options, Findings findings);
 
 // Text for standard output. False when it cannot be written; that has then been said, except when its reader
 // has gone.
@@ -30,6 +30,8 @@ bool print(std::string_view text);
 
 // A line on standard error that --verbose asks for.
 void say(const MessageOptions& options, std::string_view line);
+// A line on standard error that only --quiet keeps back.
+void announce(const MessageOptions& options, std::string_view line);
 
 // True when text that goes to the user may be coloured.
 bool colorful(const MessageOptions& options);

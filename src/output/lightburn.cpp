@@ -101,17 +101,6 @@ Settings settings_of(const Profile& profile) {
     return settings;
 }
 
-// Names are free of control characters already; of what is left XML forbids only the two non-characters at
-// the end of the basic plane.
-std::string xml_text(std::string text) {
-    constexpr std::string_view kReplacement = "\xef\xbf\xbd";
-    for (const std::string_view bad : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
-        for (std::size_t at = text.find(bad); at != std::string::npos; at = text.find(bad, at))
-            text.replace(at, bad.size(), kReplacement);
-    }
-    return text;
-}
-
 class Project {
  public:
     explicit Project(const SheetDrawing& drawing)
@@ -129,7 +118,7 @@ class Project {
         for (const SheetLayer& layer : drawing_.layers) shapes(layer);
         xml_.OpenElement("Notes");
         xml_.PushAttribute("ShowOnLoad", "0");
-        xml_.PushAttribute("Notes", xml_text(fmt::format("{} ({})", drawing_.title, generator())).c_str());
+        xml_.PushAttribute("Notes", fmt::format("{} ({})", drawing_.title, generator()).c_str());
         xml_.CloseElement();
         xml_.CloseElement();
         return xml_.CStr();
@@ -151,7 +140,7 @@ class Project {
                 begin_setting("Tool", index, "T1");
             } else {
                 const Setting& setting = *setting_of(operation);
-                begin_setting("Cut", index, xml_text(setting.name));
+                begin_setting("Cut", index, setting.name);
                 machine(*setting.pen);
             }
             value("priority", std::to_string(priority++));

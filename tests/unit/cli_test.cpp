@@ -150,7 +150,7 @@ TEST_F(Cli, WrongUsageIsTwoAndSaysWhatIsRight) {
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--kerf", "slit=0.1"}, "--kerf takes WIDTH");
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--profile", "k41"}, "workshop");
     expect_usage_error({"build", "card.xml", "-o", "x.pdf", "--emit", "plates"}, "assembly");
-    expect_usage_error({"check", "card.xml", "--message-format", "sarif"}, "text, short, json");
+    expect_usage_error({"check", "card.xml", "--message-format", "sariff"}, "did you mean sarif");
     expect_usage_error({"check", "card.xml", "--deny", "no-such-code"}, "popupc list codes");
     expect_usage_error({"check", "card.xml", "--quiet", "--verbose"}, "--quiet");
     expect_usage_error({"check", "card.xml", "--solver", "iterative", "--clearance", "1"}, "closed form");
@@ -343,8 +343,11 @@ TEST_F(Cli, DiagnosticsGoWhereTheUserWantsThem) {
 TEST_F(Cli, ASummaryClosesSeveralFiles) {
     write_file(scratch / "bad.xml", "<popup>");
     const RunResult result = popupc({"check", "bad.xml", "card.xml"});
-    EXPECT_TRUE(result.err.ends_with("popupc: 2 files: 1 error\n")) << result.err;
-    EXPECT_EQ(popupc({"check", "bad.xml", "card.xml", "-q"}).err.find("files"), std::string::npos);
+    const std::size_t summary = result.err.find("popupc: 2 designs in ");
+    ASSERT_NE(summary, std::string::npos) << result.err;
+    EXPECT_TRUE(result.err.ends_with(" s: 1 error (1 xml-syntax)\n")) << result.err;
+    EXPECT_EQ(popupc({"check", "bad.xml", "card.xml", "-q"}).err.find("designs"), std::string::npos);
+    EXPECT_EQ(popupc({"check", "bad.xml"}).err.find("designs"), std::string::npos);
 }
 
 TEST_F(Cli, EmitPrintsEachStageAsJson) {
