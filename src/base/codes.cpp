@@ -103,7 +103,8 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "errors of the knife would decide how it moves. Give the element room; where a point lies on the wrong "
      "side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
     {"dependency-name", Severity::warning, "a name that ninja does not read in a dependency file",
-     "A dependency file names the inputs and outputs of a build as makefiles write names. GNU make reads this "
+     "A dependency file names the inputs and outputs of a build as makefiles write names. GNU make reads "
+     "this "
      "one, but ninja knows fewer characters and ways to protect them, and takes it for another name or for "
      "several: it would build again every time, or miss a change. Rename the file; letters, digits, blanks "
      "and most marks are no trouble. Where only make reads the dependency file, allow this warning."},

@@ -124,6 +124,7 @@ namespace {
 
 std::vector<std::string> paths_of(const std::vector<PendingFile>& files) {
     std::vector<std::string> paths;
+    paths.reserve(files.size());
     for (const PendingFile& file : files) paths.push_back(file.path);
     return paths;
 }
