@@ -38,10 +38,10 @@ struct CompileOptions {
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.
     // May be empty: up to `threads` are started. Where the answer is no, it is asked again before the next
     // design. Called by any thread, several at a time.
-    std::function<bool()> may_start_thread;
+    std::function<bool()> may_start_thread = {};
     // After each yes, once: that thread has no more work. May be empty. Called by any thread, and not any
     // more when compile() returns or throws.
-    std::function<void()> thread_ended;
+    std::function<void()> thread_ended = {};
     // Told how many designs are done, one call at a time but from any thread, and at the end that all are.
     // When designs are finished faster than it returns, it is not told of each. May be empty.
     std::function<void(std::size_t done, std::size_t total)> progress;

@@ -72,8 +72,8 @@ struct NestEffort {
     // Asked, once for each thread beside the caller's that the search can use, whether it may be started; it
     // answers at once. May be empty: yes. Each yes is answered with one call of `thread_ended` when the
     // search is over.
-    std::function<bool()> may_start_thread;
-    std::function<void()> thread_ended;
+    std::function<bool()> may_start_thread = {};
+    std::function<void()> thread_ended = {};
     std::optional<double> seconds;  // look for this long instead: the layout then depends on the clock
     // Ends the search as soon as it is set: the best layout so far is the result. May be null.
     const std::atomic<bool>* stop = nullptr;

@@ -125,6 +125,7 @@ namespace {
 
 std::vector<std::string> paths_of(const std::vector<PendingFile>& files) {
     std::vector<std::string> paths;
+    paths.reserve(files.size());
     for (const PendingFile& file : files) paths.push_back(file.path);
     return paths;
 }
@@ -149,7 +150,10 @@ void add_dependency_file(const Options& options, const Build& result, std::vecto
 void tell_dependencies_of_failure(const Options& options, Build& result) {
     const std::string path = dependency_file_name(options);
     if (path.empty() || options.build.dependencies.format != DependencyFormat::json) return;
-    Diagnostics& diagnostics = result.run.compilation.run_diagnostics;
+    // What kept the outputs from being written may be this file, and has been told then.
+    Diagnostics told;
+    Diagnostics& run = result.run.compilation.run_diagnostics;
+    Diagnostics& diagnostics = output_refused(run) ? told : run;
     const auto text = dependency_json(names_of_files(result.inputs), std::nullopt, path, diagnostics);
     if (!text || !write_all({{path, *text}}, false, diagnostics)) result.status = exit_unusable;
 }

@@ -132,6 +132,16 @@ TEST_F(Dependencies, RuleAndOutputsAreWrittenTogetherOrNotAtAll) {
     EXPECT_EQ(scratch.names(), (std::vector<std::string>{"bird.xml", "boat.xml", "cutter.toml"}));
 }
 
+TEST_F(Dependencies, AFileThatCannotBeWrittenIsToldOnce) {
+    const RunResult result =
+        popupc({"build", "bird.xml", "-o", "b.svg", "-MD", "--deps-format", "json", "-MF", "nowhere/b.json"},
+               options);
+    EXPECT_EQ(result.exit, 2);
+    EXPECT_EQ(result.err,
+              "popupc: error: nowhere/b.json cannot be written: directory nowhere: no such file or directory "
+              "[unwritable-output]\n");
+}
+
 TEST_F(Dependencies, WrongUsageIsRefusedAndNothingIsWritten) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
         {{"-o", "a.svg", "-MF", "x"}, "-MF says how a dependency file is to be, and none is asked for"},

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -89,13 +90,20 @@ std::vector<std::string> long_check(int designs, const std::string& option = "-q
     return words;
 }
 
-class JobserverOf : public testing::TestWithParam<Server::Kind> {};
+class JobserverOf : public testing::TestWithParam<Server::Kind> {
+ protected:
+    // Some of the signals would leave an image of the memory.
+    void SetUp() override {
+        const rlimit none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+    }
+};
 INSTANTIATE_TEST_SUITE_P(Kinds, JobserverOf, testing::Values(Server::Kind::pipe, Server::Kind::fifo),
                          [](const auto& info) { return info.param == Server::Kind::pipe ? "Pipe" : "Fifo"; });
 
 TEST_P(JobserverOf, TokensAreTakenForThreadsAndAllGivenBack) {
     const Server server(GetParam(), "abc");
-    Background check(long_check(40), server.options());
+    Background check(long_check(120), server.options());
     int least = 3;
     int most = 0;
     EXPECT_TRUE(eventually([&] {
@@ -193,7 +201,7 @@ TEST_P(JobserverOf, IsNotAskedWhereThreadsAreNamed) {
         least = std::min(least, server.there());
         return !check.running();
     }));
-    EXPECT_EQ(most, 2);
+    EXPECT_LE(most, 2);
     EXPECT_EQ(least, 3);
 }
 
@@ -225,11 +233,11 @@ TEST(Jobserver, TheOldSpellingIsKnownAndTheLastCounts) {
           "k --jobserver-auth=-2,-2 -j8 --jobserver-auth=" + server.place() + " -- --jobserver-auth=77,78"}) {
         RunOptions options;
         options.environment["MAKEFLAGS"] = flags;
-        Background check(long_check(40), options);
-        EXPECT_TRUE(eventually([&] { return server.there() == 0 || !check.running(); }));
-        EXPECT_EQ(server.there(), 0) << flags;
+        Background check(long_check(400), options);
+        EXPECT_TRUE(eventually([&] { return server.there() == 0; })) << flags;
         EXPECT_EQ(other.there(), 3) << flags;
-        EXPECT_EQ(check.wait(), 0);
+        check.send(SIGTERM);
+        EXPECT_EQ(check.wait(), 128 + SIGTERM);
         EXPECT_TRUE(server.complete());
     }
 }
