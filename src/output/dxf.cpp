@@ -333,14 +333,9 @@ class DxfText {
 
 std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        files.push_back({view.suffix, DxfText(drawing).sheet()});
-    }
-    return files;
+    return file_per_view(layout, options, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
+        return DxfText(drawing).sheet();
+    });
 }
 
 }  // namespace popup

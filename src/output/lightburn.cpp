@@ -243,19 +243,12 @@ class Project {
 
 std::optional<std::vector<SheetFile>> write_lightburn(const Layout& layout, const OutputOptions& options,
                                                       Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    files.reserve(views->size());
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        if (!drawing.texts.empty() && !can_outline_text()) {
-            report_missing_font(POPUP_FONT_FILE, diagnostics);
-            return std::nullopt;
-        }
-        files.push_back({view.suffix, Project(drawing).sheet()});
-    }
-    return files;
+    const auto write = [&](const SheetDrawing& drawing, const SheetView&) -> std::optional<std::string> {
+        if (drawing.texts.empty() || can_outline_text()) return Project(drawing).sheet();
+        report_missing_font(POPUP_FONT_FILE, diagnostics);
+        return std::nullopt;
+    };
+    return file_per_view(layout, options, diagnostics, write);
 }
 
 }  // namespace popup

@@ -181,4 +181,18 @@ std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> view
     return parts;
 }
 
+std::optional<std::vector<SheetFile>> file_per_view(const Layout& layout, const OutputOptions& options,
+                                                    Diagnostics& diagnostics, const ViewWriter& write) {
+    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
+    std::vector<SheetFile> files;
+    files.reserve(views->size());
+    for (const SheetView& view : *views) {
+        std::optional<std::string> bytes = write(draw_sheet(layout, options, view), view);
+        if (!bytes) return std::nullopt;
+        files.push_back({view.suffix, std::move(*bytes)});
+    }
+    return files;
+}
+
 }  // namespace popup
