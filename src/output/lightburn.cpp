@@ -10,9 +10,7 @@
 
 #include "base/numbers.h"
 #include "base/render_diagnostics.h"
-#include "output/cairo_sheet.h"
 #include "output/sheet_drawing.h"
-#include "output/text_outlines.h"
 
 namespace popup {
 namespace {
@@ -140,7 +138,6 @@ class Project {
     void settings() {
         std::array<bool, kOperations.size()> used{};
         for (const SheetShape& one : drawing_.shapes) used.at(static_cast<std::size_t>(one.operation)) = true;
-        for (const SheetText& one : drawing_.texts) used.at(static_cast<std::size_t>(one.operation)) = true;
         int priority = 0;
         int last = -1;
         for (const Operation operation : kOperations) {
@@ -197,10 +194,6 @@ class Project {
             if (index < 0) continue;
             for (const Run& run : drawing_.runs_of(one)) path(index, drawing_.points_of(run), run.closed);
         }
-        for (const SheetText& one : drawing_.texts_of(layer)) {
-            for (const Ring& letter : text_outlines(one.text, one.at, one.cap_mm, one.angle))
-                path(index_of(one.operation), letter, true);
-        }
     }
 
     void path(int index, std::span<const Vec2> points, bool closed) {
@@ -243,12 +236,11 @@ class Project {
 
 std::optional<std::vector<SheetFile>> write_lightburn(const Layout& layout, const OutputOptions& options,
                                                       Diagnostics& diagnostics) {
-    const auto write = [&](const SheetDrawing& drawing, const SheetView&) -> std::optional<std::string> {
-        if (drawing.texts.empty() || can_outline_text()) return Project(drawing).sheet();
-        report_missing_font(POPUP_FONT_FILE, diagnostics);
-        return std::nullopt;
-    };
-    return file_per_view(layout, options, diagnostics, write);
+    OutputOptions outlined = options;
+    outlined.profile.outlined_text = true;
+    return file_per_view(layout, outlined, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
+        return Project(drawing).sheet();
+    });
 }
 
 }  // namespace popup
