@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/utf8.h"
+
 namespace popup {
 namespace {
 
@@ -18,30 +20,6 @@ constexpr int kBeforeCaret = 56;  // of these, at most this many before the care
 constexpr std::string_view kCut = "\u2026";  // where a line goes on
 
 constexpr std::size_t kMarkEvery = 1U << 16U;  // bytes between two places that are remembered
-
-struct Character {
-    char32_t code = 0;
-    std::size_t bytes = 1;
-    bool valid = true;
-};
-
-// Decodes the character at the front. A byte that begins no valid sequence is a character of its own.
-Character decode(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(0);
-    if (first < 0x80) return {first, 1, true};
-    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    if (first < 0xC2 || first > 0xF4 || text.size() < length) return {first, 1, false};
-    char32_t code = first & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) return {first, 1, false};
-        code = (code << 6U) | (byte(i) & 0x3FU);
-    }
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-    if (code < kLeast[length] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF))
-        return {first, 1, false};
-    return {code, length, true};
-}
 
 struct Range {
     char32_t first, last;
@@ -116,7 +94,7 @@ Shown show(std::string_view text, const Character& character, int tab) {
 // Start of the character before `at`, not before `limit`. Precondition: at > limit.
 std::size_t step_back(std::string_view text, std::size_t at, std::size_t limit) {
     for (std::size_t length = 2; length <= 4 && at >= limit + length; ++length) {
-        const Character character = decode(text.substr(at - length, length));
+        const Character character = first_character(text.substr(at - length, length));
         if (character.valid && character.bytes == length) return at - length;
     }
     return at - 1;
@@ -154,7 +132,7 @@ std::pair<std::string, std::string> excerpt(std::string_view text, std::size_t l
     std::size_t begin = caret;
     while (begin > line_start && width_before < kWindow) {
         const std::size_t previous = step_back(text, begin, line_start);
-        before.push_back(show(text.substr(previous), decode(text.substr(previous)), 4));
+        before.push_back(show(text.substr(previous), first_character(text.substr(previous)), 4));
         width_before += before.back().columns;
         begin = previous;
     }
@@ -162,7 +140,7 @@ std::pair<std::string, std::string> excerpt(std::string_view text, std::size_t l
     int width_after = 0;
     std::size_t at = caret;
     while (at < end && width_after < kWindow) {
-        const Character character = decode(text.substr(at));
+        const Character character = first_character(text.substr(at));
         after.push_back(show(text.substr(at), character, 4));
         width_after += after.back().columns;
         at += character.bytes;
@@ -224,7 +202,7 @@ std::string visible(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
-        const Character character = decode(text);
+        const Character character = first_character(text);
         result += show(text, character, 1).text;
         text.remove_prefix(character.bytes);
     }
@@ -250,7 +228,7 @@ bool PlaceFinder::find(Place place, std::size_t& line_start, std::size_t& caret)
         remember();
     }
     while (at_.column < place.column && at_.caret < text_.size() && text_[at_.caret] != '\n') {
-        at_.caret += decode(text_.substr(at_.caret)).bytes;
+        at_.caret += first_character(text_.substr(at_.caret)).bytes;
         ++at_.column;
         remember();
     }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
+#include "fabrication/count_operations.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
 
@@ -14,25 +14,11 @@ std::string counted(std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-using Counts = std::array<std::size_t, kOperations.size()>;
-
-Counts count_lines(const Layout& layout, const Profile& profile) {
-    Counts found{};
-    const auto count = [&found](Operation operation) { ++found[static_cast<std::size_t>(operation)]; };
-    for (const Placement& placement : layout.placements) {
-        const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
-        const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        for (const PatternLine& line : piece.lines) count(operation_of(line, profile));
-        for (const Contour& cut : piece.cuts) count(operation_of(cut, profile));
-    }
-    return found;
-}
-
-std::size_t at(const Counts& counts, Operation operation) {
+std::size_t at(const OperationCounts& counts, Operation operation) {
     return counts[static_cast<std::size_t>(operation)];
 }
 
-void examine_left_out(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
+void examine_left_out(const OperationCounts& counts, const Profile& profile, Diagnostics& diagnostics) {
     std::size_t folds = 0;
     std::size_t cuts = 0;
     for (const Operation operation : kOperations) {
@@ -49,7 +35,7 @@ void examine_left_out(const Counts& counts, const Profile& profile, Diagnostics&
         .hint("give the pens of what is to be drawn a layer");
 }
 
-void examine_sides(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
+void examine_sides(const OperationCounts& counts, const Profile& profile, Diagnostics& diagnostics) {
     // Perforated lines fold either way.
     if (!profile.one_sided || profile.folds == FoldStyle::perforated) return;
     if (!profile.draws(Operation::mountain) || !profile.draws(Operation::valley)) return;
@@ -68,7 +54,7 @@ void examine_sides(const Counts& counts, const Profile& profile, Diagnostics& di
 }
 
 // Programs that move cuts themselves do so by layer or colour.
-void examine_kerf(const Counts& counts, const Profile& profile, Diagnostics& diagnostics) {
+void examine_kerf(const OperationCounts& counts, const Profile& profile, Diagnostics& diagnostics) {
     for (const Operation moved : {Operation::inner_cut, Operation::outer_cut}) {
         const Pen& pen = profile.pen(moved);
         if (pen.kerf_mm <= 0.0 || at(counts, moved) == 0) continue;
@@ -91,7 +77,7 @@ void examine_kerf(const Counts& counts, const Profile& profile, Diagnostics& dia
 }  // namespace
 
 void examine_profile(const Layout& layout, const Profile& profile, ScoreSide side, Diagnostics& diagnostics) {
-    const Counts counts = count_lines(layout, profile);
+    const OperationCounts counts = count_operations(layout, profile);
     examine_left_out(counts, profile, diagnostics);
     if (side != ScoreSide::both) examine_sides(counts, profile, diagnostics);
     examine_kerf(counts, profile, diagnostics);

@@ -10,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "base/render_diagnostics.h"
+#include "base/utf8.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -42,17 +43,14 @@ int color_index(Color color) {
 // ASCII as it is, the rest as \U+XXXX in UTF-16. Precondition: valid UTF-8 without control characters.
 std::string dxf_text(std::string_view text) {
     std::string out;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i]);
-        const std::size_t bytes = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-        if (bytes == 1) {
-            out += text[i++];
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        text.remove_prefix(character.bytes);
+        auto code = static_cast<std::uint32_t>(character.code);
+        if (code < 0x80U) {
+            out += static_cast<char>(code);
             continue;
         }
-        std::uint32_t code = first & (0x7fU >> bytes);
-        for (std::size_t k = 1; k < bytes && i + k < text.size(); ++k)
-            code = code << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3fU);
-        i += bytes;
         if (code >= 0x10000U) {
             out += fmt::format("\\U+{:04X}", 0xd800U + ((code - 0x10000U) >> 10U));
             code = 0xdc00U + ((code - 0x10000U) & 0x3ffU);
@@ -333,14 +331,9 @@ class DxfText {
 
 std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        files.push_back({view.suffix, DxfText(drawing).sheet()});
-    }
-    return files;
+    return file_per_view(layout, options, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
+        return DxfText(drawing).sheet();
+    });
 }
 
 }  // namespace popup

@@ -15,13 +15,13 @@
 
 #include "base/numbers.h"
 #include "output/fold_mesh.h"
+#include "output/poses.h"
 
 namespace popup {
 namespace {
 
 constexpr int kDecimals = 6;
 constexpr double kPieceGapMm = 10.0;
-constexpr double kCardGapMm = 20.0;
 constexpr double kFlatMm = 2e-6;       // by so much a corner may point inwards and its face be convex
 constexpr double kNearFlatDeg = 1e-3;  // this near to 0° or 180° rounding may turn the sign of a fold angle
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();
@@ -134,20 +134,9 @@ class FoldText {
     // --- the cards in the world
 
     bool place_all(double angle_deg) {
-        for (Card& card : cards_) {
-            const Assembly& assembly = *card.scene->assembly;
-            int stuck = 0;
-            if (place(assembly, Angle::degrees(angle_deg), card.frames, &stuck)) continue;
-            const Joint& joint = assembly.joints[at(stuck)];
-            diagnostics_
-                .error("locks", joint.place,
-                       fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name,
-                                   angle_deg))
-                .hint("make its piece wider than the place it is glued to, or close its V")
-                .about(joint.name);
-            return false;
-        }
-        return true;
+        return std::all_of(cards_.begin(), cards_.end(), [&](Card& card) {
+            return place_card(*card.scene->assembly, angle_deg, card.frames, diagnostics_);
+        });
     }
 
     static Vec3 folded(const Card& card, int corner) {

@@ -16,12 +16,12 @@
 #include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"
+#include "output/poses.h"
 
 namespace popup {
 namespace {
 
 constexpr double kMetre = 1000.0;
-constexpr double kGapMm = 20.0;         // between two cards
 constexpr double kDrawnLiftMm = 0.02;   // of drawn lines before the paper
 constexpr Color kCollision{255, 0, 0};  // of plates that cross others
 constexpr int kLengthDecimals = 6;
@@ -105,7 +105,7 @@ class SceneBuilder {
             if (cards.size() > 1) {
                 const auto [low, high] = extent(*cards[i].assembly, keys.trees[i], keys.tracks[i]);
                 if (i > 0) shift = left - low;
-                left = shift + high + kGapMm;
+                left = shift + high + kCardGapMm;
             }
             scene.nodes.push_back(add_card(cards[i], keys.trees[i], keys.tracks[i], shift));
             keys.tracks[i] = {};

@@ -119,17 +119,14 @@ class Plot {
 
 std::optional<std::vector<SheetFile>> write_hpgl(const Layout& layout, const OutputOptions& options,
                                                  Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    files.reserve(views->size());
     std::int64_t reach = 0;
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        Plot plot(drawing, options);
-        files.push_back({view.suffix, plot.sheet()});
-        reach = std::max(reach, plot.reach());
-    }
+    auto files =
+        file_per_view(layout, options, diagnostics, [&](const SheetDrawing& drawing, const SheetView&) {
+            Plot plot(drawing, options);
+            std::string text = plot.sheet();
+            reach = std::max(reach, plot.reach());
+            return text;
+        });
     if (reach > kLargestUnit) {
         diagnostics
             .remark(

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/numbers.h"
+#include "output/poses.h"
 
 namespace popup {
 namespace {
@@ -92,18 +93,7 @@ class CardPoses {
     [[nodiscard]] const HingeTree& tree() const { return tree_; }
 
  private:
-    bool place_at(double angle_deg) {
-        int stuck = 0;
-        if (place(assembly_, Angle::degrees(angle_deg), frames_, &stuck)) return true;
-        const Joint& joint = assembly_.joints[static_cast<std::size_t>(stuck)];
-        diagnostics_
-            .error("locks", joint.place,
-                   fmt::format("\"{}\" locks: its linkage cannot reach an opening of {:.2f}°", joint.name,
-                               angle_deg))
-            .hint("make its piece wider than the place it is glued to, or close its V")
-            .about(joint.name);
-        return false;
-    }
+    bool place_at(double angle_deg) { return place_card(assembly_, angle_deg, frames_, diagnostics_); }
 
     static void interpolate(std::span<const Quaternion> a, std::span<const Quaternion> b,
                             std::vector<Quaternion>& result) {

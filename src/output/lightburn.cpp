@@ -10,9 +10,7 @@
 
 #include "base/numbers.h"
 #include "base/render_diagnostics.h"
-#include "output/cairo_sheet.h"
 #include "output/sheet_drawing.h"
-#include "output/text_outlines.h"
 
 namespace popup {
 namespace {
@@ -129,7 +127,6 @@ class Project {
     void settings() {
         std::array<bool, kOperations.size()> used{};
         for (const SheetShape& one : drawing_.shapes) used.at(static_cast<std::size_t>(one.operation)) = true;
-        for (const SheetText& one : drawing_.texts) used.at(static_cast<std::size_t>(one.operation)) = true;
         int priority = 0;
         int last = -1;
         for (const Operation operation : kOperations) {
@@ -186,10 +183,6 @@ class Project {
             if (index < 0) continue;
             for (const Run& run : drawing_.runs_of(one)) path(index, drawing_.points_of(run), run.closed);
         }
-        for (const SheetText& one : drawing_.texts_of(layer)) {
-            for (const Ring& letter : text_outlines(one.text, one.at, one.cap_mm, one.angle))
-                path(index_of(one.operation), letter, true);
-        }
     }
 
     void path(int index, std::span<const Vec2> points, bool closed) {
@@ -232,19 +225,11 @@ class Project {
 
 std::optional<std::vector<SheetFile>> write_lightburn(const Layout& layout, const OutputOptions& options,
                                                       Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    files.reserve(views->size());
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        if (!drawing.texts.empty() && !can_outline_text()) {
-            report_missing_font(POPUP_FONT_FILE, diagnostics);
-            return std::nullopt;
-        }
-        files.push_back({view.suffix, Project(drawing).sheet()});
-    }
-    return files;
+    OutputOptions outlined = options;
+    outlined.profile.outlined_text = true;
+    return file_per_view(layout, outlined, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
+        return Project(drawing).sheet();
+    });
 }
 
 }  // namespace popup

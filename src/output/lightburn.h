@@ -25,8 +25,8 @@ namespace popup {
 // eye.
 //
 // Shapes are paths of straight lines, one a run, in the order of the drawing (sheet_drawing.h). LightBurn
-// keeps to the order of layers; within a layer its own optimization settings decide. Errors: `font-missing`,
-// when there is a text and no font. Cost: linear in lines.
+// keeps to the order of layers; within a layer its own optimization settings decide. Errors: those of
+// views_of(). Cost: linear in lines.
 //
 // LightBurn publishes its palette, but no description of the format: this is what projects that it wrote, and
 // programs that read them, have in common. Each shape has a VertID and a PrimID of its own, since LightBurn

@@ -176,8 +176,6 @@ Layout page_of(const Layout& layout, std::size_t design, std::size_t piece) {
 
 std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
     const double scale = options.dpi / kInch;
     for (const LayoutSheet& sheet : layout.sheets) {
         const double width = std::ceil(sheet.width_mm * scale - 1e-6);
@@ -198,19 +196,16 @@ std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const Outp
         report_missing_font(POPUP_FONT_FILE, diagnostics);
         return std::nullopt;
     }
-    std::vector<SheetFile> files;
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
+    const auto write = [&](const SheetDrawing& drawing, const SheetView&) -> std::optional<std::string> {
         const auto pixels =
             painted(drawing, static_cast<int>(std::ceil(drawing.width_mm * scale - 1e-6)),
                     static_cast<int>(std::ceil(drawing.height_mm * scale - 1e-6)), scale, font.get());
-        SheetFile& file = files.emplace_back();
-        file.suffix = view.suffix;
-        if (pixels && to_png(*pixels, options.dpi, file.bytes)) continue;
+        std::string bytes;
+        if (pixels && to_png(*pixels, options.dpi, bytes)) return bytes;
         report_failure("PNG", diagnostics);
         return std::nullopt;
-    }
-    return files;
+    };
+    return file_per_view(layout, options, diagnostics, write);
 }
 
 std::optional<std::vector<SheetFile>> write_jpg(const Layout& layout, const OutputOptions& /*options*/,

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -125,6 +126,13 @@ std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> view
 // refers to the layout and the options and must not outlive them. Cost: near linear in what lies on the
 // sheet.
 SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, const SheetView& view);
+
+// A file for each view that the options ask for, of the bytes that `write` makes of its drawing; where it
+// makes none, no files. The views are drawn one by one, in their order. Errors: those of views_of() and of
+// `write`.
+using ViewWriter = std::function<std::optional<std::string>(const SheetDrawing&, const SheetView&)>;
+std::optional<std::vector<SheetFile>> file_per_view(const Layout& layout, const OutputOptions& options,
+                                                    Diagnostics& diagnostics, const ViewWriter& write);
 
 // "castle", or "castle and 2 more" of several designs: for titles.
 std::string layout_title(const Layout& layout);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "fabrication/count_operations.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
 #include "output/sheet_sides.h"
@@ -12,48 +13,6 @@
 
 namespace popup {
 namespace {
-
-// Whether the pattern of any piece of a sheet has something that this side of it shows.
-bool shows(const Layout& layout, const OutputOptions& options, const SheetView& view, Operation operation) {
-    if (!is_shown(operation, options, view)) return false;
-    const auto has = [&](const Placement& placement) {
-        const DesignPattern& design = layout.designs.at(static_cast<std::size_t>(placement.design));
-        const PatternPiece& piece = design.pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        const auto line = [&](const PatternLine& one) {
-            const Operation what = operation_of(one, options.profile);
-            return what == operation ||
-                   (operation == Operation::perforation && options.profile.perforates(what));
-        };
-        switch (operation) {
-            case Operation::fill:
-                return !piece.fills.empty();
-            case Operation::draw:
-                return !piece.strokes.empty() || std::any_of(piece.lines.begin(), piece.lines.end(), line);
-            case Operation::glue:
-                return !piece.targets.empty() || std::any_of(piece.lines.begin(), piece.lines.end(), line);
-            case Operation::label:
-                return !piece.labels.empty();
-            case Operation::registration:
-                return false;  // goes with what there is
-            case Operation::valley:
-            case Operation::mountain:
-            case Operation::seam:
-            case Operation::perforation:
-                return std::any_of(piece.lines.begin(), piece.lines.end(), line);
-            case Operation::slit:
-            case Operation::inner_cut:
-            case Operation::outer_cut:
-                return !piece.cuts.empty();
-        }
-        broken_invariant("an operation is one of its enumerators", __FILE__, __LINE__);
-    };
-    return std::any_of(layout.placements.begin(), layout.placements.end(), has);
-}
-
-bool shows_anything(const Layout& layout, const OutputOptions& options, const SheetView& view) {
-    return std::any_of(kOperations.begin(), kOperations.end(),
-                       [&](Operation operation) { return shows(layout, options, view, operation); });
-}
 
 bool has_room(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
     for (const LayoutSheet& sheet : layout.sheets) {
@@ -143,14 +102,20 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
     using Part = SheetView::Part;
     const std::vector<Part> parts =
         options.print_and_cut ? std::vector{Part::print, Part::cut} : std::vector{Part::whole};
+    const OperationCounts counts = count_operations(layout, options.profile);
+    const auto shows_anything = [&](const SheetView& view) {
+        return std::any_of(kOperations.begin(), kOperations.end(), [&](Operation operation) {
+            return counts.at(static_cast<std::size_t>(operation)) > 0 && is_shown(operation, options, view);
+        });
+    };
     std::vector<SheetView> views;
     for (const Part part : parts) {
         SheetView view;
         view.part = part;
         view.part_suffix = part == Part::print ? "-print" : part == Part::cut ? "-cut" : "";
-        const bool front = shows_anything(layout, options, view);
+        const bool front = shows_anything(view);
         view.back = true;
-        const bool back = shows_anything(layout, options, view);
+        const bool back = shows_anything(view);
         for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
             view.sheet = static_cast<int>(i);
             const std::string number = i == 0 ? std::string() : fmt::format("-{}", i + 1);
@@ -179,6 +144,20 @@ std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> view
         first = last;
     }
     return parts;
+}
+
+std::optional<std::vector<SheetFile>> file_per_view(const Layout& layout, const OutputOptions& options,
+                                                    Diagnostics& diagnostics, const ViewWriter& write) {
+    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
+    if (!views) return std::nullopt;
+    std::vector<SheetFile> files;
+    files.reserve(views->size());
+    for (const SheetView& view : *views) {
+        std::optional<std::string> bytes = write(draw_sheet(layout, options, view), view);
+        if (!bytes) return std::nullopt;
+        files.push_back({view.suffix, std::move(*bytes)});
+    }
+    return files;
 }
 
 }  // namespace popup

@@ -322,15 +322,10 @@ std::string SvgText::sheet(int index) {
 
 std::optional<std::vector<SheetFile>> write_svg(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    const std::optional<std::vector<SheetView>> views = views_of(layout, options, diagnostics);
-    if (!views) return std::nullopt;
-    std::vector<SheetFile> files;
-    files.reserve(views->size());
-    for (const SheetView& view : *views) {
-        const SheetDrawing drawing = draw_sheet(layout, options, view);
-        files.push_back({view.suffix, SvgText(drawing).sheet(view.sheet)});
-    }
-    return files;
+    return file_per_view(layout, options, diagnostics,
+                         [](const SheetDrawing& drawing, const SheetView& view) {
+                             return SvgText(drawing).sheet(view.sheet);
+                         });
 }
 
 }  // namespace popup

@@ -7,6 +7,7 @@
 #include "output/font_file.h"
 #include FT_OUTLINE_H
 
+#include "base/utf8.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -19,17 +20,6 @@ constexpr double kFlatUnits = 7.0;
 const FontFile* font() {
     thread_local const std::unique_ptr<FontFile> file = FontFile::open(POPUP_FONT_FILE);
     return file.get();
-}
-
-// The next code point; moves `at` behind it.
-char32_t next_letter(std::string_view text, std::size_t& at) {
-    const auto first = static_cast<unsigned char>(text[at]);
-    const std::size_t bytes = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    char32_t code = bytes == 1 ? first : first & (0x7fU >> bytes);
-    for (std::size_t k = 1; k < bytes && at + k < text.size(); ++k)
-        code = code << 6U | (static_cast<unsigned char>(text[at + k]) & 0x3fU);
-    at += bytes;
-    return code;
 }
 
 struct Tracing {
@@ -97,8 +87,10 @@ std::vector<Ring> text_outlines(std::string_view text, Vec2 at, double cap_mm, d
     if (file == nullptr) return {};
     Tracing tracing;
     FT_Outline_Funcs tracers{move_to, line_to, conic_to, cubic_to, 0, 0};
-    for (std::size_t i = 0; i < text.size();) {
-        const FT_UInt glyph = FT_Get_Char_Index(file->face, next_letter(text, i));
+    while (!text.empty()) {
+        const Character letter = first_character(text);
+        text.remove_prefix(letter.bytes);
+        const FT_UInt glyph = FT_Get_Char_Index(file->face, letter.code);
         if (FT_Load_Glyph(file->face, glyph, FT_LOAD_NO_SCALE) != 0) continue;
         FT_Outline_Decompose(&file->face->glyph->outline, &tracers, &tracing);
         tracing.right += static_cast<double>(file->face->glyph->metrics.horiAdvance);

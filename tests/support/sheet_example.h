@@ -1,6 +1,7 @@
 // A small Layout made by hand, with something in every layer, for tests of the sheet writers.
 #pragma once
 
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -77,6 +78,41 @@ inline Layout example_layout(const std::string& stem = "castle") {
                          {0, 1, 0, 1, {60.25, 40.125}, Angle::degrees(0)},
                          {0, 1, 1, 1, {200, 100}, Angle::degrees(90)}};
     return layout;
+}
+
+// The example with a window in the page: something to cut out before the outline. Its corners are on no whole
+// unit of a plotter.
+inline Layout windowed_layout() {
+    Layout layout = example_layout();
+    PatternPiece& page = layout.designs[0].pattern.pieces[0];
+    page.cuts.insert(page.cuts.begin(), {rectangle(-90.011, 30.007, -60.003, 60.019), true, 1});
+    return layout;
+}
+
+// Lengths of folds and cuts on one sheet, straight from the pattern. All open cuts are slits.
+inline std::map<Operation, double> pattern_lengths(const Layout& layout, int sheet) {
+    std::map<Operation, double> all;
+    for (const Placement& placement : layout.placements) {
+        if (placement.sheet != sheet) continue;
+        const PatternPiece& piece =
+            layout.designs[0].pattern.pieces[static_cast<std::size_t>(placement.piece)];
+        for (const Contour& cut : piece.cuts) {
+            double sum = 0.0;
+            for (std::size_t i = 1; i < cut.points.size(); ++i)
+                sum += distance(cut.points[i - 1], cut.points[i]);
+            if (cut.closed) sum += distance(cut.points.back(), cut.points.front());
+            all[!cut.closed      ? Operation::slit
+                : cut.depth == 0 ? Operation::outer_cut
+                                 : Operation::inner_cut] += sum;
+        }
+        for (const PatternLine& line : piece.lines) {
+            const double mm = distance(line.at.a, line.at.b);
+            if (line.kind == LineKind::valley) all[Operation::valley] += mm;
+            if (line.kind == LineKind::mountain) all[Operation::mountain] += mm;
+            if (line.kind == LineKind::seam) all[Operation::seam] += mm;
+        }
+    }
+    return all;
 }
 
 }  // namespace popup::test

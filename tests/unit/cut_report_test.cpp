@@ -14,10 +14,13 @@
 
 #include "output/svg.h"
 #include "popup/compile.h"
+#include "support/profiles.h"
 #include "support/sheet_example.h"
 
 namespace popup {
 namespace {
+
+using test::pen_of;
 
 using Json = nlohmann::ordered_json;
 
@@ -229,16 +232,12 @@ Layout square_layout() {
     return layout;
 }
 
-Pen& pen_of(OutputOptions& options, Operation operation) {
-    return options.profile.pens[static_cast<std::size_t>(operation)];
-}
-
 // Piece by piece, so that the order is known: the fold, the window, the square.
 OutputOptions timed_options() {
     OutputOptions options;
-    pen_of(options, Operation::mountain).speed_mm_s = 20.0;
-    pen_of(options, Operation::inner_cut).speed_mm_s = 8.0;
-    pen_of(options, Operation::outer_cut).speed_mm_s = 10.0;
+    pen_of(options.profile, Operation::mountain).speed_mm_s = 20.0;
+    pen_of(options.profile, Operation::inner_cut).speed_mm_s = 8.0;
+    pen_of(options.profile, Operation::outer_cut).speed_mm_s = 10.0;
     options.profile.travel_mm_s = 100.0;
     options.profile.pierce_s = 0.25;
     return options;
@@ -269,7 +268,7 @@ TEST(CutReport, KnowsNoTimeWhereASpeedThatItNeedsIsMissing) {
         const bool needed = operation == Operation::mountain || operation == Operation::inner_cut ||
                             operation == Operation::outer_cut;
         OutputOptions options = timed_options();
-        pen_of(options, operation).speed_mm_s = 0.0;
+        pen_of(options.profile, operation).speed_mm_s = 0.0;
         EXPECT_EQ(reported(square_layout(), options).at("time_s").is_null(), needed) << to_string(operation);
     }
     OutputOptions options = timed_options();
@@ -287,7 +286,7 @@ TEST(CutReport, KnowsNoTimeWhereASpeedThatItNeedsIsMissing) {
 // Of one sheet all may be known and of another not.
 TEST(CutReport, KnowsTheTimeSheetBySheet) {
     OutputOptions options = timed_options();
-    pen_of(options, Operation::valley).speed_mm_s = 0.0;
+    pen_of(options.profile, Operation::valley).speed_mm_s = 0.0;
     Layout layout = square_layout();
     layout.sheets.push_back(layout.sheets[0]);
     layout.designs[0].pattern.pieces.push_back(layout.designs[0].pattern.pieces[0]);
@@ -297,7 +296,7 @@ TEST(CutReport, KnowsTheTimeSheetBySheet) {
     EXPECT_TRUE(report.at("time_s").is_null());
     EXPECT_TRUE(report.at("sheets")[0].at("time_s").is_number());
     EXPECT_TRUE(report.at("sheets")[1].at("time_s").is_null());
-    pen_of(options, Operation::valley).speed_mm_s = 20.0;
+    pen_of(options.profile, Operation::valley).speed_mm_s = 20.0;
     const Json known = reported(layout, options);
     EXPECT_NEAR(known.at("time_s").get<double>(), 2.0 * known.at("sheets")[0].at("time_s").get<double>(),
                 1e-3);
@@ -308,7 +307,7 @@ TEST(CutReport, CountsEveryCutOfAPerforatedFold) {
     OutputOptions options = timed_options();
     options.profile.folds = FoldStyle::perforated;
     options.profile.perforation = {2.0, 2.0, 1.0};
-    pen_of(options, Operation::perforation).speed_mm_s = 19.0;
+    pen_of(options.profile, Operation::perforation).speed_mm_s = 19.0;
     const Json report = reported(square_layout(), options);
     // 40 mm, a millimetre clear at each end: ten cuts and nine gaps, all of 2 mm.
     const Json& row = report.at("operations")[0];

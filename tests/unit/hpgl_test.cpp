@@ -13,17 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "support/profiles.h"
 #include "support/sheet_example.h"
 
 namespace popup {
 namespace {
 
-// Slits are an operation of their own where inner cuts are moved for the kerf.
-Profile with_slits(std::string_view name) {
-    Profile profile = *find_profile(name);
-    profile.pens[static_cast<std::size_t>(Operation::inner_cut)].kerf_mm = 0.1;
-    return profile;
-}
+using test::pattern_lengths;
+using test::pen_of;
+using test::windowed_layout;
+using test::with_slits;
 
 // Half a unit in x and in y.
 constexpr double kOff = 0.0177;
@@ -138,44 +137,6 @@ Written written(const Layout& layout, const Profile& profile, OutputOptions opti
     const std::vector<SheetFile> files = write_hpgl(layout, options, diagnostics).value();
     for (const SheetFile& file : files) all.sheets.push_back(file.bytes);
     all.findings = diagnostics.sorted();
-    return all;
-}
-
-Pen& pen_of(Profile& profile, Operation operation) {
-    return profile.pens[static_cast<std::size_t>(operation)];
-}
-
-// The example with a window in the page, whose corners are on no whole unit.
-Layout windowed_layout() {
-    Layout layout = test::example_layout();
-    PatternPiece& page = layout.designs[0].pattern.pieces[0];
-    page.cuts.insert(page.cuts.begin(), {test::rectangle(-90.011, 30.007, -60.003, 60.019), true, 1});
-    return layout;
-}
-
-// Lengths of folds and cuts on one sheet, straight from the pattern.
-std::map<Operation, double> pattern_lengths(const Layout& layout, int sheet) {
-    std::map<Operation, double> all;
-    for (const Placement& placement : layout.placements) {
-        if (placement.sheet != sheet) continue;
-        const PatternPiece& piece =
-            layout.designs[0].pattern.pieces[static_cast<std::size_t>(placement.piece)];
-        for (const Contour& cut : piece.cuts) {
-            double sum = 0.0;
-            for (std::size_t i = 1; i < cut.points.size(); ++i)
-                sum += distance(cut.points[i - 1], cut.points[i]);
-            if (cut.closed) sum += distance(cut.points.back(), cut.points.front());
-            all[!cut.closed      ? Operation::slit
-                : cut.depth == 0 ? Operation::outer_cut
-                                 : Operation::inner_cut] += sum;
-        }
-        for (const PatternLine& line : piece.lines) {
-            const double mm = distance(line.at.a, line.at.b);
-            if (line.kind == LineKind::valley) all[Operation::valley] += mm;
-            if (line.kind == LineKind::mountain) all[Operation::mountain] += mm;
-            if (line.kind == LineKind::seam) all[Operation::seam] += mm;
-        }
-    }
     return all;
 }
 

@@ -12,29 +12,15 @@
 #include "output/sheet_drawing.h"
 #include "output/svg.h"
 #include "output/text_outlines.h"
+#include "support/profiles.h"
 #include "support/sheet_example.h"
 
 namespace popup {
 namespace {
 
 using Part = SheetView::Part;
-
-OutputOptions options_for(const char* profile, bool backs, ScoreSide side, bool apart) {
-    OutputOptions options;
-    options.profile = *find_profile(profile);
-    options.backs = backs;
-    options.score_side = side;
-    options.print_and_cut = apart;
-    return options;
-}
-
-SheetView view_of(int sheet, bool back, Part part = Part::whole) {
-    SheetView view;
-    view.sheet = sheet;
-    view.back = back;
-    view.part = part;
-    return view;
-}
+using test::options_for;
+using test::view_of;
 
 // --- marks
 

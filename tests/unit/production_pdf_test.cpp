@@ -14,12 +14,15 @@
 #include <vector>
 
 #include "output/pdf.h"
+#include "support/profiles.h"
 #include "support/run_program.h"
 #include "support/separated_pdf.h"
 #include "support/sheet_example.h"
 
 namespace popup {
 namespace {
+
+using test::pen_of;
 
 using test::Cmyk;
 using test::example_layout;
@@ -32,10 +35,6 @@ OutputOptions production() {
     OutputOptions options;
     options.profile = *find_profile("print-and-cut");
     return options;
-}
-
-Pen& pen_of(OutputOptions& options, Operation operation) {
-    return options.profile.pens.at(static_cast<std::size_t>(operation));
 }
 
 std::string written(const Layout& layout, const OutputOptions& options = production()) {
@@ -218,7 +217,7 @@ TEST(ProductionPdf, LinesOfMachinesKnockNothingOutOfTheArt) {
     NEEDS("gs", "ghostscript");
     OutputOptions art = production();
     for (const Operation operation : kOperations) {
-        if (!is_printed(operation)) pen_of(art, operation).layer.clear();
+        if (!is_printed(operation)) pen_of(art.profile, operation).layer.clear();
     }
     Layout layout = example_layout();
     // Lines straight across a fill.
@@ -269,7 +268,7 @@ TEST(ProductionPdf, PerforationAndMarksHaveLayersOfTheirOwn) {
 
 TEST(ProductionPdf, ALayerOfSeveralStepsIsAGroupEach) {
     OutputOptions options = production();
-    for (const Operation operation : kOperations) pen_of(options, operation).layer = "all";
+    for (const Operation operation : kOperations) pen_of(options.profile, operation).layer = "all";
     const ReadDocument document = test::read_separations(written(example_layout(), options));
     const std::vector<std::pair<std::string, std::string>> expected{{"all", ""},
                                                                     {"all", "/Gluing"},
@@ -282,8 +281,8 @@ TEST(ProductionPdf, ALayerOfSeveralStepsIsAGroupEach) {
 
 TEST(ProductionPdf, ArtCanHaveASpotColourToo) {
     OutputOptions options = production();
-    pen_of(options, Operation::fill).spot = "White ink";
-    pen_of(options, Operation::glue).spot = "Glue";
+    pen_of(options.profile, Operation::fill).spot = "White ink";
+    pen_of(options.profile, Operation::glue).spot = "Glue";
     const ReadDocument document = test::read_separations(written(example_layout(), options));
     std::size_t fills = 0;
     for (const Painted& one : document.painted()) {
@@ -344,11 +343,11 @@ TEST(ProductionPdf, TakesAnyNames) {
     const std::string layer = "Schnitt (✂) \\ 折り <<";
     const std::string spot = "Cut #1/(é) %[]<> ✂";
     for (const Operation cut : {Operation::slit, Operation::inner_cut, Operation::outer_cut}) {
-        pen_of(options, cut).layer = layer;
-        pen_of(options, cut).spot = spot;
+        pen_of(options.profile, cut).layer = layer;
+        pen_of(options.profile, cut).spot = spot;
     }
-    pen_of(options, Operation::valley).layer = "\xff\x01)";
-    pen_of(options, Operation::valley).spot = std::string("a\0b\xff", 4);
+    pen_of(options.profile, Operation::valley).layer = "\xff\x01)";
+    pen_of(options.profile, Operation::valley).spot = std::string("a\0b\xff", 4);
     Layout layout = example_layout("Шлосс) /Evil \\");
     layout.designs[0].pattern.pieces[0].labels[0].text = "\xff\x01)";
     const std::string pdf = written(layout, options);
@@ -403,7 +402,7 @@ TEST(ProductionPdf, IsWhatWritePdfWritesForProfilesWithSpotColours) {
     OutputOptions options;
     EXPECT_FALSE(has_spot_colors(options.profile));
     // The folds of workshop are dashed: there is nothing to perforate.
-    pen_of(options, Operation::perforation).spot = "Perforation";
+    pen_of(options.profile, Operation::perforation).spot = "Perforation";
     EXPECT_FALSE(has_spot_colors(options.profile));
     options.profile.folds = FoldStyle::both;
     EXPECT_TRUE(has_spot_colors(options.profile));

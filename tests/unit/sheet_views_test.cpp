@@ -11,36 +11,22 @@
 
 #include "output/sheet_drawing.h"
 #include "output/svg.h"
+#include "support/profiles.h"
 #include "support/sheet_example.h"
 
 namespace popup {
 namespace {
 
 using Part = SheetView::Part;
+using test::options_for;
+using test::view_of;
 using Operations = std::set<Operation>;
-
-OutputOptions options_for(const char* profile, bool backs, ScoreSide side, bool apart) {
-    OutputOptions options;
-    options.profile = *find_profile(profile);
-    options.backs = backs;
-    options.score_side = side;
-    options.print_and_cut = apart;
-    return options;
-}
 
 std::vector<SheetView> views(const Layout& layout, const OutputOptions& options) {
     Diagnostics diagnostics;
     std::vector<SheetView> all = views_of(layout, options, diagnostics).value();
     EXPECT_TRUE(diagnostics.sorted().empty());
     return all;
-}
-
-SheetView view_of(int sheet, bool back, Part part = Part::whole) {
-    SheetView view;
-    view.sheet = sheet;
-    view.back = back;
-    view.part = part;
-    return view;
 }
 
 Operations operations_on(const SheetDrawing& drawing) {

@@ -1,0 +1,27 @@
+#include "fabrication/count_operations.h"
+
+namespace popup {
+
+OperationCounts count_operations(const Layout& layout, const Profile& profile) {
+    OperationCounts found{};
+    const auto count = [&found](Operation operation, std::size_t more = 1) {
+        found[static_cast<std::size_t>(operation)] += more;
+    };
+    for (const Placement& placement : layout.placements) {
+        const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
+        const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
+        count(Operation::fill, piece.fills.size());
+        count(Operation::draw, piece.strokes.size());
+        count(Operation::glue, piece.targets.size());
+        count(Operation::label, piece.labels.size());
+        for (const PatternLine& line : piece.lines) {
+            const Operation what = operation_of(line, profile);
+            count(what);
+            if (profile.perforates(what)) count(Operation::perforation);
+        }
+        for (const Contour& cut : piece.cuts) count(operation_of(cut, profile));
+    }
+    return found;
+}
+
+}  // namespace popup
