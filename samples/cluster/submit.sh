@@ -117,7 +117,7 @@ wait_for() {
         fi
         if [ "$state" != "$seen" ]; then
             say "job $1: $state"
-            if [[ $state == *"requeued held"* ]]; then
+            if [[ $state == *requeued?held* ]]; then
                 say "its node could not start a task; when that is mended: scontrol release $1"
             fi
             seen=$state
@@ -131,6 +131,7 @@ job=
 # shellcheck disable=SC2317  # called by the trap
 cancel() {
     trap - INT TERM
+    jobs -p | xargs -r kill
     if [ -n "$job" ]; then
         say "cancelling job $job; the same command takes up what is missing"
         scancel "$job"

@@ -77,6 +77,10 @@ class Run:
             time.sleep(0.05)
         return self._process.returncode
 
+    def end_with(self, sign):
+        self._process.send_signal(sign)
+        return self.exit()
+
     def said(self):
         with open(self.log, encoding="utf-8", errors="replace") as file:
             return file.read()
@@ -127,6 +131,13 @@ def test_slurm(popupc, scratch, single, count):
             expect(of_popupc(victims.items()), f"n2 was idle when it died: {victims}")
             say(f"killed n2 with {built(directory)} of {reference} outputs written: " + ", ".join(victims.values()))
 
+            # The death of the connection to the login node.
+            run.end_with(signal.SIGHUP)
+            lost = run.said()
+            run = Run(command, directory, environment, f"{scratch}/submit-2.log")
+            run.wait_until("it found the array", lambda: "builds this manifest already" in run.said())
+            say("ended submit.sh as a lost connection does; started again, it found the array that goes on")
+
             # The death of a task, as at a lack of memory: Slurm does not start it again.
             run.wait_until("a third was built", lambda: built(directory) > reference / 3)
             run.wait_until("n3 was at work", lambda: of_popupc(slurm.machines["n3"].processes()))
@@ -136,9 +147,9 @@ def test_slurm(popupc, scratch, single, count):
             status = run.exit()
         if status != 0:
             raise Failure(f"submit.sh ended with {status}\n{run.said()}\n{slurm.logs()}")
-        for line in run.said().splitlines():
+        for line in (lost + run.said()).splitlines():
             say(f"  | {line}")
-        expect("round 2: " in run.said(), "nothing was submitted again, and the killed task left nothing undone")
+        expect("round 1: " in run.said(), "nothing was submitted again, and the killed task left nothing undone")
         states = slurm.states()
         expect(states["n2"].startswith("down"), f"Slurm thinks that its dead node is {states['n2']}")
         expect_same(directory, single, manifest)
@@ -150,6 +161,15 @@ def test_slurm(popupc, scratch, single, count):
             expect(again.exit() == 0, f"submit.sh ended with {again.exit()}\n{again.said()}")
             expect("round 1" not in again.said(), f"it submitted all the same\n{again.said()}")
             expect(os.listdir(f"{directory}/jobs.logs") == before, "tasks have run all the same")
+
+        with Step("submit.sh cancelled its array on Ctrl-C"):
+            cancelled = f"{scratch}/cancelled"
+            write_designs(f"{SOURCE}/samples", cancelled, 100)
+            run = Run([f"{SCRIPTS}/submit.sh", "jobs.jsonl", "10"], cancelled, environment, f"{scratch}/cancelled.log")
+            run.wait_until("something was built", lambda: built(cancelled))
+            status = run.end_with(signal.SIGINT)
+            expect(status == 130, f"submit.sh ended with {status}\n{run.said()}")
+            slurm.until("the queue is empty", lambda: not slurm.run("squeue", "-h").stdout)
 
         with Step("submit.sh tells what cannot be built, and does not try for ever"):
             bad = f"{scratch}/bad"

@@ -6,6 +6,7 @@ configuration that nobody else has. A Slurm that is installed or runs already is
 
 import os
 import pwd
+import random
 import secrets
 import shutil
 import socket
@@ -73,12 +74,18 @@ def missing_packages():
 
 
 def free_ports(count):
-    """Ports of the loopback interface that nothing listens on just now."""
-    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [one.getsockname()[1] for one in sockets]
-    for one in sockets:
-        one.close()
-    return ports
+    """Ports of the loopback interface that nothing listens on just now, and that connections are not given meanwhile:
+    they are below those that Linux hands out."""
+    ports = []
+    for port in random.SystemRandom().sample(range(20000, 32000), 2000):
+        try:
+            socket.create_server(("127.0.0.1", port)).close()
+        except OSError:
+            continue
+        ports.append(port)
+        if len(ports) == count:
+            return ports
+    raise RuntimeError(f"there are no {count} free ports from 20000 to 32000")
 
 
 class VirtualSlurm:
@@ -135,12 +142,12 @@ class VirtualSlurm:
             f"--pid-file={self.directory}/munged.pid", f"--seed-file={self.directory}/munged.seed",
             f"--log-file={self.directory}/munged.log",
         )  # fmt: skip
-        self._until("munged listens", lambda: os.path.exists(f"{self.directory}/munge.socket"))
+        self.until("munged listens", lambda: os.path.exists(f"{self.directory}/munge.socket"))
         self._boot("slurmctld", "-D", "-i")
-        self._until("slurmctld answers", lambda: self.run("scontrol", "ping").returncode == 0)
+        self.until("slurmctld answers", lambda: self.run("scontrol", "ping").returncode == 0)
         for name in self.nodes:
             self._boot("slurmd", "-D", "-N", name, name=name)
-        self._until("all nodes are idle", lambda: set(self.states().values()) == {"idle"})
+        self.until("all nodes are idle", lambda: set(self.states().values()) == {"idle"})
 
     def _boot(self, program, *arguments, name=None):
         name = name or program
@@ -148,7 +155,8 @@ class VirtualSlurm:
             [find(program), *arguments], {**os.environ, **self.environment}, f"{self.directory}/{name}.out"
         )
 
-    def _until(self, what, is_so, seconds=30):
+    def until(self, what, is_so, seconds=30):
+        """Waits until is_so(); raises RuntimeError when a daemon ends, or it lasts too long."""
         end = time.monotonic() + seconds
         while not is_so():
             ended = [name for name, machine in self.machines.items() if machine.ended() is not None]
