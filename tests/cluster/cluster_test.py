@@ -113,7 +113,7 @@ def expect_same(directory, reference, manifest):
 
 
 def test_slurm(popupc, scratch, single, count):
-    directory = f"{scratch}/cluster"
+    directory = f"{scratch}/the cluster's run, 100%a"  # as one word everywhere
     manifest = write_designs(f"{SOURCE}/samples", directory, count)
     reference = len(outputs(manifest))
     with Step("Slurm is up with three nodes"):
