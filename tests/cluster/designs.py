@@ -48,10 +48,10 @@ def write_designs(samples, directory, count):
     return manifest
 
 
-def outputs(manifest):
-    """The outputs that the manifest names."""
+def outputs(manifest, of=slice(None)):
+    """The outputs that the manifest names, or those of some of its jobs."""
     with open(manifest, encoding="utf-8") as jobs:
-        return {name for line in jobs for name in json.loads(line)["output"]}
+        return {name for line in jobs.readlines()[of] for name in json.loads(line)["output"]}
 
 
 def tree(directory):
