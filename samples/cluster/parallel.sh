@@ -10,7 +10,7 @@
 # All hosts must see the manifest, its inputs and its outputs under the same path (a shared file system; README.md says
 # what to do without one), and must have popupc, perl (for GNU parallel) and a login without a password.
 #
-# Exit status: 0 all is built; 1 something is missing or failed, STEM.missing.jsonl is a manifest of that;
+# Exit status: 0 all is built; 1 something is missing or failed, STEM.missing.jsonl (.csv) is a manifest of that;
 # 2 wrong usage.
 #
 # POPUPC         the program, by a name that holds on all hosts (popupc)
@@ -54,24 +54,27 @@ command -v parallel >/dev/null || usage "GNU parallel is not installed here (Deb
 
 stem=${manifest%.*}
 report=$stem.report.json
-missing=$stem.missing.jsonl
+missing=$stem.missing.${manifest##*.}
 joblog=$stem.parallel.log
 
-# Sets `left` to the number of designs that are not built; fails when there are some.
+# Joins the results. Sets `jobs` to the number of designs, and `left` to how many another run may build: not those that
+# have errors. Fails when not all is built.
+jobs=
 left=
 look() {
-    "$POPUPC" merge-reports "$manifest" -o "$report" --missing "$missing"
-    case $? in
-    0)
-        rm -f "$missing"
-        left=0
-        ;;
-    1)
-        left=$(grep -c . "$missing")
-        return 1
-        ;;
-    *) exit 2 ;;
-    esac
+    local said status
+    rm -f "$report"
+    said=$("$POPUPC" merge-reports "$manifest" -o "$report" --missing "$missing" 2>&1)
+    status=$?
+    if [ ! -f "$report" ]; then
+        printf '%s\n' "$said" >&2
+        exit 2
+    fi
+    # The counts stand before the results.
+    jobs=$(sed -n 's/^  "jobs": \([0-9]*\).*/\1/p; 9q' "$report")
+    left=$(awk '/^  "(unusable|crashed|missing|gone)":/ { sum += $2 } NR == 9 { exit } END { print sum + 0 }' "$report")
+    [ "$status" -ne 0 ] || rm -f "$missing"
+    return "$status"
 }
 
 options=
@@ -87,15 +90,14 @@ commands() {
     done
 }
 
-if look; then
-    say "all is built"
-    exit 0
-fi
+# The first round is for all designs, as only popupc batch knows which of those that were built are stale.
+look
+left=$jobs
 for ((round = 1; round <= ROUNDS; round++)); do
     before=$left
     count=$((${#hosts[@]} * SHARES))
     if [ "$count" -gt "$left" ]; then count=$left; fi
-    say "round $round: $left designs to build in $count shares on ${#hosts[@]} hosts"
+    say "round $round: $count shares on ${#hosts[@]} hosts for what is not built of $left designs"
     # --retries: on another host, as long as there is one where the share has not failed yet.
     commands "$count" | parallel --sshloginfile <(printf '%s\n' "${hosts[@]}") --jobs 1 --retries $((${#hosts[@]} + 1)) \
         --joblog "$joblog" --tagstring 'share {#}:' --line-buffer
@@ -103,10 +105,13 @@ for ((round = 1; round <= ROUNDS; round++)); do
         say "all is built"
         exit 0
     fi
+    [ "$left" -gt 0 ] || break
+    # The first round may have met a bad hour; one that mends nothing will be followed by others alike.
     if [ "$round" -gt 1 ] && [ "$left" -ge "$before" ]; then
         say "round $round mended nothing"
         break
     fi
 done
-say "$left designs are not built: $report says why, $missing is a manifest of them, $joblog has what ran where"
+"$POPUPC" merge-reports "$manifest"
+say "not all is built: $report says why, $missing is a manifest of them, $joblog has what ran where"
 exit 1

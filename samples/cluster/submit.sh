@@ -10,7 +10,7 @@
 # Ending it with Ctrl-C cancels the array. If the connection is lost the array goes on; the same command then waits for
 # it and does not submit another. Nothing that was built is built again.
 #
-# Exit status: 0 all is built; 1 something is missing or failed, STEM.missing.jsonl is a manifest of that;
+# Exit status: 0 all is built; 1 something is missing or failed, STEM.missing.jsonl (.csv) is a manifest of that;
 # 2 wrong usage, or Slurm takes no jobs.
 #
 # POPUPC     the program, by a name that holds on all nodes (popupc)
@@ -60,7 +60,7 @@ done
 array_script=$(dirname "$(realpath "$0")")/slurm-array.sh
 stem=${manifest%.*}
 report=$stem.report.json
-missing=$stem.missing.jsonl
+missing=$stem.missing.${manifest##*.}
 logs=$stem.logs
 # By its name the array is found again.
 job_name=popupc-$(printf '%s' "$manifest" | cksum | cut -d ' ' -f 1)
@@ -71,21 +71,24 @@ most=$((${most:-1001} - 1))
 if [ "$most" -lt 1 ]; then most=1; fi
 [ -z "$tasks" ] || [ "$tasks" -le "$most" ] || usage "$tasks tasks are more than the $most that this Slurm takes in an array"
 
-# Sets `left` to the number of designs that are not built; fails when there are some.
+# Joins the results. Sets `jobs` to the number of designs, and `left` to how many another run may build: not those that
+# have errors. Fails when not all is built.
+jobs=
 left=
 look() {
-    "$POPUPC" merge-reports "$manifest" -o "$report" --missing "$missing"
-    case $? in
-    0)
-        rm -f "$missing"
-        left=0
-        ;;
-    1)
-        left=$(grep -c . "$missing")
-        return 1
-        ;;
-    *) exit 2 ;;
-    esac
+    local said status
+    rm -f "$report"
+    said=$("$POPUPC" merge-reports "$manifest" -o "$report" --missing "$missing" 2>&1)
+    status=$?
+    if [ ! -f "$report" ]; then
+        printf '%s\n' "$said" >&2
+        exit 2
+    fi
+    # The counts stand before the results.
+    jobs=$(sed -n 's/^  "jobs": \([0-9]*\).*/\1/p; 9q' "$report")
+    left=$(awk '/^  "(unusable|crashed|missing|gone)":/ { sum += $2 } NR == 9 { exit } END { print sum + 0 }' "$report")
+    [ "$status" -ne 0 ] || rm -f "$missing"
+    return "$status"
 }
 
 # What the tasks of an array do: "3 running, 9 pending (Resources)". Empty when it has ended; fails when Slurm gives no
@@ -147,10 +150,9 @@ if [ -n "$job" ]; then
     job=
 fi
 
-if look; then
-    say "all is built"
-    exit 0
-fi
+# The first round is for all designs, as only popupc batch knows which of those that were built are stale.
+look
+left=$jobs
 mkdir -p "$logs" || exit 2
 for ((round = 1; round <= ROUNDS; round++)); do
     before=$left
@@ -160,18 +162,20 @@ for ((round = 1; round <= ROUNDS; round++)); do
     job=$(sbatch --parsable --job-name="$job_name" --array="1-$count$limit" --output="${logs//%/%%}/%A_%a.log" \
         "$array_script" "$manifest" "$@") || exit 2
     job=${job%%;*}
-    say "round $round: $left designs to build, job $job of $count tasks"
+    say "round $round: job $job of $count tasks for what is not built of $left designs"
     wait_for "$job"
     job=
     if look; then
         say "all is built"
         exit 0
     fi
+    [ "$left" -gt 0 ] || break
     # The first round may have met a bad hour; one that mends nothing will be followed by others alike.
     if [ "$round" -gt 1 ] && [ "$left" -ge "$before" ]; then
         say "round $round mended nothing"
         break
     fi
 done
-say "$left designs are not built: $report says why, $missing is a manifest of them, $logs has what the tasks said"
+"$POPUPC" merge-reports "$manifest"
+say "not all is built: $report says why, $missing is a manifest of them, $logs has what the tasks said"
 exit 1
