@@ -289,7 +289,7 @@ TEST(Manual, TheExampleDocumentChecksCleanAndIsCanonical) {
 
 TEST(Manual, MandocFindsNoError) {
     if (!have_program("mandoc")) GTEST_SKIP() << "mandoc is not installed";
-    for (const std::string page : {"popupc.1", "popup.5"}) {
+    for (const std::string page : {"popupc.1", "popup.5", "popupc-cluster.7"}) {
         const RunResult result =
             run({"mandoc", "-W", "error", "-T", "utf8", (kSource / "man" / page).string()});
         EXPECT_EQ(result.exit, 0) << page << "\n" << result.err;
