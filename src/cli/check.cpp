@@ -15,6 +15,7 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_motion_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
+    add_config_options(*verb, options);
     add_thread_option(*verb, options);
     verb->footer(
         "Examples:\n"

@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <utility>
 
+#include "cli/config.h"
 #include "cli/help.h"
+#include "cli/response_files.h"
 #include "cli/verbs.h"
 #include "popup/compile.h"
 
@@ -21,17 +24,29 @@ std::span<const Verb> verb_table() {
     return kVerbs;
 }
 
+std::unique_ptr<CLI::App> declare_program(Options& options) {
+    auto app = std::make_unique<CLI::App>(
+        "A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
+        "popupc");
+    set_up_help(*app);
+    for (const Verb& verb : verb_table()) verb.add(*app, options)->get_help_ptr()->group("Other");
+    app->require_subcommand(1);
+    return app;
+}
+
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments) {
     Command command;
-    CLI::App app{"A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
-                 "popupc"};
-    set_up_help(app);
-    std::vector<CLI::App*> verbs;
-    for (const Verb& verb : verb_table()) {
-        verbs.push_back(verb.add(app, command.options));
-        verbs.back()->get_help_ptr()->group("Other");
+    Options& options = command.options;
+    arguments = expand_response_files(arguments, options.settings_files);
+    const std::unique_ptr<CLI::App> program = declare_program(options);
+    CLI::App& app = *program;
+    const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
+    // Settings can be looked at before there is anything to do with them.
+    if (std::find(arguments.begin(), arguments.end(), "--print-config") != arguments.end()) {
+        for (CLI::App* verb : verbs) {
+            for (CLI::Option* option : verb->get_options()) option->required(false);
+        }
     }
-    app.require_subcommand(1);
     // The parser takes them from the end.
     std::reverse(arguments.begin(), arguments.end());
     try {
@@ -44,7 +59,10 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
         throw explained(app, error);
     }
     for (std::size_t i = 0; i < verbs.size(); ++i) {
-        if (verbs[i]->parsed()) command.verb = &verb_table()[i];
+        if (!verbs[i]->parsed()) continue;
+        command.verb = &verb_table()[i];
+        const Settings settings = apply_settings(app, *verbs[i], options);
+        if (options.config.print) return render_settings(*verbs[i], settings);
     }
     return command;
 }

@@ -150,7 +150,7 @@ CLI::App* add_list(CLI::App& app, Options& options) {
     verb->add_option("WHAT", options.list.what, "formats, languages, elements, profiles, sheets or codes")
         ->required()
         ->type_name("");
-    verb->add_flag("--json", options.list.json, "as a JSON array of objects");
+    verb->add_flag("--json", options.list.json, "as a JSON array of objects")->configurable(false);
     verb->footer(
         "Examples:\n"
         "  popupc list formats\n"
