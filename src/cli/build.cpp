@@ -17,7 +17,13 @@ void add_output_options(CLI::App& verb, Options& options) {
         ->allow_extra_args(false)
         ->configurable(false)
         ->group("Output");
-    verb.add_option("--to", build.format, "format of standard output (\"-o -\"), such as svg")
+    verb.add_option_function<std::string>(
+            "--to",
+            [&build](const std::string& text) {
+                check_format_name(text);
+                build.format = text;
+            },
+            "format of standard output (\"-o -\"), such as svg")
         ->type_name("FORMAT")
         ->configurable(false)
         ->group("Output");

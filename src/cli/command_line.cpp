@@ -16,11 +16,10 @@
 namespace popup::cli {
 
 std::span<const Verb> verb_table() {
-    static constexpr Verb kVerbs[] = {{add_build, run_build},
-                                      {add_check, run_check},
-                                      {add_fix, run_fix},
-                                      {add_explain, run_explain},
-                                      {add_list, run_list}};
+    static constexpr Verb kVerbs[] = {{add_build, run_build},  {add_check, run_check},
+                                      {add_fix, run_fix},      {add_explain, run_explain},
+                                      {add_list, run_list},    {add_completions, run_completions},
+                                      {add_manual, run_manual}};
     return kVerbs;
 }
 

@@ -109,7 +109,7 @@ struct Options {
     bool margin_given = false;
     BuildOptions build;
     FixOptions fix;
-    std::string code;  // of `explain`
+    std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb
     ListOptions list;
     ConfigOptions config;
     // The response files and the configuration by which the other options came to be: inputs of the run.
