@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: the program, the library with its headers and CMake package, the manual pages,
-# the document's schema, and the scripts for clusters.
+# what shells complete its command lines by, the document's schema, and the scripts for clusters.
 include(CMakePackageConfigHelpers)
 
 set(POPUP_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/popup)
@@ -8,6 +8,21 @@ install(TARGETS popupc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS popup EXPORT popup-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/popup DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
+
+# The program knows its options itself. One for another machine cannot be asked.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(POPUP_COMPLETIONS ${PROJECT_BINARY_DIR}/completions)
+  file(MAKE_DIRECTORY ${POPUP_COMPLETIONS})
+  add_custom_command(OUTPUT ${POPUP_COMPLETIONS}/popupc ${POPUP_COMPLETIONS}/_popupc ${POPUP_COMPLETIONS}/popupc.fish
+                     COMMAND popupc completions bash > ${POPUP_COMPLETIONS}/popupc
+                     COMMAND popupc completions zsh > ${POPUP_COMPLETIONS}/_popupc
+                     COMMAND popupc completions fish > ${POPUP_COMPLETIONS}/popupc.fish
+                     DEPENDS popupc VERBATIM)
+  add_custom_target(popup_completions ALL DEPENDS ${POPUP_COMPLETIONS}/popupc)
+  install(FILES ${POPUP_COMPLETIONS}/popupc DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${POPUP_COMPLETIONS}/_popupc DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${POPUP_COMPLETIONS}/popupc.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+endif()
 
 install(EXPORT popup-targets FILE popup-targets.cmake NAMESPACE popup:: DESTINATION ${POPUP_PACKAGE_DIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/popup-config.cmake.in

@@ -19,7 +19,7 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-std::string joined(const std::string& directory, const std::string& name) {
+std::string within(const std::string& directory, const std::string& name) {
     return name.starts_with('/') ? name : directory + "/" + name;
 }
 
@@ -36,7 +36,7 @@ bool append(int fd, std::string_view bytes) {
 
 }  // namespace
 
-std::string BatchFiles::absolute(const std::string& file) const { return joined(home, file); }
+std::string BatchFiles::absolute(const std::string& file) const { return within(home, file); }
 
 std::vector<std::string> BatchFiles::results_beside() const {
     return name == "-" ? std::vector<std::string>() : popup::results_beside(absolute(name));

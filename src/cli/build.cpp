@@ -17,9 +17,17 @@ void add_output_options(CLI::App& verb, Options& options) {
     verb.add_option("-o,--output", build.outputs, "write this file; its suffix picks the format. Repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false)
+        ->configurable(false)
         ->group("Output");
-    verb.add_option("--to", build.format, "format of standard output (\"-o -\"), such as svg")
+    verb.add_option_function<std::string>(
+            "--to",
+            [&build](const std::string& text) {
+                check_format_name(text);
+                build.format = text;
+            },
+            "format of standard output (\"-o -\"), such as svg")
         ->type_name("FORMAT")
+        ->configurable(false)
         ->group("Output");
     verb.add_option_function<std::string>(
             "--emit",
@@ -34,12 +42,15 @@ void add_output_options(CLI::App& verb, Options& options) {
                     if (name == text) build.emit = stage;
                 }
                 if (!build.emit) {
-                    throw UsageError(fmt::format(
-                        "--emit takes design, assembly, motion, pattern or layout, not \"{}\"", text));
+                    throw UsageError(
+                        fmt::format("--emit takes design, assembly, motion, pattern or layout, not \"{}\"",
+                                    text),
+                        {}, {"design", "assembly", "motion", "pattern", "layout"});
                 }
             },
             "print design, assembly, motion, pattern or layout as JSON")
         ->type_name("STAGE")
+        ->configurable(false)
         ->group("Output");
     verb.add_flag("--if-changed", build.if_changed, "leave files alone that hold the same bytes already")
         ->group("Output");
@@ -102,6 +113,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     add_motion_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
+    add_config_options(*verb, options);
     add_thread_option(*verb, options);
     verb->footer(
         "Examples:\n"
@@ -195,6 +207,7 @@ Build build(const Options& given) {
     Build result;
     result.inputs = options.inputs.names;
     if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
+    result.inputs.insert(result.inputs.end(), options.settings_files.begin(), options.settings_files.end());
     const std::string dependencies = dependency_file_name(options);
     for (const std::string& input : result.inputs) {
         if (dependencies.empty() || !overwrites(dependencies, input)) continue;

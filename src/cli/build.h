@@ -19,7 +19,8 @@ struct Build {
     // Every file's findings: the profile's where there are any, then the inputs' in argument order. Valid as
     // long as this object.
     [[nodiscard]] std::vector<FileFindings> findings() const;
-    // The names of the files that were read, or should have been: the inputs, then the profile.
+    // The names of the files that were read, or should have been: the inputs, then the profile, then the
+    // configuration and response files.
     std::vector<std::string> inputs;
 };
 

@@ -20,6 +20,7 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_judge_options(*verb, options);
+    add_config_options(*verb, options);
     add_thread_option(*verb, options);
     verb->footer(
         "Examples:\n"

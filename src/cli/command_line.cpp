@@ -4,10 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <utility>
 
+#include "cli/config.h"
 #include "cli/dependency_options.h"
 #include "cli/help.h"
+#include "cli/response_files.h"
 #include "cli/verbs.h"
 #include "popup/compile.h"
 
@@ -20,23 +23,37 @@ std::span<const Verb> verb_table() {
                                       {add_batch, run_batch},
                                       {add_merge_reports, run_merge_reports},
                                       {add_explain, run_explain},
-                                      {add_list, run_list}};
+                                      {add_list, run_list},
+                                      {add_completions, run_completions},
+                                      {add_manual, run_manual}};
     return kVerbs;
+}
+
+std::unique_ptr<CLI::App> declare_program(Options& options) {
+    auto app = std::make_unique<CLI::App>(
+        "A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
+        "popupc");
+    set_up_help(*app);
+    for (const Verb& verb : verb_table()) verb.add(*app, options)->get_help_ptr()->group("Other");
+    app->require_subcommand(1);
+    return app;
 }
 
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments) {
     Command command;
     command.options.arguments = arguments;
-    CLI::App app{"A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
-                 "popupc"};
-    set_up_help(app);
-    std::vector<CLI::App*> verbs;
-    for (const Verb& verb : verb_table()) {
-        verbs.push_back(verb.add(app, command.options));
-        verbs.back()->get_help_ptr()->group("Other");
-    }
-    app.require_subcommand(1);
+    Options& options = command.options;
+    arguments = expand_response_files(arguments, options.settings_files);
     arguments = with_long_dependency_options(arguments);
+    const std::unique_ptr<CLI::App> program = declare_program(options);
+    CLI::App& app = *program;
+    const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
+    // Settings can be looked at before there is anything to do with them.
+    if (std::find(arguments.begin(), arguments.end(), "--print-config") != arguments.end()) {
+        for (CLI::App* verb : verbs) {
+            for (CLI::Option* option : verb->get_options()) option->required(false);
+        }
+    }
     // The parser takes them from the end.
     std::reverse(arguments.begin(), arguments.end());
     try {
@@ -49,7 +66,10 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
         throw explained(app, error);
     }
     for (std::size_t i = 0; i < verbs.size(); ++i) {
-        if (verbs[i]->parsed()) command.verb = &verb_table()[i];
+        if (!verbs[i]->parsed()) continue;
+        command.verb = &verb_table()[i];
+        const Settings settings = apply_settings(app, *verbs[i], options);
+        if (options.config.print) return render_settings(*verbs[i], settings);
     }
     return command;
 }

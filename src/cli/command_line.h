@@ -1,6 +1,7 @@
 // A command line as a verb with its options.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -23,8 +24,14 @@ struct Command {
     Options options;
 };
 
-// Reads the arguments, the program's name not among them. A text is what --help or --version wants printed.
-// UsageError when they are wrong.
+// The program as the parser knows it, with all verbs in the order of the table and all their options, which
+// write into `options`; these must outlive it.
+std::unique_ptr<CLI::App> declare_program(Options& options);
+
+// Reads the arguments, the program's name not among them: response files in them, the options they give, and
+// for what they do not give the environment (POPUPC_*) and the popupc.toml of the inputs. A text is what
+// --help,
+// --version or --print-config wants printed. UsageError when anything of this is wrong.
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments);
 
 }  // namespace popup::cli

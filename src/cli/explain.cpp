@@ -31,11 +31,24 @@ std::string wrapped(std::string_view paragraph) {
     return text + "\n";
 }
 
+const CodeInfo& code_named(std::string_view code) {
+    // As it stands in the message.
+    if (code.starts_with('[') && code.ends_with(']')) code = code.substr(1, code.size() - 2);
+    if (const CodeInfo* row = find_code(code)) return *row;
+    std::vector<std::string_view> known;
+    for (const CodeInfo& info : code_table()) known.push_back(info.code);
+    auto hints = did_you_mean(code, known);
+    hints.emplace_back("\"popupc list codes\" lists all");
+    throw UsageError(fmt::format("there is no diagnostic \"{}\"", code), hints, known);
+}
+
 }  // namespace
 
 CLI::App* add_explain(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("explain", "What a diagnostic means and what mends it");
-    verb->add_option("CODE", options.code, "the word in brackets at the end of a diagnostic")
+    verb->add_option_function<std::string>(
+            "CODE", [&options](const std::string& text) { options.topic = code_named(text).code; },
+            "the word in brackets at the end of a diagnostic")
         ->required()
         ->type_name("");
     verb->footer(
@@ -46,19 +59,9 @@ CLI::App* add_explain(CLI::App& app, Options& options) {
 }
 
 int run_explain(const Options& options) {
-    std::string_view code = options.code;
-    // As it stands in the message.
-    if (code.starts_with('[') && code.ends_with(']')) code = code.substr(1, code.size() - 2);
-    const CodeInfo* row = find_code(code);
-    if (row == nullptr) {
-        std::vector<std::string_view> known;
-        for (const CodeInfo& info : code_table()) known.push_back(info.code);
-        auto hints = did_you_mean(code, known);
-        hints.emplace_back("\"popupc list codes\" lists all");
-        throw UsageError(fmt::format("there is no diagnostic \"{}\"", code), hints);
-    }
-    const std::string text = fmt::format("{} ({}): {}\n\n{}", row->code, to_string(row->severity),
-                                         row->summary, wrapped(row->explanation));
+    const CodeInfo& row = code_named(options.topic);
+    const std::string text = fmt::format("{} ({}): {}\n\n{}", row.code, to_string(row.severity), row.summary,
+                                         wrapped(row.explanation));
     return print(text) ? exit_done : exit_unusable;
 }
 

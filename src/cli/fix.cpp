@@ -94,12 +94,15 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     add_tree_options(*verb, options);
     CLI::Option* diff =
         verb->add_flag("--diff", fix.diff, "print what would change as a unified diff; write nothing")
+            ->configurable(false)
             ->group("Output");
-    CLI::Option* in_place =
-        verb->add_flag("--in-place", fix.in_place, "write each document over its input")->group("Output");
+    CLI::Option* in_place = verb->add_flag("--in-place", fix.in_place, "write each document over its input")
+                                ->configurable(false)
+                                ->group("Output");
     CLI::Option* output =
         verb->add_option("-o,--output", fix.output, "write the document here (default: standard output)")
             ->type_name("FILE")
+            ->configurable(false)
             ->group("Output");
     diff->excludes(in_place)->excludes(output);
     in_place->excludes(output);
@@ -107,6 +110,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");
     add_message_options(*verb, options);
+    add_config_options(*verb, options);
     add_thread_option(*verb, options);
     verb->footer(
         "Examples:\n"

@@ -142,15 +142,27 @@ std::string aligned(const Rows& rows) {
     return text;
 }
 
+const Listing& listing_named(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Listing& listing : kListings) {
+        if (listing.name == name) return listing;
+        names.push_back(listing.name);
+    }
+    throw UsageError(fmt::format("there is no list of \"{}\"", name),
+                     {fmt::format("lists: {}", fmt::join(names, " "))}, names);
+}
+
 }  // namespace
 
 CLI::App* add_list(CLI::App& app, Options& options) {
     CLI::App* verb =
         app.add_subcommand("list", "What there is: formats, languages, elements, profiles, sheets, codes");
-    verb->add_option("WHAT", options.list.what, "formats, languages, elements, profiles, sheets or codes")
+    verb->add_option_function<std::string>(
+            "WHAT", [&options](const std::string& text) { options.list.what = listing_named(text).name; },
+            "formats, languages, elements, profiles, sheets or codes")
         ->required()
         ->type_name("");
-    verb->add_flag("--json", options.list.json, "as a JSON array of objects");
+    verb->add_flag("--json", options.list.json, "as a JSON array of objects")->configurable(false);
     verb->footer(
         "Examples:\n"
         "  popupc list formats\n"
@@ -159,16 +171,8 @@ CLI::App* add_list(CLI::App& app, Options& options) {
 }
 
 int run_list(const Options& options) {
-    std::vector<std::string_view> names;
-    for (const Listing& listing : kListings) {
-        names.push_back(listing.name);
-        if (listing.name != options.list.what) continue;
-        const Rows rows = listing.rows();
-        const std::string text = options.list.json ? Json(rows).dump(2) + "\n" : aligned(rows);
-        return print(text) ? exit_done : exit_unusable;
-    }
-    throw UsageError(fmt::format("there is no list of \"{}\"", options.list.what),
-                     {fmt::format("lists: {}", fmt::join(names, " "))});
+    const Rows rows = listing_named(options.list.what).rows();
+    return print(options.list.json ? Json(rows).dump(2) + "\n" : aligned(rows)) ? exit_done : exit_unusable;
 }
 
 }  // namespace popup::cli

@@ -7,8 +7,9 @@ namespace {
 constexpr const char* kGroup = "Nesting";
 
 [[noreturn]] void refuse(std::string_view option, std::string_view wanted, std::string_view text,
-                         std::vector<std::string> hints = {}) {
-    throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, wanted, text), std::move(hints));
+                         std::vector<std::string> hints = {}, std::vector<std::string_view> choices = {}) {
+    throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, wanted, text), std::move(hints),
+                     std::move(choices));
 }
 
 void add_freedom_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
@@ -18,7 +19,7 @@ void add_freedom_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
                const std::optional<PieceRule> rule = parse_turn_rule(text);
                if (!rule) {
                    refuse("--rotate", "none, 180, 90, any, or a count of turns in a circle", text,
-                          {"write PIECE=none, PIECE=180 … for one piece"});
+                          {"write PIECE=none, PIECE=180 … for one piece"}, {"none", "180", "90", "any"});
                }
                given = true;
                if (rule->piece.empty()) {
@@ -54,7 +55,8 @@ void add_freedom_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
                }
                layout.rules.push_back(*rule);
                given = true;
-           });
+           })
+        ->configurable(false);
 }
 
 void add_effort_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
@@ -70,7 +72,8 @@ void add_effort_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
               } else {
                   const std::optional<double> times = parse_number(text);
                   if (!times || *times < 0.0 || *times > 1e6)
-                      refuse("--nest-effort", "fast, normal, best, or a number from 0 to 1000000", text);
+                      refuse("--nest-effort", "fast, normal, best, or a number from 0 to 1000000", text, {},
+                             {"fast", "normal", "best"});
                   effort.work = *times * kFastNesting;
               }
               given = true;

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/render_diagnostics.h"
 #include "cli/value_option.h"
 
 namespace popup::cli {
@@ -20,6 +21,15 @@ Length length_option(std::string_view option, std::string_view text, double leas
     return *length;
 }
 
+// The worst finding as "FILE:LINE:COLUMN: MESSAGE".
+std::string one_line(const Diagnostics& findings) {
+    const std::vector<Diagnostic> all = findings.sorted();
+    POPUP_INVARIANT(!all.empty());
+    const Diagnostic& one = all.front();
+    if (one.place.line == 0) return fmt::format("{}: {}", one.file, one.message);
+    return fmt::format("{}:{}:{}: {}", one.file, one.place.line, one.place.column, one.message);
+}
+
 void add_codes(CLI::App& verb, const std::string& name, const std::string& about,
                std::set<std::string, std::less<>>& codes) {
     values(verb, name, "CODE", about, "Diagnostics", [name, &codes](std::string_view code) {
@@ -28,13 +38,17 @@ void add_codes(CLI::App& verb, const std::string& name, const std::string& about
             for (const CodeInfo& row : code_table()) known.push_back(row.code);
             auto hints = did_you_mean(code, known);
             hints.emplace_back("\"popupc list codes\" lists all");
-            throw UsageError(fmt::format("{}: there is no diagnostic \"{}\"", name, code), hints);
+            throw UsageError(fmt::format("{}: there is no diagnostic \"{}\"", name, code), hints, known);
         }
         codes.emplace(code);
     });
 }
 
 }  // namespace
+
+UsageError::UsageError(const Diagnostics& findings, std::string text)
+    : std::runtime_error(one_line(findings)),
+      in_file_(std::make_shared<const InFile>(InFile{findings, std::move(text)})) {}
 
 bool MessageOptions::use_standard_output() const {
     return file == "-" || (file.empty() && format->for_machines);
@@ -54,8 +68,10 @@ void add_input_options(CLI::App& verb, Options& options) {
                   return;
               }
               throw UsageError(
-                  fmt::format("--from takes a language ({}), not \"{}\"", fmt::join(known, ", "), text));
-          });
+                  fmt::format("--from takes a language ({}), not \"{}\"", fmt::join(known, ", "), text), {},
+                  known);
+          })
+        ->configurable(false);
     verb.add_flag("--strict", options.compile.read.strict, "unknown markup is an error, not a warning")
         ->group("Input");
 }
@@ -94,7 +110,8 @@ void add_message_options(CLI::App& verb, Options& options) {
           [&messages](std::string_view text) {
               if (text.empty()) throw UsageError("--diagnostics takes the name of a file");
               messages.file = text;
-          });
+          })
+        ->configurable(false);
     add_talk_options(verb, options);
 }
 
@@ -158,7 +175,7 @@ void add_sheet_options(CLI::App& verb, Options& options) {
                   for (const Paper& paper : paper_table()) names.push_back(paper.name);
                   throw UsageError(
                       fmt::format("--sheet takes {}, or a size, not \"{}\"", fmt::join(names, ", "), text),
-                      {"write a size as 300x200, 300x200mm or 12x8.5in"});
+                      {"write a size as 300x200, 300x200mm or 12x8.5in"}, names);
               }
               layout.sheet = *sheet;
               given = true;
@@ -224,6 +241,24 @@ void check_motion_options(const Options& options) {
         throw UsageError(fmt::format("{} asks for what --solver iterative does not look at", name),
                          {"leave --solver out: the closed form is examined"});
     }
+}
+
+void add_config_options(CLI::App& verb, Options& options) {
+    ConfigOptions& config = options.config;
+    CLI::Option* off = verb.add_flag("--no-config", config.off, "take no settings from a popupc.toml")
+                           ->configurable(false)
+                           ->group("Configuration");
+    value(verb, "--config", "FILE", "take settings from FILE (default: popupc.toml, upward from the input)",
+          "Configuration",
+          [&config](std::string_view text) {
+              if (text.empty()) throw UsageError("--config takes the name of a file");
+              config.file = text;
+          })
+        ->configurable(false)
+        ->excludes(off);
+    verb.add_flag("--print-config", config.print, "print all settings and where they come from; do nothing")
+        ->configurable(false)
+        ->group("Configuration");
 }
 
 void add_thread_option(CLI::App& verb, Options& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -26,12 +27,28 @@ enum ExitCode : int { exit_done = 0, exit_findings = 1, exit_unusable = 2 };
 // Wrong usage: what is wrong, and what would be right. Thrown while options are read, caught by main().
 class UsageError : public std::runtime_error {
  public:
-    explicit UsageError(const std::string& message, std::vector<std::string> hints = {})
-        : std::runtime_error(message), hints_(std::move(hints)) {}
+    // `choices` are the words that would have been taken, where the option has a list of them: completions
+    // ask an option for what it cannot know, and take them from here.
+    explicit UsageError(const std::string& message, std::vector<std::string> hints = {},
+                        std::vector<std::string_view> choices = {})
+        : std::runtime_error(message), hints_(std::move(hints)), choices_(choices.begin(), choices.end()) {}
+    // What is wrong stands in a configuration or response file, of which `text` is the whole. Precondition:
+    // `findings` has errors. what() is the first of them on one line, with its place.
+    UsageError(const Diagnostics& findings, std::string text);
+
     [[nodiscard]] const std::vector<std::string>& hints() const { return hints_; }
+    [[nodiscard]] const std::vector<std::string>& choices() const { return choices_; }
+    struct InFile {
+        Diagnostics findings;
+        std::string text;
+    };
+    // Null where the command line or the environment is wrong.
+    [[nodiscard]] const InFile* in_file() const { return in_file_.get(); }
 
  private:
     std::vector<std::string> hints_;
+    std::vector<std::string> choices_;
+    std::shared_ptr<const InFile> in_file_;  // shared, because exceptions are copied
 };
 
 enum class When { automatic, always, never };
@@ -111,6 +128,13 @@ struct MergeOptions {
     std::string missing;               // likewise
 };
 
+// Where settings come from that are not on the command line.
+struct ConfigOptions {
+    std::string file;    // --config; empty: popupc.toml, found upward from the inputs
+    bool off = false;    // --no-config
+    bool print = false;  // --print-config
+};
+
 // Everything of one run. A verb fills what it offers.
 struct Options {
     std::vector<std::string> arguments;  // all of these come from
@@ -118,16 +142,20 @@ struct Options {
     MessageOptions messages;
     DiagnosticPolicy policy;
     CompileOptions compile;
-    bool jobs_given = false;   // -j: make's jobserver is not asked
-    bool sheet_given = false;  // any option about the sheet
+    bool jobs_given = false;  // -j: make's jobserver is not asked
+    // Any option about the sheet, on the command line or in the verb's own table of a configuration.
+    bool sheet_given = false;
     bool margin_given = false;
     BuildOptions build;
     FixOptions fix;
-    JudgeOptions judge;
-    std::string code;  // of `explain`
+    std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb
     ListOptions list;
+    JudgeOptions judge;
     BatchOptions batch;
     MergeOptions merge;
+    ConfigOptions config;
+    // The response files and the configuration by which the other options came to be: inputs of the run.
+    std::vector<std::string> settings_files;
 };
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
@@ -143,6 +171,7 @@ void add_sheet_options(CLI::App& verb, Options& options);
 void add_nest_options(CLI::App& verb, Options& options);
 void add_motion_options(CLI::App& verb, Options& options);
 void add_thread_option(CLI::App& verb, Options& options);
+void add_config_options(CLI::App& verb, Options& options);
 
 // A UsageError when the options about the motion, once all are read, do not go together.
 void check_motion_options(const Options& options);

@@ -43,10 +43,6 @@ const Format& format_of(const std::string& path, const BuildOptions& options) {
 
 void check_format_option(const std::vector<std::string>& outputs, const std::string& format) {
     if (format.empty()) return;
-    if (find_format(format) == nullptr) {
-        throw UsageError(fmt::format("--to: there is no format \"{}\"", format),
-                         {fmt::format("formats: {}", fmt::join(format_names(), " "))});
-    }
     for (const std::string& path : outputs) {
         if (path == "-" || find_format(path) == nullptr) return;
     }
@@ -164,6 +160,14 @@ void examine_formats(const std::vector<PlannedOutput>& outputs, const Profile& p
 
 bool is_standard_output(const std::string& path) {
     return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+void check_format_name(const std::string& name) {
+    if (find_format(name) != nullptr) return;
+    std::vector<std::string_view> plain = format_names();
+    for (std::string_view& one : plain) one.remove_prefix(1);
+    throw UsageError(fmt::format("--to: there is no format \"{}\"", name),
+                     {fmt::format("formats: {}", fmt::join(format_names(), " "))}, plain);
 }
 
 bool same_place(const std::string& a, const std::string& b) {

@@ -16,6 +16,9 @@ struct PlannedOutput {
     const Format* format = nullptr;
 };
 
+// UsageError when `name`, a suffix with or without its full stop, is no format's.
+void check_format_name(const std::string& name);
+
 // Finds the format of every output. UsageError on an unknown one, on two users of standard output, on an
 // output, diagnostics and the dependency file among them, that is named twice or is an input, on one document
 // for several inputs, and when an output needs what an input does not have: parts that do not move have no

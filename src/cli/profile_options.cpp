@@ -104,7 +104,7 @@ void add_profile_options(CLI::App& verb, Options& options) {
                   std::vector<std::string> hints = did_you_mean(text, profile_names());
                   hints.push_back(fmt::format("profiles: {}; or a file of your own, with the suffix .toml",
                                               fmt::join(profile_names(), ", ")));
-                  throw UsageError(fmt::format("there is no profile \"{}\"", text), hints);
+                  throw UsageError(fmt::format("there is no profile \"{}\"", text), hints, profile_names());
               }
               options.compile.output.profile = *profile;
           });

@@ -178,6 +178,14 @@ const std::atomic<bool>* stop_on_interrupt() {
 }
 
 void report_usage(const UsageError& error) {
+    if (const UsageError::InFile* file = error.in_file()) {
+        PlaceFinder finder(file->text);
+        const bool color = colorful({});
+        for (const Diagnostic& one : file->findings.sorted()) {
+            to_standard_error(render_text(one, finder, color));
+        }
+        return;
+    }
     std::string text = fmt::format("popupc: error: {}\n", visible(error.what()));
     for (const std::string& hint : error.hints()) text += fmt::format("  hint: {}\n", visible(hint));
     to_standard_error(text);

@@ -24,7 +24,7 @@ Value choose(std::string_view option, std::string_view text,
         names.push_back(name);
     }
     throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, fmt::join(names, ", "), text),
-                     did_you_mean(text, names));
+                     did_you_mean(text, names), names);
 }
 
 // A value option whose text `use` reads. The text given last counts.
@@ -54,5 +54,16 @@ CLI::Option* values(CLI::App& verb, const std::string& names, const std::string&
         ->allow_extra_args(false)
         ->group(group);
 }
+
+// What configurations and completions want to know of an option beside what the parser tells.
+struct OptionTraits {
+    std::string key;          // its long name without the dashes; of a positional its name
+    bool flag = false;        // takes no value
+    bool repeatable = false;  // takes several values
+    bool files = false;       // every value is the name of a file
+    std::string suffix;       // a value that ends in this is the name of a file; empty: none is
+    std::string instead_of;   // key of the option that this one stands instead of; empty: none
+};
+OptionTraits traits_of(const CLI::Option& option);
 
 }  // namespace popup::cli

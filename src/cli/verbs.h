@@ -27,4 +27,10 @@ int run_explain(const Options& options);
 CLI::App* add_list(CLI::App& app, Options& options);
 int run_list(const Options& options);
 
+CLI::App* add_completions(CLI::App& app, Options& options);
+int run_completions(const Options& options);
+
+CLI::App* add_manual(CLI::App& app, Options& options);
+int run_manual(const Options& options);
+
 }  // namespace popup::cli

@@ -1,6 +1,5 @@
-// Profiles from TOML files. All of toml++ lives here.
+// Profiles from TOML files.
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -11,24 +10,12 @@
 #include <vector>
 
 #include "base/nearest.h"
+#include "base/toml_text.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
 
 namespace popup {
 namespace {
-
-Place place_of(const toml::source_region& region) {
-    return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
-}
-
-std::string_view kind_of(const toml::node& node) {
-    if (node.is_string()) return "a string";
-    if (node.is_boolean()) return "true or false";
-    if (node.is_number()) return "a number";
-    if (node.is_table()) return "a table";
-    if (node.is_array()) return "a list";
-    return "a date or time";
-}
 
 class ProfileReader {
  public:
@@ -210,34 +197,6 @@ class ProfileReader {
 
 constexpr ProfileReader::Range kSpeeds{0.001, 1e5, "mm/s"};
 
-// The parser follows dotted keys by recursion: no line may have more dots than any profile could need.
-constexpr std::size_t kMostBytes = 65536;
-constexpr std::ptrdiff_t kMostDots = 256;
-
-std::optional<toml::table> parse(std::string_view text, ProfileReader& reader) {
-    if (text.size() > kMostBytes) {
-        reader.wrong(toml::source_region{},
-                     fmt::format("a profile has at most {} bytes, not {}", kMostBytes, text.size()));
-        return std::nullopt;
-    }
-    toml::source_region region;
-    region.begin = {1, 1};
-    for (std::size_t at = 0; at < text.size(); ++region.begin.line) {
-        const std::string_view line = text.substr(at, text.find('\n', at) - at);
-        if (std::count(line.begin(), line.end(), '.') > kMostDots) {
-            reader.wrong(region, fmt::format("this line has more than {} dots", kMostDots));
-            return std::nullopt;
-        }
-        at += line.size() + 1;
-    }
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        reader.wrong(error.source(), fmt::format("this is not TOML: {}", error.description()));
-        return std::nullopt;
-    }
-}
-
 // The built-in profile that a file begins with; its own name is not taken over.
 std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
     const toml::node* node = file.get("base");
@@ -257,7 +216,7 @@ std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
 
 std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics) {
     ProfileReader reader(diagnostics);
-    const std::optional<toml::table> parsed = parse(source.text, reader);
+    const std::optional<toml::table> parsed = parse_toml(source.text, "bad-profile", "a profile", diagnostics);
     if (!parsed) return std::nullopt;
     const toml::table& file = *parsed;
     std::optional<Profile> begun = base_of(file, reader);

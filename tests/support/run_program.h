@@ -16,9 +16,11 @@ struct RunResult {
 };
 
 struct RunOptions {
-    std::filesystem::path directory;                 // empty: this process's own
-    std::string input;                               // what standard input holds
-    std::map<std::string, std::string> environment;  // set on top of this process's own
+    std::filesystem::path directory;  // empty: this process's own
+    std::string input;                // what standard input holds
+    // Set on top of this process's own, from which all POPUPC_* are taken out. POPUPC_NO_CONFIG is 1 unless
+    // it is set here (empty, to look for a popupc.toml): none above the tests' directories disturbs them.
+    std::map<std::string, std::string> environment;
 };
 
 // Runs a program to its end. words[0] is the program, found in PATH when it has no slash; 127 when there is

@@ -1,0 +1,105 @@
+// "@FILE" on the command line: which words a file makes, and what is said of one that makes none.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+namespace popup::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+class ResponseFiles : public testing::Test {
+ protected:
+    void SetUp() override { options.directory = scratch.path(); }
+    // The words that the program makes of these arguments: it is told to check what is not there, and names
+    // each.
+    Words expanded(const Words& arguments) {
+        Words all{"check", "--message-format", "json", "--no-config", "--"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        Words words;
+        std::istringstream lines(popupc(all, options).out);
+        for (std::string line; std::getline(lines, line);) {
+            const auto file = nlohmann::json::parse(line)["file"];
+            words.push_back(file.is_null() ? "" : file.get<std::string>());
+        }
+        return words;
+    }
+    Words words(std::string_view text) {
+        write_file(scratch / "args", text);
+        return expanded({"@args"});
+    }
+    std::string refused(std::string_view text) {
+        write_file(scratch / "args", text);
+        const RunResult result = popupc({"check", "@args"}, options);
+        EXPECT_EQ(result.exit, 2);
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    }
+
+    ScratchDirectory scratch;
+    RunOptions options;
+};
+
+TEST_F(ResponseFiles, AreReadAsGccReadsThem) {
+    EXPECT_EQ(words(""), Words{});
+    EXPECT_EQ(words(" \n\t\r\n"), Words{});
+    EXPECT_EQ(words("a b\nc\t d\r\n"), (Words{"a", "b", "c", "d"}));
+    EXPECT_EQ(words("'a b' \"c 'd'\" e'f g'h"), (Words{"a b", "c 'd'", "ef gh"}));
+    EXPECT_EQ(words(R"(a\ b "c\"d" 'e\'f' \\ \"g)"), (Words{"a b", "c\"d", "e'f", "\\", "\"g"}));
+    EXPECT_EQ(words("'' a \"\""), (Words{"", "a", ""}));
+    EXPECT_EQ(words("'a\nb'"), Words{"a\nb"});
+    EXPECT_EQ(words("# $x *"), (Words{"#", "$x", "*"}));
+    EXPECT_EQ(words("-o 'größe 1.svg'"), (Words{"-o", "größe 1.svg"}));
+}
+
+TEST_F(ResponseFiles, StandAnywhereAndInEachOther) {
+    write_file(scratch / "inner", "--sheet a4\n");
+    write_file(scratch / "outer", "check @inner '@inner' \\@x");
+    EXPECT_EQ(expanded({"a", "@outer", "./@b", "c@d", "@inner"}),
+              (Words{"a", "check", "--sheet", "a4", "@inner", "@x", "./@b", "c@d", "--sheet", "a4"}));
+}
+
+TEST_F(ResponseFiles, GiveTheProgramItsArguments) {
+    write_file(scratch / "args", "collision\n");
+    EXPECT_EQ(popupc({"explain", "@args"}, options).out, popupc({"explain", "collision"}).out);
+    write_file(scratch / "args", "list formats --json");
+    EXPECT_EQ(popupc({"@args"}, options).out, popupc({"list", "formats", "--json"}).out);
+}
+
+TEST_F(ResponseFiles, MistakesAreToldWithTheirPlaces) {
+    EXPECT_TRUE(
+        has(refused("x\n 'ab c\n"), "args:2:2: error: this quote is not closed [bad-response-file]\n"));
+    EXPECT_TRUE(has(refused("größe \\"), "args:1:7: error: nothing follows this backslash"));
+    EXPECT_TRUE(has(refused(std::string_view("a\0b", 3)), "args:1:2: error: this is a NUL byte"));
+    const std::string missing = refused("a @nope b");
+    EXPECT_TRUE(has(missing, "args:1:3: error: the response file nope cannot be read: no such file"))
+        << missing;
+    EXPECT_TRUE(has(missing, "hint: an argument that begins with @ itself is written ./@nope")) << missing;
+    EXPECT_TRUE(has(popupc({"check", "@nope"}, options).err,
+                    "popupc: error: the response file nope cannot be read: no such file"));
+    EXPECT_TRUE(has(popupc({"check", "@"}, options).err, "@ names no response file"));
+    EXPECT_TRUE(has(popupc({"check", "@-"}, options).err, "not read from standard input"));
+    EXPECT_EQ(popupc({"check", "@."}, options).exit, 2);
+}
+
+TEST_F(ResponseFiles, ThatNameThemselvesOrGoTooDeepAreRefused) {
+    EXPECT_TRUE(has(refused("@args"), "args:1:1: error: the response file args names itself"));
+    write_file(scratch / "b", "@args");
+    EXPECT_TRUE(has(refused("@b"), "b:1:1: error: the response file args names itself")) << refused("@b");
+    for (int i = 0; i < 20; ++i) write_file(scratch / std::to_string(i), "@" + std::to_string(i + 1));
+    EXPECT_TRUE(has(refused("@0"), "more than 16 response files are in each other")) << refused("@0");
+    std::string many;
+    for (int i = 0; i < 600000; ++i) many += "x ";
+    write_file(scratch / "many", many);
+    EXPECT_TRUE(has(refused("@many @many"), "more than 1000000 arguments"));
+}
+
+}  // namespace
+}  // namespace popup::test
