@@ -363,6 +363,9 @@ TEST_F(Config, OneRunHasOneConfiguration) {
     EXPECT_TRUE(
         has(refused({"build", "designs/sub/card.xml", "other/card.xml", "-o", "x.svg"}),
             "designs/sub/card.xml has designs/popupc.toml, and other/card.xml has other/popupc.toml"));
+    EXPECT_EQ(settings({"check", "--no-config", "designs", "card.xml"}).size(), 0U);
+    EXPECT_TRUE(has(refused({"check", "designs", "card.xml"}), "card.xml has no popupc.toml"));
+    EXPECT_TRUE(has(refused({"check", "designs", "other"}), "other has other/popupc.toml"));
     // The same file by another name is the same.
     EXPECT_EQ(settings({"check", "designs/card.xml", (scratch / "designs/sub/card.xml").string()}).size(),
               1U);
