@@ -34,9 +34,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "transparency is disregarded, because paper has none). Write the colour in one of these ways, or leave "
      "the field out for bare paper."},
     {"bad-config", Severity::error, "a configuration is not what it should be",
-     "A popupc.toml has the long names of options as keys: at its top for every verb that has the option, in a "
+     "A popupc.toml has the long names of options as keys: at its top for every verb that has the option, in "
+     "a "
      "table such as [build] for that verb alone. Flags are true or false, repeatable options lists, and all "
-     "else is written as on the command line. A key that no verb has is refused, so that a slip of the pen is "
+     "else is written as on the command line. A key that no verb has is refused, so that a slip of the pen "
+     "is "
      "not a setting that is silently not made; so are options that belong to one run, such as output. "
      "\"popupc check --print-config\" shows what is set, and where."},
     {"bad-id", Severity::error, "an id that may not be used",
@@ -85,9 +87,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "itself. What it should have drawn would be missing from the sheets, or never come to an end. Correct "
      "the id, or take the element out; in Inkscape Edit > Clone > Unlink makes a plain shape of it."},
     {"bad-response-file", Severity::error, "a file of arguments cannot be read",
-     "An argument @FILE stands for the words of FILE, with blanks or line breaks between them. Quotes keep the "
-     "blanks of a word together and must be closed; a backslash takes away the meaning of the character after "
-     "it. Files may name other files, but not one that names them. To name an input that begins with @, write "
+     "An argument @FILE stands for the words of FILE, with blanks or line breaks between them. Quotes keep "
+     "the "
+     "blanks of a word together and must be closed; a backslash takes away the meaning of the character "
+     "after "
+     "it. Files may name other files, but not one that names them. To name an input that begins with @, "
+     "write "
      "./ before it."},
     {"bad-transform", Severity::error, "a transform that cannot be read",
      "A transform is a list of matrix, translate, scale, rotate, skewX and skewY, each with its numbers in "

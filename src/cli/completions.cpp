@@ -124,9 +124,11 @@ _popupc() {
                 ;;
         esac
     done
-    # A response file; the shell takes the @ for a word of its own.
-    if [[ $prev == @ ]]; then
+    # A response file: the shell may take the @ for a word of its own, but replaces it as well.
+    if [[ $prev == @ || $cur == @* ]]; then
+        cur=${cur#@}
         _popupc_files
+        COMPREPLY=("${COMPREPLY[@]/#/@}")
         return
     fi
     case $verb,$prev in
@@ -338,7 +340,14 @@ function __popupc_files
     complete -C "__fish_command_without_completions $word" | string match -r -- "^.*(?:/|$suffixes)\$"
 end
 
+# Response files.
+function __popupc_response_files
+    set -l word (commandline -ct | string sub -s 2)
+    complete -C "__fish_command_without_completions $word" | string replace -r '^' @
+end
+
 complete -c popupc -f
+complete -c popupc -n 'string match -q -- "@*" (commandline -ct)' -a '(__popupc_response_files)'
 )";
     for (const OptionView& option : program.self.options) text += fish_option(option, "__popupc_verb");
     for (const VerbView& verb : program.verbs) {

@@ -46,7 +46,7 @@ std::vector<std::string> variable_values(const std::string& name, const std::str
 
 std::string directory_of(const std::string& input) {
     const std::size_t slash = input.rfind('/');
-    return slash == std::string::npos ? std::string() : input.substr(0, slash);
+    return slash == std::string::npos ? std::string() : input.substr(0, std::max<std::size_t>(slash, 1));
 }
 
 std::string named(const std::optional<std::string>& file) { return file ? *file : "no popupc.toml"; }
@@ -56,18 +56,17 @@ std::optional<std::string> config_of(const Options& options) {
     const ConfigOptions& given = options.config;
     if (given.off) return std::nullopt;
     if (!given.file.empty()) return given.file;
-    if (const auto file = variable(variable_of("config"))) return file;
+    if (auto file = variable(variable_of("config"))) return file;
     const std::string off = variable_of("no-config");
     if (const auto text = variable(off); text && flag_value(off, *text) == "true") return std::nullopt;
     const std::vector<std::string>& inputs = options.inputs.names;
     if (inputs.empty()) return find_config({});
-    const std::optional<std::string> first = find_config(inputs.front());
-    std::set<std::string> seen{directory_of(inputs.front())};
+    std::optional<std::string> first = find_config(inputs.front());
+    std::set<std::string> seen;  // directories of files that were looked up
     for (const std::string& input : inputs) {
-        // A directory among the inputs has a place of its own.
-        const bool looked = !seen.insert(directory_of(input)).second;
         std::error_code error;
-        if (looked && !std::filesystem::is_directory(input, error)) continue;
+        const bool is_directory = std::filesystem::is_directory(input, error);
+        if (!is_directory && !seen.insert(directory_of(input)).second) continue;
         const std::optional<std::string> other = find_config(input);
         if (first == other || (first && other && std::filesystem::equivalent(*first, *other, error)))
             continue;

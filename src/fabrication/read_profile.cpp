@@ -216,7 +216,8 @@ std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
 
 std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics) {
     ProfileReader reader(diagnostics);
-    const std::optional<toml::table> parsed = parse_toml(source.text, "bad-profile", "a profile", diagnostics);
+    const std::optional<toml::table> parsed =
+        parse_toml(source.text, "bad-profile", "a profile", diagnostics);
     if (!parsed) return std::nullopt;
     const toml::table& file = *parsed;
     std::optional<Profile> begun = base_of(file, reader);

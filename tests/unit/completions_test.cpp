@@ -180,6 +180,12 @@ TEST_P(Completions, OfferFilesToOptionsThatTakeThem) {
     EXPECT_FALSE(found.contains("note.txt"));
 }
 
+TEST_P(Completions, OfferResponseFiles) {
+    // zsh looks at the @ as standing before the word.
+    EXPECT_EQ(offered({"popupc", "check", "@no"}), Words{GetParam() == "zsh" ? "note.txt" : "@note.txt"});
+    EXPECT_EQ(offered({"popupc", "@no"}), Words{GetParam() == "zsh" ? "note.txt" : "@note.txt"});
+}
+
 INSTANTIATE_TEST_SUITE_P(Shells, Completions, testing::Values("bash", "zsh", "fish"),
                          [](const auto& info) { return info.param; });
 

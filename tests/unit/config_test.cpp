@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -223,6 +225,52 @@ TEST_F(Config, EveryOptionThatIsOfferedCanBeSet) {
     EXPECT_GT(seen, 50U);
 }
 
+// For editors: made from what the program says can be set.
+TEST_F(Config, IsWhatTheSchemaSays) {
+    using Json = nlohmann::ordered_json;
+    Json top = Json::object();
+    Json tables = Json::object();
+    std::istringstream help(popupc({"--help"}).out);
+    for (std::string line; std::getline(help, line);) {
+        std::istringstream words(line);
+        std::string verb;
+        words >> verb;
+        if (!line.starts_with("  ") || !has(popupc({verb, "--help"}).out, "--print-config")) continue;
+        Json& table =
+            tables[verb] = {{"type", "object"}, {"additionalProperties", false}, {"properties", {}}};
+        std::istringstream offered(popupc({verb, "--no-config", "--print-config"}).out);
+        for (std::string one; std::getline(offered, one);) {
+            const std::size_t equals = one.find(" = ");
+            const std::size_t about = one.find("  # ");
+            if (!one.starts_with("# ") || equals == std::string::npos || about == std::string::npos) continue;
+            const std::string value = one.substr(equals + 3);
+            Json kind;
+            if (value.starts_with("true")) {
+                kind = {{"type", "boolean"}};
+            } else if (value.starts_with('[')) {
+                kind = {{"type", {"array", "string", "number"}}, {"items", {{"type", {"string", "number"}}}}};
+            } else {
+                kind = {{"type", {"string", "number"}}};
+            }
+            kind["description"] = one.substr(about + 4);
+            const std::string key = one.substr(2, equals - 2);
+            table["properties"][key] = kind;
+            if (!top.contains(key)) top[key] = kind;
+        }
+    }
+    EXPECT_GE(tables.size(), 3U);
+    for (const auto& [verb, table] : tables.items()) top[verb] = table;
+    const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                      {"title", "Settings of popupc, as a popupc.toml"},
+                      {"type", "object"},
+                      {"additionalProperties", false},
+                      {"properties", top}};
+    const fs::path file = fs::path(POPUP_SOURCE_DIR) / "schemas/popupc.schema.json";
+    const char* update = std::getenv("POPUP_UPDATE");
+    if (update != nullptr && std::string(update) == "1") write_file(file, schema.dump(2) + "\n");
+    EXPECT_EQ(read_file(file), schema.dump(2) + "\n") << "out of date: POPUP_UPDATE=1 writes it anew";
+}
+
 TEST_F(Config, MistakesAreToldWithTheirPlaces) {
     const auto expect = [&](std::string_view text, const std::vector<std::string>& parts) {
         config(text);
@@ -257,6 +305,8 @@ TEST_F(Config, MistakesAreToldWithTheirPlaces) {
     expect("margin = 1\nmargin = 2\n", {"designs/popupc.toml:2:", "error: this is not TOML: "});
     expect(std::string(70000, '#'), {"designs/popupc.toml: error: a configuration has at most 65536 bytes"});
     expect(std::string("a\0b", 3), {"designs/popupc.toml:1:"});
+    expect("\xff = 1\n", {"designs/popupc.toml:1:", "this is not TOML"});
+    expect("margin = " + std::string(60000, '['), {"designs/popupc.toml:1:", "this is not TOML"});
     // What is meant for other verbs is looked at, too.
     expect("[build]\nkerv = 1\n",
            {":2:1: error: there is no option \"kerv\" of build", "did you mean \"kerf\"?"});
@@ -313,6 +363,9 @@ TEST_F(Config, OneRunHasOneConfiguration) {
     EXPECT_TRUE(
         has(refused({"build", "designs/sub/card.xml", "other/card.xml", "-o", "x.svg"}),
             "designs/sub/card.xml has designs/popupc.toml, and other/card.xml has other/popupc.toml"));
+    EXPECT_EQ(settings({"check", "--no-config", "designs", "card.xml"}).size(), 0U);
+    EXPECT_TRUE(has(refused({"check", "designs", "card.xml"}), "card.xml has no popupc.toml"));
+    EXPECT_TRUE(has(refused({"check", "designs", "other"}), "other has other/popupc.toml"));
     // The same file by another name is the same.
     EXPECT_EQ(settings({"check", "designs/card.xml", (scratch / "designs/sub/card.xml").string()}).size(),
               1U);
