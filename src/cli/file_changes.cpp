@@ -155,6 +155,8 @@ void FileChanges::look_at(const std::vector<std::string>& files) {
         prints[file] = known != prints_.end() ? known->second : fingerprint(file);
     }
     prints_ = std::move(prints);
+    // Events of directories that are not looked at any more are lost, and what they told of with them.
+    unsure_ = true;
 }
 
 // The first file that does not look as before.
@@ -172,7 +174,7 @@ std::optional<std::string> FileChanges::changed_file() {
 std::optional<std::string> FileChanges::read_events() {
     alignas(inotify_event) std::array<char, 16384> buffer{};
     std::optional<std::string> changed;
-    bool unsure = false;
+    bool unsure = std::exchange(unsure_, false);
     bool ways = false;
     for (;;) {
         const ssize_t got = ::read(inotify_, buffer.data(), buffer.size());
@@ -218,6 +220,9 @@ std::optional<std::string> FileChanges::read_events() {
 std::optional<std::string> FileChanges::wait(int wake, std::optional<std::chrono::milliseconds> longest) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point end = Clock::now() + longest.value_or(std::chrono::milliseconds(0));
+    if (unsure_) {
+        if (auto changed = read_events()) return changed;
+    }
     for (;;) {
         int left = -1;
         if (longest) {

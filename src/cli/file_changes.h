@@ -51,6 +51,7 @@ class FileChanges {
     std::optional<std::string> read_events();
 
     int inotify_ = -1;
+    bool unsure_ = false;  // something may have changed without an event
     std::vector<std::string> files_;
     std::map<std::string, Fingerprint> prints_;                            // by file
     std::map<int, Directory> directories_;                                 // by watch

@@ -139,6 +139,22 @@ TEST_F(Watch, AnInputMayVanishAndComeBack) {
     ASSERT_TRUE(comes(of_boat));
 }
 
+// While a build ends as well, when directories are looked at anew.
+TEST_F(Watch, NoChangeIsLostWhereverItFalls) {
+    fs::create_directories(scratch / "a");
+    write_file(scratch / "a/card.xml", bird);
+    start({"a/card.xml", "-o", "card.glb"});
+    ASSERT_TRUE(comes(of_bird));
+    for (int round = 0; round < 12; ++round) {
+        // The output comes just before the build ends; each round a little later.
+        ::usleep(static_cast<useconds_t>(200 * round));
+        fs::rename(scratch / "a", scratch / ("old" + std::to_string(round)));
+        fs::create_directories(scratch / "a");
+        write_file(scratch / "a/card.xml", round % 2 == 0 ? boat : bird);
+        ASSERT_TRUE(comes(round % 2 == 0 ? of_boat : of_bird)) << round;
+    }
+}
+
 TEST_F(Watch, LinksAreFollowed) {
     fs::create_directories(scratch / "store/one");
     fs::create_directories(scratch / "store/two");
