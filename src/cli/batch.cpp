@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "cli/batch_files.h"
 #include "cli/batch_job.h"
 #include "cli/command_line.h"
+#include "cli/jobserver.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
@@ -141,22 +143,29 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
     BatchOptions& batch = options.batch;
     verb->add_option("MANIFEST", batch.manifest, "the jobs, as JSON lines or CSV; \"-\" is standard input")
         ->required()
+        ->configurable(false)
         ->type_name("");
-    verb->add_option("OPTIONS", batch.common, "behind \"--\": options of every build")->type_name("");
+    verb->add_option("BUILD-OPTIONS", batch.common, "behind \"--\": options of every build")
+        ->configurable(false)
+        ->type_name("");
     value(*verb, "--shard", "I/N", "every N-th job from the I-th (default: as a Slurm job array says)",
-          "Jobs", [&batch](std::string_view text) { batch.shard = parse_shard(text); });
+          "Jobs", [&batch](std::string_view text) { batch.shard = parse_shard(text); })
+        ->configurable(false);
     value(*verb, "--results", "FILE", "where results are kept (default: beside the manifest)", "Jobs",
           [&batch](std::string_view text) {
               if (text.empty()) throw UsageError("--results takes the name of a file");
               batch.results = text;
-          });
+          })
+        ->configurable(false);
     value(*verb, "--manifest-format", "FORMAT", "jsonl or csv (default: by the manifest's suffix)", "Jobs",
           [&batch](std::string_view text) {
               batch.form =
                   choose<ManifestForm>("--manifest-format", text,
                                        {{"jsonl", ManifestForm::json_lines}, {"csv", ManifestForm::csv}});
-          });
+          })
+        ->configurable(false);
     verb->add_flag("-n,--dry-run", batch.dry_run, "print the rows that have something to do; do nothing")
+        ->configurable(false)
         ->group("Jobs");
     add_talk_options(*verb, options);
     add_thread_option(*verb, options);
@@ -203,14 +212,27 @@ int run_batch(const Options& options) {
     }
     if (!batch.dry_run) clean_up(manifest, results);
 
-    const BatchRun run{&manifest,    &known, batch.common, colorful(options.messages), options.messages.quiet,
-                       batch.dry_run};
+    const BatchRun run{&manifest,
+                       &known,
+                       batch.common,
+                       colorful(options.messages),
+                       options.messages.quiet,
+                       batch.dry_run,
+                       setting_variables()};
     const std::vector<std::size_t> jobs = jobs_of(shard, manifest.size());
     const auto progress = progress_meter(options.messages, jobs.size());
     Tally tally;
     std::size_t done = 0;
     PoolOptions pool;
     pool.workers = static_cast<std::size_t>(std::max(1, options.compile.threads));
+    // Under make each process but the first needs a token.
+    Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
+    if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
+    if (jobserver.named()) {
+        pool.may_start = [&jobserver] { return jobserver.acquire(); };
+        pool.stopped = [&jobserver] { jobserver.release(); };
+        pool.wake_on = jobserver.descriptor();
+    }
     const auto begun = std::chrono::steady_clock::now();
     const int signal = run_pool(
         jobs, pool, [&run](std::size_t job) { return packed(do_job(run, job)); },

@@ -1,7 +1,9 @@
 #include "cli/batch_job.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -15,6 +17,7 @@
 #include "base/render_diagnostics.h"
 #include "cli/build.h"
 #include "cli/command_line.h"
+#include "cli/config_file.h"
 
 namespace popup::cli {
 namespace {
@@ -90,6 +93,16 @@ std::string remembered(const JobResult& result, bool color) {
     return text;
 }
 
+// By this a result is known to be of the same command: its words, and where its settings come from. What they
+// say is in the files that count as inputs.
+std::string digest_of_command(const BatchRun& run, const BatchJob& job,
+                              const std::vector<std::string>& words) {
+    std::vector<std::string> all = run.environment;
+    all.push_back(find_config(job.inputs.front()).value_or(std::string()));
+    all.insert(all.end(), words.begin(), words.end());
+    return command_digest(all);
+}
+
 void make_directories(const std::vector<std::string>& outputs) {
     for (const std::string& name : outputs) {
         std::error_code error;  // that it cannot be made is told when the file cannot be written
@@ -128,6 +141,15 @@ JobStatus status_of(ExitCode code) {
 
 }  // namespace
 
+std::vector<std::string> setting_variables() {
+    std::vector<std::string> variables;
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        if (std::string_view(*entry).starts_with("POPUPC_")) variables.emplace_back(*entry);
+    }
+    std::sort(variables.begin(), variables.end());
+    return variables;
+}
+
 std::vector<std::string> job_words(const BatchRun& run, const BatchJob& job) {
     std::vector<std::string> words{"build", "-j1"};
     words.insert(words.end(), run.common_options.begin(), run.common_options.end());
@@ -135,7 +157,10 @@ std::vector<std::string> job_words(const BatchRun& run, const BatchJob& job) {
     if (job.copies) words.push_back(fmt::format("--copies={}", *job.copies));
     for (const std::string& output : job.outputs) words.push_back("--output=" + output);
     words.emplace_back("--");
-    words.insert(words.end(), job.inputs.begin(), job.inputs.end());
+    for (const std::string& input : job.inputs) {
+        // "@name" would be a file of arguments.
+        words.push_back(input.starts_with('@') ? "./" + input : input);
+    }
     return words;
 }
 
@@ -146,7 +171,7 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
     result.key = job_key(job);
     try {
         std::vector<std::string> words = job_words(run, job);
-        result.command = command_digest(words);
+        result.command = digest_of_command(run, job, words);
         for (JobResult& known : run.known->of(result.key)) {
             if (!is_fresh(known, result.command)) continue;
             report.news = JobNews::fresh;
@@ -184,7 +209,7 @@ JobReport crashed_job(const BatchRun& run, std::size_t index, int signal) {
     const BatchJob job = run.manifest->job(index);
     JobReport report;
     report.result.key = job_key(job);
-    report.result.command = command_digest(job_words(run, job));
+    report.result.command = digest_of_command(run, job, job_words(run, job));
     report.result.status = JobStatus::crashed;
     Diagnostics findings(run.manifest->name());
     findings

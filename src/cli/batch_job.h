@@ -15,9 +15,13 @@ struct BatchRun {
     const ResultIndex* known = nullptr;       // what earlier runs left
     std::vector<std::string> common_options;  // stand before each job's own
     bool color = false;
-    bool quiet = false;    // errors only
-    bool dry_run = false;  // nothing is built
+    bool quiet = false;                    // errors only
+    bool dry_run = false;                  // nothing is built
+    std::vector<std::string> environment;  // variables that set options, as NAME=VALUE, sorted
 };
+
+// Those of this process.
+std::vector<std::string> setting_variables();
 
 // fresh: an earlier run did it, and nothing has changed since. built: it was done now, well or not. due: it
 // would have been done, in a dry run.

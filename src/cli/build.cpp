@@ -55,6 +55,7 @@ void add_output_options(CLI::App& verb, Options& options) {
     verb.add_flag("--if-changed", build.if_changed, "leave files alone that hold the same bytes already")
         ->group("Output");
     verb.add_flag("--watch", build.watch, "build again whenever an input changes, until Ctrl-C")
+        ->configurable(false)
         ->group("Output");
     const auto number = [&verb](const std::string& name, const std::string& about, double& target,
                                 double least) {

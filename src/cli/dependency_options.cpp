@@ -12,19 +12,25 @@ void add_dependency_options(CLI::App& verb, Options& options) {
     const std::string group = "Dependencies";
     verb.add_flag("--MD", wanted.wanted,
                   "write what was read and written for make or ninja, as FIRSTOUTPUT.d")
+        ->configurable(false)
         ->group(group);
-    value(verb, "--MF", "FILE", "with -MD: to this file", group,
-          [&wanted](std::string_view text) { wanted.file = text; });
+    value(verb, "--MF", "FILE", "with -MD: to this file", group, [&wanted](std::string_view text) {
+        wanted.file = text;
+    })->configurable(false);
     values(verb, "--MT", "NAME", "with -MD: this target, instead of the outputs. Repeatable", group,
-           [&wanted](std::string_view text) { wanted.targets.emplace_back(text); });
-    verb.add_flag("--MP", wanted.phony, "with -MD: a rule without recipe for the inputs")->group(group);
+           [&wanted](std::string_view text) { wanted.targets.emplace_back(text); })
+        ->configurable(false);
+    verb.add_flag("--MP", wanted.phony, "with -MD: a rule without recipe for the inputs")
+        ->configurable(false)
+        ->group(group);
     value(verb, "--deps-format", "FORMAT", "with -MD: make (default) or json", group,
           [&wanted](std::string_view text) {
               wanted.format = choose<DependencyFormat>(
                   "--deps-format", text,
                   {{"make", DependencyFormat::make}, {"json", DependencyFormat::json}});
               wanted.format_given = true;
-          });
+          })
+        ->configurable(false);
 }
 
 std::vector<std::string> with_long_dependency_options(const std::vector<std::string>& arguments) {

@@ -27,7 +27,9 @@ class HelpFormatter : public CLI::FormatterBase {
         std::string text = is_verb ? "Usage: popupc " + app->get_name() : "Usage: popupc VERB [OPTIONS] ...";
         const auto positionals = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
         for (const CLI::Option* option : positionals) {
-            text += " " + option->get_name(true, false) + (option->get_expected_max() > 1 ? "..." : "");
+            const std::string name =
+                option->get_name(true, false) + (option->get_expected_max() > 1 ? "..." : "");
+            text += option->get_required() ? " " + name : " [" + name + "]";
         }
         text += fmt::format("{}\n\n{}.\n", is_verb ? " [OPTIONS]" : "", app->get_description());
         if (!positionals.empty()) text += "\n";

@@ -51,13 +51,19 @@ CLI::App* add_merge_reports(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand(
         "merge-reports", "Join the results of a batch's shards to one report; say what is missing");
     MergeOptions& merge = options.merge;
-    verb->add_option("MANIFEST", merge.manifest, "the batch's manifest")->required()->type_name("");
+    verb->add_option("MANIFEST", merge.manifest, "the batch's manifest")
+        ->required()
+        ->configurable(false)
+        ->type_name("");
     verb->add_option("RESULTS", merge.results, "results files (default: all beside the manifest)")
+        ->configurable(false)
         ->type_name("");
     verb->add_option("-o,--output", merge.output, "write the report here, as JSON; \"-\" is standard output")
+        ->configurable(false)
         ->type_name("FILE")
         ->group("Output");
     verb->add_option("--missing", merge.missing, "write a manifest of the jobs that are not done")
+        ->configurable(false)
         ->type_name("FILE")
         ->group("Output");
     add_talk_options(*verb, options);

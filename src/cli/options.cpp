@@ -147,6 +147,7 @@ void add_judge_options(CLI::App& verb, Options& options) {
               judge.baseline = text;
           });
     verb.add_flag("--write-baseline", judge.write_baseline, "accept all findings: write them to the baseline")
+        ->configurable(false)
         ->group("Diagnostics");
     verb.add_flag("--statistics", judge.statistics, "count the findings of each kind instead of telling them")
         ->group("Diagnostics");
@@ -263,8 +264,8 @@ void add_config_options(CLI::App& verb, Options& options) {
 
 void add_thread_option(CLI::App& verb, Options& options) {
     options.compile.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    value(verb, "-j,--jobs", "N", "threads (default: one a processor, or as make allows)", "Other",
-          [&options](std::string_view text) {
+    value(verb, "-j,--jobs", "N", "how much is done at a time (default: one a processor, or as make allows)",
+          "Other", [&options](std::string_view text) {
               const double count = number_option("-j", text, 1.0, 1024.0);
               options.compile.threads = static_cast<int>(count);
               options.jobs_given = true;
