@@ -298,7 +298,12 @@ std::string fish_values(const OptionView& option) {
 std::string fish_option(const OptionView& option, const std::string& condition) {
     std::string line = fmt::format("complete -c popupc -n {}", fish_quoted(condition));
     for (const std::string& name : option.names) {
-        line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+        if (name.starts_with("--")) {
+            line += " -l " + name.substr(2);
+        } else {
+            // Of one letter, or, such as -MD, of several after one dash.
+            line += (name.size() == 2 ? " -s " : " -o ") + name.substr(1);
+        }
     }
     return line + fish_values(option) + " -d " + fish_quoted(option.about) + "\n";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/command_line.h"
+#include "cli/dependency_options.h"
 
 namespace popup::cli {
 namespace {
@@ -27,7 +28,7 @@ OptionView view_option(CLI::Option& option) {
     view.required = option.get_required();
     if (option.nonpositional()) {
         for (const std::string& name : option.get_snames()) view.names.push_back("-" + name);
-        for (const std::string& name : option.get_lnames()) view.names.push_back("--" + name);
+        for (const std::string& name : option.get_lnames()) view.names.push_back(shown_option(name));
         if (!view.traits.flag) view.type = option.get_type_name();
     } else {
         view.names.push_back(option.get_name(true, false));

@@ -132,7 +132,8 @@ TEST_P(Completions, OfferTheOptionsOfTheVerb) {
     EXPECT_EQ(offered({"popupc", "build", "--she"}), Words{"--sheet"});
     EXPECT_EQ(offered({"popupc", "build", "x.xml", "--sheet", "a4", "--score"}), Words{"--score-side"});
     EXPECT_EQ(offered({"popupc", "check", "--score"}), Words{});
-    EXPECT_EQ(offered({"popupc", "fix", "--in"}), Words{"--in-place"});
+    EXPECT_EQ(offered({"popupc", "fix", "--in-"}), Words{"--in-place"});
+    EXPECT_EQ(offered({"popupc", "build", "-MD"}), Words{"-MD"});
     EXPECT_EQ(offered({"popupc", "--vers"}), Words{"--version"});
 }
 

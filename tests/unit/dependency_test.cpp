@@ -233,8 +233,8 @@ TEST_F(Dependencies, MakeAndNinjaReadTheVeryNames) {
         write_file(scratch / name, card);
         fs::last_write_time(scratch / name, past);
         const std::string here =
-            "./" + name;  // not taken for an option; the name in the file is the plain one
-        const bool option = name.starts_with('-');
+            "./" + name;  // not taken for an option or a response file; the name in the file is the plain one
+        const bool option = name.starts_with('-') || name.starts_with('@');
         const RunResult result = popupc({"build", "--from", "xml", "--to", "svg", "-o", target, "-MD", "-MF",
                                          "x.d", "-MP", "--", option ? here : name},
                                         options);
