@@ -55,9 +55,9 @@ Cost measured(const fs::path& directory, std::vector<std::string> words) {
 
 // A card with one box, no two alike.
 std::string card(int number) {
-    const int width = 15 + number % 40;
-    const int height = 10 + number / 40 % 50;
-    const int length = 140 + number / 2000;
+    const int width = 15 + number % 20;
+    const int height = 10 + number / 20 % 50;
+    const int length = 140 + number / 1000;
     return fmt::format(
         "<popup version=\"2.0\" units=\"mm\"><mainpage width=\"200\" height=\"{2}\"/><structurelist>"
         "<structure type=\"step\" id=\"box\"><outerpoints><point x=\"-{0}\" y=\"{1}\"/><point x=\"-{0}\" "
