@@ -22,7 +22,6 @@
 #include <utility>
 
 #include "base/digest.h"
-
 #include "base/signal_cleanup.h"
 
 namespace popup {

@@ -1,6 +1,7 @@
 // A short stable name for a text.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,5 +12,6 @@ namespace popup {
 // machine and in every version. It tells texts apart that differ by chance, not those that somebody made
 // alike on purpose.
 std::string fingerprint(std::string_view text);
+std::uint64_t fingerprint_number(std::string_view text);  // the same as a number
 
 }  // namespace popup

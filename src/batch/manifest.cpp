@@ -10,7 +10,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/fingerprint.h"
 #include "base/nearest.h"
+#include "base/quoted_words.h"
 
 namespace popup {
 namespace {
@@ -54,9 +56,11 @@ bool read_names(const json& value, std::vector<std::string>& names) {
 
 bool read_options(const json& value, std::vector<std::string>& words) {
     if (value.is_string()) {
-        std::optional<std::vector<std::string>> split = split_words(value.get_ref<const std::string&>());
-        if (split) words = std::move(*split);
-        return split.has_value();
+        Diagnostics trouble;
+        for (QuotedWord& word : quoted_words(value.get_ref<const std::string&>(), "bad-manifest", trouble)) {
+            words.push_back(std::move(word.text));
+        }
+        return !trouble.has_errors();
     }
     if (!value.is_array()) return false;
     for (const json& one : value) {
@@ -186,13 +190,6 @@ std::string plain(std::string_view name) {
     return text;
 }
 
-std::uint64_t hash_of(std::string_view text) {
-    // FNV-1a (Fowler, Noll, Vo); equal hashes are looked at again, so it decides nothing.
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    return hash;
-}
-
 // Two jobs may not write one file, and none may read what another writes: jobs have no order.
 void check_names(const Manifest& manifest, Diagnostics& diagnostics) {
     struct Use {
@@ -205,17 +202,17 @@ void check_names(const Manifest& manifest, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < manifest.size(); ++i) {
         const BatchJob job = manifest.job(i);
         for (const std::string& name : job.outputs) {
-            uses.push_back({hash_of(plain(name)), static_cast<std::uint32_t>(i), true});
+            uses.push_back({fingerprint_number(plain(name)), static_cast<std::uint32_t>(i), true});
         }
         for (const std::string& name : job.inputs) {
-            uses.push_back({hash_of(plain(name)), static_cast<std::uint32_t>(i), false});
+            uses.push_back({fingerprint_number(plain(name)), static_cast<std::uint32_t>(i), false});
         }
     }
     std::sort(uses.begin(), uses.end(),
               [](const Use& a, const Use& b) { return std::pair(a.hash, a.job) < std::pair(b.hash, b.job); });
     const auto names = [](const std::vector<std::string>& list, std::uint64_t hash) {
         for (const std::string& name : list) {
-            if (hash_of(plain(name)) == hash) return plain(name);
+            if (fingerprint_number(plain(name)) == hash) return plain(name);
         }
         return std::string();
     };
@@ -249,40 +246,6 @@ void check_names(const Manifest& manifest, Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-std::optional<std::vector<std::string>> split_words(std::string_view text) {
-    std::vector<std::string> words;
-    std::string word;
-    bool open = false;  // a word has begun, perhaps an empty one in quotes
-    char quote = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        const bool escaped = c == '\\' && quote != '\'' && i + 1 < text.size() &&
-                             (quote == 0 || text[i + 1] == '"' || text[i + 1] == '\\');
-        if (escaped) {
-            word += text[++i];
-            open = true;
-        } else if (quote != 0) {
-            if (c == quote) {
-                quote = 0;
-            } else {
-                word += c;
-            }
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-            open = true;
-        } else if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
-            if (open) words.push_back(std::exchange(word, {}));
-            open = false;
-        } else {
-            word += c;
-            open = true;
-        }
-    }
-    if (quote != 0) return std::nullopt;
-    if (open) words.push_back(std::move(word));
-    return words;
-}
 
 std::string_view Manifest::text(std::size_t index) const {
     const Row& row = rows_[index];

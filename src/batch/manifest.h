@@ -66,14 +66,10 @@ class Manifest {
 // `form`, names that end in .csv are CSV and all others JSON lines. Manifests without a job are errors.
 //
 // JSON lines: an object a line, with `input` (a name or a list of names), `output` (likewise), and, if
-// wanted, `options` (a list of words, or one string of words with blanks between, quoted as in a shell) and
+// wanted, `options` (a list of words, or one string of words, quoted as in base/quoted_words.h) and
 // `copies`. CSV: a first line with the columns' names, the same four; `input` and `output` may be columns
 // more than once, empty fields are left out. Empty lines are passed over.
 std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
                                       Diagnostics& diagnostics);
-
-// Words of a line, quoted as POSIX shells do it with '…', "…" and \; nothing is expanded. nullopt when a
-// quote stays open.
-std::optional<std::vector<std::string>> split_words(std::string_view text);
 
 }  // namespace popup

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/quoted_words.h"
 #include "popup/files.h"
 
 namespace popup::cli {
@@ -17,67 +18,6 @@ constexpr std::size_t kDeepest = 16;
 constexpr std::string_view kBadFile = "bad-response-file";
 
 bool names_file(std::string_view word) { return word.starts_with('@'); }
-
-struct Word {
-    std::string text;
-    Place place;         // where it begins
-    bool plain = false;  // begins with neither a quote nor a backslash
-};
-
-// Goes through a text by characters, which may have several bytes.
-class Cursor {
- public:
-    explicit Cursor(std::string_view text) : text_(text) {}
-    [[nodiscard]] bool done() const { return at_ == text_.size(); }
-    [[nodiscard]] char peek() const { return text_[at_]; }
-    [[nodiscard]] Place place() const { return place_; }
-    char take() {
-        const char c = text_[at_++];
-        if (c == '\n') {
-            place_ = {place_.line + 1, 1};
-        } else if (done() || (static_cast<unsigned char>(peek()) & 0xC0U) != 0x80U) {
-            ++place_.column;  // the character has ended
-        }
-        return c;
-    }
-
- private:
-    std::string_view text_;
-    std::size_t at_ = 0;
-    Place place_{1, 1};
-};
-
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-// One word from where the cursor is; adds an error where it does not end.
-Word read_word(Cursor& cursor, Diagnostics& trouble) {
-    Word word{{}, cursor.place(), cursor.peek() != '\\' && cursor.peek() != '"' && cursor.peek() != '\''};
-    char quote = 0;
-    Place opened;
-    while (!cursor.done() && (quote != 0 || !is_blank(cursor.peek()))) {
-        const Place place = cursor.place();
-        const char c = cursor.take();
-        if (c == '\\') {
-            if (cursor.done()) {
-                trouble.error(kBadFile, place, "nothing follows this backslash");
-                return word;
-            }
-            word.text += cursor.take();
-        } else if (c == '\0') {
-            trouble.error(kBadFile, place, "this is a NUL byte; a response file is a text");
-            return word;
-        } else if (quote == 0 && (c == '"' || c == '\'')) {
-            quote = c;
-            opened = place;
-        } else if (c == quote) {
-            quote = 0;
-        } else {
-            word.text += c;
-        }
-    }
-    if (quote != 0) trouble.error(kBadFile, opened, "this quote is not closed");
-    return word;
-}
 
 class Expansion {
  public:
@@ -121,14 +61,9 @@ class Expansion {
             refuse(fmt::format("the response file {} {}", name, trouble.sorted().front().message), literal);
         if (std::find(files_.begin(), files_.end(), name) == files_.end()) files_.push_back(name);
         open_.push_back(name);
-        Cursor cursor(file->text);
-        while (!cursor.done()) {
-            if (is_blank(cursor.peek())) {
-                cursor.take();
-                continue;
-            }
-            Word word = read_word(cursor, trouble);
-            if (trouble.has_errors()) throw UsageError(trouble, file->text);
+        std::vector<QuotedWord> read = quoted_words(file->text, kBadFile, trouble);
+        if (trouble.has_errors()) throw UsageError(trouble, file->text);
+        for (QuotedWord& word : read) {
             if (word.plain && names_file(word.text)) {
                 const Mention mention{*file, word.place};
                 add_file(word.text.substr(1), &mention);

@@ -1,0 +1,23 @@
+// Words of a text, quoted as gcc reads them in files of arguments.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/diagnostics.h"
+
+namespace popup {
+
+struct QuotedWord {
+    std::string text;
+    Place place;         // where it begins
+    bool plain = false;  // begins with neither a quote nor a backslash
+};
+
+// The words of `text`, which blanks and line breaks keep apart. Quotes, single or double, keep blanks in a
+// word; a backslash takes any character as it is, in quotes as well. A quote that is not closed, a backslash
+// at the end and a NUL byte are errors with this code; the words before them are returned.
+std::vector<QuotedWord> quoted_words(std::string_view text, std::string_view code, Diagnostics& trouble);
+
+}  // namespace popup
