@@ -49,6 +49,8 @@ class NewFile {
     ~NewFile();  // without commit(): no trace is left
     // False: it cannot be written; trouble() says why.
     bool write(std::string_view bytes);
+    // The permissions it shall have; without, those of a new file. Where that cannot be done they stay.
+    void keep_mode(unsigned mode);
     // Flushes what was written and moves it into place.
     bool commit();
     [[nodiscard]] const std::string& trouble() const { return trouble_; }

@@ -127,6 +127,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "and edges or flat on one another, do not. The message gives the first and last angle, and how far "
      "one goes through the other. Real paper would bend, catch or tear there. Move one of the "
      "elements as the hint says, or make one of them smaller."},
+    {"config-ignored", Severity::remark, "a popupc.toml that this run does not look at",
+     "A run has one configuration, and of a directory that is walked it is found from that directory upward. "
+     "This one lies below it, so its settings do not hold for the designs beside it, as they would if these "
+     "were checked alone. Check its directory in a run of its own, or name one configuration for all with "
+     "--config, or take the file away."},
     {"contour-crosses-itself", Severity::warning, "a contour that crosses itself",
      "The path of a contour runs across itself, so what it encloses can be understood in several ways. All "
      "that it goes round was taken for inside, and the outline of that is cut. Mostly this is a slip of a "

@@ -123,8 +123,13 @@ const std::string& machine() {
         ::gethostname(name.data(), name.size() - 1);
         std::array<char, 64> space{};
         const ssize_t length = ::readlink("/proc/self/ns/pid", space.data(), space.size() - 1);
-        const std::string text = std::string(name.data()) + '/' +
-                                 std::string(space.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+        std::string text = std::string(name.data()) + '/';
+        text.append(space.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+        // Machines of one name are not alike in this; and what ran before the machine was started anew is
+        // dead.
+        const Descriptor boot(::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC));
+        std::string id;
+        if (boot.open() && read_all(boot.get(), 64, 0, id) == 0) text += '/' + id;
         return sha256(text).substr(0, 8);
     }();
     return id;
@@ -425,6 +430,10 @@ bool NewFile::write(std::string_view bytes) {
     if (fd_ < 0 && !open()) return false;
     errno = write_fully(fd_, bytes);
     return errno == 0 || fail();
+}
+
+void NewFile::keep_mode(unsigned mode) {
+    if (fd_ >= 0) ::fchmod(fd_, static_cast<mode_t>(mode & 0777U));
 }
 
 bool NewFile::commit() {

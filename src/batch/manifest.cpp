@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -46,7 +47,9 @@ int column_of(std::string_view line, std::size_t byte) {
 // A name, or a list of names.
 bool read_names(const json& value, std::vector<std::string>& names) {
     const auto add = [&names](const json& one) {
-        if (!one.is_string() || one.get_ref<const std::string&>().empty()) return false;
+        if (!one.is_string()) return false;
+        const std::string& name = one.get_ref<const std::string&>();
+        if (name.empty() || name.find('\0') != std::string::npos) return false;
         names.push_back(one.get<std::string>());
         return true;
     };
@@ -174,78 +177,70 @@ bool is_utf8(const std::string& text) {
     return true;
 }
 
-// By this, names of files that are written differently are the same.
-std::string plain(std::string_view name) {
-    std::string text;
-    for (std::size_t at = 0; at < name.size();) {
-        const std::size_t slash = std::min(name.find('/', at), name.size());
-        const std::string_view part = name.substr(at, slash - at);
-        if (at == 0 && slash == 0) text = "/";
-        if (!part.empty() && part != ".") {
-            if (!text.empty() && text != "/") text += '/';
-            text += part;
-        }
-        at = slash + 1;
-    }
-    return text;
+}  // namespace
+
+std::uint64_t file_number(const std::string& name) {
+    return fingerprint_number(std::filesystem::path(name).lexically_normal().native());
 }
 
 // Two jobs may not write one file, and none may read what another writes: jobs have no order.
-void check_names(const Manifest& manifest, Diagnostics& diagnostics) {
-    struct Use {
-        std::uint64_t hash;
-        std::uint32_t job;
-        bool written;
-    };
-    std::vector<Use> uses;
-    uses.reserve(2 * manifest.size());
-    for (std::size_t i = 0; i < manifest.size(); ++i) {
-        const BatchJob job = manifest.job(i);
-        for (const std::string& name : job.outputs) {
-            uses.push_back({fingerprint_number(plain(name)), static_cast<std::uint32_t>(i), true});
+void Manifest::check_names(Diagnostics& diagnostics) {
+    uses_.reserve(2 * size());
+    for (std::size_t i = 0; i < size(); ++i) {
+        const BatchJob one = job(i);
+        for (const std::string& name : one.outputs) {
+            uses_.push_back({file_number(name), static_cast<std::uint32_t>(i), true});
         }
-        for (const std::string& name : job.inputs) {
-            uses.push_back({fingerprint_number(plain(name)), static_cast<std::uint32_t>(i), false});
+        for (const std::string& name : one.inputs) {
+            uses_.push_back({file_number(name), static_cast<std::uint32_t>(i), false});
         }
     }
-    std::sort(uses.begin(), uses.end(),
-              [](const Use& a, const Use& b) { return std::pair(a.hash, a.job) < std::pair(b.hash, b.job); });
-    const auto names = [](const std::vector<std::string>& list, std::uint64_t hash) {
+    std::sort(uses_.begin(), uses_.end(),
+              [](const Use& a, const Use& b) { return std::pair(a.file, a.job) < std::pair(b.file, b.job); });
+    const auto named = [](const std::vector<std::string>& list, std::uint64_t file) {
         for (const std::string& name : list) {
-            if (fingerprint_number(plain(name)) == hash) return plain(name);
+            if (file_number(name) == file) return std::filesystem::path(name).lexically_normal().string();
         }
         return std::string();
     };
-    for (std::size_t begin = 0; begin < uses.size();) {
-        std::size_t end = begin;
+    for (std::size_t begin = 0, end = 0; begin < uses_.size(); begin = end) {
         const Use* writer = nullptr;
-        for (; end < uses.size() && uses[end].hash == uses[begin].hash; ++end) {
-            if (uses[end].written && writer == nullptr) writer = &uses[end];
+        for (end = begin; end < uses_.size() && uses_[end].file == uses_[begin].file; ++end) {
+            if (uses_[end].written && writer == nullptr) writer = &uses_[end];
         }
         for (std::size_t i = begin; writer != nullptr && i < end; ++i) {
-            const Use& other = uses[i];
+            const Use& other = uses_[i];
             if (&other == writer) continue;
-            const BatchJob job = manifest.job(other.job);
-            const std::string mine = names(other.written ? job.outputs : job.inputs, other.hash);
-            if (mine != names(manifest.job(writer->job).outputs, other.hash)) continue;
-            const Place place = manifest.place(other.job);
-            const Place first = manifest.place(writer->job);
-            if (other.written) {
-                wrong(diagnostics, place, fmt::format("\"{}\" is written by two jobs", mine))
-                    .with(first, "the other job");
+            const BatchJob one = job(other.job);
+            const std::string mine = named(other.written ? one.outputs : one.inputs, other.file);
+            if (mine != named(job(writer->job).outputs, other.file)) continue;
+            if (other.job == writer->job) {
+                wrong(diagnostics, place(other.job),
+                      fmt::format("\"{}\" is {} of this job", mine,
+                                  other.written ? "twice an output" : "an input and an output"));
+            } else if (other.written) {
+                wrong(diagnostics, place(other.job), fmt::format("\"{}\" is written by two jobs", mine))
+                    .with(place(writer->job), "the other job");
             } else {
-                wrong(diagnostics, place,
-                      fmt::format("\"{}\" is written by {} of this batch", mine,
-                                  other.job == writer->job ? "this very job" : "another job"))
-                    .with(first, "the job that writes it")
+                wrong(diagnostics, place(other.job),
+                      fmt::format("\"{}\" is written by another job of this batch", mine))
+                    .with(place(writer->job), "the job that writes it")
                     .hint("jobs of a batch have no order; make two batches of it");
             }
         }
-        begin = end;
     }
+    uses_.shrink_to_fit();
 }
 
-}  // namespace
+std::optional<std::size_t> Manifest::taken_by(const std::string& file, std::size_t index) const {
+    const std::uint64_t number = file_number(file);
+    const auto before = [](const Use& use, std::uint64_t wanted) { return use.file < wanted; };
+    for (auto at = std::lower_bound(uses_.begin(), uses_.end(), number, before);
+         at != uses_.end() && at->file == number; ++at) {
+        if (at->job != index || !at->written) return at->job;
+    }
+    return std::nullopt;
+}
 
 std::string_view Manifest::text(std::size_t index) const {
     const Row& row = rows_[index];
@@ -267,6 +262,11 @@ bool Manifest::read_columns(const std::vector<std::string>& names, Place place, 
     for (const std::string& name : names) {
         const auto at = std::find(kFields.begin(), kFields.end(), name);
         if (at == kFields.end()) {
+            if (name.find(';') != std::string::npos) {
+                wrong(diagnostics, place, "the columns are not separated by commas")
+                    .hint("save it with commas, as RFC 4180 has it: input,output,options,copies");
+                return false;
+            }
             unknown_field(name, "column", place, diagnostics);
             continue;
         }
@@ -371,7 +371,7 @@ std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm>
         return std::nullopt;
     }
     manifest.rows_.shrink_to_fit();
-    check_names(manifest, diagnostics);
+    manifest.check_names(diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     return manifest;
 }

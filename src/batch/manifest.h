@@ -37,6 +37,9 @@ class Manifest {
     [[nodiscard]] BatchJob job(std::size_t index) const;
     // Where row `index` begins.
     [[nodiscard]] Place place(std::size_t index) const { return {static_cast<int>(rows_[index].line), 1}; }
+    // The job other than `index` that names this file, or `index` itself where it reads it; nullopt: none
+    // does.
+    [[nodiscard]] std::optional<std::size_t> taken_by(const std::string& file, std::size_t index) const;
     // The row's text as the manifest has it, without a line break at its end.
     [[nodiscard]] std::string_view text(std::size_t index) const;
     // What stands before the first row and is needed to read the others: the columns of CSV, with a line
@@ -55,11 +58,23 @@ class Manifest {
     std::vector<Row> rows_;
     std::vector<std::size_t> columns_;  // of CSV: which of the four fields
     std::uint32_t heading_end_ = 0;
+    struct Use {
+        std::uint64_t file;  // file_number()
+        std::uint32_t job;
+        bool written;
+    };
+    std::vector<Use> uses_;  // of all jobs, by file and job
+
+    void check_names(Diagnostics& diagnostics);
 
     bool read_json_lines(Diagnostics& diagnostics);
     bool read_csv(Diagnostics& diagnostics);
     bool read_columns(const std::vector<std::string>& names, Place place, Diagnostics& diagnostics);
 };
+
+// A number for a file by its name: the same for "a/./b", "a//b" and "a/c/../b". Others share it only by
+// chance.
+std::uint64_t file_number(const std::string& name);
 
 // Reads every row once; a row that is no job is a `bad-manifest` error at its place, and so are two jobs that
 // write the same file and one that reads what another writes, as far as names tell; then nullopt. Without

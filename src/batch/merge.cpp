@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -37,25 +36,6 @@ std::string gone_output(const JobResult& result, bool bytes) {
     return {};
 }
 
-// How much a state is worth; of two results the better one tells what became of the job.
-int rank(JobState state) {
-    switch (state) {
-        case JobState::done:
-            return 5;
-        case JobState::failed:
-            return 4;
-        case JobState::unusable:
-            return 3;
-        case JobState::crashed:
-            return 2;
-        case JobState::gone:
-            return 1;
-        case JobState::missing:
-            return 0;
-    }
-    broken_invariant("a job has one of six states", __FILE__, __LINE__);
-}
-
 }  // namespace
 
 std::string_view to_string(JobState state) {
@@ -83,22 +63,19 @@ MergedReport merge_results(const Manifest& manifest, const ResultIndex& results)
     for (std::size_t i = 0; i < manifest.size(); ++i) {
         const BatchJob job = manifest.job(i);
         MergedJob merged{i, JobState::missing, {}};
-        std::optional<JobResult> best;
-        std::vector<JobResult> all = results.of(job_key(job));
-        for (JobResult& one : all) {
+        const std::vector<JobResult> all = results.of(job_key(job));
+        const JobResult* const best = all.empty() ? nullptr : &all.back();
+        if (best != nullptr) {
             // Runs with different options may have left files of one size; then the bytes tell them apart.
-            const std::string gone = gone_output(one, all.size() > 1);
-            const JobState state = gone.empty() ? state_of(one.status) : JobState::gone;
-            if (best && rank(state) <= rank(merged.state)) continue;
-            merged = {i, state, gone};
-            best = std::move(one);
+            merged.gone = gone_output(*best, all.size() > 1);
+            merged.state = merged.gone.empty() ? state_of(best->status) : JobState::gone;
         }
         ++report.counts[merged.state];
         ordered_json row;
         row["line"] = manifest.place(i).line;
         row["state"] = to_string(merged.state);
         row["inputs"] = job.inputs;
-        if (best) {
+        if (best != nullptr) {
             ordered_json outputs = ordered_json::array();
             for (const FileDigest& file : best->outputs) {
                 outputs.push_back({{"file", file.file}, {"bytes", file.bytes}, {"sha256", file.sha256}});
@@ -107,7 +84,10 @@ MergedReport merge_results(const Manifest& manifest, const ResultIndex& results)
             row["errors"] = best->errors;
             row["warnings"] = best->warnings;
             row["diagnostics"] = ordered_json::parse(best->diagnostics);
-            for (const ordered_json& one : row["diagnostics"]) ++codes[one.value("code", std::string())];
+            for (const ordered_json& one : row["diagnostics"]) {
+                const auto code = one.find("code");
+                if (code != one.end() && code->is_string()) ++codes[code->get<std::string>()];
+            }
         } else {
             row["outputs"] = nullptr;
             row["errors"] = nullptr;

@@ -29,8 +29,8 @@ struct MergedReport {
     [[nodiscard]] bool complete() const { return counts.size() == 1 && counts.contains(JobState::done); }
 };
 
-// One result a job: of several the one whose files are there. Files are looked at by size, where there are
-// several results by their bytes; relative names count from the working directory.
+// One result a job: that of the newest run. Files are looked at by size, where there are several results by
+// their bytes; relative names count from the working directory.
 MergedReport merge_results(const Manifest& manifest, const ResultIndex& results);
 
 }  // namespace popup

@@ -18,7 +18,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::string_view kBegin = "{\"key\":\"";  // of every line
 constexpr std::size_t kKeyDigits = 32;
 constexpr JobStatus kStatuses[] = {JobStatus::done, JobStatus::failed, JobStatus::unusable,
                                    JobStatus::crashed};
@@ -44,11 +43,15 @@ std::vector<FileDigest> files_of(const ordered_json& list) {
     return files;
 }
 
-// Directory, with its slash, and stem of a manifest.
+// Directory, with its slash, and what results are called after.
 std::pair<std::string, std::string> parts_of(const std::string& manifest) {
-    const std::string stem = Source{manifest, {}}.stem();
     const std::size_t slash = manifest.rfind('/');
-    return {slash == std::string::npos ? std::string() : manifest.substr(0, slash + 1), stem};
+    const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+    std::string stem = manifest.substr(begin);
+    if (constexpr std::string_view kSuffix = ".jsonl"; stem.ends_with(kSuffix) && stem != kSuffix) {
+        stem.resize(stem.size() - kSuffix.size());
+    }
+    return {manifest.substr(0, begin), std::move(stem)};
 }
 
 }  // namespace
@@ -96,8 +99,12 @@ std::optional<JobResult> result_of(std::string_view line) {
         result.outputs = files_of(read.at("outputs"));
         result.errors = read.at("errors").get<std::size_t>();
         result.warnings = read.at("warnings").get<std::size_t>();
-        if (!read.at("diagnostics").is_array()) return std::nullopt;
-        result.diagnostics = dumped(read.at("diagnostics"));
+        const ordered_json& list = read.at("diagnostics");
+        if (!list.is_array()) return std::nullopt;
+        for (const ordered_json& one : list) {
+            if (!one.is_object()) return std::nullopt;
+        }
+        result.diagnostics = dumped(list);
         return result;
     } catch (const ordered_json::exception&) {
         return std::nullopt;
@@ -146,6 +153,19 @@ bool is_fresh(const JobResult& result, const std::string& command) {
            all(result.outputs, same);
 }
 
+std::vector<std::string> oldest_first(std::vector<std::string> names) {
+    std::vector<std::pair<std::filesystem::file_time_type, std::string>> timed;
+    for (std::string& name : names) {
+        std::error_code error;
+        timed.emplace_back(std::filesystem::last_write_time(name, error), std::move(name));
+    }
+    std::stable_sort(timed.begin(), timed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    names.clear();
+    for (auto& [time, name] : timed) names.push_back(std::move(name));
+    return names;
+}
+
 std::string results_name(const std::string& manifest, int shard, int shards) {
     const auto [directory, stem] = parts_of(manifest);
     if (shards == 1) return directory + stem + ".results.jsonl";
@@ -167,7 +187,7 @@ std::vector<std::string> results_beside(const std::string& manifest) {
         names.push_back(directory + name);
     }
     std::sort(names.begin(), names.end());
-    return names;
+    return oldest_first(std::move(names));
 }
 
 std::optional<ResultIndex::Key> ResultIndex::key_of(std::string_view text) {
@@ -193,8 +213,8 @@ bool ResultIndex::add(const std::string& name, Diagnostics& diagnostics) {
     files_.push_back(name);
     std::uint64_t offset = 0;
     for (std::string line; std::getline(in, line); offset += line.size() + 1) {
-        if (!line.starts_with(kBegin) || !line.ends_with('}')) continue;
-        const std::optional<Key> key = key_of(std::string_view(line).substr(kBegin.size(), kKeyDigits));
+        if (!line.starts_with(kResultBegin) || !line.ends_with('}')) continue;
+        const std::optional<Key> key = key_of(std::string_view(line).substr(kResultBegin.size(), kKeyDigits));
         if (!key) continue;
         const Spot spot{offset, static_cast<std::uint32_t>(line.size()), file};
         const auto [begin, end] = spots_.equal_range(*key);

@@ -44,6 +44,7 @@ struct JobResult {
 
 // One line of JSON with a line break. Equal results make equal lines: no times, no names of machines.
 std::string to_line(const JobResult& result);
+inline constexpr std::string_view kResultBegin = "{\"key\":\"";  // of every line
 // nullopt when the line is no result: torn, or not ours.
 std::optional<JobResult> result_of(std::string_view line);
 
@@ -62,10 +63,14 @@ FileDigest digest_of(const std::string& name, std::string_view bytes);
 // inputs failed and still would.
 bool is_fresh(const JobResult& result, const std::string& command);
 
-// "jobs.jsonl" → "jobs.results.jsonl", shard 2 of 5 "jobs.results.2-of-5.jsonl".
+// "jobs.jsonl" → "jobs.results.jsonl", shard 2 of 5 "jobs.results.2-of-5.jsonl"; "jobs.csv" →
+// "jobs.csv.results.jsonl".
 std::string results_name(const std::string& manifest, int shard, int shards);
-// All files beside the manifest that have such a name, sorted.
+// All files beside the manifest that have such a name, those that were written to last at the end.
 std::vector<std::string> results_beside(const std::string& manifest);
+
+// Files by the time of their last change, the newest last; those of one time stay as they are.
+std::vector<std::string> oldest_first(std::vector<std::string> names);
 
 // The results of several files, by job. Keeps places, not lines: 60 bytes a job.
 class ResultIndex {
@@ -73,7 +78,8 @@ class ResultIndex {
     // Adds what `name` holds; a file that is not there holds nothing. Lines that are no result, such as one
     // that was cut off as the machine went down, are passed over. False: it is there and cannot be read.
     bool add(const std::string& name, Diagnostics& diagnostics);
-    // The lines on the job, of each file the last, the newest file last. Reads the files again.
+    // The lines on the job, of each file the last, in the order in which the files were added. Reads the
+    // files again.
     [[nodiscard]] std::vector<JobResult> of(const std::string& key) const;
 
  private:

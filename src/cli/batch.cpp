@@ -12,9 +12,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <set>
-#include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "batch/results.h"
@@ -22,6 +21,7 @@
 #include "cli/batch_job.h"
 #include "cli/command_line.h"
 #include "cli/jobserver.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/value_option.h"
@@ -57,7 +57,13 @@ Shard shard_of_environment() {
     };
     const std::optional<int> id = variable("SLURM_ARRAY_TASK_ID");
     const std::optional<int> count = variable("SLURM_ARRAY_TASK_COUNT");
-    if (!id || !count) return {};
+    if (!id) return {};
+    if (!count) {
+        throw UsageError(
+            fmt::format("this is task {} of a job array, and SLURM_ARRAY_TASK_COUNT does not say of how many",
+                        *id),
+            {"say which part this is with --shard I/N"});
+    }
     const int first = variable("SLURM_ARRAY_TASK_MIN").value_or(1);
     const int step = std::max(1, variable("SLURM_ARRAY_TASK_STEP").value_or(1));
     const Shard shard{(*id - first) / step + 1, *count};
@@ -76,7 +82,7 @@ struct Tally {
 };
 
 std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
-    std::string text = fmt::format("popupc: {} job{}: ", jobs, jobs == 1 ? "" : "s");
+    std::string text = fmt::format("popupc: {} job{} in {:.1f} s: ", jobs, jobs == 1 ? "" : "s", seconds);
     const auto count = [&tally](JobStatus status) {
         const auto at = tally.ended.find(status);
         return at == tally.ended.end() ? std::size_t{0} : at->second;
@@ -85,11 +91,11 @@ std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
     for (const JobStatus status : {JobStatus::failed, JobStatus::unusable, JobStatus::crashed}) {
         if (count(status) > 0) text += fmt::format(", {} {}", count(status), to_string(status));
     }
-    if (tally.fresh > 0) text += fmt::format("; {} as they were", tally.fresh);
     const std::size_t built = jobs - tally.fresh;
-    text += fmt::format(" in {:.1f} s", seconds);
-    if (built > 0 && seconds > 0.0)
-        text += fmt::format(", {:.1f} a second", static_cast<double>(built) / seconds);
+    if (tally.fresh > 0) text += fmt::format("; {} as they were", tally.fresh);
+    if (built > 0 && seconds > 0.0) {
+        text += fmt::format("; {} built, {:.1f} a second", built, static_cast<double>(built) / seconds);
+    }
     return text + "\n";
 }
 
@@ -97,7 +103,11 @@ std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
 void check_common(const std::vector<std::string>& common) {
     std::vector<std::string> words{"build"};
     words.insert(words.end(), common.begin(), common.end());
-    words.insert(words.end(), {"--output=a.svg", "--", "a.xml"});
+    // Each job finds its own.
+    const bool named = std::any_of(common.begin(), common.end(),
+                                   [](const std::string& word) { return word.starts_with("--config"); });
+    if (!named) words.emplace_back("--no-config");
+    words.insert(words.end(), {"--output=a.svg", "a.xml"});
     const std::variant<Command, std::string> wanted = read_command(std::move(words));
     const Command* command = std::get_if<Command>(&wanted);
     const bool plain = command != nullptr && command->options.inputs.names.size() == 1 &&
@@ -128,6 +138,73 @@ void clean_up(const Manifest& manifest, const std::string& results) {
     for (const std::string& directory : directories) remove_litter(directory);
 }
 
+// Hears how jobs end, tells it, and writes it down.
+class Scribe {
+ public:
+    Scribe(const BatchRun& run, ResultsFile& own, const ResultIndex& before, const MessageOptions& messages,
+           std::size_t jobs)
+        : run_(run),
+          own_(own),
+          before_(before),
+          messages_(messages),
+          jobs_(jobs),
+          progress_(progress_meter(messages, jobs)) {}
+
+    // False when it cannot be written down: then nothing more may be done.
+    bool hear(const JobEnd& end) {
+        JobReport report = end.reply ? unpacked(*end.reply) : crashed_job(run_, end.job, end.signal);
+        for (const FileDigest& output : report.result.outputs) {
+            const auto [at, first] = written_.emplace(file_number(output.file), end.job);
+            if (first || at->second == end.job) continue;
+            report = doubled_job(run_, end.job, output.file, at->second);
+            break;
+        }
+        if (report.news == JobNews::due) {
+            tally.due.push_back(end.job);
+        } else {
+            ++tally.ended[report.result.status];
+            if (report.news == JobNews::fresh) ++tally.fresh;
+            // What is added behind a line that was cut off would be lost with it.
+            if (!run_.dry_run && !tally.lost) tally.lost = !own_.add(report.result, before_);
+        }
+        if (!report.text.empty()) say_between(messages_, report.text);
+        if (progress_) progress_(++done_, jobs_);
+        return !tally.lost;
+    }
+
+    Tally tally;
+
+ private:
+    const BatchRun& run_;
+    ResultsFile& own_;
+    const ResultIndex& before_;
+    const MessageOptions& messages_;
+    std::size_t jobs_;
+    std::size_t done_ = 0;
+    std::function<void(std::size_t, std::size_t)> progress_;
+    std::unordered_map<std::uint64_t, std::size_t> written_;  // by which job each file was
+};
+
+// Dies of the signal, as who sent it expects.
+int end_interrupted(int signal, const Tally& tally, std::size_t jobs, const MessageOptions& messages) {
+    std::size_t ended = 0;
+    for (const auto& [status, count] : tally.ended) ended += count;
+    say_between(messages,
+                fmt::format("popupc: interrupted: {} of {} jobs have ended; the same command goes on from "
+                            "there\n",
+                            ended, jobs));
+    std::raise(signal);
+    return exit_unusable;
+}
+
+// The rows that have something to do.
+std::string rows_of(std::vector<std::size_t> due, const Manifest& manifest) {
+    std::sort(due.begin(), due.end());
+    std::string rows(due.empty() ? std::string_view() : manifest.heading());
+    for (const std::size_t job : due) rows += std::string(manifest.text(job)) + "\n";
+    return rows;
+}
+
 ExitCode exit_of(const Tally& tally) {
     if (tally.lost || tally.ended.contains(JobStatus::unusable) || tally.ended.contains(JobStatus::crashed)) {
         return exit_unusable;
@@ -136,6 +213,17 @@ ExitCode exit_of(const Tally& tally) {
 }
 
 }  // namespace
+
+void add_manifest_format_option(CLI::App& verb, Options& options) {
+    BatchOptions& batch = options.batch;
+    value(verb, "--manifest-format", "FORMAT", "jsonl or csv (default: by the manifest's suffix)", "Jobs",
+          [&batch](std::string_view text) {
+              batch.form =
+                  choose<ManifestForm>("--manifest-format", text,
+                                       {{"jsonl", ManifestForm::json_lines}, {"csv", ManifestForm::csv}});
+          })
+        ->configurable(false);
+}
 
 CLI::App* add_batch(CLI::App& app, Options& options) {
     CLI::App* verb =
@@ -157,13 +245,7 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
               batch.results = text;
           })
         ->configurable(false);
-    value(*verb, "--manifest-format", "FORMAT", "jsonl or csv (default: by the manifest's suffix)", "Jobs",
-          [&batch](std::string_view text) {
-              batch.form =
-                  choose<ManifestForm>("--manifest-format", text,
-                                       {{"jsonl", ManifestForm::json_lines}, {"csv", ManifestForm::csv}});
-          })
-        ->configurable(false);
+    add_manifest_format_option(*verb, options);
     verb->add_flag("-n,--dry-run", batch.dry_run, "print the rows that have something to do; do nothing")
         ->configurable(false)
         ->group("Jobs");
@@ -175,7 +257,11 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
         "  popupc batch jobs.csv -j 8 -- --sheet a4 --profile lightburn\n"
         "  popupc batch jobs.jsonl --shard 2/5\n"
         "  popupc batch jobs.jsonl --dry-run > due.jsonl\n"
-        "\nNames in a manifest count from its directory. A job that fails does not stop the others.\n"
+        "\nA row of JSON lines: {\"input\": \"a.xml\", \"output\": [\"out/a.svg\"], \"options\": \"--sheet "
+        "a4\", "
+        "\"copies\": 2}\n"
+        "As CSV: a first line input,output,options,copies; input and output may be columns several times.\n"
+        "Names in a manifest count from its directory. A job that fails does not stop the others.\n"
         "Exit status 0 when all jobs are done, 1 when the inputs of some are wrong, 2 when some could not "
         "be\n"
         "read, written or run.");
@@ -185,46 +271,50 @@ CLI::App* add_batch(CLI::App& app, Options& options) {
 int run_batch(const Options& options) {
     const BatchOptions& batch = options.batch;
     const Shard shard = batch.shard ? *batch.shard : shard_of_environment();
-    check_common(batch.common);
     std::optional<BatchFiles> files = open_batch(batch.manifest, batch.form, options.messages);
     if (!files) return exit_unusable;
-    if (!files->manifest) return exit_findings;
+    if (!files->manifest) return exit_unusable;
     const Manifest& manifest = *files->manifest;
-    const std::string results = batch.results.empty() ? results_for(batch.manifest, shard.number, shard.count)
-                                                      : files->absolute(batch.results);
-    if (!files->enter()) return exit_unusable;
+    std::string results = batch.results.empty() ? results_for(batch.manifest, shard.number, shard.count)
+                                                : files->absolute(batch.results);
+    const std::string manifest_path = files->absolute(batch.manifest);
+    files->enter();
+    check_common(batch.common);
 
     ResultsFile own;
-    if (const std::string why = batch.dry_run ? std::string() : own.open(results); !why.empty()) {
-        report_usage(UsageError(fmt::format("{}: {}", results, why)));
-        return exit_unusable;
-    }
+    if (!batch.dry_run) results = own.open(results);
     Diagnostics trouble;
     ResultIndex known;
     ResultIndex mine;
     bool readable = mine.add(results, trouble) && known.add(results, trouble);
     for (const std::string& name : files->results_beside()) {
-        if (name != results) readable = known.add(name, trouble) && readable;
+        if (!same_place(name, results)) readable = known.add(name, trouble) && readable;
     }
     if (!readable) {
         report(options.messages, {}, trouble);
         return exit_unusable;
     }
+    say(options.messages, "results are kept in " + results);
     if (!batch.dry_run) clean_up(manifest, results);
 
-    const BatchRun run{&manifest,
-                       &known,
-                       batch.common,
-                       colorful(options.messages),
-                       options.messages.quiet,
-                       batch.dry_run,
-                       setting_variables()};
+    BatchRun run;
+    run.manifest = &manifest;
+    run.known = &known;
+    run.common_options = batch.common;
+    run.color = colorful(options.messages);
+    run.quiet = options.messages.quiet;
+    run.dry_run = batch.dry_run;
+    run.kept = {results};
+    if (batch.manifest != "-") run.kept.push_back(manifest_path);
+    run.environment = setting_variables();
+
     const std::vector<std::size_t> jobs = jobs_of(shard, manifest.size());
-    const auto progress = progress_meter(options.messages, jobs.size());
-    Tally tally;
-    std::size_t done = 0;
+    Scribe scribe(run, own, mine, options.messages, jobs.size());
+    const Tally& tally = scribe.tally;
     PoolOptions pool;
     pool.workers = static_cast<std::size_t>(std::max(1, options.compile.threads));
+    // A worker that outlives this process must not keep the next run from the results.
+    pool.begun = [&own] { own.close(); };
     // Under make each process but the first needs a token.
     Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
     if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
@@ -236,47 +326,23 @@ int run_batch(const Options& options) {
     const auto begun = std::chrono::steady_clock::now();
     const int signal = run_pool(
         jobs, pool, [&run](std::size_t job) { return packed(do_job(run, job)); },
-        [&](const JobEnd& end) {
-            const JobReport report = end.reply ? unpacked(*end.reply) : crashed_job(run, end.job, end.signal);
-            if (report.news == JobNews::due) {
-                tally.due.push_back(end.job);
-            } else {
-                ++tally.ended[report.result.status];
-                if (report.news == JobNews::fresh) ++tally.fresh;
-                if (!batch.dry_run) tally.lost = !own.add(report.result, mine) || tally.lost;
-            }
-            if (!report.text.empty()) say_between(options.messages, report.text);
-            if (progress) progress(++done, jobs.size());
-            return !tally.lost;
-        });
+        [&scribe](const JobEnd& end) { return scribe.hear(end); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    if (batch.dry_run) {
+        if (signal != 0) return end_interrupted(signal, tally, jobs.size(), options.messages);
+        return print(rows_of(tally.due, manifest)) ? exit_of(tally) : exit_unusable;
+    }
     if (tally.lost) {
         report_usage(UsageError(fmt::format("{}: results cannot be written: {}", results, own.trouble()),
                                 {"what is written down stays done; run the same command again to go on"}));
     }
-    if (!batch.dry_run) clean_up(manifest, results);
+    clean_up(manifest, results);
     if (signal != 0) {
-        std::size_t ended = 0;
-        for (const auto& [status, count] : tally.ended) ended += count;
-        say_between(options.messages,
-                    fmt::format("popupc: interrupted: {} of {} jobs have ended; the same command "
-                                "goes on from there\n",
-                                ended, jobs.size()));
         own.close();
-        std::raise(signal);
-        return exit_unusable;
+        return end_interrupted(signal, tally, jobs.size(), options.messages);
     }
-    if (batch.dry_run) {
-        std::sort(tally.due.begin(), tally.due.end());
-        std::string rows(manifest.heading());
-        for (const std::size_t job : tally.due) rows += std::string(manifest.text(job)) + "\n";
-        return print(tally.due.empty() ? std::string() : rows) ? exit_of(tally) : exit_unusable;
-    }
-    std::vector<std::string> keys;
-    keys.reserve(jobs.size());
-    for (const std::size_t job : jobs) keys.push_back(job_key(manifest.job(job)));
-    if (!tally.lost && !own.settle(keys)) {
-        tally.lost = true;
+    if (!tally.lost && !own.settle(manifest)) {
+        scribe.tally.lost = true;
         report_usage(
             UsageError(fmt::format("{}: results cannot be put in order: {}", results, own.trouble())));
     }

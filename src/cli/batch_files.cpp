@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/signal_cleanup.h"
 #include "cli/report.h"
 
 namespace popup::cli {
@@ -42,10 +43,9 @@ std::vector<std::string> BatchFiles::results_beside() const {
     return name == "-" ? std::vector<std::string>() : popup::results_beside(absolute(name));
 }
 
-bool BatchFiles::enter() const {
-    if (directory.empty() || ::chdir(directory.c_str()) == 0) return true;
-    report_usage(UsageError(fmt::format("{}: {}", directory, reason(errno))));
-    return false;
+void BatchFiles::enter() const {
+    if (directory.empty() || ::chdir(directory.c_str()) == 0) return;
+    throw UsageError(fmt::format("{}: {}", directory, reason(errno)));
 }
 
 std::optional<BatchFiles> open_batch(const std::string& name, std::optional<ManifestForm> form,
@@ -60,7 +60,13 @@ std::optional<BatchFiles> open_batch(const std::string& name, std::optional<Mani
     std::optional<Source> source = read_source(name, findings, kLongestManifest);
     const bool readable = source.has_value();
     if (source) files.manifest = read_manifest(std::move(*source), form, findings);
-    if (!findings.sorted().empty()) report(messages, {{&findings, {}}}, Diagnostics());
+    if (!findings.sorted().empty()) {
+        // Its text is shown, and has gone the way of the rows.
+        Diagnostics again;
+        if (readable && name != "-") source = read_source(name, again, kLongestManifest);
+        report(messages, {{&findings, readable && source ? std::string_view(source->text) : "", false}},
+               Diagnostics());
+    }
     if (!readable) return std::nullopt;
     return files;
 }
@@ -76,27 +82,34 @@ std::string results_for(const std::string& manifest, int shard, int shards) {
 }
 
 std::string ResultsFile::open(const std::string& name) {
-    name_ = name;
+    const auto refuse = [&name](const std::string& why) {
+        throw UsageError(fmt::format("{}: {}", name, why),
+                         {"results are kept there; --results FILE names another"});
+    };
     fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd_ < 0) return reason(errno);
+    if (fd_ < 0) refuse(reason(errno));
     if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        const int error = errno;
-        close();
-        return error == EWOULDBLOCK ? "another run is writing its results there" : reason(error);
+        refuse(errno == EWOULDBLOCK ? "another run is writing its results there" : reason(errno));
     }
     // A run that finished in between may have put another file in its place.
     struct stat held {};
     struct stat named {};
     if (::fstat(fd_, &held) != 0 || ::stat(name.c_str(), &named) != 0 || held.st_ino != named.st_ino ||
         held.st_dev != named.st_dev) {
-        close();
-        return "another run has just written its results there";
+        refuse("another run has just written its results there");
     }
-    if (!S_ISREG(held.st_mode)) return "it is no file";
+    if (!S_ISREG(held.st_mode)) refuse("it is no file");
+    // Somebody's file is not written to, let alone put in order.
+    std::string begin(kResultBegin.size(), '\0');
+    const ssize_t read = ::pread(fd_, begin.data(), begin.size(), 0);
+    if (read > 0 && begin != kResultBegin) refuse("it holds something else than results");
     char last = '\n';
-    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) return reason(errno);
-    if (last != '\n' && !append(fd_, "\n")) return reason(errno);
-    return {};
+    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) refuse(reason(errno));
+    if (last != '\n' && !append(fd_, "\n")) refuse(reason(errno));
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::canonical(name, error);
+    name_ = error ? name : path.string();
+    return name_;
 }
 
 bool ResultsFile::add(const JobResult& result, const ResultIndex& before) {
@@ -109,31 +122,32 @@ bool ResultsFile::add(const JobResult& result, const ResultIndex& before) {
     return false;
 }
 
-bool ResultsFile::settle(const std::vector<std::string>& keys) {
+bool ResultsFile::settle(const Manifest& manifest) {
+    const auto fail = [this](const std::string& why) {
+        trouble_ = why;
+        return false;
+    };
+    const SignalPause pause;
     Diagnostics trouble;
     ResultIndex index;
-    if (!index.add(name_, trouble)) {
-        trouble_ = "it cannot be read again";
-        return false;
-    }
+    if (!index.add(name_, trouble)) return fail("it cannot be read again");
     std::ifstream old(name_, std::ios::binary);
     NewFile made(name_);
     bool same = true;
-    for (const std::string& key : keys) {
-        for (const JobResult& one : index.of(key)) {
+    for (std::size_t i = 0; i < manifest.size(); ++i) {
+        for (const JobResult& one : index.of(job_key(manifest.job(i)))) {
             const std::string line = to_line(one);
             std::string there;
             same = same && std::getline(old, there) && there + "\n" == line;
-            if (!made.write(line)) {
-                trouble_ = made.trouble();
-                return false;
-            }
+            if (!made.write(line)) return fail(made.trouble());
         }
     }
-    if (same && old.peek() == std::ifstream::traits_type::eof()) return true;
-    if (made.commit()) return true;
-    trouble_ = made.trouble();
-    return false;
+    if (same && old.peek() == std::ifstream::traits_type::eof()) {
+        return ::futimens(fd_, nullptr) == 0 || fail(reason(errno));
+    }
+    struct stat now {};
+    if (::fstat(fd_, &now) == 0) made.keep_mode(now.st_mode);
+    return made.commit() || fail(made.trouble());
 }
 
 void ResultsFile::close() {

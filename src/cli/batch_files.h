@@ -21,13 +21,16 @@ struct BatchFiles {
     [[nodiscard]] std::string absolute(const std::string& name) const;
     // The results files that stand beside the manifest, absolute; none for standard input.
     [[nodiscard]] std::vector<std::string> results_beside() const;
-    // Goes to the manifest's directory. False: that cannot be done, and it was said.
-    [[nodiscard]] bool enter() const;
+    // Goes to the manifest's directory. UsageError when that cannot be done.
+    void enter() const;
 };
 
 // Reads a manifest; "-" is standard input. nullopt: it cannot be read, and that was said.
 std::optional<BatchFiles> open_batch(const std::string& name, std::optional<ManifestForm> form,
                                      const MessageOptions& messages);
+
+// Declares --manifest-format.
+void add_manifest_format_option(CLI::App& verb, Options& options);
 
 // The results file of a run, absolute. UsageError for standard input, which stands beside nothing.
 std::string results_for(const std::string& manifest, int shard, int shards);
@@ -40,14 +43,16 @@ class ResultsFile {
     ResultsFile& operator=(const ResultsFile&) = delete;
     ~ResultsFile() { close(); }
 
-    // Opens or makes it, and ends a line that was cut off. Empty, or why it cannot be had.
+    // Opens or makes it, and ends a line that was cut off. Returns its name with links followed. UsageError
+    // when it cannot be had.
     std::string open(const std::string& name);
     // Adds the line, unless it is what the file, as `before` knows it, says of the job already. False: it
     // cannot be written.
     bool add(const JobResult& result, const ResultIndex& before);
-    // Leaves one line for each of these jobs, in this order, and nothing else; what is there already is not
-    // written again. The old file stays until the new one is complete. Memory: one line.
-    bool settle(const std::vector<std::string>& keys);
+    // Leaves one line for each job of the manifest that it knows of, in the manifest's order, and nothing
+    // else; what is so already is not written again, but for the time of the last change: it is that of the
+    // newest run. The old file stays until the new one is complete. Memory: one line.
+    bool settle(const Manifest& manifest);
     void close();
     // Why add() or settle() failed.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -18,6 +19,8 @@
 #include "cli/build.h"
 #include "cli/command_line.h"
 #include "cli/config_file.h"
+#include "cli/dependency_options.h"
+#include "cli/outputs.h"
 
 namespace popup::cli {
 namespace {
@@ -34,22 +37,65 @@ Diagnostics misused(const BatchRun& run, std::size_t index, const UsageError& er
 
 // A job writes files, the ones it says it writes, and nothing else.
 void check_command(const Options& options, const BatchJob& job) {
-    const bool talks =
-        options.build.emit || options.messages.use_standard_output() || !options.messages.file.empty();
-    if (talks) {
+    if (options.build.emit || !options.messages.file.empty() || options.build.watch) {
         throw UsageError("a job of a batch has no output but its files",
-                         {"--emit, --message-format and --diagnostics are for single builds"});
+                         {"--emit, --diagnostics and --watch are for single builds"});
     }
     if (options.build.outputs != job.outputs) {
         throw UsageError("the options of a job name an output", {"outputs stand in \"output\""});
     }
-    for (const std::string& name : job.outputs) {
-        if (name == "-" || name.starts_with("/dev/")) {
+    std::vector<std::string> outputs = job.outputs;
+    if (options.build.dependencies.wanted) outputs.push_back(dependency_file_name(options));
+    for (const std::string& name : outputs) {
+        if (is_standard_output(name) || name.starts_with("/dev/")) {
             throw UsageError(fmt::format("{} is no file that a job could write", name));
+        }
+    }
+    for (const std::string& name : job.outputs) {
+        for (const Format& format : format_table()) {
+            const std::size_t at = name.find(format.suffix);
+            const std::size_t end = at + format.suffix.size();
+            if (at == std::string::npos || end >= name.size()) continue;
+            if (std::string_view(" ;,|").find(name[end]) == std::string_view::npos) continue;
+            throw UsageError(fmt::format("\"{}\" looks like several names", name),
+                             {"several outputs are a list in JSON, and columns of their own in CSV"});
         }
     }
     for (const std::string& name : options.inputs.names) {
         if (name == "-") throw UsageError("a job of a batch has no standard input");
+    }
+}
+
+// What is known of names only now: further sheets, dependency files.
+void check_files(const BatchRun& run, std::size_t index, const std::vector<PendingFile>& files) {
+    for (const PendingFile& file : files) {
+        for (const std::string& kept : run.kept) {
+            if (!overwrites(file.path, kept)) continue;
+            throw UsageError(fmt::format("{} would be written over {}", file.path, kept));
+        }
+        if (const auto other = run.manifest->taken_by(file.path, index)) {
+            throw UsageError(
+                fmt::format("{} would be written, and the job of line {} has a file of that name", file.path,
+                            run.manifest->place(*other).line),
+                {"further sheets are numbered: card-2.svg; give one of the jobs another name"});
+        }
+    }
+}
+
+// The command that the words are, read while the files that settings come from stayed the same, and their
+// digests.
+Command read_settled(const std::vector<std::string>& words, std::vector<FileDigest>& settings) {
+    for (;;) {
+        std::variant<Command, std::string> wanted = read_command(words);
+        Command* command = std::get_if<Command>(&wanted);
+        if (command == nullptr) {
+            throw UsageError("the options of a job ask for something to be printed, and for no build");
+        }
+        std::vector<FileDigest> now;
+        for (const std::string& name : command->options.settings_files) now.push_back(digest_of(name));
+        // Without such files there is nothing to look at twice.
+        if (now == settings) return std::move(*command);
+        settings = std::move(now);
     }
 }
 
@@ -98,7 +144,7 @@ std::string remembered(const JobResult& result, bool color) {
 std::string digest_of_command(const BatchRun& run, const BatchJob& job,
                               const std::vector<std::string>& words) {
     std::vector<std::string> all = run.environment;
-    all.push_back(find_config(job.inputs.front()).value_or(std::string()));
+    for (const std::string& input : job.inputs) all.push_back(find_config(input).value_or(std::string()));
     all.insert(all.end(), words.begin(), words.end());
     return command_digest(all);
 }
@@ -111,10 +157,12 @@ void make_directories(const std::vector<std::string>& outputs) {
     }
 }
 
-// The digests of what the build read: of what it holds in memory, else of the file.
-std::vector<FileDigest> digests_of(const Build& build) {
+// The digests of what the build read: of what it holds in memory, else those that were taken as it was read.
+std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDigest>& settings) {
     std::vector<FileDigest> files;
     for (const std::string& name : build.inputs) {
+        const auto known = std::find_if(settings.begin(), settings.end(),
+                                        [&name](const FileDigest& one) { return one.file == name; });
         const std::string* text = nullptr;
         for (const CompiledDesign& one : build.run.compilation.designs) {
             if (one.source.name == name) text = &one.source.text;
@@ -122,9 +170,24 @@ std::vector<FileDigest> digests_of(const Build& build) {
         if (build.profile && build.profile->readable && build.profile->source.name == name) {
             text = &build.profile->source.text;
         }
-        files.push_back(text != nullptr ? digest_of(name, *text) : digest_of(name));
+        if (text != nullptr) {
+            files.push_back(digest_of(name, *text));
+        } else {
+            files.push_back(known != settings.end() ? *known : digest_of(name));
+        }
     }
     return files;
+}
+
+// The report of a job that came to nothing for a reason outside its build.
+JobReport spoilt_job(const BatchRun& run, const BatchJob& job, JobStatus status,
+                     const Diagnostics& findings) {
+    JobReport report;
+    report.result.key = job_key(job);
+    report.result.command = digest_of_command(run, job, job_words(run, job));
+    report.result.status = status;
+    tell(report, run, {{&findings, {}}});
+    return report;
 }
 
 JobStatus status_of(ExitCode code) {
@@ -142,9 +205,16 @@ JobStatus status_of(ExitCode code) {
 }  // namespace
 
 std::vector<std::string> setting_variables() {
+    // How much is said, and how much is done at a time, changes no result.
+    static constexpr std::string_view kOthers[] = {
+        "POPUPC_JOBS=", "POPUPC_PROGRESS=", "POPUPC_COLOR=", "POPUPC_QUIET=", "POPUPC_VERBOSE="};
     std::vector<std::string> variables;
     for (char** entry = environ; *entry != nullptr; ++entry) {
-        if (std::string_view(*entry).starts_with("POPUPC_")) variables.emplace_back(*entry);
+        const std::string_view text(*entry);
+        if (!text.starts_with("POPUPC_") && !text.starts_with("SOURCE_DATE_EPOCH=")) continue;
+        const bool other = std::any_of(std::begin(kOthers), std::end(kOthers),
+                                       [text](std::string_view one) { return text.starts_with(one); });
+        if (!other) variables.emplace_back(text);
     }
     std::sort(variables.begin(), variables.end());
     return variables;
@@ -170,7 +240,7 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
     JobResult& result = report.result;
     result.key = job_key(job);
     try {
-        std::vector<std::string> words = job_words(run, job);
+        const std::vector<std::string> words = job_words(run, job);
         result.command = digest_of_command(run, job, words);
         for (JobResult& known : run.known->of(result.key)) {
             if (!is_fresh(known, result.command)) continue;
@@ -183,19 +253,33 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
             report.news = JobNews::due;
             return report;
         }
-        const std::variant<Command, std::string> wanted = read_command(std::move(words));
-        const Command* command = std::get_if<Command>(&wanted);
-        if (command == nullptr) throw UsageError("the options of a job ask for help");
-        check_command(command->options, job);
+        std::vector<FileDigest> settings;
+        Options options = read_settled(words, settings).options;
+        check_command(options, job);
+        options.build.before_writing = [&](const std::vector<PendingFile>& files) {
+            check_files(run, index, files);
+        };
+        // An interrupt lets the job come to its end as it would have: what is cut short is another result.
+        static const std::atomic<bool> kNever{false};
+        options.compile.layout.nesting.stop = &kNever;
+        // The process that shares out the jobs is the one that asks make.
+        options.jobs_given = true;
         make_directories(job.outputs);
-        const Build built = build(command->options);
+        const Build built = build(options);
         result.status = status_of(built.status);
-        result.inputs = digests_of(built);
+        result.inputs = digests_of(built, settings);
         for (const PendingFile& file : built.files)
             result.outputs.push_back(digest_of(file.path, file.bytes));
         std::vector<FileFindings> findings = built.findings();
         findings.push_back({&built.run.compilation.run_diagnostics, {}});
         tell(report, run, findings);
+        // The findings name the input; which row it was is told last.
+        if (result.status != JobStatus::done) {
+            Diagnostics row(run.manifest->name());
+            row.error("job-failed", run.manifest->place(index),
+                      fmt::format("{} was not built", job.outputs.front()));
+            report.text += render_short(row.sorted().front(), run.color);
+        }
     } catch (const UsageError& error) {
         const Diagnostics findings = misused(run, index, error);
         // Whether it is the words or a file that is wrong is not known: it is tried anew.
@@ -207,10 +291,6 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
 
 JobReport crashed_job(const BatchRun& run, std::size_t index, int signal) {
     const BatchJob job = run.manifest->job(index);
-    JobReport report;
-    report.result.key = job_key(job);
-    report.result.command = digest_of_command(run, job, job_words(run, job));
-    report.result.status = JobStatus::crashed;
     Diagnostics findings(run.manifest->name());
     findings
         .error("job-crashed", run.manifest->place(index),
@@ -219,8 +299,17 @@ JobReport crashed_job(const BatchRun& run, std::size_t index, int signal) {
                                        : fmt::format(", by signal {} ({})", signal, ::strsignal(signal))))
         .hint(signal == SIGKILL ? "the system may have run out of memory: try fewer processes with -j"
                                 : "please report it with this input; other jobs went on");
-    tell(report, run, {{&findings, {}}});
-    return report;
+    return spoilt_job(run, job, JobStatus::crashed, findings);
+}
+
+JobReport doubled_job(const BatchRun& run, std::size_t index, const std::string& file, std::size_t other) {
+    Diagnostics findings(run.manifest->name());
+    findings
+        .error("bad-job", run.manifest->place(index),
+               fmt::format("{} is written by another job, too, so that neither can be relied on", file))
+        .with(run.manifest->place(other), "the other job")
+        .hint("further sheets are numbered (card-2.svg), and -MD names its file after the first output");
+    return spoilt_job(run, run.manifest->job(index), JobStatus::unusable, findings);
 }
 
 std::string packed(const JobReport& report) {

@@ -17,10 +17,11 @@ struct BatchRun {
     bool color = false;
     bool quiet = false;                    // errors only
     bool dry_run = false;                  // nothing is built
+    std::vector<std::string> kept;         // files that no job may write: the manifest and the results
     std::vector<std::string> environment;  // variables that set options, as NAME=VALUE, sorted
 };
 
-// Those of this process.
+// Those of this process that change what is built.
 std::vector<std::string> setting_variables();
 
 // fresh: an earlier run did it, and nothing has changed since. built: it was done now, well or not. due: it
@@ -41,6 +42,9 @@ JobReport do_job(const BatchRun& run, std::size_t index);
 
 // The report of a job whose process died of `signal` (0: it ended itself).
 JobReport crashed_job(const BatchRun& run, std::size_t index, int signal);
+
+// The report of a job that wrote a file which job `other` has written, too.
+JobReport doubled_job(const BatchRun& run, std::size_t index, const std::string& file, std::size_t other);
 
 // A report as bytes, and back.
 std::string packed(const JobReport& report);

@@ -171,6 +171,20 @@ void tell_dependencies_of_failure(const Options& options, Build& result) {
     if (!text || !write_all({{path, *text}}, false, diagnostics)) result.status = exit_unusable;
 }
 
+// The names of further sheets and sides are not known before.
+void check_numbered(const Options& options, const std::vector<PendingFile>& files) {
+    const std::vector<std::string>& named = options.build.outputs;
+    for (const PendingFile& file : files) {
+        if (std::find(named.begin(), named.end(), file.path) != named.end()) continue;
+        for (const std::string& input : options.inputs.names) {
+            if (!overwrites(file.path, input)) continue;
+            throw UsageError(
+                fmt::format("{} is an input, and a further sheet would be written over it", input),
+                {"give the output another name"});
+        }
+    }
+}
+
 // From the profile on.
 void compile_and_write(Options& options, const std::vector<PlannedOutput>& planned, Build& result) {
     result.profile = load_profile(options);
@@ -186,6 +200,8 @@ void compile_and_write(Options& options, const std::vector<PlannedOutput>& plann
         auto files = make_files(planned, options, compilation);
         if (files) add_dependency_file(options, result, *files, compilation.run_diagnostics);
         if (files && !compilation.has_errors()) {
+            check_numbered(options, *files);
+            if (options.build.before_writing) options.build.before_writing(*files);
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
             if (written) result.files = std::move(*files);
         } else {

@@ -39,12 +39,27 @@ std::unique_ptr<CLI::App> declare_program(Options& options) {
     return app;
 }
 
+namespace {
+
+// To the parser "[a,b]" is a list of two; here it is the name of a file.
+void protect_brackets(std::vector<std::string>& arguments) {
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+        const bool list = arguments[i].starts_with('[') && arguments[i].ends_with(']');
+        // Values of options are not taken apart.
+        const bool value = arguments[i - 1].starts_with('-') && arguments[i - 1] != "--";
+        if (list && !value) arguments[i].insert(0, "./");
+    }
+}
+
+}  // namespace
+
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments) {
     Command command;
     command.options.arguments = arguments;
     Options& options = command.options;
     arguments = expand_response_files(arguments, options.settings_files);
     arguments = with_long_dependency_options(arguments);
+    protect_brackets(arguments);
     const std::unique_ptr<CLI::App> program = declare_program(options);
     CLI::App& app = *program;
     const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });

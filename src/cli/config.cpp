@@ -230,6 +230,8 @@ Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
     if (!is_configurable(verb)) return settings;
     // What is said of the sheet for every run, whatever its verb, does not ask a check to lay anything out.
     const bool sheet_given = options.sheet_given;
+    // How many threads are right in general does not say that make is not to be asked.
+    const bool jobs_given = options.jobs_given;
     apply_environment(verb, settings);
     settings.file = config_of(options);
     if (settings.file) {
@@ -244,6 +246,7 @@ Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
     } else {
         options.sheet_given = sheet_given;
     }
+    options.jobs_given = jobs_given;
     if (options.config.print) settings.unknown_variables = unknown_variables(app);
     return settings;
 }

@@ -202,10 +202,11 @@ bool is_configurable(const CLI::App& verb) {
                        [](const CLI::Option* option) { return can_be_set(*option); });
 }
 
-std::optional<std::string> find_config(const std::string& input) {
+std::vector<std::string> config_places(const std::string& input) {
+    std::vector<std::string> places;
     std::error_code error;
     const fs::path here = fs::current_path(error);
-    if (error) return std::nullopt;
+    if (error) return places;
     fs::path directory;
     if (!input.empty() && input != "-") {
         directory = input;
@@ -216,14 +217,24 @@ std::optional<std::string> find_config(const std::string& input) {
     if (!directory.has_filename()) directory = directory.parent_path();  // it ended in a slash
     for (;;) {
         const fs::path candidate = directory / kConfigName;
-        const fs::file_status status = fs::status(candidate, error);
-        // What is there but cannot be read is found as well: reading it will say so.
-        if (fs::exists(status) && !fs::is_directory(status)) {
-            return (whole ? candidate : candidate.lexically_relative(here)).string();
-        }
-        if (directory == directory.parent_path()) return std::nullopt;
+        places.push_back((whole ? candidate : candidate.lexically_relative(here)).string());
+        if (directory == directory.parent_path()) return places;
         directory = directory.parent_path();
     }
+}
+
+bool is_config(const std::string& name) {
+    std::error_code error;
+    const fs::file_status status = fs::status(name, error);
+    // What is there but cannot be read is found as well: reading it will say so.
+    return fs::exists(status) && !fs::is_directory(status);
+}
+
+std::optional<std::string> find_config(const std::string& input) {
+    for (std::string& place : config_places(input)) {
+        if (is_config(place)) return std::move(place);
+    }
+    return std::nullopt;
 }
 
 ConfigFile read_config(const std::string& name, const CLI::App& app, const CLI::App& verb) {

@@ -17,6 +17,12 @@ constexpr std::string_view kConfigName = "popupc.toml";
 // working directory. The file is named from the working directory, or wholly where the input is.
 std::optional<std::string> find_config(const std::string& input);
 
+// All places where it looks for an input, the nearest first.
+std::vector<std::string> config_places(const std::string& input);
+
+// True when there is such a file, readable or not.
+bool is_config(const std::string& name);
+
 // What a configuration says of one option.
 struct ConfigValue {
     std::vector<std::string> texts;  // as the command line would have them; of a flag "true" or "false"

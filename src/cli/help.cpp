@@ -141,6 +141,9 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
             return UsageError(fmt::format("there is no verb \"{}\"", word), hints);
         }
         auto hints = hints_for(word, option_names(verb == nullptr ? app : *verb));
+        if (is_option && verb != nullptr && verb->get_name() == "batch") {
+            hints.emplace_back("options of builds stand behind --, or in the manifest");
+        }
         hints.push_back(see);
         return UsageError(is_option ? fmt::format("there is no option {}", word)
                                     : fmt::format("\"{}\" is one argument too many", word),

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/tree_walk.h"
+#include "cli/config_file.h"
 #include "cli/jobserver.h"
 #include "cli/progress.h"
 
@@ -115,6 +116,28 @@ std::vector<Source> read_all(Run& run, const Options& options) {
     return sources;
 }
 
+// Configurations below a directory that is walked, which the files there may be thought to have.
+void tell_of_configurations(const std::string& top, const std::vector<std::string>& found,
+                            const Options& options, InputFiles& files) {
+    if (options.config.off || !options.config.file.empty()) return;
+    std::set<std::string> seen;
+    const fs::path end = fs::path(top).lexically_normal();
+    for (const std::string& file : found) {
+        for (fs::path directory = fs::path(file).lexically_normal().parent_path();
+             directory.string().size() > end.string().size() && seen.insert(directory.string()).second;
+             directory = directory.parent_path()) {
+            const std::string config = (directory / kConfigName).string();
+            if (!is_config(config)) continue;
+            Diagnostics one(config, options.policy);
+            one.remark("config-ignored", {},
+                       "this is not looked at: one run has one configuration, that of " + top)
+                .hint("check " + directory.string() +
+                      " in a run of its own, or name one for all with --config");
+            files.directories.emplace_back(files.names.size(), std::move(one));
+        }
+    }
+}
+
 }  // namespace
 
 InputFiles find_inputs(const Options& options) {
@@ -147,6 +170,7 @@ InputFiles find_inputs(const Options& options) {
             files.directories.emplace_back(files.names.size(), std::move(trouble));
             files.readable = false;
         }
+        tell_of_configurations(name, tree.files, options, files);
         for (std::string& file : tree.files) {
             if (taken.insert(identity(file)).second) files.names.push_back(std::move(file));
         }

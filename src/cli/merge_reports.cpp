@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "batch/merge.h"
 #include "cli/batch_files.h"
@@ -23,26 +26,52 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
             return;
         case JobState::missing:
             findings.error("job-missing", place, fmt::format("{} has not been built", input))
-                .hint("popupc batch does what is missing");
+                .hint("run popupc batch on the manifest again: it does what is missing");
             return;
         case JobState::gone:
             findings
                 .error("job-missing", place,
                        fmt::format("{} was built, but {} is not there as it was written", input, merged.gone))
-                .hint("popupc batch does what is missing");
+                .hint("run popupc batch on the manifest again: it does what is missing");
             return;
         case JobState::failed:
             findings.error("job-failed", place, fmt::format("{} has errors, and was not built", input))
-                .hint("the report has them; mend the design");
+                .hint("-o FILE writes the report, which has them; mend the design");
             return;
         case JobState::unusable:
             findings.error("job-failed", place, fmt::format("{}: a file could not be read or written", input))
-                .hint("the report says which");
+                .hint("-o FILE writes the report, which says which");
             return;
         case JobState::crashed:
             findings.error("job-crashed", place, fmt::format("the process that built {} died twice", input));
             return;
     }
+}
+
+// What is written over nothing that the batch has: its manifest, its results, its jobs' files.
+void check_free(const std::string& path, const std::string& shown, const Manifest& manifest,
+                const std::string& manifest_path, const std::vector<std::string>& results) {
+    bool taken = overwrites(path, manifest_path) || manifest.taken_by(shown, manifest.size()).has_value();
+    for (const std::string& name : results) taken = taken || overwrites(path, name);
+    for (std::size_t i = 0; !taken && i < manifest.size(); ++i) {
+        const BatchJob job = manifest.job(i);
+        for (const auto* list : {&job.inputs, &job.outputs}) {
+            for (const std::string& name : *list) taken = taken || overwrites(path, name);
+        }
+    }
+    if (taken) throw UsageError(fmt::format("{} is a file of the batch, and would be written over", shown));
+}
+
+// The rows keep their names, which count from the directory of their manifest.
+void check_beside(const std::string& path, const std::string& shown, const std::string& manifest_path) {
+    std::error_code error;
+    const auto directory = [&error](const std::string& name) {
+        return std::filesystem::weakly_canonical(std::filesystem::path(name).parent_path(), error);
+    };
+    if (path == "-" || directory(path) == directory(manifest_path)) return;
+    throw UsageError(
+        fmt::format("{} is to be a manifest in another directory, from which its names would count", shown),
+        {"write it beside " + manifest_path});
 }
 
 }  // namespace
@@ -62,10 +91,12 @@ CLI::App* add_merge_reports(CLI::App& app, Options& options) {
         ->configurable(false)
         ->type_name("FILE")
         ->group("Output");
-    verb->add_option("--missing", merge.missing, "write a manifest of the jobs that are not done")
+    verb->add_option("--missing", merge.missing,
+                     "write the rows of the jobs that are not done, as a manifest")
         ->configurable(false)
         ->type_name("FILE")
         ->group("Output");
+    add_manifest_format_option(*verb, options);
     add_talk_options(*verb, options);
     verb->footer(
         "Examples:\n"
@@ -78,36 +109,38 @@ CLI::App* add_merge_reports(CLI::App& app, Options& options) {
 int run_merge_reports(const Options& options) {
     const MergeOptions& merge = options.merge;
     if (merge.manifest == "-") throw UsageError("merge-reports reads its manifest from a file");
-    std::optional<BatchFiles> files = open_batch(merge.manifest, std::nullopt, options.messages);
+    std::optional<BatchFiles> files = open_batch(merge.manifest, options.batch.form, options.messages);
     if (!files) return exit_unusable;
-    if (!files->manifest) return exit_findings;
+    if (!files->manifest) return exit_unusable;
     const Manifest& manifest = *files->manifest;
-    for (const std::string& output : {merge.output, merge.missing}) {
-        if (!output.empty() && output != "-" && overwrites(output, merge.manifest)) {
-            throw UsageError(fmt::format("{} is the manifest, and would be written over", output));
-        }
-    }
-    std::vector<PendingFile> written;
-    const auto place = [&](const std::string& name) { return name == "-" ? name : files->absolute(name); };
-
     Diagnostics findings(merge.manifest);
     ResultIndex results;
     bool readable = true;
     std::vector<std::string> names;
-    for (const std::string& name : merge.results) names.push_back(files->absolute(name));
-    for (const std::string& name : names) {
+    for (const std::string& name : merge.results) {
+        names.push_back(files->absolute(name));
         if (digest_of(name).sha256.empty()) {
             findings.error("unreadable-input", {}, name + " cannot be read");
             readable = false;
         }
     }
-    if (names.empty()) names = files->results_beside();
+    names = names.empty() ? files->results_beside() : oldest_first(std::move(names));
     for (const std::string& name : names) readable = results.add(name, findings) && readable;
     if (!readable) {
         report(options.messages, {{&findings, {}}}, Diagnostics());
         return exit_unusable;
     }
-    if (!files->enter()) return exit_unusable;
+    const std::string manifest_path = files->absolute(merge.manifest);
+    std::vector<PendingFile> written;
+    const auto place = [&](const std::string& name) { return name == "-" ? name : files->absolute(name); };
+    const std::string output = place(merge.output);
+    const std::string missing = place(merge.missing);
+    files->enter();
+    if (!merge.output.empty()) check_free(output, merge.output, manifest, manifest_path, names);
+    if (!merge.missing.empty()) {
+        check_free(missing, merge.missing, manifest, manifest_path, names);
+        check_beside(missing, merge.missing, manifest_path);
+    }
     MergedReport merged = merge_results(manifest, results);
 
     std::string again(manifest.heading());
@@ -117,9 +150,8 @@ int run_merge_reports(const Options& options) {
         again += std::string(manifest.text(job.job)) + "\n";
         if (++told <= kMostNamed) tell_job(job, manifest, findings);
     }
-    if (!merge.output.empty()) written.push_back({place(merge.output), std::move(merged.json)});
-    if (!merge.missing.empty())
-        written.push_back({place(merge.missing), told > 0 ? std::move(again) : std::string()});
+    if (!merge.output.empty()) written.push_back({output, std::move(merged.json)});
+    if (!merge.missing.empty()) written.push_back({missing, told > 0 ? std::move(again) : std::string()});
     Diagnostics trouble;
     const bool good = write_all(written, false, trouble);
     report(options.messages, {{&findings, {}}}, trouble);

@@ -102,7 +102,7 @@ void add_message_options(CLI::App& verb, Options& options) {
               if (format == nullptr) {
                   throw UsageError(
                       fmt::format("--message-format takes {}, not \"{}\"", fmt::join(formats, ", "), text),
-                      did_you_mean(text, formats));
+                      did_you_mean(text, formats), formats);
               }
               messages.format = format;
           });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -77,6 +78,8 @@ struct BuildOptions {
     std::vector<std::string> outputs;
     std::string format;  // --to, for standard output and suffixes that say nothing
     std::optional<Stage> emit;
+    // Called with all files before any is written; throws a UsageError where one may not be. Empty: nothing.
+    std::function<void(const std::vector<PendingFile>&)> before_writing;
     bool if_changed = false;
     bool watch = false;
     std::string profile_file;                // empty: a built-in profile

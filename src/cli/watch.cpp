@@ -13,6 +13,7 @@
 #include "base/signal_cleanup.h"
 #include "cli/build.h"
 #include "cli/command_line.h"
+#include "cli/config_file.h"
 #include "cli/file_changes.h"
 #include "cli/outputs.h"
 #include "cli/report.h"
@@ -95,7 +96,13 @@ std::vector<std::string> build_and_tell(Options options, const std::string& why)
     const Diagnostics& run = done.run.compilation.run_diagnostics;
     // A file of diagnostics also has to become empty again.
     if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
-    return done.inputs;
+    std::vector<std::string> files = done.inputs;
+    // A configuration may come to be where there is none.
+    if (!options.config.off && options.config.file.empty()) {
+        for (std::string& place : config_places(options.inputs.names.front()))
+            files.push_back(std::move(place));
+    }
+    return files;
 }
 
 // The options as they are now: files that they are read from may be what has changed.
@@ -131,6 +138,7 @@ int run_watch(const Options& options) {
     const int wake = stop_on_signals();
     std::vector<std::string> files = options.inputs.names;
     if (!options.build.profile_file.empty()) files.push_back(options.build.profile_file);
+    files.insert(files.end(), options.settings_files.begin(), options.settings_files.end());
     bool first = true;
     Watching watching;
     watching.build = [&](const std::string& why) {

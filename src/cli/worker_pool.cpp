@@ -197,6 +197,7 @@ class Pool {
                 if (other.socket >= 0) ::close(other.socket);
             }
             become_worker(parent);
+            if (options_.begun) options_.begun();
             serve(ends[1], work_);
         }
         ::close(ends[1]);

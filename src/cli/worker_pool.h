@@ -24,6 +24,7 @@ struct PoolOptions {
     // Asked before each worker but the first begins on a job while none of its kind runs; may be empty.
     std::function<bool()> may_start;
     std::function<void()> stopped;  // one of those that may_start() allowed has nothing to do any more
+    std::function<void()> begun;    // called first in each process; may be empty
     int wake_on = -1;               // a descriptor that becomes readable when may_start() may say yes again
 };
 

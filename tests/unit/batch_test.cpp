@@ -1,9 +1,6 @@
 // Batches: what manifests say, what a rerun does, and what is left when any part is killed at any moment.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +15,7 @@
 #include "base/digest.h"
 #include "batch/manifest.h"
 #include "batch/results.h"
+#include "support/background.h"
 #include "support/run_program.h"
 
 namespace popup::test {
@@ -164,6 +162,12 @@ TEST(Manifest, WhatIsNoJobIsToldAtItsPlace) {
               "2:1: \"a.svg\" is written by two jobs");
     EXPECT_EQ(complaint("m.jsonl", good + "{\"input\": \"a.svg\", \"output\": \"b.svg\"}"),
               "2:1: \"a.svg\" is written by another job of this batch");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a.xml\", \"output\": \"x/../a.xml\"}"),
+              "1:1: \"a.xml\" is an input and an output of this job");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a.xml\", \"output\": \"a\\u0000.svg\"}"),
+              "1:1: \"output\" takes the name of a file or a list of names");
+    EXPECT_EQ(complaint("m.csv", "input;output\na.xml;b.svg\n"),
+              "1:1: the columns are not separated by commas");
     EXPECT_EQ(complaint("m.csv", "input,out\na,b"), "1:1: there is no column \"out\"");
     EXPECT_EQ(complaint("m.csv", "input,output\na.xml,b.svg,c\n"),
               "2:1: the row has 3 fields, and there are 2 columns");
@@ -231,7 +235,7 @@ TEST(Batch, GoesOnPastFailuresAndSaysWhatBecameOfEachJob) {
     EXPECT_NE(first.err.find("designs/card1.xml:1:"), std::string::npos) << first.err;
     EXPECT_NE(first.err.find("jobs.jsonl:6:1: error: there is no option --shet [bad-job]"), std::string::npos)
         << first.err;
-    EXPECT_NE(first.err.find("popupc: 6 jobs: 3 done, 1 failed, 2 unusable"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find(" s: 3 done, 1 failed, 2 unusable; 6 built"), std::string::npos) << first.err;
     std::vector<std::string> states;
     for (const json& line : lines_of(scratch / "jobs.results.jsonl")) states.push_back(line["status"]);
     EXPECT_EQ(states, (std::vector<std::string>{"done", "failed", "unusable", "done", "done", "unusable"}));
@@ -241,8 +245,7 @@ TEST(Batch, GoesOnPastFailuresAndSaysWhatBecameOfEachJob) {
     const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
     EXPECT_EQ(second.exit, 2);
     EXPECT_NE(second.err.find("designs/card1.xml:1:"), std::string::npos) << second.err;
-    EXPECT_NE(second.err.find("popupc: 6 jobs: 4 done, 1 failed, 1 unusable; 4 as they were"),
-              std::string::npos)
+    EXPECT_NE(second.err.find(" s: 4 done, 1 failed, 1 unusable; 4 as they were; 2 built"), std::string::npos)
         << second.err;
 }
 
@@ -289,6 +292,76 @@ TEST(Batch, ARerunDoesWhatIsMissingOrStaleAndNothingElse) {
     EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}), Names{});
     write_file(scratch / "fold.toml", "base = \"workshop\"\nfolds = \"score\"\n");
     EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}).size(), 7U);
+}
+
+TEST(Batch, WhereSettingsComeFromIsPartOfAJob) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 3);
+    RunOptions here;
+    here.directory = scratch.path();
+    here.environment["POPUPC_NO_CONFIG"] = "";
+    const auto built = [&] {
+        const RunResult result = popupc({"batch", "jobs.jsonl"}, here);
+        EXPECT_EQ(result.exit, 0) << result.err;
+        // "popupc: 3 jobs in 0.1 s: 3 done; 2 as they were; 1 built, 20.1 a second"
+        const std::size_t at = result.err.find(" built");
+        return at == std::string::npos ? 0 : std::stoi(result.err.substr(result.err.rfind(' ', at - 1) + 1));
+    };
+    EXPECT_EQ(built(), 3);
+    EXPECT_EQ(built(), 0);
+    const std::string plain = read_file(scratch / "out/card0.svg");
+    write_file(scratch / "designs/popupc.toml", "sheet = 'a3'\n");  // comes to be
+    EXPECT_EQ(built(), 3);
+    EXPECT_NE(read_file(scratch / "out/card0.svg"), plain);
+    EXPECT_EQ(built(), 0);
+    write_file(scratch / "designs/popupc.toml", "sheet = 'a4'\n");  // says something else
+    EXPECT_EQ(built(), 3);
+    here.environment["POPUPC_SHEET"] = "a2";
+    EXPECT_EQ(built(), 3);
+    here.environment.erase("POPUPC_SHEET");
+    fs::remove(scratch / "designs/popupc.toml");
+    EXPECT_EQ(built(), 3);
+    EXPECT_EQ(read_file(scratch / "out/card0.svg"), plain);
+}
+
+// Names of further sheets and dependency files are known only when they are written.
+TEST(Batch, NoJobWritesOverWhatOthersHave) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 3);
+    const auto row = [](const std::string& input, const std::string& output, const std::string& options) {
+        return json{{"input", input}, {"output", output}, {"options", options}}.dump() + "\n";
+    };
+    const std::string two_sheets = "--copies 2 --sheet 215x155";
+    const std::string design = read_file(scratch / "designs/card1.xml");
+    const auto refused = [&](const std::string& manifest, const std::string& part) {
+        write_file(scratch / "m.jsonl", manifest);
+        const RunResult result = batch(scratch.path(), {"m.jsonl", "-j1"});
+        EXPECT_EQ(result.exit, 2) << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(read_file(scratch / "m.jsonl"), manifest);
+        EXPECT_EQ(read_file(scratch / "designs/card1.xml"), design);
+        fs::remove(scratch / "m.results.jsonl");
+    };
+    refused(row("designs/card0.xml", "a.svg", two_sheets) + row("designs/card1.xml", "a-2.svg", ""),
+            "a-2.svg would be written, and the job of line 2 has a file of that name");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"), "m.jsonl would be written over ");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF designs/card1.xml") +
+                row("designs/card1.xml", "b.svg", ""),
+            "designs/card1.xml would be written, and the job of line 2 has a file of that name");
+    refused(row("designs/card0.xml", "a.svg", "-MD") + row("designs/card1.xml", "a.pdf", "-MD"),
+            "a.d is written by another job, too");
+    refused(row("designs/card0.xml", "a.svg b.svg", ""), "\"a.svg b.svg\" looks like several names");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF -"), "is no file that a job could write");
+    // A single build does not write further sheets over its inputs, either.
+    RunOptions here;
+    here.directory = scratch.path();
+    fs::copy_file(scratch / "designs/card0.xml", scratch / "in-2.svg");
+    EXPECT_EQ(popupc({"build", "in-2.svg", "--from", "popup", "--copies", "2", "--sheet", "215x155", "-o",
+                      "in.svg"},
+                     here)
+                  .exit,
+              2);
+    EXPECT_EQ(read_file(scratch / "in-2.svg"), read_file(scratch / "designs/card0.xml"));
 }
 
 TEST(Batch, ADryRunPrintsTheRowsThatAreDueAndDoesNothing) {
@@ -346,6 +419,22 @@ TEST(Batch, ShardsTogetherDoAllOnceAndMergeToOneReport) {
 
     fs::remove(scratch / "out/card5.svg");
     EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
+
+    // The newest run counts: one that failed in shards, and then one that finds all as it was.
+    EXPECT_EQ(batch(scratch.path(), {"jobs.jsonl", "--shard", "2/2", "--", "--sheet", "10x10"}).exit, 1);
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 0);
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"-o", "designs/card1.xml"},
+                                               {"-o", "jobs.results.jsonl"},
+                                               {"--missing", "jobs.jsonl"},
+                                               {"--missing", "out/again.jsonl"}}) {
+        std::vector<std::string> line{"merge-reports", "jobs.jsonl"};
+        line.insert(line.end(), words.begin(), words.end());
+        EXPECT_EQ(popupc(line, here).exit, 2) << words.back();
+    }
 }
 
 TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
@@ -359,6 +448,8 @@ TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
                                                {"jobs.jsonl", "--", "--shet", "a4"},
                                                {"jobs.jsonl", "--", "card.xml"},
                                                {"jobs.jsonl", "--", "-o", "all.svg"},
+                                               {"jobs.jsonl", "--sheet", "a4"},
+                                               {"jobs.jsonl", "--results", "designs/card0.xml"},
                                                {"jobs.jsonl", "--results", "nowhere/at/all.jsonl"}}) {
         const RunResult result = batch(scratch.path(), arguments);
         EXPECT_EQ(result.exit, 2) << result.err;
@@ -367,50 +458,29 @@ TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
     EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
-// popupc batch in the background, as the leader of a process group of its own.
-class Running {
+// popupc batch in the background.
+class Running : public Background {
  public:
-    explicit Running(const fs::path& directory, std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {POPUPC_BINARY, "batch"});
-        std::vector<char*> argv;
-        for (std::string& word : arguments) argv.push_back(word.data());
-        argv.push_back(nullptr);
-        process_ = ::fork();
-        if (process_ != 0) return;
-        const int nothing = ::open("/dev/null", O_RDWR);
-        for (const int fd : {0, 1, 2}) ::dup2(nothing, fd);
-        if (::chdir(directory.c_str()) != 0) ::_exit(126);
-        ::execv(argv[0], argv.data());
-        ::_exit(127);
-    }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-    ~Running() { wait(); }
-    // How it ended; nothing while it runs.
-    std::optional<int> ended() {
-        int status = 0;
-        if (!status_ && ::waitpid(process_, &status, WNOHANG) == process_) status_ = status;
-        return status_;
-    }
-    int wait() {
-        int status = 0;
-        if (!status_ && ::waitpid(process_, &status, 0) == process_) status_ = status;
-        return status_.value_or(-1);
-    }
+    Running(const fs::path& directory, const std::vector<std::string>& arguments)
+        : Background(words(arguments), in(directory)) {}
     [[nodiscard]] std::vector<pid_t> workers() const {
-        const std::string id = std::to_string(process_);
+        const std::string id = std::to_string(pid());
         std::istringstream list(read_file("/proc/" + id + "/task/" + id + "/children"));
         std::vector<pid_t> all;
         for (pid_t one = 0; list >> one;) all.push_back(one);
         return all;
     }
-    void kill(int signal) const {
-        if (!status_) ::kill(process_, signal);
-    }
 
  private:
-    pid_t process_ = -1;
-    std::optional<int> status_;
+    static std::vector<std::string> words(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {POPUPC_BINARY, "batch"});
+        return arguments;
+    }
+    static RunOptions in(const fs::path& directory) {
+        RunOptions options;
+        options.directory = directory;
+        return options;
+    }
 };
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -439,14 +509,14 @@ TEST(Batch, KillingAnyPartAtAnyMomentLosesNothingAndLeavesNothingHalfWritten) {
         Running run(scratch.path(), {"jobs.jsonl", "-j2"});
         ++begun;
         const int before_parent = 1 + below(6);  // workers that die before the first process does
-        for (int i = 0; i < before_parent && !run.ended(); ++i) {
+        for (int i = 0; i < before_parent && run.running(); ++i) {
             std::this_thread::sleep_for(std::chrono::microseconds(2000 + below(30000)));
             const std::vector<pid_t> workers = run.workers();
             if (workers.empty()) continue;
             ::kill(workers[static_cast<std::size_t>(below(static_cast<int>(workers.size())))], SIGKILL);
             ++kills;
         }
-        if (run.ended()) {
+        if (!run.running()) {
             // All done: some of it is to be done again.
             for (int i = 0; i < kDesigns; i += 1 + below(4)) {
                 fs::remove(scratch / ("out/card" + std::to_string(i) + ".svg"));
@@ -454,7 +524,7 @@ TEST(Batch, KillingAnyPartAtAnyMomentLosesNothingAndLeavesNothingHalfWritten) {
             continue;
         }
         const std::vector<pid_t> workers = below(2) == 0 ? run.workers() : std::vector<pid_t>();
-        run.kill(SIGKILL);
+        run.send(SIGKILL);
         ++kills;
         for (const pid_t worker : workers) kills += ::kill(worker, SIGKILL) == 0 ? 1 : 0;
         run.wait();
@@ -478,11 +548,10 @@ TEST(Batch, AnInterruptLetsRunningJobsEndAndTheNextRunGoesOn) {
     make_library(scratch.path(), kDesigns);
     for (const int signal : {SIGINT, SIGTERM}) {
         Running run(scratch.path(), {"jobs.jsonl", "-j2"});
-        while (!fs::exists(scratch / "out") && !run.ended())
+        while (!fs::exists(scratch / "out") && run.running())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        run.kill(signal);
-        const int status = run.wait();
-        ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+        run.send(signal);
+        ASSERT_EQ(run.wait(), 128 + signal) << run.err();
         // What was written is known to be.
         EXPECT_EQ(lines_of(scratch / "jobs.results.jsonl").size(), files_below(scratch / "out").size());
         fs::remove_all(scratch / "out");
@@ -494,10 +563,10 @@ TEST(Batch, OneRunAtATimeWritesAResultsFile) {
     const ScratchDirectory scratch;
     make_library(scratch.path(), kDesigns);
     Running run(scratch.path(), {"jobs.jsonl", "-j1"});
-    while (!fs::exists(scratch / "out") && !run.ended())
+    while (!fs::exists(scratch / "out") && run.running())
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
-    run.kill(SIGTERM);
+    run.send(SIGTERM);
     run.wait();
     EXPECT_EQ(second.exit, 2);
     EXPECT_NE(second.err.find("another run is writing its results there"), std::string::npos) << second.err;

@@ -372,6 +372,15 @@ TEST_F(Config, OneRunHasOneConfiguration) {
     EXPECT_EQ(settings({"check", "--no-config", "designs/card.xml", "other/card.xml"}).size(), 0U);
 }
 
+TEST_F(Config, OneBelowADirectoryThatIsWalkedIsNamed) {
+    config("sheet = 'a2'\n", "designs/sub/popupc.toml");
+    write_file(scratch / "designs/sub/card.xml", read_file(scratch / "designs/card.xml"));
+    const RunResult result = popupc({"check", "designs"});
+    EXPECT_TRUE(has(result.err, "designs/sub/popupc.toml: remark: this is not looked at")) << result.err;
+    EXPECT_FALSE(has(popupc({"check", "designs", "--no-config"}).err, "config-ignored"));
+    EXPECT_FALSE(has(popupc({"check", "designs/sub"}).err, "config-ignored"));
+}
+
 TEST_F(Config, FilesInItCountFromItsDirectory) {
     write_file(scratch / "designs/mine.toml", "base = 'k40'\n");
     config("[build]\nprofile = 'mine.toml'\n");

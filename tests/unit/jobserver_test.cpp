@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -138,6 +140,40 @@ TEST_P(JobserverOf, TokensComeBackAfterSignals) {
         ASSERT_TRUE(eventually([&] { return server.there() == 0; }));
         check.send(signal);
         EXPECT_EQ(check.wait(), 128 + signal);
+        EXPECT_TRUE(server.complete()) << signal;
+    }
+}
+
+// A batch has a process for each token, and one; whoever of them dies.
+TEST_P(JobserverOf, ABatchHasAProcessForEachToken) {
+    const ScratchDirectory scratch;
+    std::string manifest;
+    for (int i = 0; i < 60; ++i) {
+        manifest += R"({"input": ")" + (kSource / "samples/castle.xml").string() + R"(", "output": "out/)" +
+                    std::to_string(i) + R"(.svg"})" + "\n";
+    }
+    write_file(scratch / "jobs.jsonl", manifest);
+    for (const int signal : {0, SIGKILL, SIGTERM}) {
+        std::filesystem::remove_all(scratch / "out");
+        const Server server(GetParam(), "ab");
+        RunOptions options = server.options();
+        options.directory = scratch.path();
+        Background batch({POPUPC_BINARY, "batch", "jobs.jsonl", "-q"}, options);
+        const std::string id = std::to_string(batch.pid());
+        std::vector<pid_t> workers;
+        ASSERT_TRUE(eventually([&] {
+            std::istringstream list(read_file("/proc/" + id + "/task/" + id + "/children"));
+            workers.assign(std::istream_iterator<pid_t>(list), {});
+            return workers.size() == 3 || !batch.running();
+        }));
+        EXPECT_EQ(workers.size(), 3U);
+        EXPECT_EQ(server.there(), 0);
+        if (signal == SIGKILL) {
+            for (const pid_t worker : workers) ::kill(worker, SIGKILL);
+        } else if (signal != 0) {
+            batch.send(signal);
+        }
+        EXPECT_EQ(batch.wait(), signal == SIGTERM ? 128 + SIGTERM : 0) << batch.err();
         EXPECT_TRUE(server.complete()) << signal;
     }
 }

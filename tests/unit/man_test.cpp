@@ -381,8 +381,8 @@ std::vector<std::string> blocks(const std::string& language) {
 
 // What a run took is another at each.
 std::string without_times(const std::string& text) {
-    static const std::regex kTimes(R"( in [0-9.]+ s(, [0-9.]+ a second)?)");
-    return std::regex_replace(text, kTimes, " in N s");
+    static const std::regex kTimes(R"( in [0-9.]+ s|, [0-9.]+ a second)");
+    return std::regex_replace(text, kTimes, " in N");
 }
 
 // Runs the commands ("$ …") of all console blocks one after the other in one directory; each must print what

@@ -107,6 +107,21 @@ TEST_F(Watch, BuildsAgainWhenTheProfileChanges) {
     EXPECT_TRUE(has("#654321"));
 }
 
+TEST_F(Watch, AConfigurationMayComeToBe) {
+    options.environment["POPUPC_NO_CONFIG"] = "";
+    fs::create_directories(scratch / "designs");
+    write_file(scratch / "designs/card.xml", bird);
+    start({"designs/card.xml", "-o", "card.svg"});
+    const auto has = [&](const std::string& text) {
+        return eventually([&] { return read_file(scratch / "card.svg").find(text) != std::string::npos; });
+    };
+    ASSERT_TRUE(has("</svg>"));
+    write_file(scratch / "popupc.toml", "sheet = '777x777'\n");
+    ASSERT_TRUE(has("777mm"));
+    write_file(scratch / "designs/popupc.toml", "sheet = '555x555'\n");
+    EXPECT_TRUE(has("555mm"));
+}
+
 TEST_F(Watch, GoesOnAfterErrorsAndSaysNothingElse) {
     write_file(scratch / "card.xml", "<popup");
     start();
