@@ -319,6 +319,7 @@ int run_batch(const Options& options) {
     Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
     if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
     if (jobserver.named()) {
+        pool.workers = jobserver.usable() ? Jobserver::kMost : 1;
         pool.may_start = [&jobserver] { return jobserver.acquire(); };
         pool.stopped = [&jobserver] { jobserver.release(); };
         pool.wake_on = jobserver.descriptor();

@@ -86,6 +86,12 @@ std::string line_of(const Build& done, const std::string& why) {
     return text;
 }
 
+// A configuration may come to be where there is none.
+void add_config_places(const Options& options, std::vector<std::string>& files) {
+    if (options.config.off || !options.config.file.empty()) return;
+    for (std::string& place : config_places(options.inputs.names.front())) files.push_back(std::move(place));
+}
+
 // Builds and tells; gives what was read.
 std::vector<std::string> build_and_tell(Options options, const std::string& why) {
     NestEffort& nesting = options.compile.layout.nesting;
@@ -97,11 +103,7 @@ std::vector<std::string> build_and_tell(Options options, const std::string& why)
     // A file of diagnostics also has to become empty again.
     if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
     std::vector<std::string> files = done.inputs;
-    // A configuration may come to be where there is none.
-    if (!options.config.off && options.config.file.empty()) {
-        for (std::string& place : config_places(options.inputs.names.front()))
-            files.push_back(std::move(place));
-    }
+    add_config_places(options, files);
     return files;
 }
 
@@ -139,6 +141,7 @@ int run_watch(const Options& options) {
     std::vector<std::string> files = options.inputs.names;
     if (!options.build.profile_file.empty()) files.push_back(options.build.profile_file);
     files.insert(files.end(), options.settings_files.begin(), options.settings_files.end());
+    add_config_places(options, files);
     bool first = true;
     Watching watching;
     watching.build = [&](const std::string& why) {
