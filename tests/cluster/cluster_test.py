@@ -66,8 +66,10 @@ class Run:
         }
         with open(log, "wb") as file:
             self._process = subprocess.Popen(
-                command, cwd=directory, env={**clean, **environment}, stdin=subprocess.DEVNULL, stdout=file, stderr=file
-            )
+                command, cwd=directory, env={**clean, **environment}, stdin=subprocess.DEVNULL, stdout=file, stderr=file,
+                # What ran this in its background had interrupts ignored, and a shell cannot trap what it began with.
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+            )  # fmt: skip
 
     def going_on(self):
         expect(time.monotonic() < self._end, f"no end after {DEADLINE} s\n{self.said()}")
