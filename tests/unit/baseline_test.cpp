@@ -259,7 +259,7 @@ TEST_F(BaselineFiles, WrongUsageIsRefused) {
 
 // In the program's memory.
 
-BaselinePlaces places() { return {"/work", "/work"}; }
+BaselinePlaces places() { return {"/srv", "/srv"}; }
 
 Findings findings_of(std::vector<Diagnostic> list) {
     Findings findings;

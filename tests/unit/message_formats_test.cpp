@@ -46,9 +46,9 @@ std::string camp(int tents = 1, const std::string& inner = "22") {
 
 MessageStyle style() {
     MessageStyle style;
-    style.working = "/work/shop";
-    style.repository = "/work";
-    style.workspace = "/work";
+    style.working = "/srv/shop";
+    style.repository = "/srv";
+    style.workspace = "/srv";
     return style;
 }
 
