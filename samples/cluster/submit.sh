@@ -71,25 +71,8 @@ most=$((${most:-1001} - 1))
 if [ "$most" -lt 1 ]; then most=1; fi
 [ -z "$tasks" ] || [ "$tasks" -le "$most" ] || usage "$tasks tasks are more than the $most that this Slurm takes in an array"
 
-# Joins the results. Sets `jobs` to the number of designs, and `left` to how many another run may build: not those that
-# have errors. Fails when not all is built.
-jobs=
-left=
-look() {
-    local said status
-    rm -f "$report"
-    said=$("$POPUPC" merge-reports "$manifest" -o "$report" --missing "$missing" 2>&1)
-    status=$?
-    if [ ! -f "$report" ]; then
-        printf '%s\n' "$said" >&2
-        exit 2
-    fi
-    # The counts stand before the results.
-    jobs=$(sed -n 's/^  "jobs": \([0-9]*\).*/\1/p; 9q' "$report")
-    left=$(awk '/^  "(unusable|crashed|missing|gone)":/ { sum += $2 } NR == 9 { exit } END { print sum + 0 }' "$report")
-    [ "$status" -ne 0 ] || rm -f "$missing"
-    return "$status"
-}
+# shellcheck source=look.sh
+. "$(dirname "$(realpath "$0")")/look.sh"
 
 # What the tasks of an array do: "3 running, 9 pending (Resources)". Empty when it has ended; fails when Slurm gives no
 # answer, which may change.
