@@ -33,6 +33,8 @@ class Manifest {
  public:
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
     [[nodiscard]] const std::string& name() const { return source_.name; }
+    // The whole text, for excerpts.
+    [[nodiscard]] std::string_view text() const { return source_.text; }
     // Parses row `index`.
     [[nodiscard]] BatchJob job(std::size_t index) const;
     // Where row `index` begins.

@@ -186,7 +186,7 @@ JobReport spoilt_job(const BatchRun& run, const BatchJob& job, JobStatus status,
     report.result.key = job_key(job);
     report.result.command = digest_of_command(run, job, job_words(run, job));
     report.result.status = status;
-    tell(report, run, {{&findings, {}}});
+    tell(report, run, {{&findings, run.manifest->text()}});
     return report;
 }
 
@@ -284,7 +284,7 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
         const Diagnostics findings = misused(run, index, error);
         // Whether it is the words or a file that is wrong is not known: it is tried anew.
         result.status = JobStatus::unusable;
-        tell(report, run, {{&findings, {}}});
+        tell(report, run, {{&findings, run.manifest->text()}});
     }
     return report;
 }

@@ -154,7 +154,7 @@ int run_merge_reports(const Options& options) {
     if (!merge.missing.empty()) written.push_back({missing, told > 0 ? std::move(again) : std::string()});
     Diagnostics trouble;
     const bool good = write_all(written, false, trouble);
-    report(options.messages, {{&findings, {}}}, trouble);
+    report(options.messages, {{&findings, manifest.text(), false}}, trouble);
     if (!options.messages.quiet) {
         std::string text = fmt::format("popupc: {} job{}", manifest.size(), manifest.size() == 1 ? "" : "s");
         char separator = ':';
