@@ -12,18 +12,16 @@
 namespace popup {
 namespace {
 
-// The shorter way of parts that do not move.
-void compile_parts(CompiledDesign& one, const Language& language, const CompileOptions& options) {
-    one.parts = language.read_parts(one.source, options.read, one.diagnostics);
-    if (!one.parts || options.until < Stage::pattern) return;
-    one.pattern = make_pattern(*one.parts, options.pattern, one.diagnostics);
-}
-
-// The stages of one design, in order.
+// The stages of one design, in order. Parts that do not move go the shorter way.
 void run_stages(CompiledDesign& one, const CompileOptions& options) {
-    const Language* language = find_language(one.source, options.read.language);
-    if (language != nullptr && language->read_parts != nullptr) return compile_parts(one, *language, options);
-    one.design = read_design(one.source, options.read, one.diagnostics);
+    Reading reading = read_source_text(one.source, options.read, one.diagnostics);
+    one.printed = std::move(reading.printed);
+    one.further_files = std::move(reading.files);
+    one.design = std::move(reading.design);
+    one.parts = std::move(reading.parts);
+    if (one.parts && options.until >= Stage::pattern) {
+        one.pattern = make_pattern(*one.parts, options.pattern, one.diagnostics);
+    }
     if (!one.design) return;
     one.design->stem = one.stem;
     if (options.until == Stage::design) return;

@@ -12,6 +12,7 @@
 #include "popup/check.h"
 #include "popup/design.h"
 #include "popup/files.h"
+#include "popup/language.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
 #include "popup/output.h"
@@ -53,6 +54,8 @@ struct CompiledDesign {
     Source source;
     std::string stem;  // unique in the run
     Diagnostics diagnostics;
+    std::string printed;                     // as in Reading
+    std::vector<std::string> further_files;  // likewise: Reading::files
     std::optional<Design> design;
     std::optional<CheckedDesign> checked;
     std::optional<Assembly> assembly;

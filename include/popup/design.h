@@ -98,40 +98,4 @@ struct Design {
     std::vector<DrawnLine> lines;
 };
 
-struct ReadOptions {
-    bool strict = false;   // unknown markup is an error, not a warning
-    std::string language;  // name of a row of language_table(); empty: by the source's suffix
-};
-
-struct PartList;
-
-// One row an input language. A language describes either designs or parts that do not move (part_list.h): the
-// functions of the other are null.
-struct Language {
-    std::string_view name;
-    std::string_view suffix;  // ".xml"
-    std::string_view about;
-    std::optional<Design> (*read)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
-    // The source's own text with the design's changed values written over the old ones and what is dropped
-    // taken out; everything else, comments and layout included, stays byte for byte. Precondition: `design`
-    // came from read() of this very source.
-    std::string (*patch)(const Source&, const Design&) = nullptr;
-    std::optional<PartList> (*read_parts)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
-    // True of a text that cannot be in another language; for standard input, which has no suffix. May be
-    // null.
-    bool (*recognises)(std::string_view text) = nullptr;
-};
-std::vector<Language> const& language_table();
-
-// The row that `language` names; if it is empty, the row of the source's suffix, and for standard input the
-// row that recognises its text, else the first. Null: none.
-const Language* find_language(const Source& source, std::string_view language);
-// "xml (.xml), svg (.svg)": what there is, for hints.
-std::string known_languages();
-
-// Reads a document. Every syntax or content problem is a located diagnostic; nullopt when there was an error:
-// also when the source's language is not known, or describes parts (`no-design`).
-// Cost: linear in bytes. Never recurses over the document's depth.
-std::optional<Design> read_design(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
-
 }  // namespace popup

@@ -2,6 +2,7 @@
 // checked or simulated: make_pattern() makes a piece of each part as it is.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace popup {
 struct PartLine {
     LineKind kind = LineKind::valley;  // mountain, valley, seam or mark; cuts are edges of paper, or slits
     std::vector<Vec2> points;          // at least two
+    // Of a fold: how far it is folded in the finished part, (0, pi]; where that is known.
+    std::optional<double> fold_angle = {};
 };
 
 // An area that is printed.
@@ -46,8 +49,26 @@ struct Part {
     std::vector<PartText> texts;  // when there are any, the part's name is not printed
 };
 
+// A flat face in space: `frame` maps the shape's plane to where it stands, in mm.
+struct StillFace {
+    Polygon shape;
+    Frame frame;
+};
+
+struct StillNode {
+    std::string name;  // unique in its model, not empty
+    std::vector<StillFace> faces;
+    std::vector<std::vector<Vec3>> lines;  // in mm; each has at least two points
+};
+
+// Parts as they stand in space, and what was drawn to make them.
+struct StillModel {
+    std::vector<StillNode> nodes;  // at least one, none of them empty
+};
+
 struct PartList {
     std::vector<Part> parts;
+    std::optional<StillModel> model;  // of languages that describe where their parts stand
 };
 
 }  // namespace popup

@@ -1,7 +1,11 @@
 // Every diagnostic code, with the paragraph that `popupc explain` prints. Sorted by code; a test keeps it so.
+// Those of programs stand in program_codes.cpp.
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <vector>
 
+#include "base/program_codes.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
@@ -575,12 +579,21 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
 
 }  // namespace
 
-std::span<const CodeInfo> code_table() { return kCodes; }
+std::span<const CodeInfo> code_table() {
+    static const std::vector<CodeInfo> table = [] {
+        std::vector<CodeInfo> rows;
+        const auto by_code = [](const CodeInfo& a, const CodeInfo& b) { return a.code < b.code; };
+        std::ranges::merge(kCodes, program_codes(), std::back_inserter(rows), by_code);
+        return rows;
+    }();
+    return table;
+}
 
 const CodeInfo* find_code(std::string_view code) {
-    const auto* row = std::lower_bound(kCodes.begin(), kCodes.end(), code,
-                                       [](const CodeInfo& a, std::string_view b) { return a.code < b; });
-    return row != kCodes.end() && row->code == code ? &*row : nullptr;
+    const std::span<const CodeInfo> table = code_table();
+    const auto row = std::lower_bound(table.begin(), table.end(), code,
+                                      [](const CodeInfo& a, std::string_view b) { return a.code < b; });
+    return row != table.end() && row->code == code ? &*row : nullptr;
 }
 
 }  // namespace popup

@@ -48,7 +48,7 @@ WalkOptions walk_options(const InputOptions& inputs) {
         const bool all = !inputs.include.empty();
         walk.wants = [all](std::string_view name) {
             const Language* language = find_language({std::string(name), {}}, {});
-            return language != nullptr && (all || language->read != nullptr);
+            return language != nullptr && (all || language->walked);
         };
     }
     return walk;

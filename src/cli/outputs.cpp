@@ -237,7 +237,7 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
     }
     for (const std::string& name : options.inputs.names) {
         const Language* language = find_language(Source{name, {}}, options.inputs.language);
-        if (name != "-" && language != nullptr && language->read_parts != nullptr) {
+        if (name != "-" && language != nullptr && language->only_parts) {
             check_parts(name, planned, build.emit);
         }
     }

@@ -4,20 +4,52 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "input/drawing/read.h"
+#include "input/flatlang/read.h"
 #include "input/text.h"
 #include "input/xml/read.h"
-#include "popup/design.h"
-#include "popup/part_list.h"
+#include "popup/language.h"
 
 namespace popup {
+namespace {
+
+template <std::optional<Design> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
+Reading design_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    Reading reading;
+    reading.design = kRead(source, options, diagnostics);
+    return reading;
+}
+
+template <std::optional<PartList> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
+Reading parts_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    Reading reading;
+    reading.parts = kRead(source, options, diagnostics);
+    return reading;
+}
+
+}  // namespace
 
 std::vector<Language> const& language_table() {
     static const std::vector<Language> table{
-        {"xml", ".xml", "popup document, as Popup Workshop's thesis describes it", xml::read, xml::patch},
-        {"svg", ".svg", "drawing of closed cut contours, each a flat part", nullptr, nullptr, drawing::read,
-         drawing::recognises},
+        {.name = "xml",
+         .suffix = ".xml",
+         .about = "popup document, as Popup Workshop's thesis describes it",
+         .read = design_of<xml::read>,
+         .patch = xml::patch},
+        {.name = "svg",
+         .suffix = ".svg",
+         .about = "drawing of closed cut contours, each a flat part",
+         .read = parts_of<drawing::read>,
+         .only_parts = true,
+         .walked = false,
+         .recognises = drawing::recognises},
+        {.name = "flatlang",
+         .suffix = ".fl",
+         .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",
+         .read = flatlang::read,
+         .trail = flatlang::trail},
     };
     return table;
 }
@@ -42,15 +74,9 @@ std::string known_languages() {
     return known;
 }
 
-std::optional<Design> read_design(const Source& source, const ReadOptions& options,
-                                  Diagnostics& diagnostics) {
-    const Language* language = find_language(source, options.language);
-    if (language != nullptr && language->read != nullptr) {
+Reading read_source_text(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    if (const Language* language = find_language(source, options.language)) {
         return language->read(source, options, diagnostics);
-    }
-    if (language != nullptr) {
-        diagnostics.error("no-design", {}, "this describes flat parts, not the design of a pop-up card");
-        return std::nullopt;
     }
     diagnostics
         .error("unknown-language", {},
@@ -58,7 +84,16 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
                    ? std::string("the name of the input does not tell its language")
                    : fmt::format("the language '{}' is not known", shown(options.language)))
         .hint("--from names the language; known are " + known_languages());
-    return std::nullopt;
+    return {};
+}
+
+std::optional<Design> read_design(const Source& source, const ReadOptions& options,
+                                  Diagnostics& diagnostics) {
+    Reading reading = read_source_text(source, options, diagnostics);
+    if (reading.parts) {
+        diagnostics.error("no-design", {}, "this describes flat parts, not the design of a pop-up card");
+    }
+    return std::move(reading.design);
 }
 
 }  // namespace popup

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "output/xml.h"
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "support/random.h"
@@ -175,7 +175,7 @@ void check_one(const std::string& text, std::size_t& read) {
     Diagnostics written_diagnostics("fuzz.xml");
     const std::string written = write_document(*design);
     ASSERT_TRUE(well_formed(written));
-    const auto rewritten = read_design(Source{"fuzz.xml", written}, {true, {}}, written_diagnostics);
+    const auto rewritten = read_design(Source{"fuzz.xml", written}, {true, {}, {}}, written_diagnostics);
     ASSERT_TRUE(rewritten);
     ASSERT_EQ(write_document(*rewritten), written);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "popup/check.h"
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/motion.h"
 
 namespace popup::test {

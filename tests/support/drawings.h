@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "popup/design.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
-#include "popup/part_list.h"
+#include "popup/language.h"
 
 namespace popup::test {
 
@@ -35,7 +34,7 @@ inline ReadDrawing read_drawing(std::string text, bool strict = false) {
     Diagnostics diagnostics("drawing.svg");
     const Source source{"drawing.svg", std::move(text)};
     ReadDrawing reading;
-    reading.list = find_language(source, "")->read_parts(source, ReadOptions{strict, {}}, diagnostics);
+    reading.list = find_language(source, "")->read(source, ReadOptions{strict, {}, {}}, diagnostics).parts;
     reading.findings = diagnostics.sorted();
     return reading;
 }

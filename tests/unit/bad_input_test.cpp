@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 

@@ -508,11 +508,7 @@ TEST(DrawingLanguage, IsToldBySuffixAndOfStandardInputByItsFirstTag) {
     EXPECT_EQ(find_language(Source{"a.xml", ""}, "dxf"), nullptr);
 }
 
-TEST(DrawingLanguage, EveryRowReadsDesignsOrParts) {
-    for (const Language& row : language_table()) {
-        EXPECT_NE(row.read == nullptr, row.read_parts == nullptr) << row.name;
-        EXPECT_EQ(row.read == nullptr, row.patch == nullptr) << row.name;
-    }
+TEST(DrawingLanguage, IsNoDesign) {
     Diagnostics diagnostics("a.svg");
     EXPECT_FALSE(read_design(Source{"a.svg", "<svg/>"}, {}, diagnostics));
     EXPECT_EQ(diagnostics.sorted().at(0).code, "no-design");

@@ -10,7 +10,7 @@
 #include "input/color.h"
 #include "input/xml/locate.h"
 #include "input/xml/number.h"
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 
@@ -26,7 +26,7 @@ struct Reading {
 Reading read(const std::string& text, bool strict = false, const std::string& name = "card.xml") {
     Diagnostics diagnostics(name);
     Reading reading;
-    reading.design = read_design(Source{name, text}, ReadOptions{strict, {}}, diagnostics);
+    reading.design = read_design(Source{name, text}, ReadOptions{strict, {}, {}}, diagnostics);
     reading.findings = diagnostics.sorted();
     for (const Diagnostic& d : reading.findings) {
         reading.text += std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.code +
@@ -493,10 +493,10 @@ TEST(Input, TheSuffixOrTheNameTellsTheLanguage) {
     Diagnostics diagnostics("x");
     EXPECT_TRUE(read_design(Source{"A.XML", "<popup/>"}, {}, diagnostics));
     EXPECT_TRUE(read_design(Source{"-", "<popup/>"}, {}, diagnostics));
-    EXPECT_TRUE(read_design(Source{"a.dat", "<popup/>"}, ReadOptions{false, "xml"}, diagnostics));
+    EXPECT_TRUE(read_design(Source{"a.dat", "<popup/>"}, ReadOptions{false, "xml", {}}, diagnostics));
     EXPECT_FALSE(diagnostics.has_findings());
     EXPECT_FALSE(read_design(Source{"a.dat", "<popup/>"}, {}, diagnostics));
-    EXPECT_FALSE(read_design(Source{"a.xml", "<popup/>"}, ReadOptions{false, "basic"}, diagnostics));
+    EXPECT_FALSE(read_design(Source{"a.xml", "<popup/>"}, ReadOptions{false, "basic", {}}, diagnostics));
     EXPECT_EQ(diagnostics.sorted().size(), 2U);
     EXPECT_EQ(diagnostics.sorted()[0].code, "unknown-language");
 }

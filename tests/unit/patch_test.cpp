@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "output/xml.h"
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/mechanism.h"
 #include "support/designs.h"
 #include "support/run_program.h"

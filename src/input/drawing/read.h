@@ -4,12 +4,11 @@
 #include <optional>
 #include <string_view>
 
-#include "popup/design.h"
-#include "popup/part_list.h"
+#include "popup/language.h"
 
 namespace popup::drawing {
 
-// The row's functions, as design.h promises them. Every outermost closed contour is a part, with what lies in
+// The row's functions, as language.h promises them. Every outermost closed contour is a part, with what lies in
 // it; see "Drawings" in popupc(1). The origin is the drawing's lower left corner.
 // Errors, located: those of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`,
 // `contours-overlap`, `document-too-large`.

@@ -5,7 +5,7 @@
 
 #include "input/drawing/tracing.h"
 #include "input/xml/locate.h"
-#include "popup/design.h"
+#include "popup/language.h"
 #include "popup/diagnostics.h"
 
 namespace popup::drawing {

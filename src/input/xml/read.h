@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "popup/design.h"
+#include "popup/language.h"
 
 namespace popup::xml {
 
-// The rows' functions, as design.h promises them.
+// The rows' functions, as language.h promises them.
 std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 std::string patch(const Source& source, const Design& design);
 

@@ -1,0 +1,98 @@
+// Runs a FlatLang program.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/flatlang/builtin.h"
+#include "input/flatlang/card.h"
+#include "input/flatlang/folders.h"
+#include "input/flatlang/trail.h"
+#include "input/flatlang/turtle.h"
+#include "input/flatlang/value.h"
+#include "popup/language.h"
+
+namespace popup::flatlang {
+
+// How a program ended.
+enum class RunStatus {
+    ok,
+    parse_fail,    // its text has errors; in 2008 mode what could be read was run
+    runtime_fail,  // it was ended by an error
+    timeout,       // it was ended by a limit
+};
+
+// A file that a program asked for, which is not written.
+struct AskedFile {
+    std::string name;
+    Place place;
+};
+
+struct ProgramRun {
+    RunStatus status = RunStatus::ok;
+    std::string printed;
+    Trail trail;  // without polygons when it was ended early
+    std::optional<Card> card;
+    std::vector<AskedFile> hpgl,
+        laser;  // in the order of the calls; the last of each is what the original wrote
+    bool part_mode = false;
+    std::vector<std::string> files;  // that were loaded, but for the kit's
+};
+
+// Runs the program within its limits. Errors, located, also in loaded files (by their names): those of
+// parse(), `flatlang-runtime` (what cannot be done), `flatlang-limit` (which limit, and the option that moves
+// it). Warnings: `flatlang-unknown-function`, `flatlang-argument-count`, `flatlang-not-loaded`, each place
+// once. Remarks: none. In 2008 mode a failure within a loaded file or evaluated text ends only that, as it
+// did.
+ProgramRun run_program(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+
+// A program while it runs: what builtins see of it.
+class Interpreter {
+ public:
+    Interpreter(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+    ~Interpreter();
+    Interpreter(const Interpreter&) = delete;
+    Interpreter& operator=(const Interpreter&) = delete;
+    ProgramRun run();
+
+    Heap heap;
+    Symbols symbols;
+    Turtle turtle;
+    Card card;
+    ProgramRun result;
+
+    [[nodiscard]] bool as_2008() const;
+    // Counts work beside evaluation: elements copied or compared. False, and the program fails, at the limit.
+    bool spend(std::uint64_t steps);
+    // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
+    // while the program winds up are not told.
+    Value fail(Place place, std::string what, std::string hint = {});
+    // Ends the program: `what` is used up. `option` is the one that moves the limit.
+    Value fail_limit(Place place, std::string what, std::string_view option);
+    [[nodiscard]] bool failed() const;
+    // Once a place and code. Nothing in 2008 mode, where there were none.
+    void warn(std::string_view code, Place place, std::string what, std::string hint = {});
+    // Appends a line to what is printed; counts it against the limit.
+    void print(std::string_view line, Place place);
+    // Checks the trail against its limit. False, and the program fails, beyond it.
+    bool check_trail(Place place);
+
+    // Variables, as assignments and names in the program see them. lookup() is nil when there is none.
+    Value lookup(int symbol);
+    void assign(int symbol, Value value);
+    // Runs further text in the scope as it is; `name` is what findings call it.
+    // Returns what its last expression was.
+    Value run_text(std::string name, std::string text, Place place, bool is_file);
+    // load(): finds, reads and runs.
+    void load(std::string_view name, Place place);
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace popup::flatlang

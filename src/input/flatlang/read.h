@@ -1,0 +1,15 @@
+// FlatLang programs as an input language: a turtle that draws flat parts, possibly in space.
+#pragma once
+
+#include <string>
+
+#include "popup/language.h"
+
+namespace popup::flatlang {
+
+// The row's functions, as language.h promises them; see popupc-flatlang(7). Runs the program; a program that
+// makes a card is a design, any other its parts. Deterministic; writes nothing.
+Reading read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+
+}  // namespace popup::flatlang

@@ -1,0 +1,137 @@
+// Values of FlatLang while a program runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/flatlang/syntax.h"
+#include "popup/geometry.h"
+
+namespace popup::flatlang {
+
+enum class Type : std::uint8_t { nil, truth, number, text, list, function, object, vec, matrix };
+
+struct Cell;
+class Heap;
+
+// A counted reference to a cell. Empty only where an element or member is missing; nil is a cell.
+class Value {
+ public:
+    Value() = default;
+    Value(const Value& other);
+    Value(Value&& other) noexcept : cell_(std::exchange(other.cell_, nullptr)) {}
+    Value& operator=(Value other) noexcept {
+        std::swap(cell_, other.cell_);
+        return *this;
+    }
+    ~Value();
+
+    Cell* operator->() const { return cell_; }
+    Cell& operator*() const { return *cell_; }
+    explicit operator bool() const { return cell_ != nullptr; }
+    // The same cell, not equal values.
+    friend bool operator==(const Value&, const Value&) = default;
+
+ private:
+    friend class Heap;
+    explicit Value(Cell* cell);
+    Cell* cell_ = nullptr;
+};
+
+// A function that a program has defined. The tree outlives every value.
+struct FunctionBody {
+    const Syntax* syntax = nullptr;
+    int node = kMissing;  // its `define`
+};
+
+// What only some cells have.
+struct CellExtras {
+    std::vector<std::pair<int, Value>> members;  // by symbol, in the order in which they were set
+    std::array<double, 9> numbers{};             // vec: x, y, z; matrix: rows right, heading, up
+    FunctionBody function;
+    // The member that this value was last read as, where an assignment goes (2008 only).
+    Value referent_parent;
+    int referent_symbol = -1;
+};
+
+// Lists are chains of cells: a list has the first of its elements, each element the next. Elements are shared
+// between lists that were made from one another; a cell is an element of at most one chain.
+struct Cell {
+    std::uint32_t uses = 0;
+    Type type = Type::nil;
+    double number = 0.0;  // number; truth: 0 or 1
+    std::string text;     // text
+    Value first;          // list: its first element or empty. object: the cell that all references share
+    Value next;           // the element after this one, or empty
+    std::unique_ptr<CellExtras> extras;
+    Heap* heap = nullptr;
+
+    CellExtras& more();
+    // The member, or null.
+    [[nodiscard]] const Value* member(int symbol) const;
+    void set_member(int symbol, Value value);
+};
+
+// Where cells live. Frees long chains without recursion, and everything at its end, cycles too: it outlives
+// all values.
+class Heap {
+ public:
+    Heap() = default;
+    ~Heap();
+    Heap(const Heap&) = delete;
+    Heap& operator=(const Heap&) = delete;
+
+    Value nil();
+    Value truth(bool value);
+    Value number(double value);
+    Value text(std::string value);
+    Value list(Value first_element);
+    Value vec(Vec3 value);
+    Value matrix(const std::array<double, 9>& rows);
+    Value function(FunctionBody body);
+    // A fresh object, or a further reference to one.
+    Value object();
+    Value object(const Value& same_as);
+
+    // A new cell with the same value and nothing behind it. Of a list all its elements are copied, deeply;
+    // objects stay the same one. In 2008 mode a matrix comes out transposed. `budget`: how many cells it may
+    // make, and is less by those it made; when that is not enough it is 0 and the copy is nil.
+    Value copy(const Value& value, bool as_2008, std::uint64_t& budget);
+
+    // Cells that live.
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+
+ private:
+    friend class Value;
+    Value make(Type type);
+    void release(Cell* cell);
+    std::vector<std::unique_ptr<Cell[]>> blocks_;
+    std::vector<Cell*> free_;
+    std::uint64_t size_ = 0;
+};
+
+// Elements of a list, counted.
+std::uint64_t length(const Value& list);
+
+// A number as Java's Double.toString writes it: "5.0", "0.10000000149011612", "1.0E8", "NaN".
+std::string number_text(double value);
+// The number that a text begins and ends with, as Java's Float.parseFloat reads it; 0 when it is none.
+double text_number(std::string_view text);
+// What a value is where a number is wanted, rounded to float.
+double to_number(const Value& value, const Symbols& symbols);
+// As print() writes it: lists "[1.0, a]", vec "{x, y, z}", objects their __str__. At most about `most` bytes;
+// longer texts end there.
+std::string to_text(const Value& value, const Symbols& symbols, std::size_t most = std::size_t{64} << 20);
+// eq(): equal texts.
+bool same_text(const Value& a, const Value& b, const Symbols& symbols);
+// What `if` takes for true.
+bool is_true(const Value& value);
+
+std::string_view type_name(Type type);
+
+}  // namespace popup::flatlang
