@@ -35,6 +35,12 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "none. The pen may have been up, the turtle may have missed its beginning by more than 0.0001 inches, "
      "or "
      "functions were defined but never called. --emit trail prints what was drawn."},
+    {"flatlang-no-such-mark", Severity::warning, "a turtle is sent back to a mark that is not there",
+     "backto() looks for the mark from where the turtle stands back along its way to the beginning; what "
+     "was drawn after going back before is another branch, and is not looked at. There is no such mark, so "
+     "the "
+     "turtle stays where it is: so the language has it. Correct the name, or set the mark with mark() "
+     "before."},
     {"flatlang-not-loaded", Severity::warning, "a file to load was not found, or may not be read",
      "load() looks below the program's own folder, then in the folders that -I names, and for names that "
      "begin "

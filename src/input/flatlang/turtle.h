@@ -84,6 +84,9 @@ class Turtle {
     // too_large leaves the drawing as it was. no_such_mark: likewise; with `all` that is no failure.
     Outcome end_replacement();
 
+    // The trees as the original's showSoup() printed them.
+    [[nodiscard]] std::string describe() const;
+
     // Of all that is recorded.
     [[nodiscard]] std::uint64_t operations() const;
 
