@@ -1,0 +1,11 @@
+#include "input/flatlang/syntax.h"
+
+namespace popup::flatlang {
+
+int Symbols::of(std::string_view name) {
+    const auto [at, fresh] = numbers_.try_emplace(std::string(name), static_cast<int>(names_.size()));
+    if (fresh) names_.emplace_back(name);
+    return at->second;
+}
+
+}  // namespace popup::flatlang
