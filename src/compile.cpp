@@ -108,8 +108,9 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     std::vector<DesignPattern> patterns;
     patterns.reserve(run.designs.size());
     for (const CompiledDesign& one : run.designs) {
-        patterns.push_back({one.source.name, one.stem, *one.pattern});
+        if (one.pattern) patterns.push_back({one.source.name, one.stem, *one.pattern});
     }
+    if (patterns.empty()) return run;
     LayoutOptions layout = options.layout;
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;

@@ -42,7 +42,7 @@ struct ReadOptions {
     ProgramOptions program;
 };
 
-// What a source describes: a design, or parts that do not move. Both are empty when it has errors.
+// A design, or parts that do not move; neither where there are errors, or only definitions for others.
 struct Reading {
     std::optional<Design> design;
     std::optional<PartList> parts;

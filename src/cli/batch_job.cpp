@@ -37,15 +37,17 @@ Diagnostics misused(const BatchRun& run, std::size_t index, const UsageError& er
 
 // A job writes files, the ones it says it writes, and nothing else.
 void check_command(const Options& options, const BatchJob& job) {
-    if (options.build.emit || !options.messages.file.empty() || options.build.watch) {
+    if (options.build.emit || !options.messages.file.empty() || options.build.watch ||
+        is_standard_output(options.print.file)) {
         throw UsageError("a job of a batch has no output but its files",
-                         {"--emit, --diagnostics and --watch are for single builds"});
+                         {"--emit, --diagnostics, --watch and --print - are for single builds"});
     }
     if (options.build.outputs != job.outputs) {
         throw UsageError("the options of a job name an output", {"outputs stand in \"output\""});
     }
     std::vector<std::string> outputs = job.outputs;
     if (options.build.dependencies.wanted) outputs.push_back(dependency_file_name(options));
+    if (!options.print.file.empty()) outputs.push_back(options.print.file);
     for (const std::string& name : outputs) {
         if (is_standard_output(name) || name.starts_with("/dev/")) {
             throw UsageError(fmt::format("{} is no file that a job could write", name));
@@ -157,8 +159,18 @@ void make_directories(const std::vector<std::string>& outputs) {
     }
 }
 
+// The digest of a file that was read after `begun`. One that may have been written since is not known: the
+// job is not taken for done then.
+FileDigest digest_as_read(const std::string& name, std::filesystem::file_time_type begun) {
+    FileDigest digest = digest_of(name);
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(name, error);
+    return error || changed < begun ? digest : FileDigest{name, 0, {}};
+}
+
 // The digests of what the build read: of what it holds in memory, else those that were taken as it was read.
-std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDigest>& settings) {
+std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDigest>& settings,
+                                   std::filesystem::file_time_type begun) {
     std::vector<FileDigest> files;
     for (const std::string& name : build.inputs) {
         const auto known = std::find_if(settings.begin(), settings.end(),
@@ -172,8 +184,10 @@ std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDig
         }
         if (text != nullptr) {
             files.push_back(digest_of(name, *text));
+        } else if (known != settings.end()) {
+            files.push_back(*known);
         } else {
-            files.push_back(known != settings.end() ? *known : digest_of(name));
+            files.push_back(digest_as_read(name, begun));
         }
     }
     return files;
@@ -265,13 +279,15 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
         // The process that shares out the jobs is the one that asks make.
         options.jobs_given = true;
         make_directories(job.outputs);
+        const auto begun = std::filesystem::file_time_type::clock::now();
         const Build built = build(options);
         result.status = status_of(built.status);
-        result.inputs = digests_of(built, settings);
+        result.inputs = digests_of(built, settings, begun);
         for (const PendingFile& file : built.files)
             result.outputs.push_back(digest_of(file.path, file.bytes));
         std::vector<FileFindings> findings = built.findings();
         findings.push_back({&built.run.compilation.run_diagnostics, {}});
+        if (options.print.file.empty()) report.text = shown_on_terminal(printed_text(built.run));
         tell(report, run, findings);
         // The findings name the input; which row it was is told last.
         if (result.status != JobStatus::done) {

@@ -1,6 +1,8 @@
 #include "cli/build.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "cli/dependency_file.h"
 #include "cli/outputs.h"
@@ -32,23 +34,15 @@ void add_output_options(CLI::App& verb, Options& options) {
     verb.add_option_function<std::string>(
             "--emit",
             [&build](const std::string& text) {
-                static constexpr std::pair<std::string_view, Stage> kStages[] = {
-                    {"design", Stage::design},
-                    {"assembly", Stage::assembly},
-                    {"motion", Stage::motion},
-                    {"pattern", Stage::pattern},
-                    {"layout", Stage::layout}};
-                for (const auto& [name, stage] : kStages) {
-                    if (name == text) build.emit = stage;
-                }
-                if (!build.emit) {
-                    throw UsageError(
-                        fmt::format("--emit takes design, assembly, motion, pattern or layout, not \"{}\"",
-                                    text),
-                        {}, {"design", "assembly", "motion", "pattern", "layout"});
-                }
+                build.emit = choose<Emit>("--emit", text,
+                                          {{"design", Emit::design},
+                                           {"assembly", Emit::assembly},
+                                           {"motion", Emit::motion},
+                                           {"pattern", Emit::pattern},
+                                           {"layout", Emit::layout},
+                                           {"trail", Emit::trail}});
             },
-            "print design, assembly, motion, pattern or layout as JSON")
+            "print design, assembly, motion, pattern, layout or trail as JSON")
         ->type_name("STAGE")
         ->configurable(false)
         ->group("Output");
@@ -112,6 +106,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     add_sheet_options(*verb, options);
     add_nest_options(*verb, options);
     add_motion_options(*verb, options);
+    add_program_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);
@@ -122,6 +117,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
         "  popupc build *.xml --copies 4 --sheet a3 -o run.svg\n"
         "  popupc build castle.xml --to svg -o - | lp -o scaling=100\n"
         "  popupc build castle.xml --emit motion --angles 0:180:1\n"
+        "  popupc build gear.fl -D teeth=24 -I parts -o gear.svg\n"
         "\nNothing is written when anything is wrong: exit status 1, or 2 for wrong usage.");
     return verb;
 }
@@ -185,6 +181,56 @@ void check_numbered(const Options& options, const std::vector<PendingFile>& file
     }
 }
 
+// What programs have loaded is known only now: it is an input like others.
+void take_in_loaded(const Options& options, Build& result) {
+    std::vector<std::string> loaded = loaded_files(result.run);
+    for (const std::string& output :
+         {options.messages.file, options.print.file, dependency_file_name(options)}) {
+        check_loaded(result.run, output);
+    }
+    std::move(loaded.begin(), loaded.end(), std::back_inserter(result.inputs));
+}
+
+// To check them is one thing, but nothing can be built of programs that only define what others call.
+void refuse_libraries(Compilation& compilation) {
+    for (CompiledDesign& one : compilation.designs) {
+        if (one.design || one.parts || one.diagnostics.has_errors()) continue;
+        one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
+            .hint("call them at its end, or load() it from a program that does");
+    }
+}
+
+// What there is to write of a run that came to nothing: what the programs printed, and their trails.
+void write_what_was_run(const Options& options, Build& result) {
+    std::vector<PendingFile> files;
+    if (!options.print.file.empty()) files.push_back({options.print.file, printed_text(result.run)});
+    if (options.build.emit == Emit::trail && result.run.usable()) {
+        files.push_back({"-", json_list(trails_of(options, result.run.compilation))});
+    }
+    if (files.empty()) return;
+    if (options.build.before_writing) options.build.before_writing(files);
+    if (!write_all(files, options.build.if_changed, result.run.compilation.run_diagnostics))
+        result.status = exit_unusable;
+}
+
+// Trails alone: programs are run, and nothing is made of what they draw.
+void print_trails(const Options& options, Build& result) {
+    std::vector<std::string> trails;
+    result.run = run_trails(options, trails);
+    Compilation& compilation = result.run.compilation;
+    bool written = true;
+    if (result.run.usable()) {
+        std::vector<PendingFile> files{{"-", json_list(std::move(trails))}};
+        written = write_all(files, false, compilation.run_diagnostics);
+        if (written) result.files = std::move(files);
+    }
+    if (!result.run.usable() || !written) {
+        result.status = exit_unusable;
+    } else if (compilation.has_errors()) {
+        result.status = exit_findings;
+    }
+}
+
 // From the profile on.
 void compile_and_write(Options& options, const std::vector<PlannedOutput>& planned, Build& result) {
     result.profile = load_profile(options);
@@ -193,14 +239,24 @@ void compile_and_write(Options& options, const std::vector<PlannedOutput>& plann
         return;
     }
     finish_profile(options);
+    if (planned.empty() && options.build.emit == Emit::trail) {
+        print_trails(options, result);
+        return;
+    }
     result.run = run_inputs(options, needed_stage(planned, options.build.emit));
+    take_in_loaded(options, result);
     Compilation& compilation = result.run.compilation;
+    refuse_libraries(compilation);
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
         auto files = make_files(planned, options, compilation);
+        if (files && !options.print.file.empty()) {
+            files->push_back({options.print.file, printed_text(result.run)});
+        }
         if (files) add_dependency_file(options, result, *files, compilation.run_diagnostics);
         if (files && !compilation.has_errors()) {
             check_numbered(options, *files);
+            for (const PendingFile& file : *files) check_loaded(result.run, file.path);
             if (options.build.before_writing) options.build.before_writing(*files);
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
             if (written) result.files = std::move(*files);
@@ -213,6 +269,7 @@ void compile_and_write(Options& options, const std::vector<PlannedOutput>& plann
     } else if (compilation.has_errors()) {
         result.status = exit_findings;
     }
+    if (result.status != exit_done && written) write_what_was_run(options, result);
 }
 
 }  // namespace
@@ -241,6 +298,7 @@ int run_build(const Options& options) {
     if (options.build.watch) return run_watch(options);
     const Build done = build(options);
     if (done.status == exit_done) tell(options, done);
+    tell_printed(options, done.run);
     if (done.status == exit_unusable && reader_has_gone()) return exit_unusable;
     const bool told = report(options.messages, done.findings(), done.run.compilation.run_diagnostics);
     return told ? done.status : exit_unusable;

@@ -20,7 +20,7 @@ struct Build {
     // long as this object.
     [[nodiscard]] std::vector<FileFindings> findings() const;
     // The names of the files that were read, or should have been: the inputs, then the profile, then the
-    // configuration and response files.
+    // configuration and response files, then what programs loaded.
     std::vector<std::string> inputs;
 };
 

@@ -17,6 +17,7 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_sheet_options(*verb, options);
     add_nest_options(*verb, options);
     add_motion_options(*verb, options);
+    add_program_options(*verb, options);
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_judge_options(*verb, options);
@@ -43,12 +44,18 @@ int run_check(const Options& options) {
         return exit_unusable;
     }
     // Without a sheet there is nothing to lay out: inputs that are checked together need not be one run.
-    const Run run =
-        run_inputs(options, find_inputs(options), options.sheet_given ? Stage::layout : Stage::pattern,
-                   options.sheet_given ? Keep::everything : Keep::findings);
+    InputFiles files = find_inputs(options);
+    check_print_options(options, files.names);
+    Run run = run_inputs(options, std::move(files), options.sheet_given ? Stage::layout : Stage::pattern,
+                         options.sheet_given ? Keep::everything : Keep::findings);
+    check_loaded(run, options.messages.file);
+    check_loaded(run, options.print.file);
+    if (options.judge.write_baseline) check_loaded(run, options.judge.baseline);
     say_layers(options.messages, run.compilation);
+    tell_printed(options, run);
+    const bool printed = write_printed(options, run, run.compilation.run_diagnostics);
     Findings findings = collect(run.findings(), run.compilation.run_diagnostics);
-    bool usable = run.usable();
+    bool usable = run.usable() && printed;
     if (options.judge.write_baseline) {
         // What could not be read may have findings that are accepted already.
         if (usable) usable = accept_all(options, *baseline->is, findings);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <system_error>
 
 #include "base/line_diff.h"
 #include "cli/inputs.h"
@@ -48,14 +50,22 @@ void check_usage(const Options& options, const InputFiles& files) {
     }
 }
 
-// Only designs have repairs.
-void check_languages(const Options& options, const Compilation& compilation) {
-    for (const CompiledDesign& one : compilation.designs) {
-        const Language& language = language_of(options.inputs, one.source);
-        if (language.patch != nullptr) continue;
-        throw UsageError(
-            fmt::format("{}: fix mends popup documents, and this describes flat parts", one.source.name),
-            {"popupc check tells what is wrong with it; popupc build writes its sheets"});
+// Only documents have repairs that can be written back.
+void check_language(const Language& language, const std::string& name) {
+    if (language.patch != nullptr) return;
+    throw UsageError(fmt::format("{}: fix mends popup documents, and this {}", name,
+                                 language.trail != nullptr ? "is a program" : "describes flat parts"),
+                     {"popupc check tells what is wrong with it; popupc build writes its sheets"});
+}
+
+// As far as names tell: no program is run that could not be mended.
+void check_documents(const Options& options, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (name == "-" && options.inputs.language.empty()) continue;
+        const Language* language = find_language({name, {}}, options.inputs.language);
+        std::error_code error;
+        const bool there = name == "-" || std::filesystem::exists(name, error);
+        if (language != nullptr && there) check_language(*language, name);
     }
 }
 
@@ -123,11 +133,14 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
 }
 
 int run_fix(const Options& options) {
-    InputFiles files = find_inputs(options);
+    InputFiles files = find_inputs(options, Walked::documents);
     check_usage(options, files);
+    check_documents(options, files.names);
     Run run = run_inputs(options, std::move(files), Stage::motion);
     Compilation& compilation = run.compilation;
-    check_languages(options, compilation);
+    for (const CompiledDesign& one : compilation.designs) {
+        check_language(language_of(options.inputs, one.source), one.source.name);
+    }
     bool written = true;
     bool changed = false;
     if (run.usable() && !compilation.has_errors()) {

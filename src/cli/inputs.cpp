@@ -32,7 +32,7 @@ std::string identity(const std::string& name) {
     return error ? name : path.string();
 }
 
-WalkOptions walk_options(const InputOptions& inputs) {
+WalkOptions walk_options(const InputOptions& inputs, Walked walked) {
     WalkOptions walk;
     for (const std::string& pattern : inputs.include) walk.include.add(pattern);
     for (const std::string& pattern : inputs.exclude) walk.exclude.add(pattern);
@@ -46,12 +46,33 @@ WalkOptions walk_options(const InputOptions& inputs) {
     } else {
         // Drawings have the suffix of pictures, and of what the program writes: they are asked for.
         const bool all = !inputs.include.empty();
-        walk.wants = [all](std::string_view name) {
+        walk.wants = [all, walked](std::string_view name) {
             const Language* language = find_language({std::string(name), {}}, {});
-            return language != nullptr && (all || language->walked);
+            if (language == nullptr) return false;
+            return all || (language->walked && (walked == Walked::all || language->patch != nullptr));
         };
     }
     return walk;
+}
+
+// ".xml and .fl"
+std::string walked_suffixes(Walked walked) {
+    std::vector<std::string_view> suffixes;
+    for (const Language& row : language_table()) {
+        if (row.walked && (walked == Walked::all || row.patch != nullptr)) suffixes.push_back(row.suffix);
+    }
+    return fmt::format("{}", fmt::join(suffixes, " and "));
+}
+
+std::string trail_of(const Options& options, const Source& source, Diagnostics& diagnostics) {
+    const Language& language = language_of(options.inputs, source);
+    if (language.trail == nullptr) {
+        throw UsageError(fmt::format("{}: this is no program, and has no trail", source.name),
+                         {"of FlatLang programs (.fl) --emit trail prints what the turtle drew"});
+    }
+    ReadOptions read = options.compile.read;
+    read.language = language.name;
+    return language.trail(source, read, diagnostics);
 }
 
 // A name whose suffix tells no language is wrong usage, unless there is no such file to begin with.
@@ -82,6 +103,8 @@ void look_at_each(Run& run, const Options& options, const CompileOptions& compil
     const auto done = [&](std::size_t i, CompiledDesign&& one) {
         if (!said.empty()) said[i] = layers_line(one);
         Run::Apart& kept = run.apart[i];
+        kept.printed = std::move(one.printed);
+        kept.loaded = std::move(one.further_files);
         if (one.diagnostics.sorted().empty()) {
             kept.diagnostics = Diagnostics(names[i]);
             return;
@@ -109,7 +132,7 @@ std::vector<Source> read_all(Run& run, const Options& options) {
             sources.push_back(std::move(*source));
         } else {
             run.order.push_back(-1 - static_cast<int>(run.apart.size()));
-            run.apart.push_back({std::move(diagnostics), {}});
+            run.apart.push_back({std::move(diagnostics), {}, {}, {}});
             run.readable = false;
         }
     }
@@ -140,7 +163,7 @@ void tell_of_configurations(const std::string& top, const std::vector<std::strin
 
 }  // namespace
 
-InputFiles find_inputs(const Options& options) {
+InputFiles find_inputs(const Options& options, Walked walked) {
     const InputOptions& inputs = options.inputs;
     InputFiles files;
     if (std::none_of(inputs.names.begin(), inputs.names.end(), is_directory)) {
@@ -151,7 +174,7 @@ InputFiles find_inputs(const Options& options) {
     for (const std::string& name : inputs.names) {
         if (name != "-" && !is_directory(name)) taken.insert(identity(name));
     }
-    const WalkOptions walk = walk_options(inputs);
+    const WalkOptions walk = walk_options(inputs, walked);
     for (const std::string& name : inputs.names) {
         if (!is_directory(name)) {
             files.names.push_back(name);
@@ -162,8 +185,9 @@ InputFiles find_inputs(const Options& options) {
             Diagnostics none(name, options.policy);
             none.warning("no-designs", {}, "there is no design in this directory")
                 .hint(inputs.include.empty() && inputs.exclude.empty()
-                          ? "designs are .xml files; --include '*.svg' asks for drawings"
-                          : "--include and --exclude leave nothing of it");
+                          ? fmt::format("designs are {} files; --include '*.svg' asks for drawings",
+                                        walked_suffixes(walked))
+                          : std::string("--include and --exclude leave nothing of it"));
             files.directories.emplace_back(files.names.size(), std::move(none));
         }
         for (Diagnostics& trouble : tree.unreadable) {
@@ -242,6 +266,33 @@ Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep)
         look_at_each(run, options, compile_options);
     }
     return run;
+}
+
+Run run_trails(const Options& options, std::vector<std::string>& trails) {
+    const std::vector<std::string>& names = options.inputs.names;
+    if (std::count(names.begin(), names.end(), "-") > 1) {
+        throw UsageError("standard input can be read only once");
+    }
+    Run run;
+    run.files = {names, {}, true};
+    run.compilation.run_diagnostics = Diagnostics({}, options.policy);
+    for (Source& source : read_all(run, options)) {
+        CompiledDesign one;
+        one.diagnostics = Diagnostics(source.name, options.policy);
+        one.source = std::move(source);
+        trails.push_back(trail_of(options, one.source, one.diagnostics));
+        run.compilation.designs.push_back(std::move(one));
+    }
+    return run;
+}
+
+std::vector<std::string> trails_of(const Options& options, const Compilation& compilation) {
+    std::vector<std::string> trails;
+    for (const CompiledDesign& one : compilation.designs) {
+        Diagnostics unheard;
+        trails.push_back(trail_of(options, one.source, unheard));
+    }
+    return trails;
 }
 
 Run run_inputs(const Options& options, Stage until) {

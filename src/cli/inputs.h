@@ -19,11 +19,15 @@ struct InputFiles {
     bool readable = true;  // all directories were
 };
 
+// Which files of a directory are taken where nothing is said of it: `documents` are those whose language can
+// write them back.
+enum class Walked { all, documents };
+
 // The arguments, with the files in directories in place of these: files with the
 // suffix of a design's language (of --from, where it is given), or those that --include asks for. No file
 // that a walk finds is taken twice, or when it is named itself. A directory without any is a `no-designs`
 // warning.
-InputFiles find_inputs(const Options& options);
+InputFiles find_inputs(const Options& options, Walked walked = Walked::all);
 
 // One run over the inputs of the command line.
 struct Run {
@@ -31,6 +35,8 @@ struct Run {
     struct Apart {
         Diagnostics diagnostics;
         std::string text;
+        std::string printed;              // as in CompiledDesign
+        std::vector<std::string> loaded;  // likewise: its further files
     };
     InputFiles files;
     Compilation compilation;   // of the inputs that could be read, if everything was to be kept
@@ -52,6 +58,12 @@ enum class Keep { everything, findings };
 
 // The language a source is read as: --from, else as find_language() finds it; UsageError when there is none.
 const Language& language_of(const InputOptions& options, const Source& source);
+
+// Reads the inputs and runs those that are programs; nothing is made of what they draw. The trails are JSON,
+// one an input that could be read. UsageError as below, and on an input that is no program.
+Run run_trails(const Options& options, std::vector<std::string>& trails);
+// The trails of inputs that were compiled; their findings have been told.
+std::vector<std::string> trails_of(const Options& options, const Compilation& compilation);
 
 // Reads and compiles up to `until`. Unreadable inputs do not keep the others from being looked at.
 // UsageError on a suffix that names no language and on standard input named twice.

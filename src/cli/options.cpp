@@ -86,7 +86,7 @@ void add_tree_options(CLI::App& verb, Options& options) {
             patterns.emplace_back(text);
         });
     };
-    add("--include", "take the files that match this, not all .xml files. Repeatable", inputs.include);
+    add("--include", "take the files that match this, not all designs. Repeatable", inputs.include);
     add("--exclude", "leave out files and directories that match this. Repeatable", inputs.exclude);
 }
 

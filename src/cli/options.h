@@ -12,6 +12,7 @@
 
 #include "batch/manifest.h"
 #include "cli/dependency_options.h"
+#include "cli/program_options.h"
 #include "findings/message_formats.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
@@ -74,10 +75,13 @@ struct InputOptions {
     std::vector<std::string> include, exclude;  // of what is found in directories
 };
 
+// What --emit prints: a stage, or what a program drew before anything was made of it.
+enum class Emit { design, assembly, motion, pattern, layout, trail };
+
 struct BuildOptions {
     std::vector<std::string> outputs;
     std::string format;  // --to, for standard output and suffixes that say nothing
-    std::optional<Stage> emit;
+    std::optional<Emit> emit;
     // Called with all files before any is written; throws a UsageError where one may not be. Empty: nothing.
     std::function<void(const std::vector<PendingFile>&)> before_writing;
     bool if_changed = false;
@@ -150,6 +154,7 @@ struct Options {
     bool sheet_given = false;
     bool margin_given = false;
     BuildOptions build;
+    PrintOptions print;
     FixOptions fix;
     std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb
     ListOptions list;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/dependency_options.h"
+#include "cli/inputs.h"
 #include "output/emit.h"
 
 namespace popup::cli {
@@ -64,33 +65,28 @@ std::string suffixed(const std::string& path, const Format& format, const std::s
     return path.substr(0, stem) + suffix + path.substr(stem);
 }
 
-std::string emitted(Stage stage, const Compilation& compilation) {
-    if (stage == Stage::layout) return emit_layout(*compilation.layout);
-    const auto one = [stage](const CompiledDesign& design) {
-        switch (stage) {
-            case Stage::design:
+std::string emitted(Emit what, const Options& options, const Compilation& compilation) {
+    if (what == Emit::layout) return emit_layout(*compilation.layout);
+    if (what == Emit::trail) return json_list(trails_of(options, compilation));
+    const auto one = [what](const CompiledDesign& design) {
+        switch (what) {
+            case Emit::design:
                 return emit_design(*design.design);
-            case Stage::assembly:
+            case Emit::assembly:
                 return emit_assembly(*design.assembly);
-            case Stage::motion:
+            case Emit::motion:
                 return emit_motion(*design.assembly, *design.motion);
-            case Stage::pattern:
+            case Emit::pattern:
                 return emit_pattern(*design.pattern);
-            case Stage::check:
-            case Stage::layout:
+            case Emit::layout:
+            case Emit::trail:
                 break;
         }
         broken_invariant("only stages with a document of their own are emitted", __FILE__, __LINE__);
     };
-    if (compilation.designs.size() == 1) return one(compilation.designs.front());
-    std::string text = "[\n";
-    for (const CompiledDesign& design : compilation.designs) {
-        std::string part = one(design);
-        while (part.ends_with('\n')) part.pop_back();
-        if (text.size() > 2) text += ",\n";
-        text += part;
-    }
-    return text + "\n]\n";
+    std::vector<std::string> documents;
+    for (const CompiledDesign& design : compilation.designs) documents.push_back(one(design));
+    return json_list(std::move(documents));
 }
 
 std::vector<SceneCard> scene_of(const Compilation& compilation) {
@@ -126,7 +122,7 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
 
 // Parts that do not move have sheets and a report, and no more.
 void check_parts(const std::string& input, const std::vector<PlannedOutput>& outputs,
-                 const std::optional<Stage>& emit) {
+                 const std::optional<Emit>& emit) {
     const auto refuse = [&](const std::string& what) {
         throw UsageError(fmt::format("{}: this describes flat parts, and has no {}", input, what),
                          {"of flat parts there are sheets (.svg, .pdf), the report (.json), and --emit "
@@ -140,9 +136,9 @@ void check_parts(const std::string& input, const std::vector<PlannedOutput>& out
             refuse(fmt::format("popup document for {}", output.path));
         }
     }
-    if (emit == Stage::design) refuse("design");
-    if (emit == Stage::assembly) refuse("assembly");
-    if (emit == Stage::motion) refuse("motion");
+    if (emit == Emit::design) refuse("design");
+    if (emit == Emit::assembly) refuse("assembly");
+    if (emit == Emit::motion) refuse("motion");
 }
 
 void examine_formats(const std::vector<PlannedOutput>& outputs, const Profile& profile,
@@ -157,6 +153,17 @@ void examine_formats(const std::vector<PlannedOutput>& outputs, const Profile& p
 }
 
 }  // namespace
+
+std::string json_list(std::vector<std::string> documents) {
+    if (documents.size() == 1) return std::move(documents.front());
+    std::string text = "[\n";
+    for (std::string& one : documents) {
+        while (one.ends_with('\n')) one.pop_back();
+        if (text.size() > 2) text += ",\n";
+        text += one;
+    }
+    return text + "\n]\n";
+}
 
 bool is_standard_output(const std::string& path) {
     return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
@@ -211,6 +218,8 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
                 {"build each on its own, or use \"popupc fix --in-place\""});
         }
     }
+    const std::string& print = options.print.file;
+    if (is_standard_output(print)) standard.push_back("--print " + print);
     const std::string dependencies = dependency_file_name(options);
     if (is_standard_output(dependencies)) standard.push_back("-MF " + dependencies);
     check_format_option(build.outputs, build.format);
@@ -221,6 +230,7 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
     std::vector<std::string> written = build.outputs;
     if (!options.messages.file.empty()) written.push_back(options.messages.file);
     if (!dependencies.empty()) written.push_back(dependencies);
+    if (!print.empty()) written.push_back(print);
     for (std::size_t i = 0; i < written.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (!same_place(written[i], written[j])) continue;
@@ -241,6 +251,11 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
             check_parts(name, planned, build.emit);
         }
     }
+    if (build.emit == Emit::trail && planned.empty() && !print.empty()) {
+        throw UsageError(
+            "--print has nothing to write: what programs print stands in what --emit trail prints",
+            {"take it from there (\"stdout\"), or build something with -o"});
+    }
     return planned;
 }
 
@@ -253,10 +268,24 @@ bool output_refused(const Diagnostics& diagnostics) {
     });
 }
 
-Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Stage>& emit) {
+Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Emit>& emit) {
     // Whatever is written has been looked at whole: a sheet of a card that does not close would be a wrong
     // one.
-    return outputs.empty() && emit ? *emit : Stage::layout;
+    if (!outputs.empty() || !emit) return Stage::layout;
+    switch (*emit) {
+        case Emit::design:
+        case Emit::trail:
+            return Stage::design;
+        case Emit::assembly:
+            return Stage::assembly;
+        case Emit::motion:
+            return Stage::motion;
+        case Emit::pattern:
+            return Stage::pattern;
+        case Emit::layout:
+            return Stage::layout;
+    }
+    broken_invariant("what is emitted is one of its enumerators", __FILE__, __LINE__);
 }
 
 std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
@@ -309,7 +338,7 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
             if (!is_standard_output(path)) writing.files.push_back(path.substr(path.rfind('/') + 1));
         }
     }
-    if (options.build.emit) files.push_back({"-", emitted(*options.build.emit, compilation)});
+    if (options.build.emit) files.push_back({"-", emitted(*options.build.emit, options, compilation)});
     if (!good) return std::nullopt;
     return files;
 }

@@ -35,7 +35,10 @@ bool same_place(const std::string& a, const std::string& b);
 bool overwrites(const std::string& output, const std::string& input);
 
 // The last stage that these outputs, and --emit, need.
-Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Stage>& emit);
+Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optional<Emit>& emit);
+
+// JSON documents, one an input, as --emit prints them: one as it is, several as a list.
+std::string json_list(std::vector<std::string> documents);
 
 // True when the findings say that an output could not be written, rather than that a design is wrong.
 bool output_refused(const Diagnostics& diagnostics);

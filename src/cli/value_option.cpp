@@ -22,7 +22,8 @@ OptionTraits traits_of(const CLI::Option& option) {
     traits.key = option.get_lnames().empty() ? option.get_name(true, false) : option.get_lnames().front();
     traits.flag = option.get_items_expected_max() == 0;
     traits.repeatable = !traits.flag && option.get_expected_max() > 1;
-    traits.files = !traits.flag && option.get_type_name() == "FILE";
+    const std::string type = option.get_type_name();
+    traits.files = !traits.flag && (type == "FILE" || type == "DIR");
     for (const Note& note : kNotes) {
         if (note.key != traits.key) continue;
         traits.suffix = note.suffix;

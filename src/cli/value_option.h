@@ -60,7 +60,7 @@ struct OptionTraits {
     std::string key;          // its long name without the dashes; of a positional its name
     bool flag = false;        // takes no value
     bool repeatable = false;  // takes several values
-    bool files = false;       // every value is the name of a file
+    bool files = false;       // every value is the name of a file or directory
     std::string suffix;       // a value that ends in this is the name of a file; empty: none is
     std::string instead_of;   // key of the option that this one stands instead of; empty: none
 };

@@ -64,7 +64,7 @@ void refuse_streams(const Options& options) {
         }
     }
     bool standard = options.build.emit || options.messages.use_standard_output() ||
-                    is_standard_output(options.messages.file) ||
+                    is_standard_output(options.messages.file) || is_standard_output(options.print.file) ||
                     is_standard_output(dependency_file_name(options));
     for (const std::string& output : options.build.outputs) standard = standard || is_standard_output(output);
     if (standard) refuse("standard output takes one result");
@@ -98,6 +98,7 @@ std::vector<std::string> build_and_tell(Options options, const std::string& why)
     if (nesting.seconds) nesting.stop = &g_over;
     const Build done = build(options);
     say(options.messages, line_of(done, why));
+    tell_printed(options, done.run);
     const std::vector<FileFindings> findings = done.findings();
     const Diagnostics& run = done.run.compilation.run_diagnostics;
     // A file of diagnostics also has to become empty again.

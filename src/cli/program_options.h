@@ -1,0 +1,50 @@
+// Options of inputs that are programs, and what becomes of what programs print.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/diagnostics.h"
+
+namespace CLI {
+class App;
+}
+
+namespace popup::cli {
+
+struct MessageOptions;
+struct Options;
+struct Run;
+
+struct PrintOptions {
+    std::string file;  // --print; empty: standard error
+};
+
+// -D, -I, --flatlang, --print and the limits.
+void add_program_options(CLI::App& verb, Options& options);
+
+// UsageError when --print has the place of another output of a check, or of an input.
+void check_print_options(const Options& options, const std::vector<std::string>& inputs);
+
+// What the programs of the run printed, in argument order, as it goes to --print FILE: of one input as it is;
+// of several what each printed stands below a line "== NAME ==".
+std::string printed_text(const Run& run);
+
+// The same for a terminal: what one would act on is made visible, but for tabs and line breaks.
+std::string shown_on_terminal(std::string_view printed);
+
+// Puts it on standard error where no file is named.
+void tell_printed(const Options& options, const Run& run);
+
+// Writes it to the file that is named, if one is. False with an `unwritable-output` error when it cannot be
+// written.
+bool write_printed(const Options& options, const Run& run, Diagnostics& diagnostics);
+
+// UsageError when `output` would be written over a file that a program of this run has loaded.
+void check_loaded(const Run& run, const std::string& output);
+
+// All files that programs have loaded, in the order in which they were, each once.
+std::vector<std::string> loaded_files(const Run& run);
+
+}  // namespace popup::cli
