@@ -8,4 +8,10 @@ int Symbols::of(std::string_view name) {
     return at->second;
 }
 
+std::optional<int> Symbols::find(std::string_view name) const {
+    const auto known = numbers_.find(std::string(name));
+    if (known == numbers_.end()) return std::nullopt;
+    return known->second;
+}
+
 }  // namespace popup::flatlang
