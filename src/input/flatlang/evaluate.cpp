@@ -385,12 +385,11 @@ Value Evaluation::call_function(const Node& at, const Value& function, std::span
     run_block(block);
     state_.unit = state_.callers.back().unit;
     state_.callers.pop_back();
-    if (in_.as_2008()) {
-        scopes.hide_below_newest(false);
-    } else {
-        scopes.hide_below(hidden);
-    }
+    // What was returned may stand in a scope that the caller does not see.
+    scopes.hide_below_newest(false);
+    scopes.hide_below(0);
     Value value = in_.lookup_returned();
+    scopes.hide_below(hidden);
     scopes.pop();
     --state_.calls;
     return value;

@@ -343,6 +343,7 @@ class Parser {
                     take();
                     const int made = make(NodeKind::number, first.place);
                     node(made).number = literal(word(first));
+                    node(made).text = word(first);
                     return made;
                 }
                 case K::text: {
