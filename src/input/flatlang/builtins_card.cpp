@@ -265,7 +265,7 @@ Value element(const Call& call) {
     return made;
 }
 
-// named(element, name): the element.
+// named(element, name [, number]): the element. With a number the name is "name-number".
 Value named(const Call& call) {
     if (call.in.as_2008()) return call.in.heap.nil();
     Card& card = card_of(call);
@@ -274,7 +274,16 @@ Value named(const Call& call) {
     if (call.arguments[1]->type != Type::text) {
         refuse_argument(call, 1, call.arguments[1], "its name, a text");
     }
-    if (const auto refusal = name_element(card, number.value_or(0), call.arguments[1]->text)) {
+    std::string name = call.arguments[1]->text;
+    if (call.arguments.size() > 2) {
+        const Value& value = call.arguments[2];
+        const double count = value->number;
+        if (value->type != Type::number || !(std::abs(count) < 1e9) || count != std::floor(count)) {
+            refuse_argument(call, 2, value, "a whole number, which is joined to the name");
+        }
+        name += fmt::format("-{:.0f}", count);
+    }
+    if (const auto refusal = name_element(card, number.value_or(0), name)) {
         refuse(call, *refusal);
     }
     return call.arguments[0];
@@ -343,7 +352,7 @@ struct Rows {
 
     Rows() {
         rows.push_back({"popup", 0, 4, popup_card});
-        rows.push_back({"named", 2, 2, named});
+        rows.push_back({"named", 2, 3, named});
         rows.push_back({"drawline", 1, -1, draw_line});
         for (const ElementInfo& info : element_table()) {
             for (std::string& name : names_of(info)) {

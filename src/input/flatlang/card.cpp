@@ -220,8 +220,9 @@ std::optional<Refusal> name_element(Card& card, std::size_t structure, const std
     Structure& made = card.design->structures[structure];
     if (made.id == id) return std::nullopt;
     if (!card.ids.insert(id).second) {
-        return Refusal{fmt::format("cannot have the name '{}', which another element has", id),
-                       "in a loop join a number to the name"};
+        return Refusal{
+            fmt::format("cannot have the name '{}', which another element has", id),
+            "in a loop or function give a number besides, as in named(house, \"house\", 3) for house-3"};
     }
     if (made.id_given) card.ids.erase(made.id);
     made.id = id;
