@@ -192,7 +192,7 @@ Value popup_card(const Call& call) {
     }
     Arguments arguments(call);
     NewCard wanted;
-    wanted.place = call.place;
+    wanted.place = call.in.program_place(call.place);
     if (arguments.next_is(Type::number)) {
         wanted.width_mm = kInch * arguments.take()->number;
         const auto height = arguments.take_number();
@@ -224,7 +224,7 @@ Value element(const Call& call) {
     Card& card = card_of(call);
     NewElement wanted;
     wanted.info = static_cast<const ElementInfo*>(call.data);
-    wanted.place = call.place;
+    wanted.place = call.in.program_place(call.place);
     Arguments arguments(call);
     const Value& parent = arguments.take();
     const auto fold = hidden_number(call, parent, kFoldNumber);
@@ -294,7 +294,7 @@ Value draw_line(const Call& call) {
     if (call.in.as_2008()) return call.in.heap.nil();
     Card& card = card_of(call);
     NewLine wanted;
-    wanted.place = call.place;
+    wanted.place = call.in.program_place(call.place);
     Arguments arguments(call);
     const Value& where = arguments.take();
     if (where->type == Type::number) {
