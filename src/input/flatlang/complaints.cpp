@@ -93,14 +93,14 @@ Complaint lexical_complaint(std::string_view text, const Lexed& lexed, const Lex
         case LexicalFault::digits_missing: {
             const std::string digits = what.substr(0, what.size() - 1);
             return {error.place,
-                    fmt::format("digits are missing behind the dot of the number {}", what),
+                    fmt::format("digits are missing after the dot of the number {}", what),
                     {fmt::format("write {} or {}.0", digits, digits)},
                     {}};
         }
         case LexicalFault::glued_name:
             return {
                 error.place,
-                fmt::format("'{}' stands directly behind a number", what),
+                fmt::format("'{}' stands directly after a number", what),
                 {"names begin with a letter or _, products are written with *, and numbers have no exponent"},
                 {}};
     }

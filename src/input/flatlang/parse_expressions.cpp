@@ -120,7 +120,7 @@ int Parser::atom(Kinds after) {
         if (first.kind == K::open_list) {
             take();
             std::vector<int> elements;
-            if (!sequence(K::close_list, "in the list behind", {"to close the list behind", begin}, elements))
+            if (!sequence(K::close_list, "in the list after", {"to close the list after", begin}, elements))
                 return kMissing;
             return make(NodeKind::list, first.place, std::move(elements));
         }
@@ -144,7 +144,7 @@ int Parser::bracket(std::size_t opened, Kinds after) {
     if (!enter()) return kMissing;
     const int value = expression(one(K::close));
     leave();
-    if (failed_ || !expect(K::close, after, {"to close the bracket behind", opened})) return kMissing;
+    if (failed_ || !expect(K::close, after, {"to close the bracket after", opened})) return kMissing;
     return value;
 }
 

@@ -6,14 +6,23 @@
 
 namespace popup::flatlang {
 
+int Parser::resume_after(std::size_t begin) {
+    resume(begin, false);
+    return word(token(begin)) == "for" ? 1 : 0;
+}
+
 void Parser::program() {
     std::vector<int> statements;
+    int lost = 0;
     while (kind() != K::end) {
         const std::size_t begin = at_;
         if (at(kStatement)) {
             const int made = rule(kStatement | kRuleEnd, [&] { return statement(); });
             if (made != kMissing) statements.push_back(made);
-            if (failed_) resume(begin, false);
+            if (failed_) lost += resume_after(begin);
+        } else if (kind() == K::kw_done && lost > 0) {
+            --lost;
+            skip();
         } else if (as_2008_) {
             tell(at_, {here().place,
                        fmt::format("{} begins no statement, and the program ends here", found(text_, here())),
@@ -58,13 +67,17 @@ int Parser::block(Kinds after) {
     return rule(after, [&] {
         const Place place = here().place;
         std::vector<int> statements;
+        int lost = 0;
         if (!enter()) return kMissing;
         while (kind() != K::end) {
             const std::size_t begin = at_;
             if (at(kInner)) {
                 const int made = rule(kInner | kRuleEnd, [&] { return inner_statement(); });
                 if (made != kMissing) statements.push_back(made);
-                if (failed_) resume(begin, false);
+                if (failed_) lost += resume_after(begin);
+            } else if (kind() == K::kw_done && lost > 0) {
+                --lost;
+                skip();
             } else if (as_2008_ || kind() == K::kw_done || (at(kBlockEnd) && in_choice())) {
                 break;
             } else if (!at(kDefinition)) {
@@ -135,9 +148,15 @@ int Parser::definition() {
     std::vector<int> parameters;
     const int body = compound([&] {
         const bool fits = header([&] {
-            if (take_if(K::kw_safe) && !expect(K::kw_define, one(K::name), {"behind 'safe'"})) return false;
+            if (take_if(K::kw_safe) && !expect(K::kw_define, one(K::name), {"after 'safe'"})) return false;
             if (!safe) take();
             name = here();
+            if (!as_2008_ && name.kind != K::name && token(at_ + 1).kind == K::open) {
+                // What else stands there was meant to be the name.
+                complain(at_, wanted(K::name), {"for the function"});
+                take();
+                return signature(parameters);
+            }
             return expect(K::name, one(K::open), {"for the function"}) && signature(parameters);
         });
         return fits ? block(one(K::kw_done)) : kMissing;
@@ -174,7 +193,7 @@ int Parser::choice() {
             take();
             if (!otherwise && !header([&] {
                     parts.push_back(rule(kInner | kRuleEnd, [&] {
-                        if (!expect(K::open, kExpression, {"behind", begin})) return kMissing;
+                        if (!expect(K::open, kExpression, {"after", begin})) return kMissing;
                         return bracket(begin, kRuleEnd);
                     }));
                     return !failed_;
@@ -194,7 +213,7 @@ int Parser::choice() {
         }
         while (!failed_ && !as_2008_ && at(kinds(K::kw_alt, K::kw_else))) {
             tell(at_, {here().place,
-                       fmt::format("{} stands behind the 'else' of this 'if'", found(text_, here())),
+                       fmt::format("{} stands after the 'else' of this 'if'", found(text_, here())),
                        {},
                        {{place, "if"}}});
             part(kBlockEnd);
@@ -208,7 +227,7 @@ int Parser::choice() {
 }
 
 bool Parser::expressions(std::size_t begin, std::size_t least, std::size_t most, std::vector<int>& values) {
-    if (!expect(K::open, kExpression, {"behind", begin})) return false;
+    if (!expect(K::open, kExpression, {"after", begin})) return false;
     for (std::size_t count = 1;; ++count) {
         const Kinds behind = count < least  ? one(K::comma)
                              : count < most ? kinds(K::comma, K::close)
@@ -221,7 +240,7 @@ bool Parser::expressions(std::size_t begin, std::size_t least, std::size_t most,
             break;
         }
     }
-    return expect(K::close, kInner | one(K::kw_done), {"to close the bracket behind", begin});
+    return expect(K::close, kInner | one(K::kw_done), {"to close the bracket after", begin});
 }
 
 int Parser::simple(NodeKind kind, std::size_t least, std::size_t most) {
@@ -253,13 +272,18 @@ int Parser::for_each() {
     const int body = compound([&] {
         take();
         const bool fits = header([&] {
-            if (!expect(K::open, one(K::name), {"behind", begin})) return false;
+            // What is wrong with its first word is told already; what is missing after that follows from it.
+            if (!as_2008_ && kind() != K::open && word(token(begin)) != to_string(K::kw_for_each)) {
+                failed_ = true;
+                return false;
+            }
+            if (!expect(K::open, one(K::name), {"after", begin})) return false;
             name = here();
             if (!expect(K::name, one(K::colon), {"for the element"})) return false;
             if (!expect(K::colon, kExpression, {"between the element and the list of", begin})) return false;
             list = expression(one(K::close));
             const Kinds behind = kInner | one(K::kw_done);
-            if (failed_ || !expect(K::close, behind, {"to close the bracket behind", begin})) return false;
+            if (failed_ || !expect(K::close, behind, {"to close the bracket after", begin})) return false;
             if (!take_if(K::open)) return true;
             filter = expression(one(K::close));
             return !failed_ && expect(K::close, behind, {"to close the condition of", begin});
@@ -278,10 +302,10 @@ int Parser::shape() {
     const int body = compound([&] {
         take();
         const bool fits = header([&] {
-            if (!expect(K::open, one(K::text), {"behind", begin})) return false;
+            if (!expect(K::open, one(K::text), {"after", begin})) return false;
             title = here();
             return expect(K::text, one(K::close), {"for the name of", begin}) &&
-                   expect(K::close, kInner | one(K::kw_done), {"to close the bracket behind", begin});
+                   expect(K::close, kInner | one(K::kw_done), {"to close the bracket after", begin});
         });
         return fits ? block(one(K::kw_done)) : kMissing;
     });

@@ -159,6 +159,9 @@ class Parser {
 
     // Statements; parse_statements.cpp.
 
+    // Default mode: goes on after the statement that begins there. 1 when it may have had a block that was
+    // not recognised, whose done is to be passed over; else 0.
+    int resume_after(std::size_t begin);
     void program();
 
     int statement() {
