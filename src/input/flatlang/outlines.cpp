@@ -291,9 +291,13 @@ class Finder {
 
     void tell(const Contours& contours, int part, const Frame& frame) {
         for (const CrossedContour& one : contours.crossed) {
-            const std::string message = fmt::format("{} has a loop that crosses or touches itself at {}",
-                                                    part_text(in_, part), spot(frame.point(one.at)));
-            tell_unclear(part, message, "all that it goes round was taken for paper");
+            const Vec3 where = frame.point(one.at);
+            if (part == 0) {
+                if (crossed_++ == 0) crossed_at_ = where;
+                continue;
+            }
+            tell_unclear(part, fmt::format("{} has a loop that crosses or touches itself at {}",
+                                           part_text(in_, part), spot(where)));
         }
         for (const ContourOverlap& one : contours.overlaps) {
             const ClosedContour& a = contours.all[at(one.a)];
@@ -327,13 +331,13 @@ class Finder {
             diagnostics_
                 .warning(
                     "flatlang-outlines-overlap", {},
-                    fmt::format("{} that {} before the first part {} or {} {}, {}at {}; all that {} "
-                                "was taken for paper",
-                                crossed_ == 1 ? "a loop" : fmt::format("{} loops", crossed_),
-                                crossed_ == 1 ? "is drawn" : "are drawn", crossed_ == 1 ? "crosses" : "cross",
-                                crossed_ == 1 ? "touches" : "touch", crossed_ == 1 ? "itself" : "themselves",
-                                crossed_ == 1 ? "" : "the first ", spot(crossed_at_),
-                                crossed_ == 1 ? "it goes round" : "they go round"))
+                    crossed_ == 1
+                        ? fmt::format("a loop drawn before the first part crosses or touches itself, at {}; "
+                                      "all that it goes round was taken for paper",
+                                      spot(crossed_at_))
+                        : fmt::format("{} loops drawn before the first part cross or touch themselves, the "
+                                      "first at {}; all that each goes round was taken for paper",
+                                      crossed_, spot(crossed_at_)))
                 .hint(std::string(kLiftPen));
         }
         if (overlaps_ > 0) {
