@@ -134,7 +134,10 @@ int Parser::atom(Kinds after) {
         if (first.kind == K::kw_object) return make(NodeKind::object, first.place);
         const bool number = first.kind == K::number;
         const int made = make(number ? NodeKind::number : NodeKind::truth, first.place);
-        if (number) node(made).number = literal(word(first));
+        if (number) {
+            node(made).number = literal(word(first));
+            node(made).text = word(first);
+        }
         if (first.kind == K::kw_true) node(made).number = 1;
         return made;
     });
