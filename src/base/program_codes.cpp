@@ -35,6 +35,12 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "none. The pen may have been up, the turtle may have missed its beginning by more than 0.0001 inches, "
      "or "
      "functions were defined but never called. --emit trail prints what was drawn."},
+    {"flatlang-no-such-mark", Severity::warning, "a turtle is sent back to a mark that is not there",
+     "backto() looks for the mark from where the turtle stands back along its way to the beginning; what "
+     "was drawn after going back before is another branch, and is not looked at. There is no such mark, so "
+     "the "
+     "turtle stays where it is: so the language has it. Correct the name, or set the mark with mark() "
+     "before."},
     {"flatlang-not-loaded", Severity::warning, "a file to load was not found, or may not be read",
      "load() looks below the program's own folder, then in the folders that -I names, and for names that "
      "begin "
@@ -44,6 +50,12 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "Only closed loops in one plane are outlines. What else the turtle drew with its pen down stands in the "
      "model, but on no sheet. Where lines were to be cut, close them; where they only lead from one "
      "outline to the next, lift the pen with up() and the message goes."},
+    {"flatlang-outlines-overlap", Severity::warning, "loops drawn before the first part cross one another",
+     "A closed loop of the turtle's trail crosses or touches itself, or overlaps another in part. Within a "
+     "part that begins with part() this is an error. Before the first part each outermost loop is a piece of "
+     "its own, so nothing is in doubt but whether it is meant: overlapping pieces are cut apart from each "
+     "other, and of a loop that crosses itself all that it goes round is paper. Often it is the turtle's own "
+     "arrow, drawn with the pen down."},
     {"flatlang-output-ignored", Severity::remark, "a program asks for a file of its own",
      "hpgl() and laser() wrote files from within a program. Programs are not trusted with that here: what is "
      "written, and where, is said on the command line alone, with -o. The calls have no effect; take them "

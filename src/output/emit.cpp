@@ -10,7 +10,7 @@
 
 #include "base/numbers.h"
 #include "output/examination_json.h"
-#include "output/json_text.h"
+#include "base/json_text.h"
 
 namespace popup {
 namespace {

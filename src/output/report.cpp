@@ -7,7 +7,7 @@
 #include "base/render_diagnostics.h"
 #include "output/cut_report.h"
 #include "output/examination_json.h"
-#include "output/json_text.h"
+#include "base/json_text.h"
 #include "popup/compile.h"
 
 namespace popup {

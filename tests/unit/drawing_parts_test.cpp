@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "base/contours.h"
 #include "base/regions.h"
-#include "input/drawing/contours.h"
 #include "input/drawing/joining.h"
 #include "output/svg.h"
 #include "popup/compile.h"

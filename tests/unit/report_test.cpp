@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "output/emit.h"
-#include "output/json_text.h"
+#include "base/json_text.h"
 #include "popup/compile.h"
 #include "support/sheet_example.h"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "base/contours.h"
 #include "base/edge_index.h"
 #include "base/regions.h"
-#include "input/drawing/contours.h"
+#include "base/work.h"
 #include "input/drawing/joining.h"
-#include "input/drawing/work.h"
 
 namespace popup::drawing {
 namespace {

@@ -2,6 +2,7 @@
 // else can be read.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,17 +20,31 @@ struct LoadedFile {
 
 class Folders {
  public:
-    // `program`: the source that is run; of standard input the folder is the working directory.
+    // `program`: the source that is run; of standard input the folder is the working directory. Folders are
+    // looked up now: one that is not there never has a file.
     Folders(const Source& program, const ProgramOptions& options);
 
     // The file that load(name) means: "kit/…" of the kit, else the first of that name below the program's
-    // folder or one of the named folders. nullopt: there is none, and `why` says so in a sentence, with the
-    // places that were looked at, or that the name leads out of these ("..", links, absolute names that lead
-    // elsewhere), which is never followed.
+    // folder or one of the named folders, in their order. A name that begins with "/" is looked for below
+    // them too. nullopt: there is none, and `why` is a sentence without its full stop that tells the places
+    // that were looked at, or that the name leads out of all of these ("..", symbolic links), where nothing
+    // is ever read, or that what is there is no regular file, cannot be read, or has more than 4 MiB.
+    //
+    // With ProgramOptions::read_file folders are beginnings of names and nothing else: the disk is not asked
+    // for anything, and ".." is taken out of names as text.
     std::optional<LoadedFile> find(std::string_view name, std::string& why) const;
 
  private:
-    std::vector<std::string> folders_;
+    struct Folder {
+        std::string shown;      // as the user named it; empty: the working directory
+        std::string canonical;  // empty: there is none
+    };
+    // True when a path, canonical or normal as text, is in one of the folders.
+    [[nodiscard]] bool allows(const std::string& path) const;
+    std::optional<LoadedFile> from_disk(const Folder& folder, const std::string& shown,
+                                        std::string& trouble) const;
+
+    std::vector<Folder> folders_;
     std::function<std::optional<Source>(const std::string& path)> read_;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "input/flatlang/builtin.h"
@@ -66,32 +67,48 @@ class Interpreter {
     ProgramRun result;
 
     [[nodiscard]] bool as_2008() const;
-    // Counts work beside evaluation: elements copied or compared. False, and the program fails, at the limit.
-    bool spend(std::uint64_t steps);
+    // Counts work beside evaluation: elements copied or compared. The program fails at the limit.
+    void spend(std::uint64_t steps);
     // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
     // while the program winds up are not told.
     Value fail(Place place, std::string what, std::string hint = {});
     // Ends the program: `what` is used up. `option` is the one that moves the limit.
-    Value fail_limit(Place place, std::string what, std::string_view option);
-    [[nodiscard]] bool failed() const;
+    [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.
     void warn(std::string_view code, Place place, std::string what, std::string hint = {});
     // Appends a line to what is printed; counts it against the limit.
     void print(std::string_view line, Place place);
-    // Checks the trail against its limit. False, and the program fails, beyond it.
-    bool check_trail(Place place);
+    // Checks the trail against its limit. The program fails beyond it.
+    void check_trail(Place place);
+
+    // The same for a text that is about to be kept; its length counts as steps, too.
+    void check_text(std::string_view text, Place place);
 
     // Variables, as assignments and names in the program see them. lookup() is nil when there is none.
     Value lookup(int symbol);
     void assign(int symbol, Value value);
-    // Runs further text in the scope as it is; `name` is what findings call it.
-    // Returns what its last expression was.
-    Value run_text(std::string name, std::string text, Place place, bool is_file);
-    // load(): finds, reads and runs.
+    // The value of the last expression that was a statement, as a function returns it.
+    Value lookup_returned();
+    // A copy as lists take elements in; its cells count as steps.
+    Value copied(const Value& value, Place place);
+    void warn_unknown_function(int symbol, Place place);
+    // The place in the program itself that a place in any of its texts comes down to.
+    [[nodiscard]] Place program_place(Place place) const { return located(place).first; }
+    // The member of that name, or what stands in its place (n of lists, x, y and z of vectors); empty: none.
+    Value member(const Value& of, int symbol);
+    // load(): finds, reads and runs a file; a warning where there is none.
     void load(std::string_view name, Place place);
+    // eval(): runs a text; returns what its last expression was.
+    Value evaluate_text(const std::string& text, Place place);
+
+    struct State;  // state.h
 
  private:
-    struct State;
+    [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
+    Value run_text(std::string name, const std::string& text, Place place);
+    void define_globals();
+    void tell_unused_definitions();
+    void run_program_text();
     std::unique_ptr<State> state_;
 };
 

@@ -1,14 +1,57 @@
 #include "input/flatlang/read.h"
 
-namespace popup::flatlang {
+#include <fmt/format.h>
 
-Reading read(const Source& /*source*/, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
-    diagnostics.error("flatlang-syntax", {}, "programs are not run yet");
-    return {};
+#include "input/flatlang/interpreter.h"
+#include "input/flatlang/pieces.h"
+#include "input/flatlang/trail_json.h"
+#include "input/text.h"
+
+namespace popup::flatlang {
+namespace {
+
+void tell_ignored_files(const ProgramRun& run, Diagnostics& diagnostics) {
+    const auto tell = [&diagnostics](const std::vector<AskedFile>& files, std::string_view function) {
+        if (files.empty()) return;
+        diagnostics
+            .remark("flatlang-output-ignored", files.back().place,
+                    fmt::format("{}() writes no file here: \"{}\"", function, shown(files.back().name)))
+            .hint("-o FILE says what is written");
+    };
+    tell(run.hpgl, "hpgl");
+    tell(run.laser, "laser");
 }
 
-std::string trail(const Source& /*source*/, const ReadOptions& /*options*/, Diagnostics& /*diagnostics*/) {
-    return {};
+}  // namespace
+
+Reading read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    ProgramRun run = run_program(source, options, diagnostics);
+    Reading reading;
+    reading.printed = std::move(run.printed);
+    reading.files = std::move(run.files);
+    if (diagnostics.has_errors() || run.status == RunStatus::runtime_fail ||
+        run.status == RunStatus::timeout) {
+        return reading;
+    }
+    tell_ignored_files(run, diagnostics);
+    if (!run.card) {
+        reading.parts = make_parts(run.trail, diagnostics);
+        return reading;
+    }
+    if (!run.trail.segments.empty()) {
+        diagnostics
+            .error("flatlang-card-and-parts", run.card->design->page_place,
+                   fmt::format("the program makes a card here, and its turtle draws {} line{} besides",
+                               run.trail.segments.size(), run.trail.segments.size() == 1 ? "" : "s"))
+            .hint("a program makes a card or parts; lift the pen with up(), or write two programs");
+        return reading;
+    }
+    reading.design = std::move(run.card->design);
+    return reading;
+}
+
+std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    return trail_json(run_program(source, options, diagnostics));
 }
 
 }  // namespace popup::flatlang

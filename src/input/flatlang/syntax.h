@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -15,6 +16,7 @@ namespace popup::flatlang {
 class Symbols {
  public:
     int of(std::string_view name);
+    [[nodiscard]] std::optional<int> find(std::string_view name) const;
     [[nodiscard]] const std::string& name(int symbol) const {
         return names_[static_cast<std::size_t>(symbol)];
     }

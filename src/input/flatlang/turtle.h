@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,6 +84,9 @@ class Turtle {
     // too_large leaves the drawing as it was. no_such_mark: likewise; with `all` that is no failure.
     Outcome end_replacement();
 
+    // The trees as the original's showSoup() printed them.
+    [[nodiscard]] std::string describe() const;
+
     // Of all that is recorded.
     [[nodiscard]] std::uint64_t operations() const;
 
@@ -92,7 +95,7 @@ class Turtle {
 
  private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace popup::flatlang

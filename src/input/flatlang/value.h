@@ -54,8 +54,10 @@ struct CellExtras {
     std::vector<std::pair<int, Value>> members;  // by symbol, in the order in which they were set
     std::array<double, 9> numbers{};             // vec: x, y, z; matrix: rows right, heading, up
     FunctionBody function;
-    // The member that this value was last read as, where an assignment goes (2008 only).
-    Value referent_parent;
+    // The member that this value was last read as, and of which cell: an assignment to what was read goes
+    // there. No reference, or objects would keep each other alive: the serial tells whether it still lives.
+    Cell* referent = nullptr;
+    std::uint64_t referent_serial = 0;
     int referent_symbol = -1;
 };
 
@@ -70,11 +72,19 @@ struct Cell {
     Value next;           // the element after this one, or empty
     std::unique_ptr<CellExtras> extras;
     Heap* heap = nullptr;
+    std::uint64_t serial = 0;  // another one each time the cell is used anew
 
     CellExtras& more();
     // The member, or null.
     [[nodiscard]] const Value* member(int symbol) const;
     void set_member(int symbol, Value value);
+    // Where members are kept: of an object, the cell that its references share.
+    Cell& owner() { return type == Type::object ? *first : *this; }
+    // Remembers, and forgets, that this value was read as a member.
+    void set_referent(int symbol, Cell& of);
+    void clear_referent() {
+        if (extras) extras->referent_symbol = -1;
+    }
 };
 
 // Where cells live. Frees long chains without recursion, and everything at its end, cycles too: it outlives
@@ -99,9 +109,9 @@ class Heap {
     Value object(const Value& same_as);
 
     // A new cell with the same value and nothing behind it. Of a list all its elements are copied, deeply;
-    // objects stay the same one. In 2008 mode a matrix comes out transposed. `budget`: how many cells it may
-    // make, and is less by those it made; when that is not enough it is 0 and the copy is nil.
-    Value copy(const Value& value, bool as_2008, std::uint64_t& budget);
+    // objects stay the same one, and a matrix comes out transposed: so the language has it. `budget`: how
+    // many cells it may make, less by those it made; when that is not enough it is 0, and the copy nil.
+    Value copy(const Value& value, std::uint64_t& budget);
 
     // Cells that live.
     [[nodiscard]] std::uint64_t size() const { return size_; }
@@ -113,6 +123,7 @@ class Heap {
     std::vector<std::unique_ptr<Cell[]>> blocks_;
     std::vector<Cell*> free_;
     std::uint64_t size_ = 0;
+    std::uint64_t serials_ = 0;
 };
 
 // Elements of a list, counted.

@@ -1,8 +1,8 @@
-#include "input/drawing/work.h"
+#include "base/work.h"
 
 #include <algorithm>
 
-namespace popup::drawing {
+namespace popup {
 namespace {
 
 bool take(std::size_t& left, std::size_t count) {
@@ -69,4 +69,4 @@ bool Work::crossings(const EdgeIndex& index, std::span<const Segment> segments) 
 
 bool Work::looks(std::size_t count) { return take(looks_left_, count); }
 
-}  // namespace popup::drawing
+}  // namespace popup

@@ -1,4 +1,4 @@
-#include "input/drawing/contours.h"
+#include "base/contours.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,8 @@
 
 #include "base/edge_index.h"
 #include "base/regions.h"
-#include "input/drawing/joining.h"
 
-namespace popup::drawing {
+namespace popup {
 namespace {
 
 // Areas below this are the rounding of a drawing, in mm².
@@ -20,13 +19,10 @@ constexpr double kNoArea = 1e-3;
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 double around(const Ring& ring) {
-    return ring.empty() ? 0.0 : length_of(ring) + distance(ring.back(), ring.front());
-}
-
-// True of regions in which there is room for a disc of radius kDeepMm.
-bool is_deep(const std::vector<Polygon>& regions) {
-    if (area(regions) <= kDeepMm * kDeepMm) return false;
-    return !offset(regions, -kDeepMm, Corners::sharp).empty();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += distance(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+    return sum;
 }
 
 // Where a ring crosses itself first; its first point when that cannot be told.
@@ -308,8 +304,13 @@ class Sorter {
 
 }  // namespace
 
+bool is_deep(const std::vector<Polygon>& regions) {
+    if (area(regions) <= kDeepMm * kDeepMm) return false;
+    return !offset(regions, -kDeepMm, Corners::sharp).empty();
+}
+
 std::optional<Contours> sort_contours(std::vector<ClosedLine> lines, Work& work) {
     return Sorter(std::move(lines), work).run();
 }
 
-}  // namespace popup::drawing
+}  // namespace popup

@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "input/drawing/work.h"
+#include "base/work.h"
 #include "popup/geometry.h"
 
-namespace popup::drawing {
+namespace popup {
 
 // What lies this deep in another thing, in mm, is not just the rounding of a drawing.
 inline constexpr double kDeepMm = 0.01;
+// True of regions in which there is room for a disc of this radius.
+bool is_deep(const std::vector<Polygon>& regions);
 
 struct ClosedContour {
     Ring ring;                  // counter-clockwise, on the grid, does not cross itself, has an area
@@ -55,4 +57,4 @@ struct ClosedLine {
 // nested very deep.
 std::optional<Contours> sort_contours(std::vector<ClosedLine> lines, Work& work);
 
-}  // namespace popup::drawing
+}  // namespace popup

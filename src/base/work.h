@@ -1,4 +1,4 @@
-// How much work a drawing may be. Booleans and indexes are near linear for drawings that people make; for
+// How much work an input may be. Booleans and indexes are near linear for drawings that people make; for
 // others their cost grows with the square, and it is estimated before they are asked.
 #pragma once
 
@@ -9,9 +9,9 @@
 #include "base/edge_index.h"
 #include "popup/geometry.h"
 
-namespace popup::drawing {
+namespace popup {
 
-// The work left for one drawing. Each question takes what it allows, and is false once there is too little.
+// The work left for one input. Each question takes what it allows, and is false once there is too little.
 class Work {
  public:
     // For a boolean or offset of these rings: its cost is for each height of a corner the number of edges
@@ -30,4 +30,4 @@ class Work {
     std::size_t looks_left_ = 300'000'000;
 };
 
-}  // namespace popup::drawing
+}  // namespace popup

@@ -1,0 +1,258 @@
+#include "input/flatlang/pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/regions.h"
+#include "input/flatlang/outlines.h"
+#include "input/flatlang/pen_lines.h"
+#include "input/flatlang/unfold_faces.h"
+
+namespace popup::flatlang {
+namespace {
+
+std::size_t at(int number) { return static_cast<std::size_t>(number); }
+
+// A name on one line.
+std::string clean(const std::string& name) {
+    std::string result;
+    for (const char c : name) {
+        const auto code = static_cast<unsigned char>(c);
+        const bool space = code <= 0x20 || code == 0x7F;
+        if (!space) {
+            result += c;
+        } else if (!result.empty() && result.back() != ' ') {
+            result += ' ';
+        }
+    }
+    while (result.ends_with(' ')) result.pop_back();
+    return result;
+}
+
+// Gives each name once: of equal ones the second is "gear 2". A name that a part was given by its program is
+// never made up for another.
+class Names {
+ public:
+    explicit Names(const Trail& trail) {
+        for (const TrailPart& part : trail.parts) taken_.insert(clean(part.name));
+    }
+
+    std::string fresh(std::string name) {
+        if (name.empty()) name = "piece";
+        int& number = last_[name];
+        if (++number == 1) {
+            taken_.insert(name);
+            return name;
+        }
+        std::string made;
+        do {
+            made = fmt::format("{} {}", name, number++);
+        } while (!taken_.insert(made).second);
+        --number;
+        return made;
+    }
+
+ private:
+    std::set<std::string> taken_;
+    std::map<std::string, int> last_;
+};
+
+// The two ends of what was drawn in one go that are nearest to each other without being one.
+double narrowest_gap_inches(const Trail& trail) {
+    double narrowest = HUGE_VAL;
+    std::vector<std::size_t> all(trail.segments.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    for (const std::vector<Vec3>& line : chained(trail, all)) {
+        if (line.size() < 4) continue;
+        narrowest = std::min(narrowest, distance(line.front(), line.back()) / kMmPerInch);
+    }
+    return narrowest;
+}
+
+class PartMaker {
+ public:
+    PartMaker(const Trail& trail, Diagnostics& diagnostics)
+        : in_(trail), diagnostics_(diagnostics), names_(trail) {}
+
+    std::optional<PartList> run() {
+        auto outlines = find_outlines(in_, work_, diagnostics_);
+        if (!outlines) return std::nullopt;
+        outlines_ = std::move(*outlines);
+        lines_ = sort_segments(in_, outlines_);
+        if (outlines_.faces.empty()) {
+            tell_empty();
+            return std::nullopt;
+        }
+        part_of_face_.assign(outlines_.faces.size(), -1);
+        for (std::size_t begin = 0; begin < outlines_.faces.size();) {
+            std::size_t end = begin;
+            while (end < outlines_.faces.size() && outlines_.faces[end].part == outlines_.faces[begin].part) {
+                ++end;
+            }
+            if (!add_part(begin, end)) return std::nullopt;
+            begin = end;
+        }
+        tell_open_lines();
+        add_lines();
+        return std::move(list_);
+    }
+
+ private:
+    void tell_empty() {
+        const bool drew = !in_.segments.empty();
+        Diagnostic& told = diagnostics_.error(
+            "flatlang-no-parts", {},
+            drew ? fmt::format(
+                       "the program draws no closed outline, so there is no part to cut: none of its {} "
+                       "line{} goes round anything",
+                       in_.segments.size(), in_.segments.size() == 1 ? "" : "s")
+                 : std::string("the program draws nothing with the pen down, so there is no part to cut"));
+        if (!drew) {
+            told.hint("functions draw when they are called; down() puts the pen down");
+            return;
+        }
+        const double gap = narrowest_gap_inches(in_);
+        constexpr double kSlip = 0.05;
+        if (gap > 0.0 && gap < kSlip) {
+            told.hint(fmt::format("a line ends {:.4f} inches from where it began; 0.0001 is the most", gap));
+        } else {
+            told.hint("go back to where the outline began, with the pen down");
+        }
+    }
+
+    // --- the faces of one part of the trail
+
+    bool add_part(std::size_t begin, std::size_t end) {
+        const int number = outlines_.faces[begin].part;
+        const std::span<const Face> faces(&outlines_.faces[begin], end - begin);
+        auto pieces = unfold_faces(faces, number > 0, work_);
+        if (!pieces) {
+            diagnostics_.error("document-too-large", in_.parts[at(number)].place,
+                               "the drawing is too much work: its faces touch one another too often");
+            return false;
+        }
+        std::map<int, std::size_t> in_plane;  // parts of what is flat and not folded, by planes
+        for (Unfolded& piece : *pieces) {
+            std::size_t part = list_.parts.size();
+            if (number > 0) {
+                const bool flat = std::all_of(piece.faces.begin(), piece.faces.end(), [&](const auto& one) {
+                    return faces[at(one.face)].plane == faces[at(piece.faces.front().face)].plane;
+                });
+                if (flat)
+                    part =
+                        in_plane.try_emplace(faces[at(piece.faces.front().face)].plane, part).first->second;
+            }
+            if (part == list_.parts.size()) begin_part(number);
+            if (!add_piece(std::move(piece), part, static_cast<int>(begin))) return false;
+        }
+        return true;
+    }
+
+    void begin_part(int number) {
+        const TrailPart& from = in_.parts[at(number)];
+        Part part;
+        part.name = names_.fresh(clean(from.name));
+        part.place = from.place;
+        nodes_.push_back({part.name, {}, {}});
+        list_.parts.push_back(std::move(part));
+    }
+
+    bool add_piece(Unfolded piece, std::size_t number, int first_face) {
+        Part& part = list_.parts[number];
+        for (const Polygon& region : piece.paper) {
+            for (const Vec2 p : region.outer) {
+                if (std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm) continue;
+                diagnostics_
+                    .error("flatlang-bad-outline", part.place,
+                           fmt::format("part \"{}\" reaches further than {:.0f} m from the middle when it is "
+                                       "unfolded",
+                                       part.name, kFarthestMm / 1e3))
+                    .hint("lengths are in inches");
+                return false;
+            }
+        }
+        part.paper.insert(part.paper.end(), std::make_move_iterator(piece.paper.begin()),
+                          std::make_move_iterator(piece.paper.end()));
+        for (const Crease& crease : piece.creases) {
+            PartLine line;
+            line.kind = crease.angle < 0.0 ? LineKind::mountain : LineKind::valley;
+            line.points = {crease.from, crease.to};
+            if (crease.angle != 0.0) line.fold_angle = std::abs(crease.angle);
+            part.lines.push_back(std::move(line));
+        }
+        for (const Segment& slit : piece.slits) part.slits.push_back({slit.a, slit.b});
+        for (UnfoldedFace& face : piece.faces) {
+            part_of_face_[at(first_face + face.face)] = static_cast<int>(number);
+            for (Polygon& region : face.paper)
+                nodes_[number].faces.push_back({std::move(region), face.frame});
+        }
+        return true;
+    }
+
+    // --- lines
+
+    void tell_open_lines() {
+        if (lines_.open == 0) return;
+        diagnostics_.remark(
+            "flatlang-open-lines", {},
+            fmt::format(
+                "{} line{} {} on no closed outline ({:.1f} mm, {:.2f} inches, altogether) and {} not cut",
+                lines_.open, lines_.open == 1 ? "" : "s", lines_.open == 1 ? "is" : "are",
+                lines_.open_inches * kMmPerInch, lines_.open_inches, lines_.open == 1 ? "is" : "are"));
+    }
+
+    void add_lines() {
+        std::vector<int> first_part(in_.parts.size(), -1);
+        for (std::size_t i = outlines_.faces.size(); i-- > 0;) {
+            first_part[at(outlines_.faces[i].part)] = part_of_face_[i];
+        }
+        std::vector<std::vector<std::size_t>> of_part(list_.parts.size());
+        std::vector<std::vector<std::size_t>> of_none(in_.parts.size());
+        for (std::size_t i = 0; i < in_.segments.size(); ++i) {
+            const int face = lines_.face[i];
+            const int drawn_in = in_.segments[i].part;
+            const int part = face >= 0       ? part_of_face_[at(face)]
+                             : drawn_in == 0 ? -1
+                                             : first_part[at(drawn_in)];
+            if (part >= 0) {
+                of_part[at(part)].push_back(i);
+            } else {
+                of_none[at(drawn_in)].push_back(i);
+            }
+        }
+        for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i].lines = chained(in_, of_part[i]);
+        for (std::size_t i = 0; i < of_none.size(); ++i) {
+            std::vector<std::vector<Vec3>> lines = chained(in_, of_none[i]);
+            if (lines.empty()) continue;
+            const std::string name = i == 0 ? std::string() : clean(in_.parts[i].name);
+            nodes_.push_back({names_.fresh(name.empty() ? "trail" : name), {}, std::move(lines)});
+        }
+        list_.model.emplace(StillModel{std::move(nodes_)});
+    }
+
+    const Trail& in_;
+    Diagnostics& diagnostics_;
+    Names names_;
+    Work work_;
+    Outlines outlines_;
+    PenLines lines_;
+    std::vector<int> part_of_face_;
+    PartList list_;
+    std::vector<StillNode> nodes_;  // one a part, then those of lines
+};
+
+}  // namespace
+
+std::optional<PartList> make_parts(const Trail& trail, Diagnostics& diagnostics) {
+    return PartMaker(trail, diagnostics).run();
+}
+
+}  // namespace popup::flatlang
