@@ -50,7 +50,6 @@ int run_check(const Options& options) {
                          options.sheet_given ? Keep::everything : Keep::findings);
     check_loaded(run, options.messages.file);
     check_loaded(run, options.print.file);
-    if (options.judge.write_baseline) check_loaded(run, options.judge.baseline);
     say_layers(options.messages, run.compilation);
     tell_printed(options, run);
     const bool printed = write_printed(options, run, run.compilation.run_diagnostics);

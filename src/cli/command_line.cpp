@@ -84,6 +84,11 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
         if (!verbs[i]->parsed()) continue;
         command.verb = &verb_table()[i];
         const Settings settings = apply_settings(app, *verbs[i], options);
+        // What is defined for a whole directory need not concern every program in it.
+        constexpr std::string_view kUnused = "flatlang-unused-definition";
+        if (settings.origins.contains("define") && !options.policy.deny.contains(kUnused)) {
+            options.policy.allow.emplace(kUnused);
+        }
         if (options.config.print) return render_settings(*verbs[i], settings);
     }
     return command;

@@ -13,6 +13,7 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 foreach(file bin/popupc include/popup/compile.h share/man/man1/popupc.1 share/man/man1/popupc-build.1 share/man/man5/popup.5 share/man/man7/popupc-cluster.7
+        share/man/man7/popupc-flatlang.7
         share/popupc/popup.xsd share/popupc/cluster/submit.sh share/bash-completion/completions/popupc share/zsh/site-functions/_popupc
         share/fish/vendor_completions.d/popupc.fish)
   if(NOT EXISTS ${prefix}/${file})

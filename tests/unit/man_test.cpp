@@ -296,7 +296,7 @@ TEST(Manual, TheExampleDocumentChecksCleanAndIsCanonical) {
 
 TEST(Manual, MandocFindsNoError) {
     if (!have_program("mandoc")) GTEST_SKIP() << "mandoc is not installed";
-    std::vector<std::string> pages{"popupc.1", "popup.5", "popupc-cluster.7"};
+    std::vector<std::string> pages{"popupc.1", "popup.5", "popupc-cluster.7", "popupc-flatlang.7"};
     for (const std::string& verb : verbs()) pages.push_back("popupc-" + verb + ".1");
     for (const std::string& page : pages) {
         const RunResult result =
