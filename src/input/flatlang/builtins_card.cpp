@@ -60,8 +60,11 @@ void set(const Call& call, const Value& object, std::string_view name, Value val
     object->first->set_member(call.in.symbols.of(name), std::move(value));
 }
 
+// Rounded as all numbers of the language are.
+double rounded(double number) { return static_cast<double>(static_cast<float>(number)); }
+
 void set_number(const Call& call, const Value& object, std::string_view name, double number) {
-    set(call, object, name, call.in.heap.number(number));
+    set(call, object, name, call.in.heap.number(rounded(number)));
 }
 
 Value object_of(const Call& call, std::string text) {
@@ -70,7 +73,9 @@ Value object_of(const Call& call, std::string text) {
     return made;
 }
 
-Value point_value(const Call& call, Vec2 mm) { return call.in.heap.vec({mm.x / kInch, mm.y / kInch, 0.0}); }
+Value point_value(const Call& call, Vec2 mm) {
+    return call.in.heap.vec({rounded(mm.x / kInch), rounded(mm.y / kInch), 0.0});
+}
 
 Value fold_value(const Call& call, std::size_t number, const std::string& text) {
     const PageFold& fold = call.in.card.folds[number];
@@ -258,9 +263,11 @@ Value element(const Call& call) {
     Value made = object_of(call, text);
     set_number(call, made, kElementNumber, static_cast<double>(number));
     set_number(call, made, "page", card.pages[number]);
-    for (std::size_t i = 0; folds && i < kFoldNames.size(); ++i) {
+    // Without a member of that name .left would be the function left().
+    for (std::size_t i = 0; i < kFoldNames.size(); ++i) {
         set(call, made, kFoldNames[i],
-            fold_value(call, *folds + i, fmt::format("{} fold of {}", kFoldNames[i], text)));
+            folds ? fold_value(call, *folds + i, fmt::format("{} fold of {}", kFoldNames[i], text))
+                  : in.heap.nil());
     }
     return made;
 }
@@ -279,7 +286,7 @@ Value named(const Call& call) {
         const Value& value = call.arguments[2];
         const double count = value->number;
         if (value->type != Type::number || !(std::abs(count) < 1e9) || count != std::floor(count)) {
-            refuse_argument(call, 2, value, "a whole number, which is joined to the name");
+            refuse_argument(call, 2, value, "a whole number, which is joined to the name,");
         }
         name += fmt::format("-{:.0f}", count);
     }
@@ -301,8 +308,10 @@ Value draw_line(const Call& call) {
         const double page = where->number;
         wanted.page = page >= 0.0 && page <= card.glued ? static_cast<int>(page) : -1;
         if (wanted.page != page) {
-            refuse(call, {fmt::format("is to draw on page {}, and there are the pages 0 to {} so far",
-                                      number_text(page), card.glued),
+            const std::string pages =
+                card.glued == 0 ? "only page 0" : fmt::format("pages 0 to {}", card.glued);
+            refuse(call, {fmt::format("is to draw on page {}, and the card has {} so far",
+                                      fmt::format("{:.6g}", page), pages),
                           "page 0 is the base page; each glued element adds one, its .page"});
         }
     } else if (const auto number = hidden_number(call, where, kElementNumber)) {
@@ -310,7 +319,7 @@ Value draw_line(const Call& call) {
     } else if (const auto fold = hidden_number(call, where, kFoldNumber)) {
         wanted.fold = fold;
     } else {
-        refuse_argument(call, 0, where, "where to draw: the card, an element, a fold or a page's number");
+        refuse_argument(call, 0, where, "the card, an element, a fold or a page's number");
     }
     wanted.points = arguments.take_points();
     bool colored = false;
@@ -327,7 +336,10 @@ Value draw_line(const Call& call) {
         wanted.color = colors.front();
         colored = true;
     }
-    arguments.end("a point [x, y], a thickness in points of 1/72 inch or a colour",
+    arguments.end(thick && colored ? "nothing more"
+                  : thick          ? "a colour"
+                  : colored        ? "a thickness, in points of 1/72 inch,"
+                                   : "a point [x, y], a thickness in points of 1/72 inch or a colour",
                   "points come first, then one thickness and one colour");
     if (const auto refusal = add_line(card, wanted)) refuse(call, *refusal);
     return call.in.heap.nil();

@@ -34,7 +34,9 @@ bool within_limits(Vec2 p) { return std::abs(p.x) <= kCoordinateLimit && std::ab
 
 std::optional<Refusal> too_far(const std::vector<Vec2>& points) {
     for (const Vec2 p : points) {
-        if (within_limits(p)) continue;  // false of what is not a number, too
+        if (within_limits(p)) continue;
+        if (std::isnan(p.x) || std::isnan(p.y))
+            return Refusal{"has a point whose coordinate is not a number"};
         return Refusal{fmt::format("has the point [{}, {}]; coordinates are at most {} inches", inches(p.x),
                                    inches(p.y), inches(kCoordinateLimit))};
     }
@@ -177,11 +179,6 @@ std::optional<Refusal> add_line(Card& card, const NewLine& wanted) {
         return Refusal{fmt::format("is {:.6g} points thick, and must be from 0 to {:.6g}",
                                    wanted.thickness_pt, kThickestLine)};
     }
-    if (wanted.page < 0 || wanted.page > card.glued) {
-        return Refusal{fmt::format("is to be drawn on page {}, and there are the pages 0 to {} so far",
-                                   wanted.page, card.glued),
-                       "page 0 is the base page; each glued element adds one, counted from 1 in their order"};
-    }
     if (design.lines.size() >= kItemsLimit) {
         return Refusal{
             fmt::format("would be the card's {}th line, and it can have {}", kItemsLimit + 1, kItemsLimit)};
@@ -215,13 +212,13 @@ std::optional<Refusal> add_line(Card& card, const NewLine& wanted) {
 }
 
 std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {
-    if (!is_id(id)) return Refusal{fmt::format("cannot have the name '{}'", shown(id)), std::string(kIdHint)};
-    if (id == "page") return Refusal{"cannot have the name 'page', which is kept for the base page"};
+    if (!is_id(id)) return Refusal{fmt::format("cannot give the name '{}'", shown(id)), std::string(kIdHint)};
+    if (id == "page") return Refusal{"cannot give the name 'page', which is kept for the base page"};
     Structure& made = card.design->structures[structure];
     if (made.id == id) return std::nullopt;
     if (!card.ids.insert(id).second) {
         return Refusal{
-            fmt::format("cannot have the name '{}', which another element has", id),
+            fmt::format("cannot give the name '{}', which another element has", id),
             "in a loop or function give a number besides, as in named(house, \"house\", 3) for house-3"};
     }
     if (made.id_given) card.ids.erase(made.id);

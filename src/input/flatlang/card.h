@@ -69,6 +69,7 @@ struct NewLine {
     Color color{0, 0, 0};
     Place place;
 };
+// Precondition: the card has begun, and its fold or page is there.
 std::optional<Refusal> add_line(Card& card, const NewLine& wanted);
 
 // Gives a structure its id.
