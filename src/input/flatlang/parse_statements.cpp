@@ -7,7 +7,9 @@
 namespace popup::flatlang {
 
 int Parser::resume_after(std::size_t begin) {
-    resume(begin, false);
+    // A statement with a block has looked after its brackets itself.
+    const bool whole = (one(token(begin).kind) & (kCompound | kDefinition)) != 0;
+    resume(whole ? at_ : begin, false);
     return word(token(begin)) == "for" ? 1 : 0;
 }
 
@@ -102,7 +104,7 @@ void Parser::inner_definition() {
                {{around.place, std::string(word(around))}}});
     const std::size_t begin = at_;
     definition();
-    if (failed_) resume(begin, false);
+    if (failed_) resume_after(begin);
 }
 
 bool Parser::close(std::size_t opened, bool broken) {
@@ -298,7 +300,7 @@ int Parser::for_each() {
 
 int Parser::shape() {
     const std::size_t begin = at_;
-    Token title;
+    Token title = here();
     const int body = compound([&] {
         take();
         const bool fits = header([&] {
