@@ -80,19 +80,25 @@ int Parser::block(Kinds after) {
             } else if (kind() == K::kw_done && lost > 0) {
                 --lost;
                 skip();
-            } else if (as_2008_ || kind() == K::kw_done || (at(kBlockEnd) && in_choice())) {
+            } else if (as_2008_ || ends_block()) {
                 break;
-            } else if (!at(kDefinition)) {
-                stray();
-            } else if (here().place.column <= token(open_.back()).place.column) {
-                break;  // a done is missing before it
-            } else {
+            } else if (at(kDefinition)) {
                 inner_definition();
+            } else {
+                stray();
             }
         }
         leave();
         return statements.empty() ? kMissing : make(NodeKind::block, place, std::move(statements));
     });
+}
+
+bool Parser::ends_block() const {
+    const Token& opening = token(open_.back());
+    if (kind() == K::kw_done) return true;
+    if (at(kBlockEnd)) return opening.kind == K::kw_if;
+    // Not deeper than what it would be in: a done is missing before it.
+    return at(kDefinition) && here().place.column <= opening.place.column;
 }
 
 void Parser::inner_definition() {

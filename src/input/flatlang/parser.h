@@ -185,7 +185,8 @@ class Parser {
     // Statements until a word that begins none; kMissing when there are none.
     int block(Kinds after);
 
-    [[nodiscard]] bool in_choice() const { return token(open_.back()).kind == K::kw_if; }
+    // Default mode: whether the innermost block ends here, though not always as it should.
+    [[nodiscard]] bool ends_block() const;
 
     void inner_definition();
 
