@@ -179,7 +179,7 @@ struct Turtle::State {
 
     void add_change(const Pose& to) {
         const Pose here = pose_of(source().cursor);
-        tree.changes().push_back(change(here, to));
+        tree.changes().push_back(as_2008 ? change_of_2008(here, to) : change(here, to));
         add({OperationKind::change, static_cast<int>(tree.changes().size()) - 1, 0});
     }
 };
@@ -208,7 +208,15 @@ bool Turtle::back_to(std::string_view name) {
 
 Pose Turtle::pose() {
     recalculate();
-    return state_->pose_of(state_->source().cursor);
+    Pose pose = state_->pose_of(state_->source().cursor);
+    if (state_->as_2008) {
+        // What follows from them hangs on it to the last bit.
+        for (Vec3* axis : {&pose.right, &pose.heading, &pose.up}) {
+            const double size = length(*axis);
+            *axis = {axis->x / size, axis->y / size, axis->z / size};
+        }
+    }
+    return pose;
 }
 
 void Turtle::recalculate() {
