@@ -11,6 +11,7 @@
 #include "popup/check.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
+#include "popup/part_list.h"
 #include "popup/profile.h"
 
 namespace popup {
@@ -30,12 +31,14 @@ struct OutputOptions {
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 
-// One design as a scene: how it is built and how it moves. `prefix` ("castle:") goes before every name, may
-// be empty.
+// One design as a scene: how it is built and how it moves; or parts that stand still. `prefix` ("castle:")
+// goes before every name, may be empty.
 struct SceneCard {
     const Assembly* assembly = nullptr;
     const Motion* motion = nullptr;
     std::string prefix;
+    const StillModel* still = nullptr;  // then there is neither assembly nor motion
+    std::string stem;                   // of a still, the name of its source; else the assembly has it
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.

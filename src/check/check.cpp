@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "check/fold_index.h"
 #include "check/paper.h"
@@ -38,7 +39,7 @@ struct Checker {
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
     bool may_stand(const Structure& structure, const Placing& placing);
-    void keep_ghost(const Placing& placing, const Element& before);
+    void keep_ghost(const Element& before);
     void drop(Structure& structure);
     void renumber_pages();
     const Fold& fold_of(const FoldMatch& match) const {
@@ -152,24 +153,16 @@ bool Checker::may_stand(const Structure& structure, const Placing& placing) {
     return true;
 }
 
-void Checker::keep_ghost(const Placing& placing, const Element& before) {
+void Checker::keep_ghost(const Element& before) {
     const FoldLines lines = lines_of(element_row(*before.info), before);
     if (!finite(lines)) return;
-    const int extra = before.extra_page;
-    const auto page_of = [&](std::size_t role, bool right) {
-        if (extra < 0) return placing.element.site.left_page;
-        if (role == kLeftFold && !right) return placing.element.site.left_page;
-        if (role == kRightFold && right) return placing.element.site.right_page;
-        return extra;
-    };
     for (std::size_t role = 0; role < kFoldRoles; ++role) {
         Fold ghost;
         ghost.owner = before.paint.id;
         ghost.on_left = lines[role].on_left;
         ghost.on_right = lines[role].on_right;
-        ghost.left_page = page_of(role, false);
-        ghost.right_page = page_of(role, true);
-        ghost.seam = extra >= 0 && role != kCentreFold;
+        std::tie(ghost.left_page, ghost.right_page) = pages_of_fold(before, static_cast<FoldRole>(role));
+        ghost.seam = before.info->glued && role != kCentreFold;
         ghosts.push_back(ghost);
         index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[role], true,
                   options.tolerances.rounding_mm);
@@ -218,11 +211,11 @@ void Checker::check_structure(std::size_t number) {
     const auto match = find_fold(structure, placing);
     if (!match) {
         placing.look_along_given_line();
-        keep_ghost(placing, placing.authored_element());
+        keep_ghost(placing.authored_element());
         return;
     }
     if (match->ghost) {
-        keep_ghost(placing, placing.authored_element());
+        keep_ghost(placing.authored_element());
         if (options.drop) drop(structure);
         return;
     }
@@ -265,7 +258,7 @@ void Checker::check_structure(std::size_t number) {
     const Element before = placing.authored_element();
     broken = broken || !row.constrain(element);
     if (broken) {
-        keep_ghost(placing, before);
+        keep_ghost(before);
         if (degenerate && options.drop) drop(structure);
         return;
     }

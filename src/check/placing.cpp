@@ -174,7 +174,7 @@ void Placing::stand_between(std::pair<double, double> alive, double fold_length)
 }
 
 void Placing::exchange(bool extra_too) {
-    const auto partners = element_row(*element.info).partners;
+    const auto partners = element.info->partners;
     for (std::size_t i = 0; i < partners.size(); ++i) {
         const auto j = static_cast<std::size_t>(partners[i]);
         if (j <= i || (!extra_too && element.info->points[i].page == PointPage::extra)) continue;
@@ -341,7 +341,7 @@ Element Placing::authored_element() const {
 
 std::vector<Placing::PagePoint> Placing::page_points() const {
     std::vector<PagePoint> now(points_.size());
-    const auto partners = element_row(*element.info).partners;
+    const auto partners = element.info->partners;
     for (std::size_t i = 0; i < points_.size(); ++i) {
         // A turned element is written as its author wrote it: the other way round.
         const std::size_t to = turned ? static_cast<std::size_t>(partners[i]) : i;

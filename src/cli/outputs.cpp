@@ -93,7 +93,15 @@ std::vector<SceneCard> scene_of(const Compilation& compilation) {
     std::vector<SceneCard> cards;
     const bool several = compilation.designs.size() > 1;
     for (const CompiledDesign& one : compilation.designs) {
-        cards.push_back({&*one.assembly, &*one.motion, several ? one.stem + ":" : std::string()});
+        SceneCard& card = cards.emplace_back();
+        if (several) card.prefix = one.stem + ":";
+        if (one.parts) {
+            card.still = &*one.parts->model;
+            card.stem = one.stem;
+        } else {
+            card.assembly = &*one.assembly;
+            card.motion = &*one.motion;
+        }
     }
     return cards;
 }
@@ -120,17 +128,22 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
         format.write);
 }
 
-// Parts that do not move have sheets and a report, and no more.
-void check_parts(const std::string& input, const std::vector<PlannedOutput>& outputs,
+// Parts that do not move have sheets and a report; also a model, where their language says how they stand.
+void check_parts(const std::string& input, bool has_model, const std::vector<PlannedOutput>& outputs,
                  const std::optional<Emit>& emit) {
     const auto refuse = [&](const std::string& what) {
-        throw UsageError(fmt::format("{}: this describes flat parts, and has no {}", input, what),
-                         {"of flat parts there are sheets (.svg, .pdf), the report (.json), and --emit "
-                          "pattern or layout"});
+        throw UsageError(
+            fmt::format("{}: this describes flat parts, and has no {}", input, what),
+            {fmt::format("of flat parts there are sheets (.svg, .pdf), {}the report (.json), and "
+                         "--emit pattern or layout",
+                         has_model ? "the still model (.glb, .gltf), " : "")});
     };
     for (const PlannedOutput& output : outputs) {
-        if (std::holds_alternative<SceneWriter>(output.format->write)) {
+        if (std::holds_alternative<SceneWriter>(output.format->write) && !has_model) {
             refuse(fmt::format("moving model for {}", output.path));
+        }
+        if (output.format->suffix == ".fold") {
+            refuse(fmt::format("motion to fold for {}", output.path));
         }
         if (std::holds_alternative<DocumentWriter>(output.format->write)) {
             refuse(fmt::format("popup document for {}", output.path));
@@ -248,7 +261,7 @@ std::vector<PlannedOutput> plan_outputs(const Options& options) {
     for (const std::string& name : options.inputs.names) {
         const Language* language = find_language(Source{name, {}}, options.inputs.language);
         if (name != "-" && language != nullptr && language->only_parts) {
-            check_parts(name, planned, build.emit);
+            check_parts(name, false, planned, build.emit);
         }
     }
     if (build.emit == Emit::trail && planned.empty() && !print.empty()) {
@@ -290,9 +303,11 @@ Stage needed_stage(const std::vector<PlannedOutput>& outputs, const std::optiona
 
 std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutput>& outputs,
                                                    const Options& options, Compilation& compilation) {
-    // Of standard input it is known only now.
+    // Of programs and of standard input it is known only now.
     for (const CompiledDesign& one : compilation.designs) {
-        if (one.parts) check_parts(one.source.name, outputs, options.build.emit);
+        if (one.parts) {
+            check_parts(one.source.name, one.parts->model.has_value(), outputs, options.build.emit);
+        }
     }
     const bool has_sheets = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
         return std::holds_alternative<SheetWriter>(output.format->write);

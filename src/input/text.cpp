@@ -1,5 +1,6 @@
 #include "input/text.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace popup {
@@ -8,6 +9,12 @@ std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
     return text;
+}
+
+bool is_id(std::string_view text) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    const auto more = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '-'; };
+    return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), more);
 }
 
 std::string lower(std::string_view text) {

@@ -11,6 +11,11 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c
 // Without XML's blanks at either end.
 std::string_view trimmed(std::string_view text);
 
+// Can be an element's id: [A-Za-z_][A-Za-z0-9_.-]*
+bool is_id(std::string_view text);
+inline constexpr std::string_view kIdHint =
+    "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and \"-\"";
+
 // With ASCII letters in lower case.
 std::string lower(std::string_view text);
 

@@ -130,15 +130,12 @@ FoldLines fold_lines(const Element& e) {
     const Vec2 f = e.site.on_page(Side::right, e.on[F]);
     const SlitCentre centre = slit_centre(e.site, s, dir, e.on[C], e.on[F]);
     const auto line = [d = dir](Vec2 inner, Vec2 outer) {
-        const Segment segment = d > 0 ? Segment{inner, outer} : Segment{outer, inner};
-        return FoldLine{segment, segment};
+        return d > 0 ? Segment{inner, outer} : Segment{outer, inner};
     };
-    FoldLines folds;
-    folds[kLeftFold] = line(b, c);
-    folds[kCentreFold] =
-        line(centre.meet(b, g).value_or(lerp(b, g, 0.5)), centre.meet(c, f).value_or(lerp(c, f, 0.5)));
-    folds[kRightFold] = line(g, f);
-    return folds;
+    return slit_folds(
+        e.site, line(b, c),
+        line(centre.meet(b, g).value_or(lerp(b, g, 0.5)), centre.meet(c, f).value_or(lerp(c, f, 0.5))),
+        line(g, f));
 }
 
 void lower(const Element& e, Builder& builder) {
@@ -164,8 +161,7 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "angled-step", inverted, false, about, kPoints},
-            kPartners,
+    return {{name, code, "angled-step", inverted, false, about, kPoints, kPartners},
             span,
             constrain,
             fold_lines,

@@ -58,15 +58,8 @@ FoldLines fold_lines(const Element& e) {
     const Vec2 end = e.site.on_page(Side::right, e.on[E]);
     const SlitCentre centre = slit_centre(e.site, e.on[A].s, dir, e.on[B], e.on[E]);
     const Vec2 c = centre.meet(b, end).value_or(lerp(b, end, 0.5));
-    const auto line = [&](Vec2 tip) {
-        const Segment s = dir > 0 ? Segment{a, tip} : Segment{tip, a};
-        return FoldLine{s, s};
-    };
-    FoldLines folds;
-    folds[kLeftFold] = line(b);
-    folds[kCentreFold] = line(c);
-    folds[kRightFold] = line(end);
-    return folds;
+    const auto line = [&](Vec2 tip) { return dir > 0 ? Segment{a, tip} : Segment{tip, a}; };
+    return slit_folds(e.site, line(b), line(c), line(end));
 }
 
 void lower(const Element& e, Builder& builder) {
@@ -90,8 +83,7 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "beak", inverted, false, about, kPoints},
-            kPartners,
+    return {{name, code, "beak", inverted, false, about, kPoints, kPartners},
             span,
             constrain,
             fold_lines,

@@ -49,6 +49,7 @@ struct CutOut {
 // Geometry only: one fold an element makes, as `fold_lines` of its row derives it from its points.
 struct FoldLine {
     Segment on_left, on_right;
+    int closed_deg = 0;  // as of Fold
 };
 // An element's three folds, in this order everywhere.
 enum FoldRole { kLeftFold, kCentreFold, kRightFold, kFoldRoles };

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mechanism/builder.h"
@@ -52,8 +53,6 @@ struct Element {
 // One row: facts and functions. Adding an element is one file and one such row.
 struct ElementRow {
     ElementInfo info;
-    // For each point its partner on the other side, by index into info.points.
-    std::span<const int> partners;
     // The stretch [lo, hi] of the parent fold that must still be there, from unrepaired points.
     std::pair<double, double> (*stands_on)(const Element&);
     // Repairs; false after failed().
@@ -69,5 +68,8 @@ struct ElementRow {
 // All rows, in the order of element_table().
 std::span<const ElementRow> element_rows();
 const ElementRow& element_row(const ElementInfo& info);
+
+// On which pages one of the element's folds is drawn, on its left and on its right.
+std::pair<int, int> pages_of_fold(const Element& element, FoldRole role);
 
 }  // namespace popup

@@ -228,6 +228,15 @@ Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_poi
     return bar;
 }
 
+FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right) {
+    const int like = site.mountain ? 360 : 0;
+    FoldLines folds;
+    folds[kLeftFold] = {left, left, like};
+    folds[kCentreFold] = {centre, centre, 360 - like};
+    folds[kRightFold] = {right, right, like};
+    return folds;
+}
+
 void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
     const Site& site = element.site;
     const int page = site.left_page;
@@ -243,15 +252,22 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi,
                      id);
 
-    const int like = site.mountain ? 360 : 0;
-    const auto fold = [&](FoldRole role, int left_plate, int right_plate, int closed_deg) {
+    const auto fold = [&](FoldRole role, int left_plate, int right_plate) {
         const FoldLine& line = folds[static_cast<std::size_t>(role)];
-        builder.add_fold(
-            {left_plate, right_plate, page, page, line.on_left, line.on_right, closed_deg, false, id, {}});
+        builder.add_fold({left_plate,
+                          right_plate,
+                          page,
+                          page,
+                          line.on_left,
+                          line.on_right,
+                          line.closed_deg,
+                          false,
+                          id,
+                          {}});
     };
-    fold(kLeftFold, site.left_plate, left, like);
-    fold(kCentreFold, left, right, 360 - like);
-    fold(kRightFold, right, site.right_plate, like);
+    fold(kLeftFold, site.left_plate, left);
+    fold(kCentreFold, left, right);
+    fold(kRightFold, right, site.right_plate);
 
     Joint joint;
     joint.kind = JointKind::half_turn;
@@ -278,28 +294,11 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const FoldLine& l = folds[kLeftFold];
     const FoldLine& c = folds[kCentreFold];
     const FoldLine& r = folds[kRightFold];
-    builder.add_fold({site.left_plate,
-                      left,
-                      site.left_page,
-                      page,
-                      l.on_left,
-                      l.on_right,
-                      shape.seam_closed_deg,
-                      true,
-                      id,
-                      {}});
     builder.add_fold(
-        {left, right, page, page, c.on_left, c.on_right, shape.centre_closed_deg, false, id, {}});
-    builder.add_fold({right,
-                      site.right_plate,
-                      page,
-                      site.right_page,
-                      r.on_left,
-                      r.on_right,
-                      shape.seam_closed_deg,
-                      true,
-                      id,
-                      {}});
+        {site.left_plate, left, site.left_page, page, l.on_left, l.on_right, l.closed_deg, true, id, {}});
+    builder.add_fold({left, right, page, page, c.on_left, c.on_right, c.closed_deg, false, id, {}});
+    builder.add_fold(
+        {right, site.right_plate, page, site.right_page, r.on_left, r.on_right, r.closed_deg, true, id, {}});
 
     // Glue looks along the seam with the piece on its right: the tab then lies on the left of it on the
     // piece's page, and covers the right of it on the base.

@@ -63,6 +63,10 @@ Bar angled_bar(const Site& site, Side side, double apex_s, int dir, SitePoint se
 Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_point, Vec2 own_along,
                  Vec2 own_across, double far);
 
+// The folds of a 90° element: those at its sides close like the fold it stands on, the one between them the
+// other way.
+FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right);
+
 // A 90° element's shape, in site coordinates of the left side (w positive to the left of the fold).
 struct SlitShape {
     Ring left, right;                // the two element plates, page coordinates
@@ -80,8 +84,6 @@ struct GluedShape {
     std::vector<Segment> edges;  // free edges of the piece
     bool parallel = false;
     Bar left_bar, right_bar;
-    int centre_closed_deg = 360;
-    int seam_closed_deg = 0;
 };
 void lower_glued(const Element& element, Builder& builder, const FoldLines& folds, GluedShape shape);
 

@@ -95,10 +95,7 @@ bool constrain(Element& e) {
 
 FoldLines fold_lines(const Element& e) {
     const bool up = e.on[B].s >= e.on[A].s;
-    const auto line = [&](Vec2 a, Vec2 b) {
-        const Segment s = up ? Segment{a, b} : Segment{b, a};
-        return FoldLine{s, s};
-    };
+    const auto line = [&](Vec2 a, Vec2 b) { return up ? Segment{a, b} : Segment{b, a}; };
     const Vec2 a = e.site.on_page(Side::left, e.on[A]);
     const Vec2 b = e.site.on_page(Side::left, e.on[B]);
     const Vec2 g = e.site.on_page(Side::right, e.on[G]);
@@ -106,11 +103,7 @@ FoldLines fold_lines(const Element& e) {
     const double p = 0.5 * (e.on[A].w + e.on[B].w);
     const double q = 0.5 * (e.on[G].w + e.on[H].w);
     const double t = std::abs(p + q) > 1e-9 ? q / (p + q) : 0.5;
-    FoldLines folds;
-    folds[kLeftFold] = line(a, b);
-    folds[kCentreFold] = line(lerp(a, g, t), lerp(b, h, t));
-    folds[kRightFold] = line(g, h);
-    return folds;
+    return slit_folds(e.site, line(a, b), line(lerp(a, g, t), lerp(b, h, t)), line(g, h));
 }
 
 void lower(const Element& e, Builder& builder) {
@@ -135,8 +128,7 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "step", inverted, false, about, kPoints},
-            kPartners,
+    return {{name, code, "step", inverted, false, about, kPoints, kPartners},
             span,
             constrain,
             fold_lines,

@@ -228,10 +228,13 @@ FoldLines fold_lines(const Element& e) {
     const double wide = width(e);
     const double t = std::abs(wide) > 1e-9 ? left_far(e) / wide : 0.5;
     const Segment centre = line({lerp(e.extra[G], e.extra[K], t), lerp(e.extra[H], e.extra[L], t)});
+    const int seams = e.site.mountain ? 180 : 0;
     FoldLines folds;
-    folds[kLeftFold] = {line(e.site.segment(Side::left, e.on[A], e.on[B])), line({e.extra[G], e.extra[H]})};
-    folds[kCentreFold] = {centre, centre};
-    folds[kRightFold] = {line({e.extra[K], e.extra[L]}), line(e.site.segment(Side::right, e.on[E], e.on[F]))};
+    folds[kLeftFold] = {line(e.site.segment(Side::left, e.on[A], e.on[B])), line({e.extra[G], e.extra[H]}),
+                        seams};
+    folds[kCentreFold] = {centre, centre, 360};
+    folds[kRightFold] = {line({e.extra[K], e.extra[L]}), line(e.site.segment(Side::right, e.on[E], e.on[F])),
+                         seams};
     return folds;
 }
 
@@ -249,16 +252,13 @@ void lower(const Element& e, Builder& builder) {
     shape.parallel = true;
     shape.left_bar = parallel_bar(e.site, Side::left, e.on[A], e.extra[G], along, across, far);
     shape.right_bar = parallel_bar(e.site, Side::right, e.on[E], e.extra[K], along, -across, width(e) - far);
-    shape.centre_closed_deg = 360;
-    shape.seam_closed_deg = e.site.mountain ? 180 : 0;
     lower_glued(e, builder, folds, std::move(shape));
 }
 
 }  // namespace
 
 const ElementRow kTent = {
-    {"tent", 8, "tent", false, true, "a piece glued along two seams beside the fold", kPoints},
-    kPartners,
+    {"tent", 8, "tent", false, true, "a piece glued along two seams beside the fold", kPoints, kPartners},
     stands_on,
     constrain,
     fold_lines,

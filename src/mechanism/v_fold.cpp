@@ -217,10 +217,14 @@ FoldLines fold_lines(const Element& e) {
     const Vec2 from = e.extra[E];
     const auto end = centre_end(e);
     const Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
+    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
+    // inverted one's.
+    const int centre = e.inverted ? 0 : 360;
+    const int seams = e.inverted == e.site.mountain ? 0 : 180;
     FoldLines folds;
-    folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}};
-    folds[kCentreFold] = {{from, f}, {from, f}};
-    folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C])};
+    folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}, seams};
+    folds[kCentreFold] = {{from, f}, {from, f}, centre};
+    folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C]), seams};
     return folds;
 }
 
@@ -247,16 +251,11 @@ void lower(const Element& e, Builder& builder) {
     shape.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
     shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
-    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
-    // inverted one's.
-    shape.centre_closed_deg = e.inverted ? 0 : 360;
-    shape.seam_closed_deg = e.inverted == e.site.mountain ? 0 : 180;
     lower_glued(e, builder, fold_lines(e), std::move(shape));
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "v-fold", inverted, true, about, kPoints},
-            kPartners,
+    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners},
             stands_on,
             constrain,
             fold_lines,

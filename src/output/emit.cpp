@@ -290,10 +290,12 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
                       })},
         {"lines", list(piece.lines,
                        [&](const PatternLine& line) {
-                           return Json{{"kind", to_string(line.kind)},
-                                       {"at", json(line.at)},
-                                       {"plate", plate(line.plate)},
-                                       {"glued_on", line.glued_on}};
+                           Json one{{"kind", to_string(line.kind)},
+                                    {"at", json(line.at)},
+                                    {"plate", plate(line.plate)},
+                                    {"glued_on", line.glued_on}};
+                           if (line.fold_angle) one["fold_deg"] = degrees(*line.fold_angle);
+                           return one;
                        })},
         {"fills", list(piece.fills,
                        [&](const Fill& fill) {

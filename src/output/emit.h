@@ -50,9 +50,9 @@ std::string emit_assembly(const Assembly& assembly);
 std::string emit_motion(const Assembly& assembly, const Motion& motion);
 
 // {pieces: [{name, bounds: [min, max] or null,
-//    cuts: [{closed, depth, points}], lines: [{kind, at, plate, glued_on}], fills: [{plate, color, area:
-//    polygon}], strokes: [{plate, points, width_mm, color}], targets: [{plate, outline}], labels: [{kind,
-//    text, at, height_mm, angle_deg}], silhouette: [polygon]}]}
+//    cuts: [{closed, depth, points}], lines: [{kind, at, plate, glued_on, fold_deg where it is known}],
+//    fills: [{plate, color, area: polygon}], strokes: [{plate, points, width_mm, color}], targets: [{plate,
+//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon]}]}
 std::string emit_pattern(const Pattern& pattern);
 
 // {margin_mm, sheets: [{size_mm, utilisation, used_mm}], leftover_mm: [min, max] or null,

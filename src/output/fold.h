@@ -32,8 +32,8 @@ namespace popup {
 // mountains; those of B and J edges are 0.
 //
 // Errors: `locks` where a linkage cannot reach an angle; `model-too-large` for files of more than about 2 GB.
-// Preconditions: at least one card; assemblies are present (motions may be missing). Cost: vertices × angles,
-// and sorting.
+// Preconditions: at least one card; assemblies are present (motions may be missing), stills are not. Cost:
+// vertices × angles, and sorting.
 std::optional<std::string> write_fold(std::span<const SceneCard> cards, const OutputOptions& options,
                                       Diagnostics& diagnostics);
 

@@ -7,12 +7,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <streambuf>
 #include <utility>
 
 #include "base/numbers.h"
+#include "base/triangulate.h"
 #include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"
@@ -24,6 +26,8 @@ namespace {
 constexpr double kMetre = 1000.0;
 constexpr double kDrawnLiftMm = 0.02;   // of drawn lines before the paper
 constexpr Color kCollision{255, 0, 0};  // of plates that cross others
+constexpr Color kStillPaper{255, 255, 255};
+constexpr Color kStillLine{0, 0, 0};
 constexpr int kLengthDecimals = 6;
 constexpr std::size_t kSharedIndices = 24;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
@@ -86,9 +90,55 @@ class View {
     std::vector<unsigned char> bytes_;
 };
 
-enum Surface { kPaper, kDrawn, kColliding };
+enum Surface { kPaper, kDrawn, kColliding, kTrail };
 
-enum ViewIndex : std::size_t { kPositions, kNormals, kShortIndices, kLongIndices, kMotion, kViews };
+enum ViewIndex : std::size_t {
+    kPositions,
+    kNormals,
+    kFaceNormals,
+    kShortIndices,
+    kLongIndices,
+    kMotion,
+    kViews
+};
+
+// What stands still, as points of space.
+struct StillMesh {
+    std::vector<Vec3> points;   // mm
+    std::vector<Vec3> normals;  // of lines none
+    std::vector<std::uint32_t> indices;
+};
+
+StillMesh mesh_of(const std::vector<StillFace>& faces) {
+    StillMesh mesh;
+    for (const StillFace& face : faces) {
+        const Triangulation flat = triangulate(face.shape);
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        for (const Vec2 p : flat.points) {
+            mesh.points.push_back(face.frame.point(p));
+            mesh.normals.push_back(face.frame.normal());
+        }
+        for (const auto& triangle : flat.triangles) {
+            for (const std::uint32_t corner : triangle) mesh.indices.push_back(first + corner);
+        }
+    }
+    return mesh;
+}
+
+// Lines as pairs of points.
+StillMesh mesh_of(const std::vector<std::vector<Vec3>>& lines) {
+    StillMesh mesh;
+    for (const std::vector<Vec3>& line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (i > 0) {
+                const auto end = static_cast<std::uint32_t>(mesh.points.size());
+                mesh.indices.insert(mesh.indices.end(), {end - 1, end});
+            }
+            mesh.points.push_back(line[i]);
+        }
+    }
+    return mesh;
+}
 
 class SceneBuilder {
  public:
@@ -99,16 +149,24 @@ class SceneBuilder {
         model_.asset.generator = "popupc " POPUP_VERSION;
         add_times(keys.angles_deg);
         tinygltf::Scene scene;
-        double left = 0.0;  // where the next card may begin
+        double left = 0.0;       // where the next card may begin
+        std::size_t moving = 0;  // how many of them there were
         for (std::size_t i = 0; i < cards.size(); ++i) {
+            const bool still = cards[i].still != nullptr;
             double shift = 0.0;
             if (cards.size() > 1) {
-                const auto [low, high] = extent(*cards[i].assembly, keys.trees[i], keys.tracks[i]);
+                const auto [low, high] =
+                    still ? extent(*cards[i].still)
+                          : extent(*cards[i].assembly, keys.trees[moving], keys.tracks[moving]);
                 if (i > 0) shift = left - low;
                 left = shift + high + kCardGapMm;
             }
-            scene.nodes.push_back(add_card(cards[i], keys.trees[i], keys.tracks[i], shift));
-            keys.tracks[i] = {};
+            if (still) {
+                scene.nodes.push_back(add_still(cards[i], shift));
+                continue;
+            }
+            scene.nodes.push_back(add_card(cards[i], keys.trees[moving], keys.tracks[moving], shift));
+            keys.tracks[moving++] = {};
         }
         model_.scenes.push_back(std::move(scene));
         model_.defaultScene = 0;
@@ -142,7 +200,9 @@ class SceneBuilder {
         if (!is_new) return at->second;
         const bool drawn = surface == kDrawn;
         tinygltf::Material material;
-        material.name = surface == kColliding ? "collision" : to_string(color) + (drawn ? " line" : "");
+        material.name = surface == kColliding ? "collision"
+                        : surface == kTrail   ? "trail"
+                                              : to_string(color) + (drawn ? " line" : "");
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
                                                          1.0};
         material.pbrMetallicRoughness.metallicFactor = 0.0;
@@ -197,25 +257,62 @@ class SceneBuilder {
         views_[kNormals].append(std::span<const std::array<float, 3>>(all));
     }
 
+    tinygltf::Primitive primitive(const StillMesh& mesh, Color color, Surface surface) {
+        std::vector<float> positions;
+        positions.reserve(3 * mesh.points.size());
+        std::array<float, 3> low{};
+        std::array<float, 3> high{};
+        for (const Vec3 p : mesh.points) {
+            const std::array<float, 3> at{metres(p.x), metres(p.y), metres(p.z)};
+            for (std::size_t k = 0; k < 3; ++k) {
+                low.at(k) = positions.empty() ? at.at(k) : std::min(low.at(k), at.at(k));
+                high.at(k) = positions.empty() ? at.at(k) : std::max(high.at(k), at.at(k));
+            }
+            positions.insert(positions.end(), at.begin(), at.end());
+        }
+        tinygltf::Primitive result;
+        result.mode = surface == kTrail ? TINYGLTF_MODE_LINE : TINYGLTF_MODE_TRIANGLES;
+        result.material = material(color, surface);
+        const int position =
+            add_accessor(kPositions, views_[kPositions].append(std::span<const float>(positions)),
+                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.points.size());
+        model_.accessors.back().minValues.assign(low.begin(), low.end());
+        model_.accessors.back().maxValues.assign(high.begin(), high.end());
+        result.attributes["POSITION"] = position;
+        if (!mesh.normals.empty()) {
+            std::vector<float> normals;
+            normals.reserve(3 * mesh.normals.size());
+            for (const Vec3 n : mesh.normals) {
+                for (const double one : {n.x, n.y, n.z})
+                    normals.push_back(static_cast<float>(rounded(one, 9)));
+            }
+            result.attributes["NORMAL"] =
+                add_accessor(kFaceNormals, views_[kFaceNormals].append(std::span<const float>(normals)),
+                             TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.normals.size());
+        }
+        result.indices = add_indices(mesh.indices, mesh.points.size());
+        return result;
+    }
+
     // Most plates have four corners: equal short lists of triangles share one accessor.
     int indices(const MeshPart& part) {
-        if (part.indices.size() > kSharedIndices) return add_indices(part);
+        if (part.indices.size() > kSharedIndices) return add_indices(part.indices, part.points.size());
         const auto [at, is_new] = indices_.try_emplace(part.indices, 0);
-        if (is_new) at->second = add_indices(part);
+        if (is_new) at->second = add_indices(part.indices, part.points.size());
         return at->second;
     }
 
-    int add_indices(const MeshPart& part) {
-        const std::size_t count = part.indices.size();
+    int add_indices(const std::vector<std::uint32_t>& indices, std::size_t points) {
+        const std::size_t count = indices.size();
         // The largest 16-bit number is kept for a restart of primitives.
-        if (part.points.size() < std::numeric_limits<std::uint16_t>::max()) {
-            const std::vector<std::uint16_t> small(part.indices.begin(), part.indices.end());
+        if (points < std::numeric_limits<std::uint16_t>::max()) {
+            const std::vector<std::uint16_t> small(indices.begin(), indices.end());
             return add_accessor(kShortIndices,
                                 views_[kShortIndices].append(std::span<const std::uint16_t>(small)),
                                 TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, count);
         }
         return add_accessor(kLongIndices,
-                            views_[kLongIndices].append(std::span<const std::uint32_t>(part.indices)),
+                            views_[kLongIndices].append(std::span<const std::uint32_t>(indices)),
                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
     }
 
@@ -251,6 +348,23 @@ class SceneBuilder {
         return {rounded(result.first, kLengthDecimals), rounded(result.second, kLengthDecimals)};
     }
 
+    static std::pair<double, double> extent(const StillModel& still) {
+        std::pair<double, double> result{HUGE_VAL, -HUGE_VAL};
+        const auto take = [&](Vec3 p) {
+            result = {std::min(result.first, p.x), std::max(result.second, p.x)};
+        };
+        for (const StillNode& node : still.nodes) {
+            for (const StillFace& face : node.faces) {
+                for (const Vec2 p : face.shape.outer) take(face.frame.point(p));
+            }
+            for (const std::vector<Vec3>& line : node.lines) {
+                for (const Vec3 p : line) take(p);
+            }
+        }
+        if (result.first > result.second) return {0.0, 0.0};
+        return {rounded(result.first, kLengthDecimals), rounded(result.second, kLengthDecimals)};
+    }
+
     // What each plate's node says of the plates it crosses.
     static std::vector<tinygltf::Value::Array> collisions_of(const SceneCard& card) {
         const std::vector<Plate>& plates = card.assembly->plates;
@@ -271,16 +385,45 @@ class SceneBuilder {
         return all;
     }
 
+    // The number of the node that all of a card's are below.
+    int add_root(const SceneCard& card, std::string_view stem, std::string_view nameless, double shift) {
+        tinygltf::Node node;
+        const std::string_view prefix = card.prefix;
+        node.name = valid_utf8(prefix.ends_with(':') ? prefix.substr(0, prefix.size() - 1) : stem);
+        if (node.name.empty()) node.name = nameless;
+        if (shift != 0.0) node.translation = metres(Vec3{shift, 0.0, 0.0});
+        model_.nodes.push_back(std::move(node));
+        return static_cast<int>(model_.nodes.size()) - 1;
+    }
+
+    // The number of the node of all parts; theirs follow it in their order.
+    int add_still(const SceneCard& card, double shift) {
+        const int root = add_root(card, card.stem, "parts", shift);
+        for (const StillNode& node : card.still->nodes) {
+            tinygltf::Node one;
+            one.name = valid_utf8(card.prefix + node.name);
+            tinygltf::Mesh mesh;
+            mesh.name = one.name;
+            const StillMesh paper = mesh_of(node.faces);
+            if (!paper.indices.empty()) mesh.primitives.push_back(primitive(paper, kStillPaper, kPaper));
+            const StillMesh lines = mesh_of(node.lines);
+            if (!lines.indices.empty()) mesh.primitives.push_back(primitive(lines, kStillLine, kTrail));
+            if (!mesh.primitives.empty()) {
+                one.mesh = static_cast<int>(model_.meshes.size());
+                model_.meshes.push_back(std::move(mesh));
+            }
+            if (!node.faces.empty()) one.extras = tinygltf::Value({{"part", tinygltf::Value(one.name)}});
+            const int number = static_cast<int>(model_.nodes.size());
+            model_.nodes.push_back(std::move(one));
+            model_.nodes[static_cast<std::size_t>(root)].children.push_back(number);
+        }
+        return root;
+    }
+
     // The number of the card's node; its plates' nodes follow it in the assembly's order.
     int add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
         const Assembly& assembly = *card.assembly;
-        const int root = static_cast<int>(model_.nodes.size());
-        tinygltf::Node node;
-        const std::string_view prefix = card.prefix;
-        node.name = valid_utf8(prefix.ends_with(':') ? prefix.substr(0, prefix.size() - 1) : assembly.stem);
-        if (node.name.empty()) node.name = "card";
-        if (shift != 0.0) node.translation = metres(Vec3{shift, 0.0, 0.0});
-        model_.nodes.push_back(std::move(node));
+        const int root = add_root(card, assembly.stem, "card", shift);
 
         const auto rest = static_cast<std::size_t>(
             std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), 90.0) -
@@ -363,7 +506,7 @@ class SceneBuilder {
             view.buffer = 0;
             view.byteOffset = buffer.data.size();
             view.byteLength = views_.at(i).bytes().size();
-            if (i == kPositions || i == kNormals) {
+            if (i == kPositions || i == kNormals || i == kFaceNormals) {
                 view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
                 view.byteStride = 3 * sizeof(float);
             } else if (i != kMotion) {
@@ -412,7 +555,10 @@ class StringBuffer : public std::streambuf {
 std::optional<std::string> write(std::span<const SceneCard> cards, const OutputOptions& options,
                                  Diagnostics& diagnostics, bool binary) {
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
-    auto keys = choose_keys(cards, options, diagnostics);
+    std::vector<SceneCard> moving;
+    std::copy_if(cards.begin(), cards.end(), std::back_inserter(moving),
+                 [](const SceneCard& card) { return card.still == nullptr; });
+    auto keys = moving.empty() ? std::optional<Keys>(Keys{}) : choose_keys(moving, options, diagnostics);
     if (!keys) return std::nullopt;
     const tinygltf::Model model = SceneBuilder(options).build(cards, std::move(*keys));
     const double bytes = model.buffers.empty() ? 0.0 : static_cast<double>(model.buffers[0].data.size());

@@ -1,9 +1,11 @@
 // Parts that do not move, as pieces.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "base/edge_index.h"
+#include "base/numbers.h"
 #include "pattern/chain.h"
 #include "pattern/labels.h"
 #include "popup/pattern.h"
@@ -12,19 +14,36 @@ namespace popup {
 namespace {
 
 constexpr std::array kFoldKinds{LineKind::mountain, LineKind::valley, LineKind::seam};
+// Folds whose angles, in radians, are the same to so many decimals are one where they meet in line.
+constexpr int kAngleDecimals = 6;
 
-void add_segments(const std::vector<Vec2>& points, std::vector<TaggedSegment>& segments) {
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) segments.push_back({{points[i], points[i + 1]}, -1});
+void add_segments(const std::vector<Vec2>& points, int tag, std::vector<TaggedSegment>& segments) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) segments.push_back({{points[i], points[i + 1]}, tag});
 }
 
 void add_lines(const Part& part, PatternPiece& piece) {
     for (const LineKind kind : kFoldKinds) {
         std::vector<TaggedSegment> segments;
+        // Tags are numbers of angles, so that folds by different angles stay apart.
+        std::vector<double> angles;
+        std::map<double, int> numbers;
         for (const PartLine& line : part.lines) {
-            if (line.kind == kind) add_segments(line.points, segments);
+            if (line.kind != kind) continue;
+            int tag = -1;
+            if (line.fold_angle) {
+                const double angle = rounded(*line.fold_angle, kAngleDecimals);
+                const auto [place, fresh] = numbers.try_emplace(angle, static_cast<int>(angles.size()));
+                if (fresh) angles.push_back(*line.fold_angle);
+                tag = place->second;
+            }
+            add_segments(line.points, tag, segments);
         }
-        for (const TaggedSegment& one : merged(std::move(segments)))
-            piece.lines.push_back({kind, one.at, -1});
+        for (const TaggedSegment& one : merged(std::move(segments))) {
+            PatternLine& line = piece.lines.emplace_back();
+            line.kind = kind;
+            line.at = one.at;
+            if (one.tag >= 0) line.fold_angle = angles[static_cast<std::size_t>(one.tag)];
+        }
     }
     for (const PartLine& line : part.lines) {
         if (line.kind != LineKind::mark) continue;

@@ -68,7 +68,21 @@ GlbPart read_part(const tinygltf::Model& model, const tinygltf::Primitive& primi
     for (std::size_t i = 0; i < points.count(); ++i) {
         part.points.push_back({points.number(i, 0), points.number(i, 1), points.number(i, 2)});
     }
+    if (const auto normals = primitive.attributes.find("NORMAL"); normals != primitive.attributes.end()) {
+        const Values all(model, normals->second);
+        expect(all.count() == points.count(), "there are not as many normals as points");
+        for (std::size_t i = 0; i < all.count(); ++i) {
+            part.normals.push_back({all.number(i, 0), all.number(i, 1), all.number(i, 2)});
+        }
+    }
     const Values indices(model, primitive.indices);
+    if (primitive.mode == TINYGLTF_MODE_LINE) {
+        for (std::size_t i = 0; i + 1 < indices.count(); i += 2) {
+            part.lines.push_back({static_cast<std::uint32_t>(indices.number(i, 0)),
+                                  static_cast<std::uint32_t>(indices.number(i + 1, 0))});
+        }
+        return part;
+    }
     for (std::size_t i = 0; i + 2 < indices.count(); i += 3) {
         std::array<std::uint32_t, 3> triangle{};
         for (std::size_t k = 0; k < 3; ++k)
@@ -83,6 +97,7 @@ GlbNode read_node(const tinygltf::Model& model, const tinygltf::Node& from) {
     GlbNode node;
     node.name = from.name;
     if (from.extras.Has("plate")) node.plate = from.extras.Get("plate").Get<std::string>();
+    if (from.extras.Has("part")) node.part = from.extras.Get("part").Get<std::string>();
     if (from.extras.Has("piece")) node.piece = from.extras.Get("piece").Get<std::string>();
     std::copy(from.translation.begin(), from.translation.end(), node.translation.begin());
     std::copy(from.rotation.begin(), from.rotation.end(), node.rotation.begin());

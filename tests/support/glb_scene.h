@@ -17,12 +17,14 @@ struct GlbPart {
     Point3 color{};  // linear light, 0 to 1
     bool double_sided = false;
     std::vector<Point3> points;
+    std::vector<Point3> normals;  // of each point; lines have none
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<std::uint32_t, 2>> lines;  // of a part that is lines
 };
 
 struct GlbNode {
     std::string name;
-    std::string plate, piece;  // of its extras
+    std::string plate, piece, part;  // of its extras
     int parent = -1;
     Point3 translation{};
     std::array<double, 4> rotation{0, 0, 0, 1};

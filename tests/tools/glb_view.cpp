@@ -89,12 +89,17 @@ Shapes shapes_at(const GlbScene& scene, double angle_deg) {
             for (const auto& t : part.triangles) {
                 Face face;
                 for (std::size_t k = 0; k < 3; ++k) face.at.at(k) = poses[i].point(part.points[t.at(k)]);
-                face.normal = poses[i].axes[2];
+                face.normal =
+                    part.normals.empty() ? poses[i].axes[2] : poses[i].direction(part.normals[t[0]]);
                 face.color = part.color;
                 face.double_sided = part.double_sided;
                 shapes.faces.push_back(face);
             }
             if (part.double_sided) add_outline(part, poses[i], shapes);
+            for (const auto& line : part.lines) {
+                shapes.edges.push_back(
+                    {poses[i].point(part.points[line[0]]), poses[i].point(part.points[line[1]]), part.color});
+            }
         }
     }
     return shapes;

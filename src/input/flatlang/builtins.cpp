@@ -29,6 +29,16 @@ define backto(name) __backto(name) done
 define part(name) __part(name) done
 define object(name) __named_object(name) done
 
+define turtle(size) __turtle_triangle(size / 4) __turtle_triangle(size) done
+define __turtle_triangle(side)
+  left(90)
+  forward(side / 2)
+  repeat(2) right(120) forward(side) done
+  right(120)
+  forward(side / 2)
+  right(90)
+done
+
 define cons(element, list) __cons(element, list) done
 define first(list) __first(list) done
 define rest(list) __rest(list) done

@@ -183,6 +183,16 @@ Value show_soup(const Call& call) {
 
 Value nothing(const Call& call) { return call.in.heap.nil(); }
 
+Value type_of(const Call& call) { return call.in.heap.text(std::string(type_name(call.arguments[0]->type))); }
+
+Value fail(const Call& call) {
+    constexpr std::size_t kMost = 1000;
+    const auto text = [&](std::size_t i) {
+        return i < call.arguments.size() ? to_text(call.arguments[i], call.in.symbols, kMost) : std::string();
+    };
+    return call.in.fail_program(call.place, text(0), text(1));
+}
+
 constexpr std::array kBuiltins{
     Builtin{"print", 0, -1, print},
     Builtin{"pprint", 0, -1, pprint},
@@ -191,6 +201,8 @@ constexpr std::array kBuiltins{
     Builtin{"source", 1, 1, source},
     Builtin{"load", 1, 1, load},
     Builtin{"__named_object", 1, 1, object},
+    Builtin{"__type", 1, 1, type_of},
+    Builtin{"__fail", 1, 2, fail},
     Builtin{"clear", 0, -1, clear},
     Builtin{"__hpgl", 1, 1, ask_for<&ProgramRun::hpgl>},
     Builtin{"laser", 1, 1, ask_for<&ProgramRun::laser>},

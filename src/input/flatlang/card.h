@@ -1,16 +1,82 @@
-// Pop-up cards that programs write: popup() and one builtin an element.
+// Pop-up cards that programs write: what popup() and the builtins of elements make of their arguments.
+//
+// Lengths are millimetres here. Every fold is a gutter of its own: places beside it have x to its right and y
+// along it, from its begin to its end, and its middle as origin. On the gutter that is the base page's own
+// coordinates. Points of a glued piece have the coordinates of the piece's page.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "popup/design.h"
+#include "popup/files.h"
+#include "popup/mechanism.h"
 
 namespace popup::flatlang {
 
 // The card of a program, if it makes one.
 struct Card {
-    std::optional<Design> design;  // from the call of popup() on
+    std::optional<Design> design;  // from the call of popup() on; ids that are not given are empty
+    Place place;                   // of that call
+    std::vector<PageFold> folds;   // on which elements can stand, the gutter first
+    std::vector<int> pages;        // of each structure: of its piece, or the one it is cut from
+    int glued = 0;                 // structures with a page of their own
+    std::size_t points = 0;        // of all structures and lines
+    std::set<std::string> ids;     // that are given
 };
+
+// Why something cannot be had: a sentence without its subject ("is 12 m wide …"), and what would mend it.
+struct Refusal {
+    std::string what;
+    std::string hint = {};
+};
+
+struct NewCard {
+    double width_mm = 279.4, height_mm = 215.9;
+    std::optional<Color> left, right;
+    Place place;
+};
+// Begins the card; its gutter is fold 0. Precondition: there is none yet.
+std::optional<Refusal> begin_card(Card& card, const NewCard& wanted);
+
+struct NewElement {
+    const ElementInfo* info = nullptr;
+    std::size_t fold = 0;  // of Card::folds
+    // In the row's order: all of them, or all but those with a partner on their left, whose mirror images
+    // these then are (about the fold; on a piece's page about x = 0).
+    std::vector<Vec2> points;
+    std::optional<Color> left, right, left_tab, right_tab;
+    Place place;
+};
+// Appends the structure; on success `folds` is the first of its left, centre and right fold in Card::folds.
+// Empty: it makes none. Precondition: the card has begun, and its fold is there.
+std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::optional<std::size_t>& folds);
+
+// How many points a call may give if it leaves out what is mirrored.
+std::size_t points_without_mirrored(const ElementInfo& info);
+// "A (left), B (left), G (right), H (right)".
+std::string letters_of(const ElementInfo& info);
+
+// Where a line is drawn: a page, or beside a fold.
+struct NewLine {
+    std::optional<std::size_t> fold;
+    int page = 0;
+    std::vector<Vec2> points;
+    double thickness_pt = 1.0;
+    Color color{0, 0, 0};
+    Place place;
+};
+// Precondition: the card has begun, and its fold or page is there.
+std::optional<Refusal> add_line(Card& card, const NewLine& wanted);
+
+// Gives a structure its id.
+std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id);
+
+// The card as other languages would have written it: named as its source, and every structure with an id.
+// Precondition: the card has begun.
+Design finished(Card card, const Source& source);
 
 }  // namespace popup::flatlang

@@ -348,6 +348,10 @@ Value Evaluation::call(const Node& at) {
 Value Evaluation::call_function(const Node& at, const Value& function, std::span<Value> arguments) {
     const FunctionBody body = function->extras->function;
     const Node& definition = body.syntax->nodes[static_cast<std::size_t>(body.node)];
+    if (definition.parameters.size() == 1 && definition.parameters.front() == state_.arguments) {
+        Value all = list_of(arguments, at.place);
+        return run_function(at, body, {&all, 1});
+    }
     if (arguments.size() != definition.parameters.size()) {
         in_.warn("flatlang-argument-count", at.place,
                  fmt::format("{}() takes {} argument{}, not {}; it is not called",
@@ -355,6 +359,11 @@ Value Evaluation::call_function(const Node& at, const Value& function, std::span
                              definition.parameters.size() == 1 ? "" : "s", arguments.size()));
         return in_.heap.nil();
     }
+    return run_function(at, body, arguments);
+}
+
+Value Evaluation::run_function(const Node& at, const FunctionBody& body, std::span<const Value> arguments) {
+    const Node& definition = body.syntax->nodes[static_cast<std::size_t>(body.node)];
     const ProgramLimits& limits = state_.options.program.limits;
     if (state_.calls >= limits.depth) {
         in_.fail_limit(at.place, fmt::format("calls stand {} deep within each other", limits.depth),
@@ -385,15 +394,23 @@ Value Evaluation::call_function(const Node& at, const Value& function, std::span
     run_block(block);
     state_.unit = state_.callers.back().unit;
     state_.callers.pop_back();
-    if (in_.as_2008()) {
-        scopes.hide_below_newest(false);
-    } else {
-        scopes.hide_below(hidden);
-    }
+    // What was returned may stand in a scope that the caller does not see.
+    scopes.hide_below_newest(false);
+    scopes.hide_below(0);
     Value value = in_.lookup_returned();
+    scopes.hide_below(hidden);
     scopes.pop();
     --state_.calls;
     return value;
+}
+
+void Evaluation::run_at_end() {
+    const Value function = in_.lookup(state_.at_end);
+    if (function->type != Type::function) return;
+    const Node nowhere;
+    state_.unit = state_.program;
+    call_function(nowhere, function, {});
+    state_.unit = nullptr;
 }
 
 Value Evaluation::element(const Node& at) {
@@ -418,6 +435,18 @@ Value Evaluation::element(const Node& at) {
         value = std::move(next);
     }
     return value;
+}
+
+// What a call is given, as a list of it would be.
+Value Evaluation::list_of(std::span<const Value> values, Place place) {
+    Value made = in_.heap.list({});
+    Value last;
+    for (const Value& value : values) {
+        Value element = in_.copied(value, place);
+        (last ? last->next : made->first) = element;
+        last = std::move(element);
+    }
+    return made;
 }
 
 Value Evaluation::list(const Node& at) {

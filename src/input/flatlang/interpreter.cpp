@@ -55,6 +55,8 @@ Interpreter::Interpreter(const Source& source, const ReadOptions& options, Diagn
     s.z = symbols.of("z");
     s.text = symbols.of("__str__");
     s.quote = symbols.of("quote");
+    s.arguments = symbols.of("__arguments");
+    s.at_end = symbols.of("__at_end");
 }
 
 Interpreter::~Interpreter() = default;
@@ -76,11 +78,19 @@ std::pair<Place, std::string> Interpreter::located(Place place) const {
 }
 
 Value Interpreter::fail(Place place, std::string what, std::string hint) {
-    State& s = *state_;
     const auto [at, where] = located(place);
+    return fail_at(at, where + what, std::move(hint));
+}
+
+Value Interpreter::fail_program(Place place, std::string what, std::string hint) {
+    return fail_at(program_place(place), std::move(what), std::move(hint));
+}
+
+Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
+    State& s = *state_;
     // What the original swallowed is no error of the program.
     const Severity severity = as_2008() && s.running > 1 ? Severity::warning : Severity::error;
-    Diagnostic& told = s.diagnostics.add(severity, "flatlang-runtime", at, where + what);
+    Diagnostic& told = s.diagnostics.add(severity, "flatlang-runtime", place, std::move(what));
     if (!hint.empty()) told.hint(std::move(hint));
     throw Stopped{RunStatus::runtime_fail};
 }
@@ -308,6 +318,7 @@ void Interpreter::run_program_text() {
     s.steps = 0;
     try {
         Evaluation(*this, s).run_statements(*s.program, s.program->root);
+        Evaluation(*this, s).run_at_end();
     } catch (const Stopped& stopped) {
         s.failed = true;
         if (result.status == RunStatus::ok) result.status = stopped.status;

@@ -72,6 +72,8 @@ class Interpreter {
     // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
     // while the program winds up are not told.
     Value fail(Place place, std::string what, std::string hint = {});
+    // Likewise, for what the kit finds wrong: told of the program's own call alone.
+    Value fail_program(Place place, std::string what, std::string hint);
     // Ends the program: `what` is used up. `option` is the one that moves the limit.
     [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.
@@ -105,6 +107,7 @@ class Interpreter {
 
  private:
     [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
+    Value fail_at(Place place, std::string what, std::string hint);
     Value run_text(std::string name, const std::string& text, Place place);
     void define_globals();
     void tell_unused_definitions();

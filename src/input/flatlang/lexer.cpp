@@ -201,10 +201,7 @@ class Lexer {
 
     void half_operator() {
         step();
-        if (!as_2008_) {
-            fault(LexicalFault::half_operator, token_.place);
-            return emit(TokenKind::unequal);
-        }
+        if (!as_2008_) return fault(LexicalFault::half_operator, token_.place);
         fault(LexicalFault::half_operator, place_);
         step_character();
         step_character();

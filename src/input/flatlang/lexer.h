@@ -84,11 +84,11 @@ struct Lexed {
     std::vector<LexicalError> errors;
 };
 
-// In 2008 mode half a word is dropped as the original did, with the character that was wrong and, for
-// keywords, the one behind it. In default mode `2.` is the number 2, what stands in for a keyword is that
-// keyword, and half an operator is the whole one, so that one mistake is told once. A text that is not closed
-// is dropped in both, and ends the program. A byte order mark at the beginning is passed over. Lines end with
-// \n; columns count code points. Any bytes may come. Cost: linear.
+// Any bytes may come. In 2008 mode half a word is dropped as the original did, with the character that was
+// wrong and, but for numbers, the one behind it. In default mode `2.` is the number 2, `for` and a blank are
+// `for each`, and half an operator and a glued name are left out, so that one mistake is told once. A text
+// that is not closed is dropped in both, and ends the program. A byte order mark at the beginning is passed
+// over. Lines end with \n; columns count code points. Cost: linear.
 Lexed lex(std::string_view text, bool as_2008);
 
 // As it is written in a program: "done", "(", "for each"; for kinds that are many, what they are: "a name".

@@ -27,6 +27,8 @@ constexpr double kAskewMm = 1e-3 * kMmPerInch;
 constexpr double kNormalCell = 2e-3;
 constexpr double kDistanceCell = 0.5;
 
+constexpr std::string_view kLiftPen = "lift the pen with up() on the way from one outline to the next";
+
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -182,6 +184,7 @@ class Finder {
         for (const std::vector<int>& polygons : in_plane_) {
             if (!add_faces(polygons)) return too_large();
         }
+        tell_loose();
         if (bad_) return std::nullopt;
         put_in_order();
         return std::move(out_);
@@ -288,9 +291,13 @@ class Finder {
 
     void tell(const Contours& contours, int part, const Frame& frame) {
         for (const CrossedContour& one : contours.crossed) {
-            const std::string message = fmt::format("{} has a loop that crosses or touches itself at {}",
-                                                    part_text(in_, part), spot(frame.point(one.at)));
-            tell_unclear(part, message, "all that it goes round was taken for paper");
+            const Vec3 where = frame.point(one.at);
+            if (part == 0) {
+                if (crossed_++ == 0) crossed_at_ = where;
+                continue;
+            }
+            tell_unclear(part, fmt::format("{} has a loop that crosses or touches itself at {}",
+                                           part_text(in_, part), spot(where)));
         }
         for (const ContourOverlap& one : contours.overlaps) {
             const ClosedContour& a = contours.all[at(one.a)];
@@ -303,23 +310,48 @@ class Finder {
                                      message + "; what is left of the part is what both leave");
                 continue;
             }
-            tell_unclear(part, message, "each makes a piece of its own");
+            if (part != 0) {
+                tell_unclear(part, message);
+            } else if (overlaps_++ == 0 || one.area_mm2 > largest_mm2_) {
+                largest_mm2_ = one.area_mm2;
+                largest_at_ = frame.point(one.at);
+            }
         }
     }
 
-    void tell_unclear(int part, const std::string& message, std::string_view taken) {
-        constexpr std::string_view kHint = "lift the pen with up() on the way from one outline to the next";
-        if (part == 0) {
-            diagnostics_
-                .warning("flatlang-outlines-overlap", in_.parts[at(part)].place,
-                         fmt::format("{}; {}", message, taken))
-                .hint(std::string(kHint))
-                .hint("name what belongs together with part()");
-            return;
-        }
+    void tell_unclear(int part, const std::string& message) {
         error(part, message)
-            .hint(std::string(kHint))
+            .hint(std::string(kLiftPen))
             .hint("begin a part for each piece with part(), if they are several");
+    }
+
+    // Of what is drawn before the first part, once: it may be all of a program of many pieces.
+    void tell_loose() {
+        if (crossed_ > 0) {
+            diagnostics_
+                .warning(
+                    "flatlang-outlines-overlap", {},
+                    crossed_ == 1
+                        ? fmt::format("a loop drawn before the first part crosses or touches itself, at {}; "
+                                      "all that it goes round was taken for paper",
+                                      spot(crossed_at_))
+                        : fmt::format("{} loops drawn before the first part cross or touch themselves, the "
+                                      "first at {}; all that each goes round was taken for paper",
+                                      crossed_, spot(crossed_at_)))
+                .hint(std::string(kLiftPen));
+        }
+        if (overlaps_ > 0) {
+            diagnostics_
+                .warning(
+                    "flatlang-outlines-overlap", {},
+                    fmt::format(
+                        "{} drawn before the first part overlap partly, by {}{:.2f} mm², at {}; each loop "
+                        "makes a piece of its own",
+                        overlaps_ == 1 ? "two loops" : fmt::format("{} pairs of loops", overlaps_),
+                        overlaps_ == 1 ? "" : "up to ", largest_mm2_, spot(largest_at_)))
+                .hint(std::string(kLiftPen))
+                .hint("name what belongs together with part()");
+        }
     }
 
     bool make_faces(const Contours& contours, int part, int plane, const Frame& frame) {
@@ -387,6 +419,12 @@ class Finder {
     std::vector<std::vector<int>> in_plane_;
     Outlines out_;
     bool bad_ = false;
+    // Of what is drawn before the first part:
+    int crossed_ = 0;   // loops that cross themselves
+    Vec3 crossed_at_;   // the first of them
+    int overlaps_ = 0;  // pairs of loops
+    double largest_mm2_ = 0.0;
+    Vec3 largest_at_;
 };
 
 }  // namespace

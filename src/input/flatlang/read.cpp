@@ -46,7 +46,7 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
             .hint("a program makes a card or parts; lift the pen with up(), or write two programs");
         return reading;
     }
-    reading.design = std::move(run.card->design);
+    reading.design = finished(std::move(*run.card), source);
     return reading;
 }
 

@@ -62,6 +62,8 @@ struct Interpreter::State {
     int x = -1, y = -1, z = -1;
     int text = -1;  // __str__
     int quote = -1;
+    int arguments = -1;  // __arguments: a function whose only parameter is this takes any number
+    int at_end = -1;     // __at_end: a function of this name is called when the program has ended
     bool failed = false;
 
     // Null: none is of this name.
@@ -81,6 +83,8 @@ class Evaluation {
  public:
     Evaluation(Interpreter& in, Interpreter::State& state) : in_(in), state_(state) {}
     void run_statements(const Syntax& unit, int block);
+    // What loaded files have left for the end of the program, if they have.
+    void run_at_end();
 
  private:
     struct Level;
@@ -103,8 +107,10 @@ class Evaluation {
     Value assign(const Node& at);
     Value call(const Node& at);
     Value call_function(const Node& at, const Value& function, std::span<Value> arguments);
+    Value run_function(const Node& at, const FunctionBody& body, std::span<const Value> arguments);
     Value element(const Node& at);
     Value list(const Node& at);
+    Value list_of(std::span<const Value> values, Place place);
     Value member(const Node& at);
     Value negated(const Node& at);
     Value arithmetic(const Node& at);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/nearest.h"
+#include "input/design_limits.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
@@ -27,17 +28,7 @@
 namespace popup::xml {
 namespace {
 
-// Longer lists than this are refused, to bound the memory.
-constexpr std::size_t kItemsLimit = 250'000;
-
 constexpr std::array<std::string_view, 2> kVersions{"2.0", "3.0"};
-
-// [A-Za-z_][A-Za-z0-9_.-]*
-bool is_id(std::string_view text) {
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-    const auto more = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '-'; };
-    return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), more);
-}
 
 class DocumentReader {
  public:
@@ -215,9 +206,7 @@ class DocumentReader {
         const std::string id(trimmed(text->decoded));
         if (!is_id(id)) {
             reporter_.error("bad-id", text->place, fmt::format("'{}' cannot be an id", shown(id)))
-                .hint(
-                    "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and "
-                    "\"-\"");
+                .hint(std::string(kIdHint));
             return;
         }
         if (id == "page") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "input/design_limits.h"
 #include "input/xml/number.h"
 #include "input/xml/read.h"
 #include "input/xml/units.h"

@@ -5,17 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "input/design_limits.h"
 #include "input/xml/fields.h"
 #include "popup/design.h"
 
 namespace popup::xml {
-
-// Coordinates further out than this, in mm, are mistakes.
-inline constexpr double kCoordinateLimit = 1e6;
-// More points than this in one document are refused, to bound the memory.
-inline constexpr std::size_t kPointsLimit = 1'000'000;
-// Pages beyond this are mistakes.
-inline constexpr int kPageLimit = 1'000'000;
 
 // Reads values of one document. Whatever is wrong is an error, and the value nullopt.
 class Values {

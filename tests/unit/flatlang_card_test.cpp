@@ -1,0 +1,521 @@
+// Cards that FlatLang programs write.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanism/builder.h"
+#include "popup/mechanism.h"
+#include "support/designs.h"
+#include "support/run_program.h"
+
+namespace popup {
+namespace {
+
+constexpr double kNear = 2e-4;  // mm: what rounding to float leaves of a number in inches
+
+Reading run(const std::string& program, Diagnostics& diagnostics, const ReadOptions& options = {}) {
+    return read_source_text({"card.fl", program}, options, diagnostics);
+}
+
+// The card; the test fails where the program has findings.
+Design design_of(const std::string& program) {
+    Diagnostics diagnostics;
+    const Reading reading = run(program, diagnostics);
+    EXPECT_EQ(test::findings(diagnostics), "") << program;
+    EXPECT_TRUE(reading.design) << program;
+    return reading.design.value_or(Design{});
+}
+
+// "12:3 message (hint)" of the only finding.
+std::string complaint(const std::string& program) {
+    Diagnostics diagnostics;
+    const Reading reading = run(program, diagnostics);
+    EXPECT_FALSE(reading.design) << program;
+    const auto all = diagnostics.sorted();
+    EXPECT_EQ(all.size(), 1U) << program << "\n" << test::findings(diagnostics);
+    if (all.empty()) return {};
+    EXPECT_EQ(all[0].code, "flatlang-runtime");
+    std::string text = fmt::format("{}:{} {}", all[0].place.line, all[0].place.column, all[0].message);
+    for (const std::string& hint : all[0].hints) text += " (" + hint + ")";
+    return text;
+}
+
+void expect_point(const DesignPoint& a, const DesignPoint& b, int fold_page, const std::string& what) {
+    EXPECT_NEAR(a.at.x, b.at.x, kNear) << what;
+    EXPECT_NEAR(a.at.y, b.at.y, kNear) << what;
+    EXPECT_EQ(a.page.value_or(fold_page), b.page.value_or(fold_page)) << what;
+}
+
+// All but ids, places and what only texts have.
+void expect_same(const Design& a, const Design& b) {
+    EXPECT_EQ(a.version, b.version);
+    EXPECT_NEAR(a.width_mm, b.width_mm, kNear);
+    EXPECT_NEAR(a.height_mm, b.height_mm, kNear);
+    EXPECT_EQ(a.left, b.left);
+    EXPECT_EQ(a.right, b.right);
+    ASSERT_EQ(a.structures.size(), b.structures.size());
+    for (std::size_t n = 0; n < a.structures.size(); ++n) {
+        const Structure& s = a.structures[n];
+        const Structure& t = b.structures[n];
+        const std::string what = fmt::format("{} {}", t.type, n + 1);
+        EXPECT_EQ(s.type, t.type);
+        EXPECT_EQ(s.left, t.left) << what;
+        EXPECT_EQ(s.right, t.right) << what;
+        EXPECT_EQ(s.left_tab, t.left_tab) << what;
+        EXPECT_EQ(s.right_tab, t.right_tab) << what;
+        EXPECT_EQ(s.fold.page, t.fold.page) << what;
+        expect_point(s.fold.begin, t.fold.begin, 0, what);
+        expect_point(s.fold.end, t.fold.end, 0, what);
+        ASSERT_EQ(s.points.size(), t.points.size()) << what;
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const bool extra = find_element(t.type)->points[i].page == PointPage::extra;
+            expect_point(s.points[i], t.points[i], extra ? 0 : t.fold.page,
+                         fmt::format("{}, point {}", what, i));
+        }
+    }
+    ASSERT_EQ(a.lines.size(), b.lines.size());
+    for (std::size_t n = 0; n < a.lines.size(); ++n) {
+        EXPECT_EQ(a.lines[n].page, b.lines[n].page);
+        EXPECT_EQ(a.lines[n].color, b.lines[n].color);
+        EXPECT_NEAR(a.lines[n].thickness_pt, b.lines[n].thickness_pt, 1e-5);
+        ASSERT_EQ(a.lines[n].points.size(), b.lines[n].points.size());
+        for (std::size_t i = 0; i < a.lines[n].points.size(); ++i)
+            expect_point(a.lines[n].points[i], b.lines[n].points[i], 0, fmt::format("line {}", n));
+    }
+}
+
+std::string point_text(Vec2 inches) { return fmt::format("[{:.9f}, {:.9f}]", inches.x, inches.y); }
+
+// The name of the row's builtin with each hyphen as `joint`.
+std::string builtin_name(const ElementInfo& info, std::string_view joint) {
+    std::string name;
+    for (const char c : info.name) name += c == '-' ? std::string(joint) : std::string(1, c);
+    return name;
+}
+
+// Any points, no two alike, left ones on the left: reading asks no more of them.
+std::vector<Vec2> some_points(const ElementInfo& info) {
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < info.points.size(); ++i) {
+        const double side = info.points[i].side == 'L' ? -1.0 : info.points[i].side == 'R' ? 1.0 : 0.0;
+        const auto n = static_cast<double>(i);
+        points.push_back({side * (1.0 + 0.25 * n), 0.125 * n * n - 1.0});
+    }
+    return points;
+}
+
+// Every element has a builtin because it has a row, and it says what the XML document of these points says.
+TEST(FlatLangCard, EveryRowOfTheElementTableIsABuiltin) {
+    for (const ElementInfo& info : element_table()) {
+        const std::vector<Vec2> points = some_points(info);
+        std::string arguments;
+        std::string xml = fmt::format(
+            "<popup version=\"{}\"><mainpage width=\"9\" height=\"7\"><leftcolor>#ffffff</leftcolor>"
+            "<rightcolor>#abcdef</rightcolor></mainpage><structurelist><structure type=\"{}\">"
+            "<leftcolor>#ff0000</leftcolor><rightcolor>#00ff00</rightcolor><lefttabcolor>#0000ff</"
+            "lefttabcolor>"
+            "<righttabcolor>#010203</righttabcolor><parentfold page=\"0\"><begin x=\"0\" y=\"-3.5\"/>"
+            "<end x=\"0\" y=\"3.5\"/></parentfold><outerpoints>",
+            info.code < 0 ? "3.0" : "2.0", info.name);
+        for (const Vec2 p : points) {
+            arguments += point_text(p) + ", ";
+            xml += fmt::format("<point x=\"{}\" y=\"{}\"/>", p.x, p.y);
+        }
+        xml += "</outerpoints></structure></structurelist></popup>";
+        Diagnostics diagnostics;
+        const auto wanted = read_design({"card.xml", xml}, {}, diagnostics);
+        ASSERT_TRUE(wanted) << test::findings(diagnostics);
+        for (const std::string_view joint : {"_", ""}) {
+            SCOPED_TRACE(builtin_name(info, joint));
+            expect_same(design_of(fmt::format("card = popup(9, 7, \"white\", \"#abcdef\")\n"
+                                              "{}(card.gutter, {}\"red\", \"#0f0\", \"blue\", \"1,2,3\")",
+                                              builtin_name(info, joint), arguments)),
+                        *wanted);
+        }
+    }
+    EXPECT_EQ(design_of("vfold(popup(), [-1, 1], [0, 0], [-2, 2], [0, 1], [-1, 4])").structures[0].type,
+              "v-fold");
+    EXPECT_EQ(
+        design_of("inverted_vfold(popup(), [-1, 1], [0, 0], [-2, 2], [0, 1], [-1, 4])").structures[0].type,
+        "inverted-v-fold");
+}
+
+TEST(FlatLangCard, OfAnEvenElementTheLeftSideIsEnough) {
+    for (const ElementInfo& info : element_table()) {
+        SCOPED_TRACE(info.name);
+        std::vector<Vec2> all = some_points(info);
+        std::string half;
+        std::string whole;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Vec2 partner = all[static_cast<std::size_t>(info.partners[i])];
+            if (info.points[i].side == 'R') all[i] = {-partner.x, partner.y};
+        }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            whole += ", " + point_text(all[i]);
+            if (info.points[i].side != 'R') half += ", " + point_text(all[i]);
+        }
+        const std::string call = "c = popup()\n" + builtin_name(info, "_") + "(c.gutter";
+        expect_same(design_of(call + half + ")"), design_of(call + whole + ")"));
+    }
+}
+
+TEST(FlatLangCard, PointsAreVectorsListsOfTwoNumbersOrListsOfPoints) {
+    const Design wanted = design_of("beak(popup(), [0, 1.5], [-1.25, 0.5], [1.25, 0.5])");
+    expect_same(design_of("up() forward(1.5) c = popup() beak(c, pos(), [-1.25, 0.5])"), wanted);
+    expect_same(design_of("beak(popup(), [[0, 1.5], [-1.25, 0.5], [1.25, 0.5]])"), wanted);
+    expect_same(design_of("beak(popup(), [[0, 1.5]], [-1.25, 0.5])"), wanted);
+}
+
+// The program that writes this design. Its points are told from their folds, which are found among those that
+// check() makes of it.
+std::string program_of(const Design& design) {
+    const auto unit = [](const DesignPoint& p) { return (1 / 25.4) * p.at; };
+    std::string text =
+        fmt::format("card = popup({:.9f}, {:.9f})\n", design.width_mm / 25.4, design.height_mm / 25.4);
+    struct Known {
+        std::string name;
+        PageFold fold;
+    };
+    const double h = 0.5 * design.height_mm;
+    std::vector<Known> known{{"card.gutter", {0, 0, {{0, -h}, {0, h}}, {{0, -h}, {0, h}}, false, 0}}};
+    int glued = 0;
+    for (std::size_t n = 0; n < design.structures.size(); ++n) {
+        const Structure& s = design.structures[n];
+        const ElementInfo& info = *find_element(s.type);
+        const auto fold = std::find_if(known.begin(), known.end(), [&](const Known& k) {
+            return k.fold.left_page == s.fold.page && distance(k.fold.on_left.a, s.fold.begin.at) < 1e-3 &&
+                   distance(k.fold.on_left.b, s.fold.end.at) < 1e-3;
+        });
+        if (fold == known.end()) {
+            ADD_FAILURE() << "nothing made the fold of structure " << n + 1;
+            return text;
+        }
+        text += fmt::format("e{} = {}({}", n + 1, builtin_name(info, "_"), fold->name);
+        std::vector<Vec2> on_pages;
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            Vec2 at = unit(s.points[i]);
+            on_pages.push_back(s.points[i].at);
+            if (info.points[i].page == PointPage::fold) {
+                const Segment& line = info.points[i].side == 'R' ? fold->fold.on_right : fold->fold.on_left;
+                const Vec2 along = (1 / distance(line.a, line.b)) * (line.b - line.a);
+                const Vec2 from = (1 / 25.4) * (s.points[i].at - lerp(line.a, line.b, 0.5));
+                at = {dot(from, right_of(along)), dot(from, along)};
+            }
+            text += ", " + point_text(at);
+        }
+        text += ")\n";
+        if (info.glued) ++glued;
+        const auto made = folds_made(info, fold->fold, glued, on_pages);
+        if (!made) {
+            ADD_FAILURE() << "structure " << n + 1 << " makes no folds";
+            return text;
+        }
+        const char* const names[] = {"left", "centre", "right"};
+        for (std::size_t i = 0; i < 3; ++i)
+            known.push_back({fmt::format("e{}.{}", n + 1, names[i]), (*made)[i]});
+    }
+    return text;
+}
+
+// Elements of all kinds, on gutters, folds and seams, valleys and mountains: what check() finds where the
+// design says a fold is, the program finds by the element's name.
+TEST(FlatLangCard, AnyDesignCanBeWrittenAsAProgram) {
+    std::size_t nested = 0;
+    std::size_t on_two_pages = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(seed);
+        const Design design = test::generate(seed, 14);
+        for (const Structure& s : design.structures) {
+            nested += s.fold.page != 0 || std::abs(s.fold.begin.at.x) > 1e-6 ? 1U : 0U;
+            for (const DesignPoint& p : s.points) on_two_pages += p.page ? 1U : 0U;
+        }
+        const std::string program = program_of(design);
+        const Design made = design_of(program);
+        expect_same(made, design);
+        if (testing::Test::HasFailure()) {
+            FAIL() << program;
+        }
+        // No repair is needed after the rounding of numbers, either.
+        Diagnostics diagnostics;
+        EXPECT_TRUE(check(made, {}, diagnostics));
+        EXPECT_EQ(test::findings(diagnostics), "");
+    }
+    EXPECT_GT(nested, 100U);
+    EXPECT_GT(on_two_pages, 10U);
+}
+
+// folds_made() and check() say the same of every fold: where it is, its pages, and how it closes.
+TEST(FlatLangCard, FoldsAreWhereCheckMakesThem) {
+    for (std::uint64_t seed = 41; seed <= 60; ++seed) {
+        SCOPED_TRACE(seed);
+        const Design design = test::generate(seed, 12);
+        Diagnostics diagnostics;
+        const auto checked = check(design, {}, diagnostics);
+        ASSERT_TRUE(checked);
+        const auto& folds = checked->skeleton().folds;
+        ASSERT_EQ(folds.size(), 1 + 3 * design.structures.size());
+        const auto as_page_fold = [](const Fold& f) {
+            return PageFold{f.left_page, f.right_page, f.on_left, f.on_right, f.seam, f.closed_deg};
+        };
+        int glued = 0;
+        for (std::size_t n = 0; n < design.structures.size(); ++n) {
+            const Structure& s = design.structures[n];
+            const ElementInfo& info = *find_element(s.type);
+            if (info.glued) ++glued;
+            const auto parent = std::find_if(folds.begin(), folds.end(), [&](const Fold& f) {
+                return f.left_page == s.fold.page && distance(f.on_left.a, s.fold.begin.at) < 1e-6 &&
+                       distance(f.on_left.b, s.fold.end.at) < 1e-6;
+            });
+            ASSERT_NE(parent, folds.end());
+            std::vector<Vec2> points;
+            for (const DesignPoint& p : s.points) points.push_back(p.at);
+            const auto made = folds_made(info, as_page_fold(*parent), glued, points);
+            ASSERT_TRUE(made);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const PageFold wanted = as_page_fold(folds[1 + 3 * n + i]);
+                const PageFold& got = (*made)[i];
+                EXPECT_EQ(got.left_page, wanted.left_page);
+                EXPECT_EQ(got.right_page, wanted.right_page);
+                EXPECT_EQ(got.seam, wanted.seam);
+                EXPECT_EQ(got.closed_deg, wanted.closed_deg);
+                for (const auto& [a, b] :
+                     {std::pair{got.on_left, wanted.on_left}, {got.on_right, wanted.on_right}}) {
+                    EXPECT_LT(distance(a.a, b.a), 1e-3);
+                    EXPECT_LT(distance(a.b, b.b), 1e-3);
+                }
+            }
+        }
+    }
+}
+
+TEST(FlatLangCard, PointsThatMakeNoFoldsMakeAnElementWithoutThem) {
+    EXPECT_EQ(
+        complaint("c = popup()\ns = step(c, [0, 0], [0, 0])\nstep(s.left, [-1, 0], [-1, 1])"),
+        "3:1 argument 1 of step() is nil, where a fold to stand on is expected (the gutter is the .gutter "
+        "of what popup() returns; an element has the folds .left, .centre and .right)");
+}
+
+TEST(FlatLangCard, ObjectsTellWhatTheyAre) {
+    Diagnostics diagnostics;
+    const Reading reading =
+        run("c = popup(11, 8.5)\nprint(c, c.width, c.height, c.page, c.gutter.begin, c.gutter.length)\n"
+            "s = step(c, [-2, -1], [-2, 1])\nprint(s, s.page, s.left, s.left.begin, s.centre.end)\n"
+            "t = tent(s.left, [-0.5, -0.5], [-0.5, 0.5], [-1, -1], [-1, 1])\n"
+            "print(t, t.page, t.left.page, t.centre.page)",
+            diagnostics);
+    EXPECT_EQ(test::findings(diagnostics), "");
+    EXPECT_EQ(reading.printed,
+              "card 11.0 8.5 0.0 {0.0, -4.25, 0.0} 8.5\n"
+              "step 1 0.0 left fold of step 1 {-2.0, -1.0, 0.0} {0.0, 1.0, 0.0}\n"
+              "tent 2 1.0 0.0 1.0\n");
+}
+
+TEST(FlatLangCard, ElementsHaveTheNamesThatTheyAreGivenOrTheirNumber) {
+    const Design design = design_of(
+        "c = popup()\nrepeat (2) beak(c, [0, 1], [-1, 0]) done\nnamed(beak(c, [0, 3], [-1, 2]), \"e2\")\n"
+        "n = 1\nrepeat (2) named(named(beak(c, [0, -3], [-1, -4]), \"old\"), \"mouth\", n) n = n + 1 done");
+    std::vector<std::string> ids;
+    for (const Structure& s : design.structures) ids.push_back(s.id);
+    EXPECT_EQ(ids, (std::vector<std::string>{"e1", "e6", "e2", "mouth-1", "mouth-2"}));
+    EXPECT_EQ(design.file, "card.fl");
+    EXPECT_EQ(design.stem, "card");
+}
+
+TEST(FlatLangCard, LinesAreDrawnOnPagesPiecesAndBesideFolds) {
+    const Design design = design_of(
+        "c = popup()\nt = tent(c, [-1, -1], [-1, 1], [-2, -1], [-2, 1])\n"
+        "drawline(c, [1, 2], [3, 4])\ndrawline(t, [[0, 0], [1, 1]], 2.5, \"red\")\ndrawline(1, [5, 5], [6, "
+        "6], \"#00f\", 3)\n"
+        "drawline(t.centre, [0, 0], [0, 0.5])\ndrawline(t.left, [-0.25, 0], [-0.5, 0])\n"
+        "drawline(t.left, [0.25, 0], [0.5, 0])\ndrawline(t.right, [0, 0.5], [1, 0.5])");
+    ASSERT_EQ(design.lines.size(), 7U);
+    const auto expect_line = [&](std::size_t n, int page, Vec2 from, Vec2 to) {
+        EXPECT_EQ(design.lines[n].page, page) << n;
+        EXPECT_LT(distance(design.lines[n].points.front().at, 25.4 * from), kNear) << n;
+        EXPECT_LT(distance(design.lines[n].points.back().at, 25.4 * to), kNear) << n;
+    };
+    expect_line(0, 0, {1, 2}, {3, 4});
+    EXPECT_EQ(design.lines[0].thickness_pt, 1.0);
+    EXPECT_EQ(design.lines[0].color, (Color{0, 0, 0}));
+    expect_line(1, 1, {0, 0}, {1, 1});
+    EXPECT_EQ(design.lines[1].thickness_pt, 2.5);
+    EXPECT_EQ(design.lines[1].color, (Color{255, 0, 0}));
+    expect_line(2, 1, {5, 5}, {6, 6});
+    EXPECT_EQ(design.lines[2].thickness_pt, 3.0);
+    EXPECT_EQ(design.lines[2].color, (Color{0, 0, 255}));
+    expect_line(3, 1, {0, 0}, {0, 0.5});
+    // The left seam: the base on its left, the piece on its right.
+    expect_line(4, 0, {-1.25, 0}, {-1.5, 0});
+    expect_line(5, 1, {-1.75, 0}, {-1.5, 0});
+    expect_line(6, 0, {1, 0.5}, {2, 0.5});
+}
+
+TEST(FlatLangCard, WhatCannotBeIsSaidWhereItIsCalled) {
+    struct Wrong {
+        std::string program, says;
+    };
+    const std::string hint =
+        " (the gutter is the .gutter of what popup() returns; an element has the folds .left, .centre and "
+        ".right)";
+    const std::vector<Wrong> table{
+        {"popup()\n popup(8, 6)",
+         "2:2 popup() was called before, on line 1 (a program makes one card; write another program for "
+         "another "
+         "card)"},
+        {"step(1, [0, 0])", "1:1 step() has no card to go to (call popup() before it)"},
+        {"named(1, \"a\")", "1:1 named() has no card to go to (call popup() before it)"},
+        {"drawline(0, [0, 0], [1, 1])", "1:1 drawline() has no card to go to (call popup() before it)"},
+        {"popup(8)", "1:1 popup() has a width and no height (popup(11, 8.5) is a sheet of letter paper)"},
+        {"popup(nil)", "1:1 argument 1 of popup() is nil, where the page's width is expected"},
+        {"popup(8, 6, 7)", "1:1 argument 3 of popup() is a number, where a colour is expected"},
+        {"popup(8, -6)", "1:1 popup() is -6 inches high, and must be from 0.0393701 to 393.701"},
+        {"popup(infinity, 6)", "1:1 popup() is inf inches wide, and must be from 0.0393701 to 393.701"},
+        {"popup(8, 6, \"whit\")",
+         "1:1 argument 3 of popup() is \"whit\", which is not a colour (perhaps 'white' is meant)"},
+        {"popup(\"red\", \"red\", \"red\")",
+         "1:1 popup() has more than two colours, of the page's left and right half"},
+        {"popup() step(7, [0, 0])",
+         "1:9 argument 1 of step() is a number, where a fold to stand on is expected" + hint},
+        {"c = popup() step([0, 0], [1, 1])",
+         "1:13 argument 1 of step() is a list, where a fold to stand on is expected" + hint},
+        {"c = popup()\ns = step(c, [-1, 0], [-1, 1])\nbeak(s, [0, 0], [-0.5, 0.5])",
+         "3:1 beak() is given an element to stand on, where one of its folds is expected" + hint},
+        {"beak(popup(), [0, 1])",
+         "1:1 beak() has 3 points, A, B (left), E (right), and 1 is given (of an even one give A, B alone: "
+         "the "
+         "right side then mirrors the left)"},
+        {"tent(popup())",
+         "1:1 tent() has 8 points, A (left), B (left), E (right), F (right), and on its own page G (left), H "
+         "(left), K (right), L (right), and 0 are given (of an even one give A, B, G, H alone: the right "
+         "side "
+         "then mirrors the left)"},
+        {"beak(popup(), [0, 1, 2], [-1, 0])",
+         "1:1 argument 2 of beak() is a list of 3 numbers, where a point [x, y] is expected"},
+        {"beak(popup(), [0, 1], [\"1\", 0])",
+         "1:1 argument 3 of beak() has a text in a point, where numbers are expected (a point is [x, y], in "
+         "inches)"},
+        {"beak(popup(), [0, 1], [nil, 0])",
+         "1:1 argument 3 of beak() has nil in a point, where numbers are expected (a point is [x, y], in "
+         "inches)"},
+        {"up() pitch(90) forward(1) beak(popup(), pos(), [-1, 0])",
+         "1:27 beak() has a point 1 inches above the page in argument 2 (points of a card lie in its pages, "
+         "where "
+         "z is 0)"},
+        {"beak(popup(), [0, 1], [-1, 0], 5)",
+         "1:1 argument 4 of beak() is a number, where a point or a colour is expected (the points are A, B "
+         "(left), "
+         "E (right))"},
+        {"beak(popup(), [0, 1], [-1, 0], \"red\", [1, 0])",
+         "1:1 argument 5 of beak() is a list, where a colour is expected (the points are A, B (left), E "
+         "(right))"},
+        {"beak(popup(), [0, 1], [-1, 0], \"red\", \"red\", \"red\", \"red\", \"red\")",
+         "1:1 beak() has more than four colours, of its left and right half and of their tabs"},
+        {"beak(popup(), [0, 100000], [-1, 0])",
+         "1:1 beak() has the point [0, 100000]; coordinates are at most 39370.1 inches"},
+        {"x = sqrt(-1) beak(popup(), [0, x], [-1, 0])",
+         "1:14 beak() has a point whose coordinate is not a number"},
+        {"c = popup() named(c, \"a\")",
+         "1:13 argument 1 of named() is an object, where an element of the card is expected"},
+        {"e = beak(popup(), [0, 1], [-1, 0]) named(e, 3)",
+         "1:36 argument 2 of named() is a number, where its name, a text is expected"},
+        {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"a b\")",
+         "1:36 named() cannot give the name 'a b' (an id begins with a letter or \"_\" and goes on with "
+         "letters, "
+         "digits, \"_\", \".\" and \"-\")"},
+        {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"page\")",
+         "1:36 named() cannot give the name 'page', which is kept for the base page"},
+        {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"a\", 0.5)",
+         "1:36 argument 3 of named() is a number, where a whole number, which is joined to the name, is "
+         "expected"},
+        {"c = popup() repeat (2) named(beak(c, [0, 1], [-1, 0]), \"a\") done",
+         "1:24 named() cannot give the name 'a', which another element has (in a loop or function give a "
+         "number "
+         "besides, as in named(house, \"house\", 3) for house-3)"},
+        {"c = popup() drawline(c, [0, 0])", "1:13 drawline() has at least 2 points, and 1 is given"},
+        {"c = popup() drawline(nil, [0, 0], [1, 1])",
+         "1:13 argument 1 of drawline() is nil, where the card, an element, a fold or a page's number is "
+         "expected"},
+        {"c = popup() drawline(1, [0, 0], [1, 1])",
+         "1:13 drawline() is to draw on page 1, and the card has only page 0 so far (page 0 is the base "
+         "page; each "
+         "glued element adds one, its .page)"},
+        {"c = popup() drawline(0.5, [0, 0], [1, 1])",
+         "1:13 drawline() is to draw on page 0.5, and the card has only page 0 so far (page 0 is the base "
+         "page; "
+         "each glued element adds one, its .page)"},
+        {"c = popup() drawline(c, [0, 0], [1, 1], -2)",
+         "1:13 drawline() is -2 points thick, and must be from 0 to 1000"},
+        {"c = popup() drawline(c, [0, 0], [1, 1], 2, 3)",
+         "1:13 argument 5 of drawline() is a number, where a colour is expected (points come first, then one "
+         "thickness and one colour)"},
+        {"c = popup() drawline(c, [0, 0], [1, 1], \"red\", \"blue\")",
+         "1:13 drawline() has more than one colour"},
+        {"t = tent(popup(), [-1, -1], [-1, 1], [-2, -1], [-2, 1]) drawline(t.left, [-1, 0], [1, 0])",
+         "1:57 drawline() crosses a seam, where one page ends and another begins (draw what lies on the left "
+         "(x "
+         "below 0) and on the right as two lines)"},
+    };
+    for (const Wrong& wrong : table) EXPECT_EQ(complaint(wrong.program), wrong.says) << wrong.program;
+}
+
+// A card is left as it was by a call that fails, and the program ends there.
+TEST(FlatLangCard, NothingIsMadeOfAProgramThatFails) {
+    Diagnostics diagnostics;
+    const Reading reading = run("c = popup() print(\"so far\") beak(c) print(\"no more\")", diagnostics);
+    EXPECT_EQ(reading.printed, "so far\n");
+    EXPECT_FALSE(reading.design);
+    EXPECT_FALSE(reading.parts);
+    EXPECT_TRUE(diagnostics.has_errors());
+}
+
+TEST(FlatLangCard, FindingsPointIntoTheProgram) {
+    const Design design = design_of("c = popup()\n\n  beak(c, [0.5, 1], [-1, 0], [1, 0])");
+    Diagnostics diagnostics;
+    check(design, {}, diagnostics);
+    const auto all = diagnostics.sorted();
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0].code, "apex-off-fold");
+    EXPECT_EQ(all[0].place, (Place{3, 3}));
+    EXPECT_EQ(all[0].element, "e1");
+}
+
+// The original had no cards: its programs may call what they define themselves.
+TEST(FlatLangCard, TheEditionOf2008HasNone) {
+    ReadOptions options;
+    options.program.as_2008 = true;
+    Diagnostics diagnostics;
+    const Reading reading =
+        run("print(popup(11, 8.5))\nprint(step(7))\nprint(named(1, 2))\nprint(drawline(3))", diagnostics,
+            options);
+    EXPECT_FALSE(reading.design);
+    EXPECT_EQ(reading.printed, "nil\nnil\nnil\nnil\n");
+}
+
+TEST(FlatLangCard, SamplesAndTheirFamiliesCheckWithoutFindings) {
+    const std::filesystem::path samples = std::filesystem::path(POPUP_SOURCE_DIR) / "samples";
+    const std::vector<std::vector<std::string>> runs{
+        {"staircase.fl"},
+        {"staircase.fl", "-D", "steps=9", "-D", "width=6"},
+        {"street.fl"},
+        {"street.fl", "-D", "houses=8", "-D", "floors=6"},
+        {"street.fl", "-D", "houses=3", "-D", "floors=2", "-D", "seed=3"},
+        {"valley.fl"},
+        {"valley.fl", "-D", "peaks=4", "-D", "long=10"},
+    };
+    for (const auto& words : runs) {
+        std::vector<std::string> arguments{"check", (samples / words[0]).string()};
+        arguments.insert(arguments.end(), words.begin() + 1, words.end());
+        const auto result = test::popupc(arguments);
+        EXPECT_EQ(result.exit, 0) << words[0];
+        EXPECT_EQ(result.out + result.err, "") << words[0];
+    }
+}
+
+}  // namespace
+}  // namespace popup
