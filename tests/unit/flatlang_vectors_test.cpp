@@ -329,6 +329,14 @@ TEST_F(FlatLangVectors, InDefaultModeTheDifferencesAreThoseOfTheMendedOddities) 
             }
         }
         const std::string what = difference(vector, got, false, excused);
+        // Probes that ask for one oddity alone; the files do not flag these.
+        static const std::map<std::string, std::string> kAsked{
+            {"lists", "an index is used twice"},
+            {"quote_eval", "what eval() cannot read is an error"},
+            {"replace_after_pos", "poses were computed twice"},
+            {"shape_drawto", "draw() left drawto() out"},
+        };
+        if (const auto asked = kAsked.find(vector.name); asked != kAsked.end()) reason = asked->second;
         for (const char* quirk : {"safe_mode_lost_after_call", "minus_of_negative_is_zero",
                                   "draw_ignores_name", "index_used_twice"}) {
             if (vector.flagged(quirk)) reason = quirk;

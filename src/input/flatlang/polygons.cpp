@@ -52,14 +52,9 @@ bool PolygonFinder::add(Vec3 point) {
     if (same(run_.back().at, point)) return false;
     const int oldest = oldest_same(point);
     const int newest = static_cast<int>(run_.size()) - 1;
-    if (oldest < 0 || newest - oldest + 1 < 3) {
-        // One that stands exactly where an older one does is never the oldest as long as it is in the run.
+    if (oldest < 0 || !is_flat_loop(oldest, newest)) {
+        // One that stands exactly where an older one does is never the oldest while that is in the run.
         push(point, oldest < 0 || run(oldest) != point);
-        return false;
-    }
-    const Loop found = as_2008_ ? loop_of_2008(oldest, newest) : loop(oldest, newest);
-    if (found == Loop::askew) {
-        push(point, run(oldest) != point);
         return false;
     }
     polygon_.clear();
@@ -68,7 +63,7 @@ bool PolygonFinder::add(Vec3 point) {
         pop();
     }
     push(point, true);
-    return found == Loop::flat;
+    return true;
 }
 
 void PolygonFinder::push(Vec3 point, bool list) {
@@ -131,37 +126,21 @@ int PolygonFinder::oldest_same(Vec3 point) const {
     return oldest;
 }
 
-bool PolygonFinder::all_in_plane(int oldest, int newest, Vec3 on, Vec3 normal) {
-    const auto in_plane = [&](int i) {
-        // What is the same point counts as lying in its plane.
-        return same(run(i), on) || std::fabs(dot(run(i) - on, normal)) < tolerance;
-    };
-    if (odd_one_ >= oldest && odd_one_ <= newest && !in_plane(odd_one_)) return false;
-    for (int i = newest; i >= oldest; --i) {
-        if (!in_plane(i)) {
-            odd_one_ = i;
-            return false;
-        }
-    }
-    return true;
-}
-
-PolygonFinder::Loop PolygonFinder::loop(int oldest, int newest) {
-    const Vec3 on = run(newest);
-    const Vec3 along = unit(run(newest - 1) - on);
-    for (int i = newest - 2; i >= oldest; --i) {
-        const Vec3 normal = cross(along, run(i) - on);
-        if (length(normal) > tolerance) {
-            return all_in_plane(oldest, i - 1, on, unit(normal)) ? Loop::flat : Loop::askew;
-        }
-    }
-    return Loop::on_a_line;
-}
-
-PolygonFinder::Loop PolygonFinder::loop_of_2008(int oldest, int newest) {
+bool PolygonFinder::is_flat_loop(int oldest, int newest) {
+    if (newest - oldest + 1 < 3) return false;
     const Vec3 on = run(newest);
     const Vec3 normal = unit_or_zero(cross(run(newest - 1) - on, run(newest - 2) - on));
-    return all_in_plane(oldest, newest - 3, on, normal) ? Loop::flat : Loop::askew;
+    const auto in_plane = [&](int each) {
+        // What is the same point counts as lying in its plane.
+        return same(run(each), on) || std::fabs(dot(run(each) - on, normal)) < tolerance;
+    };
+    if (odd_one_ >= oldest && odd_one_ <= newest - 3 && !in_plane(odd_one_)) return false;
+    for (int i = newest - 3; i >= oldest; --i) {
+        if (in_plane(i)) continue;
+        odd_one_ = i;
+        return false;
+    }
+    return true;
 }
 
 }  // namespace popup::flatlang

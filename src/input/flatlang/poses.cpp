@@ -1,7 +1,11 @@
 #include "input/flatlang/poses.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace popup::flatlang {
 
@@ -36,6 +40,54 @@ void turn(Pose& pose, Axis axis, double degrees) {
             turn_towards(pose.right, pose.heading, cosine, sine);
             return;
     }
+}
+
+Pose change_of_2008(const Pose& from, const Pose& to) {
+    constexpr std::size_t size = 4;
+    using Matrix = std::array<std::array<double, size>, size>;
+    const auto matrix = [](const Pose& pose) {
+        return Matrix{{{pose.right.x, pose.heading.x, pose.up.x, pose.at.x},
+                       {pose.right.y, pose.heading.y, pose.up.y, pose.at.y},
+                       {pose.right.z, pose.heading.z, pose.up.z, pose.at.z},
+                       {0, 0, 0, 1}}};
+    };
+    Matrix lu = matrix(from);
+    Matrix inverse{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    for (std::size_t column = 0; column < size; ++column) {
+        for (std::size_t row = 0; row < size; ++row) {
+            for (std::size_t i = 0; i < std::min(row, column); ++i)
+                lu[row][column] -= lu[row][i] * lu[i][column];
+        }
+        std::size_t largest = column;
+        for (std::size_t row = column + 1; row < size; ++row) {
+            if (std::fabs(lu[row][column]) > std::fabs(lu[largest][column])) largest = row;
+        }
+        std::swap(lu[largest], lu[column]);
+        std::swap(inverse[largest], inverse[column]);
+        for (std::size_t row = column + 1; row < size; ++row) lu[row][column] /= lu[column][column];
+    }
+    for (std::size_t column = 0; column < size; ++column) {
+        for (std::size_t row = column + 1; row < size; ++row) {
+            for (std::size_t i = 0; i < size; ++i) inverse[row][i] -= inverse[column][i] * lu[row][column];
+        }
+    }
+    for (std::size_t column = size; column-- > 0;) {
+        for (double& value : inverse[column]) value /= lu[column][column];
+        for (std::size_t row = 0; row < column; ++row) {
+            for (std::size_t i = 0; i < size; ++i) inverse[row][i] -= inverse[column][i] * lu[row][column];
+        }
+    }
+    const Matrix there = matrix(to);
+    Matrix product{};
+    for (std::size_t row = 0; row < size; ++row) {
+        for (std::size_t column = 0; column < size; ++column) {
+            for (std::size_t i = 0; i < size; ++i) product[row][column] += inverse[row][i] * there[i][column];
+        }
+    }
+    const auto column = [&product](std::size_t i) {
+        return Vec3{product[0][i], product[1][i], product[2][i]};
+    };
+    return {column(3), column(0), column(1), column(2)};
 }
 
 Pose change(const Pose& from, const Pose& to) {

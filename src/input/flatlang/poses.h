@@ -14,6 +14,9 @@ void turn(Pose& pose, Axis axis, double degrees);
 // The change that leads from one pose to another, as seen from the first: applying it to `from` gives `to`.
 // Precondition: the directions of `from` are units and perpendicular.
 Pose change(const Pose& from, const Pose& to);
+// The same by the original interpreter's arithmetic, to the last bit: the planes of loops whose points lie on
+// a line hang on it there. `from` need not be square.
+Pose change_of_2008(const Pose& from, const Pose& to);
 void apply(Pose& pose, const Pose& change);
 
 // Makes the directions units and perpendicular again; keeps the heading, and turns right and up as little as

@@ -86,7 +86,7 @@ void find_polygons(const TurtleTree& tree, int root, bool as_2008, const KnownPo
         Pose pose;
         bool down = true;
     };
-    PolygonFinder finder(as_2008);
+    PolygonFinder finder;
     tree.walk(root, true, Standing{}, [&](int node, Standing& standing) {
         const Operation& operation = tree.operation(node);
         const Pose* stays = as_2008 ? known.find(node) : nullptr;
