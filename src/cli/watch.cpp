@@ -8,6 +8,10 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
 #include <variant>
 
 #include "base/signal_cleanup.h"
@@ -108,6 +112,14 @@ std::vector<std::string> build_and_tell(Options options, const std::string& why)
     return files;
 }
 
+// What programs load is looked at only when they have been run. True: the file may have changed since
+// `begun`, or is gone. The clock of file systems is a little behind.
+bool changed_since(const std::string& name, std::filesystem::file_time_type begun) {
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(name, error);
+    return error || changed >= begun - std::chrono::milliseconds(20);
+}
+
 // The options as they are now: files that they are read from may be what has changed.
 Options read_again(const Options& options) {
     if (options.arguments.empty()) return options;
@@ -144,8 +156,13 @@ int run_watch(const Options& options) {
     files.insert(files.end(), options.settings_files.begin(), options.settings_files.end());
     add_config_places(options, files);
     bool first = true;
+    using Time = std::filesystem::file_time_type;
+    Time begun = Time::max();
+    std::set<std::string> seen;
+    std::optional<std::string> missed;
     Watching watching;
     watching.build = [&](const std::string& why) {
+        begun = Time::clock::now();
         if (first) {
             first = false;
             return files = build_and_tell(options, why);
@@ -160,8 +177,14 @@ int run_watch(const Options& options) {
         }
         return files;
     };
-    watching.look_at = [&](const std::vector<std::string>& names) { changes.look_at(names); };
+    watching.look_at = [&](const std::vector<std::string>& names) {
+        changes.look_at(names);
+        for (const std::string& name : names) {
+            if (seen.insert(name).second && begun != Time::max() && changed_since(name, begun)) missed = name;
+        }
+    };
     watching.wait = [&](std::optional<std::chrono::milliseconds> longest) {
+        if (missed) return std::exchange(missed, std::nullopt);
         return changes.wait(wake, longest);
     };
     watching.over = [] { return g_over.load(); };

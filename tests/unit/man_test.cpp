@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "input/flatlang/builtin.h"
 #include "popup/diagnostics.h"
 #include "popup/layout.h"
 #include "popup/mechanism.h"
@@ -294,6 +295,75 @@ TEST(Manual, TheExampleDocumentChecksCleanAndIsCanonical) {
     EXPECT_EQ(valid.exit, 0) << valid.err;
 }
 
+// What programs can call without loading or defining anything: what stands in tables, and what is defined of
+// it.
+std::set<std::string> builtins() {
+    std::set<std::string> names;
+    for (const auto table : {flatlang::turtle_builtins(), flatlang::number_builtins(),
+                             flatlang::list_builtins(), flatlang::program_builtins()}) {
+        for (const flatlang::Builtin& row : table) names.emplace(row.name);
+    }
+    for (const std::string& line : lines_of(std::string(flatlang::prelude()))) {
+        if (line.starts_with("define ")) names.insert(line.substr(7, line.find('(') - 7));
+    }
+    std::erase_if(names, [](const std::string& name) { return name.starts_with("__"); });
+    names.insert("quote");  // which is no function: its argument is not evaluated
+    return names;
+}
+
+TEST(FlatlangManual, HasEveryBuiltinAndNoOther) {
+    std::set<std::string> explained;
+    for (const ManLine& line : manual("popupc-flatlang.7")) {
+        if (line.section != "BUILTINS" || !line.text.starts_with(".It Fn ")) continue;
+        EXPECT_TRUE(explained.insert(words_of(line.text)[2]).second) << line.text << " stands twice";
+    }
+    EXPECT_EQ(explained, builtins());
+    EXPECT_GT(explained.size(), 60U);
+}
+
+// The programs on the page: those that are whole, and those that go on from what stands before them.
+TEST(FlatlangManual, TheProgramsInItRun) {
+    const ScratchDirectory scratch;
+    RunOptions options;
+    options.directory = scratch.path();
+    std::map<std::string, std::vector<std::string>> programs;  // by section
+    bool inside = false;
+    for (const ManLine& line : manual("popupc-flatlang.7")) {
+        if (line.text == ".Ed") inside = false;
+        if (inside) {
+            std::string text = line.text;
+            text.erase(std::remove(text.begin(), text.end(), '\\'), text.end());
+            programs[line.section].back() += text + "\n";
+        }
+        if (line.text.starts_with(".Bd -literal")) {
+            inside = true;
+            programs[line.section].emplace_back();
+        }
+    }
+    const auto findings = [&](const std::string& program) {
+        write_file(scratch / "page.fl", program);
+        const RunResult checked = popupc({"check", "page.fl", "--print", "printed"}, options);
+        return std::to_string(checked.exit) + checked.err;
+    };
+    const auto only = [&](const std::string& section) {
+        EXPECT_EQ(programs[section].size(), 1U) << section;
+        return programs[section].front();
+    };
+    for (const std::string section : {"DESCRIPTION", "OBJECTS", "KIT", "CARDS", "EXAMPLES"})
+        EXPECT_EQ(findings(only(section)), "0") << section;
+    write_file(scratch / "page.fl", only("THE TURTLE"));
+    const auto trail = nlohmann::json::parse(popupc({"build", "page.fl", "--emit", "trail"}, options).out);
+    EXPECT_EQ(trail["status"], "ok");
+    EXPECT_EQ(trail["segments"].size(), 2U);
+    // It says in comments what it does.
+    const std::string square = "repeat (4) forward(1) left(90) done\n";
+    EXPECT_EQ(findings("define f(x) print(\"called\", x) done\n" + only("TEXT") + "print(a)\n" + square),
+              "0");
+    EXPECT_EQ(read_file(scratch / "printed"), "called 3.0\n7.0\n");
+    EXPECT_EQ(findings(only("PARTS") + square + "print(teeth)"), "0");
+    EXPECT_EQ(read_file(scratch / "printed"), "12.0\n");
+}
+
 TEST(Manual, MandocFindsNoError) {
     if (!have_program("mandoc")) GTEST_SKIP() << "mandoc is not installed";
     std::vector<std::string> pages{"popupc.1", "popup.5", "popupc-cluster.7", "popupc-flatlang.7"};
@@ -395,6 +465,10 @@ TEST(Readme, TheTourIsWhatTheProgramPrints) {
     const std::vector<std::string> manifests = blocks("json");
     ASSERT_EQ(manifests.size(), 1U);
     write_file(scratch / "run.jsonl", manifests.front());
+    const std::vector<std::string> drawn = blocks("flatlang");
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(drawn.front(), read_file(kSource / "samples/bracket.fl"));
+    write_file(scratch / "bracket.fl", drawn.front());
     RunOptions options;
     options.directory = scratch.path();
     const std::string programs = std::filesystem::path(POPUPC_BINARY).parent_path().string();
