@@ -27,6 +27,32 @@ Vec3 unit_or_zero(Vec3 a) {
     return size != 0.0 ? (1.0 / size) * a : Vec3{};
 }
 
+// From a closed way: each point whose neighbours are the same, with one of these, until there is none.
+void drop_ways_there_and_back(std::vector<Vec3>& loop) {
+    std::size_t kept = 0;
+    for (const Vec3 point : loop) {
+        if (kept >= 2 && same(loop[kept - 2], point)) {
+            --kept;
+        } else {
+            loop[kept++] = point;
+        }
+    }
+    // The same across the place where it is closed.
+    std::size_t first = 0;
+    while (kept - first >= 3) {
+        if (same(loop[first], loop[kept - 2])) {
+            kept -= 2;
+        } else if (same(loop[first + 1], loop[kept - 1])) {
+            ++first;
+            --kept;
+        } else {
+            break;
+        }
+    }
+    loop.resize(kept);
+    loop.erase(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 }  // namespace
 
 std::size_t PolygonFinder::CellHash::operator()(const Cell& cell) const {
@@ -52,28 +78,38 @@ bool PolygonFinder::add(Vec3 point) {
     if (same(run_.back().at, point)) return false;
     const int oldest = oldest_same(point);
     const int newest = static_cast<int>(run_.size()) - 1;
-    if (oldest < 0 || newest - oldest + 1 < 3) {
-        // One that stands exactly where an older one does is never the oldest as long as it is in the run.
-        push(point, oldest < 0 || run(oldest) != point);
-        return false;
+    Loop found = Loop::none;
+    if (oldest >= 0) found = as_2008_ ? loop_of_2008(oldest, newest) : loop(oldest, newest);
+    switch (found) {
+        case Loop::none:
+        case Loop::there_and_back:
+            // One that stands exactly where an older one does is never the oldest while that is in the run.
+            push(point, oldest < 0 || run(oldest) != point, found == Loop::there_and_back ? oldest : -1);
+            return false;
+        case Loop::on_a_line:
+        case Loop::flat:
+            while (static_cast<int>(run_.size()) > oldest) pop();
+            push(point, true);
+            return found == Loop::flat;
     }
-    const Loop found = as_2008_ ? loop_of_2008(oldest, newest) : loop(oldest, newest);
-    if (found == Loop::askew) {
-        push(point, run(oldest) != point);
-        return false;
-    }
-    polygon_.clear();
-    for (int i = newest; i >= oldest; --i) {
-        polygon_.push_back(run(i));
-        pop();
-    }
-    push(point, true);
-    return found == Loop::flat;
+    return false;
 }
 
-void PolygonFinder::push(Vec3 point, bool list) {
+void PolygonFinder::push(Vec3 point, bool list, int back_at) {
     const int index = static_cast<int>(run_.size());
-    run_.push_back({.at = point, .older = -1, .newer = -1, .listed = list});
+    Point added;
+    added.at = point;
+    added.back_at = back_at;
+    added.listed = list;
+    // Loops may go past what lies in between from now on.
+    if (back_at >= 0 && odd_one_ >= back_at) odd_one_ = -1;
+    if (!run_.empty()) {
+        const Point& last = run_.back();
+        const Vec3 begin = run(0);
+        added.swept = last.swept + cross(last.at - begin, point - begin);
+        added.way = last.way + distance(last.at, point);
+    }
+    run_.push_back(added);
     if (!list) return;
     CellPoints& cell = cells_[{cell_of(point.x), cell_of(point.y), cell_of(point.z)}];
     run_.back().older = cell.newest;
@@ -131,37 +167,71 @@ int PolygonFinder::oldest_same(Vec3 point) const {
     return oldest;
 }
 
-bool PolygonFinder::all_in_plane(int oldest, int newest, Vec3 on, Vec3 normal) {
-    const auto in_plane = [&](int i) {
+bool PolygonFinder::encloses_something(int oldest, int newest) const {
+    const Point& first = run_[static_cast<std::size_t>(oldest)];
+    const Point& last = run_[static_cast<std::size_t>(newest)];
+    const Vec3 begin = run(0);
+    const Vec3 swept = last.swept - first.swept + cross(last.at - begin, first.at - begin);
+    // As wide as the tolerance on its whole way round.
+    return length(swept) > tolerance * (last.way - first.way + distance(first.at, last.at));
+}
+
+int PolygonFinder::before(int i, int oldest) const {
+    const int back_at = run_[static_cast<std::size_t>(i)].back_at;
+    return (back_at >= oldest ? back_at : i) - 1;
+}
+
+void PolygonFinder::gather(int oldest, int newest) {
+    polygon_.clear();
+    for (int i = newest; i >= oldest; i = before(i, oldest)) polygon_.push_back(run(i));
+}
+
+bool PolygonFinder::all_in_plane(int oldest, int i, Vec3 on, Vec3 normal) {
+    const auto in_plane = [&](int each) {
         // What is the same point counts as lying in its plane.
-        return same(run(i), on) || std::fabs(dot(run(i) - on, normal)) < tolerance;
+        return same(run(each), on) || std::fabs(dot(run(each) - on, normal)) < tolerance;
     };
-    if (odd_one_ >= oldest && odd_one_ <= newest && !in_plane(odd_one_)) return false;
-    for (int i = newest; i >= oldest; --i) {
+    if (odd_one_ >= oldest && odd_one_ <= i && !in_plane(odd_one_)) return false;
+    bool in_all_loops = true;
+    for (; i >= oldest; i = before(i, oldest)) {
         if (!in_plane(i)) {
-            odd_one_ = i;
+            if (in_all_loops) odd_one_ = i;
             return false;
         }
+        const int back_at = run_[static_cast<std::size_t>(i)].back_at;
+        if (back_at >= 0 && back_at < oldest) in_all_loops = false;
     }
     return true;
 }
 
 PolygonFinder::Loop PolygonFinder::loop(int oldest, int newest) {
     const Vec3 on = run(newest);
-    const Vec3 along = unit(run(newest - 1) - on);
-    for (int i = newest - 2; i >= oldest; --i) {
-        const Vec3 normal = cross(along, run(i) - on);
-        if (length(normal) > tolerance) {
-            return all_in_plane(oldest, i - 1, on, unit(normal)) ? Loop::flat : Loop::askew;
-        }
+    const int second = before(newest, oldest);
+    const int third = second < oldest ? second : before(second, oldest);
+    if (third < oldest) return Loop::none;
+    const Vec3 along = unit(run(second) - on);
+    int aside = third;
+    while (aside >= oldest && length(cross(along, run(aside) - on)) <= tolerance)
+        aside = before(aside, oldest);
+    if (aside < oldest) return Loop::on_a_line;
+    if (aside != third && !encloses_something(oldest, newest)) {
+        gather(oldest, newest);
+        drop_ways_there_and_back(polygon_);
+        if (polygon_.size() < 3) return Loop::there_and_back;
     }
-    return Loop::on_a_line;
+    if (!all_in_plane(oldest, aside, on, unit(cross(along, run(aside) - on)))) return Loop::none;
+    gather(oldest, newest);
+    if (aside != third) drop_ways_there_and_back(polygon_);
+    return Loop::flat;
 }
 
 PolygonFinder::Loop PolygonFinder::loop_of_2008(int oldest, int newest) {
+    if (newest - oldest + 1 < 3) return Loop::none;
     const Vec3 on = run(newest);
     const Vec3 normal = unit_or_zero(cross(run(newest - 1) - on, run(newest - 2) - on));
-    return all_in_plane(oldest, newest - 3, on, normal) ? Loop::flat : Loop::askew;
+    if (!all_in_plane(oldest, newest - 3, on, normal)) return Loop::none;
+    gather(oldest, newest);
+    return Loop::flat;
 }
 
 }  // namespace popup::flatlang

@@ -10,11 +10,16 @@ namespace popup::flatlang {
 
 // Points are given in the order in which they are drawn. When the newest is the same (less than 1e-4 inches
 // apart on every axis) as one in the run, the points from the oldest such to the one before the newest are a
-// loop; if it has at least three that lie in one plane (less than 1e-4 off it), they are a polygon, and leave
-// the run. Loops whose points all lie on one line leave it as well, and are none.
+// loop. If it has at least three and all lie in the plane of the newest three (less than 1e-4 off it), they
+// are a polygon and leave the run.
 //
-// With as_2008 the plane is that of the loop's newest three points, also where they lie on a line: then it is
-// any, and so every such loop is a polygon.
+// Where the newest three lie on a line, the next point that does not tells the plane. Then ways that only go
+// there and back count as not gone: a polygon has no such points, and a loop that is nothing else is none;
+// its points stay in the run, so that later ones may close there, but no polygon that holds all of it has
+// them. A loop that lies on one line leaves the run and is none.
+//
+// With as_2008 the plane is that of the newest three in any case. On a line these have none, or one that
+// rounding chooses, and so loops that lie askew and such that enclose nothing may become polygons.
 //
 // Cost: near linear in points; what has left the run is forgotten.
 class PolygonFinder {
@@ -43,28 +48,36 @@ class PolygonFinder {
     };
     struct Point {
         Vec3 at;
+        Vec3 swept;        // twice the area that the run has swept about its beginning, as a normal
+        double way = 0;    // length of the run up to here
+        int back_at = -1;  // the older point at this place, when the way since then only went there and back
         int older = -1, newer = -1;
         bool listed = false;  // in its cell
     };
-    enum class Loop { askew, on_a_line, flat };
+    enum class Loop { none, there_and_back, on_a_line, flat };
 
     [[nodiscard]] const Vec3& run(int i) const { return run_[static_cast<std::size_t>(i)].at; }
-    void push(Vec3 point, bool list);
+    void push(Vec3 point, bool list, int back_at = -1);
     void pop();
     // Of the points in the run that are the same; -1: none.
     [[nodiscard]] int oldest_same(Vec3 point) const;
-    // What run points oldest … newest are, of which there are at least three.
+    // The point before `i` in the loop that begins at `oldest`; below `oldest` there is none.
+    [[nodiscard]] int before(int i, int oldest) const;
+    // What the loop from run point `newest` back to `oldest` is; when it is flat, polygon_ holds its points.
     [[nodiscard]] Loop loop(int oldest, int newest);
     [[nodiscard]] Loop loop_of_2008(int oldest, int newest);
-    // Whether all lie in the plane.
-    [[nodiscard]] bool all_in_plane(int oldest, int newest, Vec3 on, Vec3 normal);
+    void gather(int oldest, int newest);
+    [[nodiscard]] bool encloses_something(int oldest, int newest) const;
+    // Whether `i` and all older points of the loop lie in the plane.
+    [[nodiscard]] bool all_in_plane(int oldest, int i, Vec3 on, Vec3 normal);
 
     bool as_2008_;
     std::vector<Point> run_;
     std::unordered_map<Cell, CellPoints, CellHash> cells_;
     std::vector<Vec3> polygon_;
-    // The run's point that last lay off a plane. It is looked at first: a drawing that comes back to one
-    // place again and again fails at the same point, and would else be walked through each time.
+    // A point of the run, part of all loops that go back to it, that lay off a plane. It is looked at first:
+    // a drawing that comes back to one place again and again fails at the same point, and would else be
+    // walked through each time.
     int odd_one_ = -1;
 };
 

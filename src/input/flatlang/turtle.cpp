@@ -35,11 +35,57 @@ struct Shape {
     int root = none;
 };
 
+// What the original called an operation. One that does nothing it could not tell.
+std::string_view short_word(const Operation& operation) {
+    switch (operation.kind) {
+        case OperationKind::forward:
+            return operation.amount != 0 ? "move" : "?";
+        case OperationKind::left:
+            return operation.amount != 0 ? "turn" : "?";
+        case OperationKind::roll:
+            return operation.amount != 0 ? "roll" : "?";
+        case OperationKind::pitch:
+            return operation.amount != 0 ? "pitch" : "?";
+        case OperationKind::pen:
+            return operation.detail != 0 ? "down" : "up";
+        case OperationKind::nothing:
+        case OperationKind::mark:
+        case OperationKind::part:
+        case OperationKind::change:
+            break;
+    }
+    return "?";
+}
+
+// A line each, indented by depth; until `out` is too long to be printed anyway.
+void describe_tree(const TurtleTree& tree, int root, int cursor, std::string_view beginning,
+                   std::string& out) {
+    constexpr std::size_t longest = std::size_t{64} << 20U;
+    tree.walk(root, false, std::size_t{0}, [&](int node, std::size_t& depth) {
+        if (out.size() > longest) return;
+        if (node != root) out += '\n';
+        out.append(4 * depth, ' ');
+        if (node == cursor) out += "<<<";
+        const Operation& operation = tree.operation(node);
+        if (node == root || operation.kind == OperationKind::mark) {
+            out.append("-- ").append(node == root ? beginning : tree.name_of(operation.detail)).append(" --");
+        } else if (operation.kind == OperationKind::part) {
+            out.append("Part ").append(tree.parts()[static_cast<std::size_t>(operation.detail)].name);
+        } else {
+            out += short_word(operation);
+        }
+        // It printed an address here.
+        out += node == cursor ? ">>>(#)" : "(#)";
+        ++depth;
+    });
+}
+
 }  // namespace
 
 struct Turtle::State {
     State(bool as_2008, std::uint64_t most) : as_2008(as_2008), most(most) {
         drawing = plant("__program_begin");
+        last_recorded_shape = plant("__shape_turtles");
     }
 
     bool as_2008;
@@ -50,7 +96,8 @@ struct Turtle::State {
     // The innermost is last. The original had at most one of each kind.
     std::vector<Block> blocks;
     std::map<std::string, Shape, std::less<>> shapes;
-    std::string last_shape;  // only as_2008: that was begun last
+    std::string last_shape;         // only as_2008: that was begun last
+    Recording last_recorded_shape;  // that has ended
     KnownPoses known;
     std::vector<int> path;  // scratch
 
@@ -77,7 +124,6 @@ struct Turtle::State {
         Block* block = find(BlockKind::shape);
         return block != nullptr ? block->recording : drawing;
     }
-    [[nodiscard]] const Recording& source() const { return const_cast<State*>(this)->source(); }
 
     // The innermost of its kind, or null.
     Block* find(BlockKind kind) {
@@ -199,8 +245,10 @@ void Turtle::begin_shape(std::string name) {
 }
 
 void Turtle::end_shape() {
-    const std::optional<Block> block = state_->take(BlockKind::shape);
-    if (block) state_->shapes[block->name] = {block->recording.root};
+    std::optional<Block> block = state_->take(BlockKind::shape);
+    if (!block) return;
+    state_->shapes[block->name] = {block->recording.root};
+    state_->last_recorded_shape = std::move(block->recording);
 }
 
 Outcome Turtle::draw(std::string_view shape, const std::optional<std::string>& start) {
@@ -217,7 +265,6 @@ Outcome Turtle::draw(std::string_view shape, const std::optional<std::string>& s
             begun = true;
             begin = branch.size();
         }
-        if (operation.kind == OperationKind::nothing && !state_->as_2008) continue;
         if (operation.kind == OperationKind::change && state_->as_2008) operation = {};
         branch.push_back(operation);
     }
@@ -296,6 +343,29 @@ Outcome Turtle::end_replacement() {
         source.uncalculated.insert(source.uncalculated.end(), added.begin(), added.end());
     }
     return Outcome::done;
+}
+
+std::string Turtle::describe() const {
+    State& state = *state_;
+    std::string out;
+    const auto append = [&](std::string_view title, std::string_view beginning, const Recording* recording) {
+        out += title;
+        out += "----------------\n";
+        if (recording == nullptr) {
+            out += "null";
+        } else {
+            describe_tree(state.tree, recording->root, recording->cursor, beginning, out);
+        }
+        out += "\n";
+    };
+    const Block* replacement = state.find(BlockKind::replacement);
+    const Block* shape = state.find(BlockKind::shape);
+    append("display list:", "__program_begin", &state.drawing);
+    append("replacement list:", "__replacement_turtles",
+           replacement != nullptr ? &replacement->recording : nullptr);
+    append("shape list:", "__shape_turtles",
+           shape != nullptr ? &shape->recording : &state.last_recorded_shape);
+    return out;
 }
 
 std::uint64_t Turtle::operations() const { return state_->recorded; }

@@ -84,7 +84,7 @@ class Turtle {
     // too_large leaves the drawing as it was. no_such_mark: likewise; with `all` that is no failure.
     Outcome end_replacement();
 
-    // The trees as the original's showSoup() printed them.
+    // The trees as the original's showSoup() printed them; a # stands for each address. Cut off beyond 64 MB.
     [[nodiscard]] std::string describe() const;
 
     // Of all that is recorded.

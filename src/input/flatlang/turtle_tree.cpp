@@ -28,7 +28,9 @@ void perform(Pose& pose, const Operation& operation, const std::vector<Pose>& ch
 }
 
 int TurtleTree::name(std::string_view name) {
-    return names_.try_emplace(std::string(name), static_cast<int>(names_.size())).first->second;
+    const auto [entry, added] = names_.try_emplace(std::string(name), static_cast<int>(names_.size()));
+    if (added) name_list_.push_back(&entry->first);
+    return entry->second;
 }
 
 int TurtleTree::find_name(std::string_view name) const {

@@ -44,6 +44,9 @@ class TurtleTree {
     int name(std::string_view name);
     // `none` when no mark was ever called so.
     [[nodiscard]] int find_name(std::string_view name) const;
+    [[nodiscard]] const std::string& name_of(int number) const {
+        return *name_list_[static_cast<std::size_t>(number)];
+    }
 
     // A tree of its own, that begins with this operation.
     int plant(const Operation& operation);
@@ -101,6 +104,7 @@ class TurtleTree {
 
     std::vector<Node> nodes_;
     std::unordered_map<std::string, int> names_;
+    std::vector<const std::string*> name_list_;  // by number
     std::vector<TrailPart> parts_;
     std::vector<Pose> changes_;
 };
