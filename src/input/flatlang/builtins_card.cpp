@@ -60,8 +60,12 @@ void set(const Call& call, const Value& object, std::string_view name, Value val
     object->first->set_member(call.in.symbols.of(name), std::move(value));
 }
 
-// Rounded as all numbers of the language are.
-double rounded(double number) { return static_cast<double>(static_cast<float>(number)); }
+// Rounded as all numbers of the language are. volatile: gcc 12 forgets the rounding of two numbers side by
+// side where it makes one vector of them (-ftree-slp-vectorize).
+double rounded(double number) {
+    const volatile auto narrow = static_cast<float>(number);
+    return static_cast<double>(narrow);
+}
 
 void set_number(const Call& call, const Value& object, std::string_view name, double number) {
     set(call, object, name, call.in.heap.number(rounded(number)));
