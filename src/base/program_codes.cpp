@@ -72,10 +72,10 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "missing "
      "done, shows only where the next thing begins. Comments begin with a semicolon. Nothing was run."},
     {"flatlang-too-deep", Severity::error, "brackets or blocks nested too deep",
-     "Brackets and blocks of a FlatLang program stand at most 250 deep within each other. No program written "
-     "by hand comes near to that; one made by another program may have an expression that is one long chain "
-     "of "
-     "brackets. Give the inner expressions names, or move inner blocks into functions."},
+     "Brackets and blocks of a FlatLang program stand at most 250 deep within each other, and at most about "
+     "1000 operators hang on one another, as in a + a + a. No program written by hand comes near to that; "
+     "one "
+     "made by another program may. Give parts of the expression names, or move inner blocks into functions."},
     {"flatlang-unknown-function", Severity::warning, "a function is called that there is not",
      "There is no builtin of this name, and no definition of it has been run yet: a function exists once its "
      "define has been passed, and a file once it has been loaded. The call does nothing, and its value is "

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/utf8.h"
 #include "input/flatlang/parse.h"
 #include "popup/diagnostics.h"
 #include "support/random.h"
@@ -156,10 +157,12 @@ std::string words(Random& random) {
 // Lines of a text, each with the columns that it has, the one behind its last character among them.
 std::vector<int> columns(std::string_view text) {
     std::vector<int> lines{1};
-    for (const char c : text) {
-        if (c == '\n') {
+    for (std::size_t at = 0; at < text.size();) {
+        const Character next = first_character(text.substr(at));
+        at += next.bytes;
+        if (next.code == '\n') {
             lines.push_back(1);
-        } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+        } else {
             ++lines.back();
         }
     }
@@ -254,7 +257,7 @@ void check_one(const std::string& text, std::size_t& complete) {
                 ASSERT_EQ(d.severity,
                           as_2008 && d.code == "flatlang-syntax" ? Severity::warning : Severity::error);
             }
-            if (!as_2008) ASSERT_LE(mistakes, 20U);
+            ASSERT_TRUE(as_2008 || mistakes <= 20U);
             ASSERT_NO_FATAL_FAILURE(check_tree(parsed, symbols, lines, deepest));
             if (parsed.complete && deepest == 250) ++complete;
         }
@@ -297,7 +300,7 @@ TEST(FlatLangParserFuzz, EveryTruncationIsReadOrRefused) {
 TEST(FlatLangParserFuzz, MutatedPrograms) { fuzz(1, 5'000); }
 
 TEST(LongFlatLangParserFuzz, ManyMutatedPrograms) {
-    for (std::uint64_t seed = 2; seed < 40; ++seed) fuzz(seed, 20'000);
+    for (std::uint64_t seed = 2; seed < 14; ++seed) fuzz(seed, 20'000);
 }
 
 }  // namespace

@@ -165,6 +165,23 @@ TEST(FlatLangCard, OfAnEvenElementTheLeftSideIsEnough) {
     }
 }
 
+TEST(FlatLangCard, ColoursAreOfBothHalvesOrEachAndOfTheirTabs) {
+    const auto colors = [](std::string_view arguments) {
+        const std::string beak = "c = popup() e = beak(c, [0, 1], [-1, 0]";
+        const Design made = design_of(fmt::format("{}, {})", beak, arguments));
+        expect_same(design_of(fmt::format("{}, \"gold\") painted(e, {})", beak, arguments)), made);
+        std::string text;
+        const Structure& s = made.structures.at(0);
+        for (const auto& color : {s.left, s.right, s.left_tab, s.right_tab})
+            text += (color ? to_string(*color) : "none") + " ";
+        return text;
+    };
+    EXPECT_EQ(colors("\"#111\""), "#111111 #111111 none none ");
+    EXPECT_EQ(colors("\"#111\", \"#222\""), "#111111 #222222 none none ");
+    EXPECT_EQ(colors("\"#111\", \"#222\", \"#333\""), "#111111 #222222 #333333 #333333 ");
+    EXPECT_EQ(colors("\"#111\", \"#222\", \"#333\", \"#444\""), "#111111 #222222 #333333 #444444 ");
+}
+
 TEST(FlatLangCard, PointsAreVectorsListsOfTwoNumbersOrListsOfPoints) {
     const Design wanted = design_of("beak(popup(), [0, 1.5], [-1.25, 0.5], [1.25, 0.5])");
     expect_same(design_of("up() forward(1.5) c = popup() beak(c, pos(), [-1.25, 0.5])"), wanted);
@@ -420,6 +437,10 @@ TEST(FlatLangCard, WhatCannotBeIsSaidWhereItIsCalled) {
          "1:1 beak() has the point [0, 100000]; coordinates are at most 39370.1 inches"},
         {"x = sqrt(-1) beak(popup(), [0, x], [-1, 0])",
          "1:14 beak() has a point whose coordinate is not a number"},
+        {"c = popup() painted(c, \"red\")",
+         "1:13 argument 1 of painted() is an object, where an element of the card is expected"},
+        {"painted(beak(popup(), [0, 1], [-1, 0]), 1)",
+         "1:1 argument 2 of painted() is a number, where a colour is expected"},
         {"c = popup() named(c, \"a\")",
          "1:13 argument 1 of named() is an object, where an element of the card is expected"},
         {"e = beak(popup(), [0, 1], [-1, 0]) named(e, 3)",
@@ -495,6 +516,22 @@ TEST(FlatLangCard, TheEditionOf2008HasNone) {
             options);
     EXPECT_FALSE(reading.design);
     EXPECT_EQ(reading.printed, "nil\nnil\nnil\nnil\n");
+}
+
+// Whatever their sizes, they fold: check() has nothing to mend.
+TEST(FlatLangCard, ElementsOfTheKitNeedNoRepair) {
+    const Design design = design_of(
+        "c = popup(10, 30) load(\"kit/card.fl\")\n"
+        "b = card_box(c, -12, 3, 2.5, 1.5) card_inverted_box(b.centre, 0.2, 1, 0.4, 0.3)\n"
+        "m = card_mouth(c, -9, 50, 1.7) card_inverted_mouth(m.centre, 0, 40, 0.3) card_mouth(c, -4, 120, 1.2)\n"
+        "p = card_peak(c, -2, 30, 1.5, 7, 2, 0) card_peak(p.left, 0, 60, 0.5, 15, 0.6, 0.1)\n"
+        "card_inverted_peak(c, 2, 60, 1.2, 20, 1.5, 1)\n"
+        "t = card_roof(c, 7, 3, 2, 2.5) card_inverted_box(t.centre, 0, 1, 0.3, 0.3) card_roof(t.right, 0.5, 1, 0.4, 0.7)\n"
+        "at = 10 angle = 20\n"
+        "while (angle < 85) card_mouth(c, at, angle, 0.4) at = at + 0.7 angle = angle + 13 done");
+    Diagnostics diagnostics;
+    EXPECT_TRUE(check(design, {}, diagnostics));
+    EXPECT_EQ(test::findings(diagnostics), "");
 }
 
 TEST(FlatLangCard, SamplesAndTheirFamiliesCheckWithoutFindings) {

@@ -60,8 +60,12 @@ void set(const Call& call, const Value& object, std::string_view name, Value val
     object->first->set_member(call.in.symbols.of(name), std::move(value));
 }
 
-// Rounded as all numbers of the language are.
-double rounded(double number) { return static_cast<double>(static_cast<float>(number)); }
+// Rounded as all numbers of the language are. volatile: gcc 12 forgets the rounding of two numbers side by
+// side where it makes one vector of them (-ftree-slp-vectorize).
+double rounded(double number) {
+    const volatile auto narrow = static_cast<float>(number);
+    return static_cast<double>(narrow);
+}
 
 void set_number(const Call& call, const Value& object, std::string_view name, double number) {
     set(call, object, name, call.in.heap.number(rounded(number)));
@@ -222,6 +226,23 @@ Value popup_card(const Call& call) {
     return made;
 }
 
+// Up to four colours: of both halves, or of each; of both tabs, or of each.
+Paint paint(const Call& call, Arguments& arguments) {
+    const std::vector<Color> colors = arguments.take_colors();
+    if (colors.size() > 4)
+        refuse(call, {"has more than four colours, of its left and right half and of their tabs"});
+    Paint made;
+    if (!colors.empty()) {
+        made.left = colors.front();
+        made.right = colors.size() > 1 ? colors[1] : colors.front();
+    }
+    if (colors.size() > 2) {
+        made.left_tab = colors[2];
+        made.right_tab = colors.back();
+    }
+    return made;
+}
+
 // step(fold, points… [, colours of the halves [, colours of their tabs]]), and so for every row.
 Value element(const Call& call) {
     Interpreter& in = call.in;
@@ -242,19 +263,9 @@ Value element(const Call& call) {
     }
     wanted.fold = fold.value_or(0);
     wanted.points = arguments.take_points();
-    const std::vector<Color> colors = arguments.take_colors();
-    arguments.end(colors.empty() ? "a point or a colour" : "a colour",
+    wanted.paint = paint(call, arguments);
+    arguments.end(wanted.paint.left ? "a colour" : "a point or a colour",
                   fmt::format("the points are {}", letters_of(*wanted.info)));
-    if (colors.size() > 4)
-        refuse(call, {"has more than four colours, of its left and right half and of their tabs"});
-    if (!colors.empty()) {
-        wanted.left = colors.front();
-        wanted.right = colors.size() > 1 ? colors[1] : colors.front();
-    }
-    if (colors.size() > 2) {
-        wanted.left_tab = colors[2];
-        wanted.right_tab = colors.back();
-    }
     std::optional<std::size_t> folds;
     if (const auto refusal = add_element(card, wanted, folds)) refuse(call, *refusal);
 
@@ -270,6 +281,20 @@ Value element(const Call& call) {
                   : in.heap.nil());
     }
     return made;
+}
+
+// painted(element, colours of the halves [, colours of their tabs]): the element.
+Value painted(const Call& call) {
+    if (call.in.as_2008()) return call.in.heap.nil();
+    Card& card = card_of(call);
+    Arguments arguments(call);
+    const Value& value = arguments.take();
+    const auto number = hidden_number(call, value, kElementNumber);
+    if (!number) refuse_argument(call, 0, value, "an element of the card");
+    const Paint wanted = paint(call, arguments);
+    arguments.end("a colour");
+    paint_element(card, number.value_or(0), wanted);
+    return value;
 }
 
 // named(element, name [, number]): the element. With a number the name is "name-number".
@@ -365,6 +390,7 @@ struct Rows {
     Rows() {
         rows.push_back({"popup", 0, 4, popup_card});
         rows.push_back({"named", 2, 3, named});
+        rows.push_back({"painted", 2, 5, painted});
         rows.push_back({"drawline", 1, -1, draw_line});
         for (const ElementInfo& info : element_table()) {
             for (std::string& name : names_of(info)) {

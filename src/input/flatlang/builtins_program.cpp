@@ -183,7 +183,13 @@ Value show_soup(const Call& call) {
 
 Value nothing(const Call& call) { return call.in.heap.nil(); }
 
-Value type_of(const Call& call) { return call.in.heap.text(std::string(type_name(call.arguments[0]->type))); }
+// "number", "list", "nil" …
+Value type_of(const Call& call) {
+    std::string_view name = type_name(call.arguments[0]->type);
+    const std::size_t space = name.find(' ');
+    if (space != std::string_view::npos) name.remove_prefix(space + 1);
+    return call.in.heap.text(std::string(name));
+}
 
 Value fail(const Call& call) {
     constexpr std::size_t kMost = 1000;

@@ -142,10 +142,7 @@ std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::op
     Structure& made = design.structures.emplace_back();
     made.type = info.name;
     made.place = made.type_place = made.fold.place = wanted.place;
-    made.left = wanted.left;
-    made.right = wanted.right;
-    made.left_tab = wanted.left_tab;
-    made.right_tab = wanted.right_tab;
+    paint_element(card, design.structures.size() - 1, wanted.paint);
     made.fold.page = fold.left_page;
     made.fold.begin = design_point(fold.on_left.a, wanted.place);
     made.fold.end = design_point(fold.on_left.b, wanted.place);
@@ -209,6 +206,14 @@ std::optional<Refusal> add_line(Card& card, const NewLine& wanted) {
     }
     design.lines.push_back(std::move(made));
     return std::nullopt;
+}
+
+void paint_element(Card& card, std::size_t structure, const Paint& paint) {
+    Structure& made = card.design->structures[structure];
+    made.left = paint.left;
+    made.right = paint.right;
+    made.left_tab = paint.left_tab;
+    made.right_tab = paint.right_tab;
 }
 
 std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {

@@ -42,13 +42,18 @@ struct NewCard {
 // Begins the card; its gutter is fold 0. Precondition: there is none yet.
 std::optional<Refusal> begin_card(Card& card, const NewCard& wanted);
 
+// Colours of an element's halves and of the tabs of its piece.
+struct Paint {
+    std::optional<Color> left, right, left_tab, right_tab;
+};
+
 struct NewElement {
     const ElementInfo* info = nullptr;
     std::size_t fold = 0;  // of Card::folds
     // In the row's order: all of them, or all but those with a partner on their left, whose mirror images
     // these then are (about the fold; on a piece's page about x = 0).
     std::vector<Vec2> points;
-    std::optional<Color> left, right, left_tab, right_tab;
+    Paint paint;
     Place place;
 };
 // Appends the structure; on success `folds` is the first of its left, centre and right fold in Card::folds.
@@ -71,6 +76,8 @@ struct NewLine {
 };
 // Precondition: the card has begun, and its fold or page is there.
 std::optional<Refusal> add_line(Card& card, const NewLine& wanted);
+
+void paint_element(Card& card, std::size_t structure, const Paint& paint);
 
 // Gives a structure its id.
 std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id);

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/utf8.h"
+
 namespace popup::flatlang {
 namespace {
 
@@ -49,9 +51,6 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 constexpr bool in_name(char c) { return begins_name(c) || is_digit(c); }
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-// A byte that goes on with a character of UTF-8.
-constexpr bool goes_on(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
 class Lexer {
  public:
     Lexer(std::string_view text, bool as_2008) : text_(text), as_2008_(as_2008) {}
@@ -73,20 +72,19 @@ class Lexer {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
 
-    // Goes over one byte. Only the first byte of a character counts as a column.
+    // Goes over one character; a byte that is no UTF-8 is one, too.
     void step() {
-        if (text_[at_] == '\n') {
+        const auto byte = static_cast<unsigned char>(text_[at_]);
+        if (byte == '\n') {
             ++place_.line;
             place_.column = 0;
         }
-        ++at_;
-        if (at_ == text_.size() || !goes_on(text_[at_])) ++place_.column;
+        at_ += byte < 0x80 ? 1 : first_character(text_.substr(at_)).bytes;
+        ++place_.column;
     }
-
-    void step_character() {
-        if (at_ == text_.size()) return;
-        step();
-        while (at_ < text_.size() && goes_on(text_[at_])) step();
+    // The same, where there may be none.
+    void step_if_any() {
+        if (at_ < text_.size()) step();
     }
 
     void skip_space() {
@@ -147,8 +145,8 @@ class Lexer {
                 step();
             }
             fault(LexicalFault::half_keyword, place_);
-            step_character();
-            step_character();
+            step_if_any();
+            step_if_any();
             return;
         }
         for (int i = 0; i < 3; ++i) step();
@@ -169,7 +167,7 @@ class Lexer {
             step();
             if (!is_digit(peek())) {
                 fault(LexicalFault::digits_missing, as_2008_ ? place_ : token_.place);
-                if (as_2008_) return step_character();
+                if (as_2008_) return step_if_any();
                 // Its value is that of the digits.
                 token_.kind = TokenKind::number;
                 token_.end = at_ - 1;
@@ -192,7 +190,7 @@ class Lexer {
         step();
         while (at_ < text_.size() && text_[at_] != '"') {
             if (text_[at_] == '\\') step();
-            if (at_ < text_.size()) step();
+            step_if_any();
         }
         if (at_ == text_.size()) return fault(LexicalFault::unfinished, as_2008_ ? place_ : token_.place);
         step();
@@ -203,15 +201,15 @@ class Lexer {
         step();
         if (!as_2008_) return fault(LexicalFault::half_operator, token_.place);
         fault(LexicalFault::half_operator, place_);
-        step_character();
-        step_character();
+        step_if_any();
+        step_if_any();
     }
 
     void bad_characters() {
         const Place place = place_;
-        step_character();
+        step_if_any();
         if (!as_2008_) {
-            while (at_ < text_.size() && is_bad(text_[at_])) step_character();
+            while (at_ < text_.size() && is_bad(text_[at_])) step_if_any();
         }
         fault(LexicalFault::bad_character, place);
     }

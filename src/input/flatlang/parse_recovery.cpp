@@ -32,13 +32,19 @@ int Parser::text_node(const Token& token) {
 
 Diagnostic* Parser::tell(std::size_t cause, Complaint complaint) {
     errors_ = true;
-    if (quiet_ || cause >= muted_from_) return nullptr;
+    if (quiet_) return nullptr;
+    // Each costs a look ahead, told or not.
+    const bool enough = !as_2008_ && ++told_ >= kMost;
+    if (cause >= muted_from_) {
+        if (enough) give_up();
+        return nullptr;
+    }
     const Severity severity = as_2008_ ? Severity::warning : Severity::error;
     Diagnostic& told =
         diagnostics_.add(severity, "flatlang-syntax", complaint.place, std::move(complaint.message));
     told.hints = std::move(complaint.hints);
     told.related = std::move(complaint.related);
-    if (!as_2008_ && ++told_ == kMost) give_up();
+    if (enough) give_up();
     return &told;
 }
 

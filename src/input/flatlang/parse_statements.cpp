@@ -7,7 +7,9 @@
 namespace popup::flatlang {
 
 int Parser::resume_after(std::size_t begin) {
-    resume(begin, false);
+    // A statement with a block has looked after its brackets itself.
+    const bool whole = (one(token(begin).kind) & (kCompound | kDefinition)) != 0;
+    resume(whole ? at_ : begin, false);
     return word(token(begin)) == "for" ? 1 : 0;
 }
 
@@ -78,19 +80,25 @@ int Parser::block(Kinds after) {
             } else if (kind() == K::kw_done && lost > 0) {
                 --lost;
                 skip();
-            } else if (as_2008_ || kind() == K::kw_done || (at(kBlockEnd) && in_choice())) {
+            } else if (as_2008_ || ends_block()) {
                 break;
-            } else if (!at(kDefinition)) {
-                stray();
-            } else if (here().place.column <= token(open_.back()).place.column) {
-                break;  // a done is missing before it
-            } else {
+            } else if (at(kDefinition)) {
                 inner_definition();
+            } else {
+                stray();
             }
         }
         leave();
         return statements.empty() ? kMissing : make(NodeKind::block, place, std::move(statements));
     });
+}
+
+bool Parser::ends_block() const {
+    const Token& opening = token(open_.back());
+    if (kind() == K::kw_done) return true;
+    if (at(kBlockEnd)) return opening.kind == K::kw_if;
+    // Not deeper than what it would be in: a done is missing before it.
+    return at(kDefinition) && here().place.column <= opening.place.column;
 }
 
 void Parser::inner_definition() {
@@ -102,7 +110,7 @@ void Parser::inner_definition() {
                {{around.place, std::string(word(around))}}});
     const std::size_t begin = at_;
     definition();
-    if (failed_) resume(begin, false);
+    if (failed_) resume_after(begin);
 }
 
 bool Parser::close(std::size_t opened, bool broken) {
@@ -298,7 +306,7 @@ int Parser::for_each() {
 
 int Parser::shape() {
     const std::size_t begin = at_;
-    Token title;
+    Token title = here();
     const int body = compound([&] {
         take();
         const bool fits = header([&] {

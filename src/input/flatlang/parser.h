@@ -76,6 +76,7 @@ class Parser {
     int make(NodeKind kind, Place place, std::vector<int> children = {});
     Node& node(int index) { return result_.syntax.nodes[static_cast<std::size_t>(index)]; }
 
+    // Empty when the word is no text, as broken programs have it.
     int text_node(const Token& token);
 
     // What is wrong.
@@ -157,7 +158,7 @@ class Parser {
     // A name or a call, and indices behind it.
     int named();
 
-    // Statements; parse_statements.cpp.
+    // Statements; parse_statements.cpp. Like those of expressions they return a node, or kMissing.
 
     // Default mode: goes on after the statement that begins there. 1 when it may have had a block that was
     // not recognised, whose done is to be passed over; else 0.
@@ -185,8 +186,10 @@ class Parser {
     // Statements until a word that begins none; kMissing when there are none.
     int block(Kinds after);
 
-    [[nodiscard]] bool in_choice() const { return token(open_.back()).kind == K::kw_if; }
+    // Default mode: whether the innermost block ends here, though not always as it should.
+    [[nodiscard]] bool ends_block() const;
 
+    // Default mode: a definition where none may be.
     void inner_definition();
 
     // A statement that has a block, from its first word on. `body` reads all but that and `done`.
@@ -202,8 +205,12 @@ class Parser {
         return made;
     }
 
+    // Its `done`. `broken`: its first line did not fit, and it may be written as there was no done yet; that
+    // one is missing is not told then.
     bool close(std::size_t opened, bool broken);
+
     int definition();
+    // The brackets with the parameters.
     bool signature(std::vector<int>& parameters);
     int choice();
 
@@ -223,7 +230,7 @@ class Parser {
     int for_each();
     int shape();
 
-    static constexpr int kMost = 20;
+    static constexpr int kMost = 20;  // mistakes that are told, in default mode
 
     std::string_view text_;
     bool as_2008_;
@@ -241,7 +248,7 @@ class Parser {
     bool recovering_ = false;  // nothing fitted since the last complaint
     bool errors_ = false;
     bool quiet_ = false;  // given up
-    int told_ = 0;
+    int told_ = 0;        // mistakes, those that are muted among them
     std::size_t told_at_ = kNowhere;
     std::size_t muted_from_ = kNowhere;  // from this token on nothing is told
     std::size_t recovered_at_ = kNowhere;
@@ -253,7 +260,7 @@ class Parser {
     bool broken_header_ = false;     // of the innermost of them
     // The first `done` that stands below another statement than the one it ends, and that one.
     std::pair<std::size_t, std::size_t> misplaced_{kNowhere, kNowhere};
-    Diagnostic* old_name_ = nullptr;
+    Diagnostic* old_name_ = nullptr;  // where the first is told
     int old_names_ = 0;
 };
 
