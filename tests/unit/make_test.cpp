@@ -194,10 +194,10 @@ TEST(SampleNinjaFile, NamesEverySample) {
     for (const auto& entry : fs::directory_iterator(kSamples)) {
         const std::string stem = entry.path().stem();
         std::string line;
-        if (entry.path().extension() == ".xml")
-            line = "build out/" + stem + ".pdf out/" + stem + ".glb: card " + stem + ".xml\n";
-        if (entry.path().extension() == ".svg")
-            line = "build out/" + stem + ".pdf: drawing " + stem + ".svg\n";
+        const std::string suffix = entry.path().extension();
+        if (suffix == ".xml" || suffix == ".fl")
+            line = "build out/" + stem + ".pdf out/" + stem + ".glb: card " + stem + suffix + "\n";
+        if (suffix == ".svg") line = "build out/" + stem + ".pdf: drawing " + stem + ".svg\n";
         if (line.empty()) continue;
         ++seen;
         EXPECT_NE(text.find(line), std::string::npos) << line;

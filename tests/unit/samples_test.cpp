@@ -265,6 +265,10 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
     for (const std::string& name : names_with(".svg")) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
     }
+    for (const std::string& name : names_with(".fl")) {
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
+    }
     std::vector<std::string> again = make;
     again.push_back("-q");
     EXPECT_EQ(run(again).exit, 0) << "a second make has nothing to do";
