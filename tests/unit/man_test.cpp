@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "input/flatlang/builtin.h"
+#include "input/flatlang/folders.h"
 #include "popup/diagnostics.h"
 #include "popup/layout.h"
 #include "popup/mechanism.h"
@@ -319,6 +320,38 @@ TEST(FlatlangManual, HasEveryBuiltinAndNoOther) {
     }
     EXPECT_EQ(explained, builtins());
     EXPECT_GT(explained.size(), 60U);
+}
+
+TEST(FlatlangManual, HasWhatTheKitDefines) {
+    std::set<std::string> files;
+    std::set<std::string> functions;
+    for (const ManLine& line : manual("popupc-flatlang.7")) {
+        if (line.section != "KIT") continue;
+        const std::vector<std::string> words = words_of(line.text);
+        if (line.text.starts_with(".It Pa ")) files.insert(words[2]);
+        if (line.text.starts_with(".Fn ")) functions.insert(words.begin() + 1, words.end());
+    }
+    for (const std::string_view file : flatlang::kit_files()) {
+        const bool listed = files.erase(std::string(file)) == 1;
+        EXPECT_TRUE(listed || file == "all.fl" || file == "base.fl") << file;
+        for (const std::string& line : lines_of(std::string(*flatlang::kit_file(file)))) {
+            if (!line.starts_with("define ") || line.starts_with("define __")) continue;
+            EXPECT_TRUE(functions.contains(line.substr(7, line.find('(') - 7))) << line;
+        }
+    }
+    EXPECT_EQ(files, std::set<std::string>()) << "there is no such file";
+}
+
+TEST(FlatlangManual, HasWhatMakesCards) {
+    std::set<std::string> explained;
+    for (const ManLine& line : manual("popupc-flatlang.7")) {
+        if (line.section == "CARDS" && line.text.starts_with(".Fn "))
+            explained.insert(words_of(line.text)[1]);
+    }
+    for (const flatlang::Builtin& row : flatlang::card_builtins()) {
+        // Those of elements are named as these are.
+        EXPECT_TRUE(row.data != nullptr || explained.contains(std::string(row.name))) << row.name;
+    }
 }
 
 // The programs on the page: those that are whole, and those that go on from what stands before them.
