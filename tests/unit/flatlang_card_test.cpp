@@ -12,6 +12,7 @@
 #include "mechanism/builder.h"
 #include "popup/mechanism.h"
 #include "support/designs.h"
+#include "support/random.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -495,6 +496,47 @@ TEST(FlatLangCard, NothingIsMadeOfAProgramThatFails) {
     EXPECT_TRUE(diagnostics.has_errors());
 }
 
+// Elements of any points, many of them alike or far out, on any folds: each program is a design or has an
+// error, and check() has an answer to every design.
+TEST(FlatLangCard, AnyPointsAndFoldsComeToAnAnswer) {
+    constexpr std::string_view kNumbers[] = {"0",  "0",    "1",      "-1",    "0.5",
+                                             "-2", "4.25", "0.0001", "30000", "-infinity"};
+    constexpr std::string_view kFolds[] = {"left", "centre", "right"};
+    int designs = 0;
+    int sound = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        test::Random random(seed);
+        const std::size_t numbers = seed % 2 == 0 ? std::size(kNumbers) : 6;
+        const auto point = [&] {
+            return fmt::format(", [{}, {}]", kNumbers[random.below(numbers)],
+                               kNumbers[random.below(numbers)]);
+        };
+        std::string program = "e0 = popup()\ne0.left = e0 e0.centre = e0.gutter e0.right = e0\n";
+        for (std::size_t n = 1; n <= 6; ++n) {
+            const auto table = element_table();
+            const ElementInfo& info = table[random.below(table.size())];
+            program += fmt::format("e{} = {}(e{}.{}", n, builtin_name(info, "_"), random.below(n),
+                                   kFolds[random.below(std::size(kFolds))]);
+            for (const PointInfo& at : info.points) {
+                if (at.side != 'R') program += point();
+            }
+            program += fmt::format(")\ndrawline(e{}.centre{}{})\n", random.below(n + 1), point(), point());
+        }
+        Diagnostics diagnostics;
+        const Reading reading = run(program, diagnostics);
+        EXPECT_NE(reading.design.has_value(), diagnostics.has_errors()) << program;
+        if (!reading.design) continue;
+        ++designs;
+        EXPECT_EQ(reading.design->structures.size(), 6U);
+        Diagnostics found;
+        const auto checked = check(*reading.design, {}, found);
+        EXPECT_NE(checked.has_value(), found.has_errors()) << program;
+        sound += checked ? 1 : 0;
+    }
+    EXPECT_GT(designs, 20);
+    EXPECT_LT(sound, designs);
+}
+
 TEST(FlatLangCard, FindingsPointIntoTheProgram) {
     const Design design = design_of("c = popup()\n\n  beak(c, [0.5, 1], [-1, 0], [1, 0])");
     Diagnostics diagnostics;
@@ -523,10 +565,12 @@ TEST(FlatLangCard, ElementsOfTheKitNeedNoRepair) {
     const Design design = design_of(
         "c = popup(10, 30) load(\"kit/card.fl\")\n"
         "b = card_box(c, -12, 3, 2.5, 1.5) card_inverted_box(b.centre, 0.2, 1, 0.4, 0.3)\n"
-        "m = card_mouth(c, -9, 50, 1.7) card_inverted_mouth(m.centre, 0, 40, 0.3) card_mouth(c, -4, 120, 1.2)\n"
+        "m = card_mouth(c, -9, 50, 1.7) card_inverted_mouth(m.centre, 0, 40, 0.3) card_mouth(c, -4, 120, "
+        "1.2)\n"
         "p = card_peak(c, -2, 30, 1.5, 7, 2, 0) card_peak(p.left, 0, 60, 0.5, 15, 0.6, 0.1)\n"
         "card_inverted_peak(c, 2, 60, 1.2, 20, 1.5, 1)\n"
-        "t = card_roof(c, 7, 3, 2, 2.5) card_inverted_box(t.centre, 0, 1, 0.3, 0.3) card_roof(t.right, 0.5, 1, 0.4, 0.7)\n"
+        "t = card_roof(c, 7, 3, 2, 2.5) card_inverted_box(t.centre, 0, 1, 0.3, 0.3) card_roof(t.right, 0.5, "
+        "1, 0.4, 0.7)\n"
         "at = 10 angle = 20\n"
         "while (angle < 85) card_mouth(c, at, angle, 0.4) at = at + 0.7 angle = angle + 13 done");
     Diagnostics diagnostics;

@@ -20,8 +20,6 @@ int whole(double value) {
     return static_cast<int>(std::clamp(value, kLeast, kMost));
 }
 
-double rounded(double value) { return static_cast<double>(static_cast<float>(value)); }
-
 std::string shown_value(const Value& value, const Symbols& symbols) {
     constexpr std::size_t kMost = 40;
     std::string text = to_text(value, symbols, kMost + 1);
@@ -552,8 +550,8 @@ Value Evaluation::comparison(const Node& at) {
     }
     switch (a->type) {
         case Type::number: {
-            const double x = rounded(a->number);
-            const double y = rounded(b->number);
+            const auto x = static_cast<float>(a->number);
+            const auto y = static_cast<float>(b->number);
             switch (at.kind) {
                 case NodeKind::less:
                     return in_.heap.truth(x < y);

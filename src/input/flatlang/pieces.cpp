@@ -14,6 +14,7 @@
 #include "base/regions.h"
 #include "input/flatlang/outlines.h"
 #include "input/flatlang/pen_lines.h"
+#include "input/flatlang/strokes.h"
 #include "input/flatlang/unfold_faces.h"
 
 namespace popup::flatlang {
@@ -77,12 +78,19 @@ double narrowest_gap_inches(const Trail& trail) {
     return narrowest;
 }
 
+// Finite, and no further away than parts may be.
+bool is_near(Vec3 p) {
+    const double most = kFarthestMm / kMmPerInch;
+    return std::fabs(p.x) <= most && std::fabs(p.y) <= most && std::fabs(p.z) <= most;
+}
+
 class PartMaker {
  public:
-    PartMaker(const Trail& trail, Diagnostics& diagnostics)
-        : in_(trail), diagnostics_(diagnostics), names_(trail) {}
+    PartMaker(Trail trail, Diagnostics& diagnostics)
+        : in_(std::move(trail)), diagnostics_(diagnostics), names_(in_) {}
 
     std::optional<PartList> run() {
+        join_strokes();
         auto outlines = find_outlines(in_, work_, diagnostics_);
         if (!outlines) return std::nullopt;
         outlines_ = std::move(*outlines);
@@ -106,6 +114,21 @@ class PartMaker {
     }
 
  private:
+    // What was drawn in several strokes is an outline as well as what was drawn in one.
+    void join_strokes() {
+        if (!std::all_of(in_.segments.begin(), in_.segments.end(),
+                         [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); })) {
+            return;
+        }
+        const Outlines all{{}, std::vector<int>(in_.polygons.size(), 0)};
+        const PenLines lines = sort_segments(in_, all);
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < lines.face.size(); ++i) {
+            if (lines.face[i] == PenLines::kOpen) open.push_back(i);
+        }
+        for (TrailPolygon& loop : loops_of_strokes(in_, open)) in_.polygons.push_back(std::move(loop));
+    }
+
     void tell_empty() {
         const bool drew = !in_.segments.empty();
         Diagnostic& told = diagnostics_.error(
@@ -238,7 +261,7 @@ class PartMaker {
         list_.model.emplace(StillModel{std::move(nodes_)});
     }
 
-    const Trail& in_;
+    Trail in_;
     Diagnostics& diagnostics_;
     Names names_;
     Work work_;

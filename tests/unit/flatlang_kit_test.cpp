@@ -1,0 +1,649 @@
+// The kit: its gears mesh, its boxes fit, its assemblies stand where they should, and it leaves programs
+// alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <polyclipping/clipper.hpp>
+#include <string>
+#include <vector>
+
+#include "input/flatlang/interpreter.h"
+#include "support/random.h"
+#include "support/run_program.h"
+
+namespace popup::flatlang {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPi = std::numbers::pi;
+
+ProgramRun ran(const std::string& text, const ReadOptions& options = {}) {
+    Diagnostics diagnostics("test.fl");
+    ProgramRun run = run_program({"test.fl", text}, options, diagnostics);
+    for (const Diagnostic& one : diagnostics.sorted()) {
+        ADD_FAILURE() << text << "\n" << one.place.line << ": " << one.code << ": " << one.message;
+    }
+    EXPECT_EQ(run.status, RunStatus::ok);
+    return run;
+}
+
+// The first error of a program.
+std::string trouble(const std::string& text) {
+    Diagnostics diagnostics("test.fl");
+    run_program({"test.fl", "load(\"kit/all.fl\")\n" + text}, {}, diagnostics);
+    const std::vector<Diagnostic> found = diagnostics.sorted();
+    if (found.empty()) return "";
+    return std::to_string(found.front().place.line) + ": " + found.front().message;
+}
+
+using Points = std::vector<Vec2>;
+
+Points flat(const TrailPolygon& polygon) {
+    Points points;
+    for (const Vec3& p : polygon.points) points.push_back({p.x, p.y});
+    return points;
+}
+
+Points moved(const Points& points, double turn, Vec2 by) {
+    Points result;
+    for (const Vec2& p : points) {
+        result.push_back({by.x + p.x * std::cos(turn) - p.y * std::sin(turn),
+                          by.y + p.x * std::sin(turn) + p.y * std::cos(turn)});
+    }
+    return result;
+}
+
+constexpr double kScale = 1e8;
+
+ClipperLib::Path path_of(const Points& points) {
+    ClipperLib::Path path;
+    for (const Vec2& p : points) {
+        path.emplace_back(static_cast<ClipperLib::cInt>(std::llround(p.x * kScale)),
+                          static_cast<ClipperLib::cInt>(std::llround(p.y * kScale)));
+    }
+    if (!ClipperLib::Orientation(path)) std::reverse(path.begin(), path.end());
+    return path;
+}
+
+double area_of(ClipperLib::ClipType type, const Points& a, const Points& b) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPath(path_of(a), ClipperLib::ptSubject, true);
+    clipper.AddPath(path_of(b), ClipperLib::ptClip, true);
+    ClipperLib::Paths result;
+    clipper.Execute(type, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    double area = 0.0;
+    for (const ClipperLib::Path& path : result) area += ClipperLib::Area(path);
+    return std::abs(area) / kScale / kScale;
+}
+double overlap(const Points& a, const Points& b) { return area_of(ClipperLib::ctIntersection, a, b); }
+
+// Two gears, each about its own middle, turned as mesh() turns them.
+struct Pair {
+    Points a, b;
+    Vec2 apart;  // of b's middle from a's
+};
+
+Vec2 middle_of_bore(const TrailPolygon& bore) {
+    Vec2 sum{0, 0};
+    for (const Vec3& p : bore.points) sum = {sum.x + p.x / 4, sum.y + p.y / 4};
+    return sum;
+}
+
+struct GearSpec {
+    int teeth;
+    std::string settings;  // ".member = value" of it
+};
+
+std::string gear_text(const std::string& variable, const GearSpec& spec) {
+    std::string text = variable + " = gear(" + std::to_string(spec.teeth) + ")\n";
+    if (!spec.settings.empty()) text += variable + spec.settings + "\n";
+    return text;
+}
+
+Pair meshed(const GearSpec& first, const GearSpec& second, const std::string& both = "",
+            double direction = 25) {
+    std::string text =
+        "load(\"kit/gear.fl\") load(\"kit/assembly.fl\")\n" + gear_text("a", first) + gear_text("b", second);
+    if (!both.empty()) text += "a" + both + " b" + both + "\n";
+    text += "m = mesh(a, b)\nm.direction = " + std::to_string(direction) + "\n";
+    const ProgramRun run = ran(text);
+    EXPECT_EQ(run.trail.polygons.size(), 4U);
+    if (run.trail.polygons.size() != 4) return {};
+    Pair pair;
+    pair.apart = middle_of_bore(run.trail.polygons[3]);
+    pair.a = flat(run.trail.polygons[0]);
+    pair.b = moved(flat(run.trail.polygons[2]), 0, {-pair.apart.x, -pair.apart.y});
+    return pair;
+}
+
+// The largest overlap while the first turns by a tooth, with the second turned by `behind` besides.
+double worst_overlap(const Pair& pair, int teeth_a, int teeth_b, double behind) {
+    double worst = 0.0;
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps; ++i) {
+        const double turn = 2 * kPi / teeth_a * i / kSteps;
+        worst = std::max(worst, overlap(moved(pair.a, turn, {0, 0}),
+                                        moved(pair.b, -turn * teeth_a / teeth_b + behind, pair.apart)));
+    }
+    return worst;
+}
+
+// Chords that lie off the true flanks by the tolerance may meet along a tooth's height (0.25 inches here).
+constexpr double kTolerance = 0.0005;
+constexpr double kTouch = 2 * kTolerance * 0.25;
+
+TEST(FlatlangKitGear, MeshedGearsTurnWithoutOverlapAndHaveTheBacklashTheySay) {
+    const std::vector<std::pair<int, int>> pairs{{24, 24}, {12, 60}, {17, 25}, {31, 13}, {10, 20}};
+    for (const auto& [a, b] : pairs) {
+        SCOPED_TRACE(std::to_string(a) + " and " + std::to_string(b) + " teeth");
+        const double backlash = 0.02;
+        const Pair pair = meshed({a, ""}, {b, ""}, ".backlash = 0.02");
+        EXPECT_NEAR(std::hypot(pair.apart.x, pair.apart.y), (a + b) / 8.0 / 2, 1e-5);
+        const double radius = b / 8.0 / 2;
+        EXPECT_LT(worst_overlap(pair, a, b, 0), 1e-9);
+        // Half of the backlash lies on each side, within what chords lie off the flanks.
+        for (const int side : {-1, 1}) {
+            EXPECT_LT(worst_overlap(pair, a, b, side * (backlash / 2 - 2 * kTolerance) / radius), 1e-9);
+            EXPECT_GT(worst_overlap(pair, a, b, side * (backlash / 2 + 3 * kTolerance) / radius), 1e-6);
+        }
+    }
+}
+
+TEST(FlatlangKitGear, GearsOfFewTeethAndOtherAnglesRunTooWithoutBacklash) {
+    for (const char* angle : {"14.5", "20", "30"}) {
+        for (const auto& [a, b] : std::vector<std::pair<int, int>>{{6, 6}, {6, 50}, {8, 13}, {40, 40}}) {
+            SCOPED_TRACE(std::string(angle) + " degrees, " + std::to_string(a) + " and " + std::to_string(b));
+            const Pair pair =
+                meshed({a, ".backlash = 0"}, {b, ".backlash = 0"}, ".pressure_angle = " + std::string(angle));
+            EXPECT_LT(worst_overlap(pair, a, b, 0), kTouch);
+        }
+    }
+}
+
+TEST(FlatlangKitGear, TrapezoidTeethLieWithinInvoluteOnesAndMeshWithBoth) {
+    for (const int teeth : {8, 17, 40}) {
+        SCOPED_TRACE(teeth);
+        const Pair pair = meshed({teeth, ""}, {teeth, ".profile = \"trapezoid\""}, "", 0);
+        const double half_pitch = teeth % 2 == 0 ? kPi / teeth : 0.0;
+        EXPECT_LT(area_of(ClipperLib::ctDifference, moved(pair.b, -half_pitch, {0, 0}), pair.a),
+                  teeth * 4e-5);
+        EXPECT_LT(worst_overlap(pair, teeth, teeth, 0), 1e-9);
+        const Pair both =
+            meshed({teeth, ".profile = \"trapezoid\""}, {2 * teeth + 1, ".profile = \"trapezoid\""});
+        EXPECT_LT(worst_overlap(both, teeth, 2 * teeth + 1, 0), 1e-9);
+    }
+}
+
+// A rack with straight flanks and sharp corners rolls on the pitch circle: it never cuts into the gear, and
+// touches each of its corners at some moment, but for those on the tips.
+TEST(FlatlangKitGear, IsWhatARackCuts) {
+    const double pitch = 2.0;
+    for (const int teeth : {6, 9, 16, 23, 60}) {
+        for (const double degrees : {14.5, 20.0, 30.0}) {
+            SCOPED_TRACE(std::to_string(teeth) + " teeth, " + std::to_string(degrees) + " degrees");
+            const ProgramRun run =
+                ran("load(\"kit/gear.fl\") g = gear(" + std::to_string(teeth) +
+                    ", 2) g.pressure_angle = " + std::to_string(degrees) + " g.backlash = 0.04 g.draw()");
+            const double radius = teeth / pitch / 2;
+            const double outer = radius + 1 / pitch;
+            const double lowest = radius - 1.25 / pitch;
+            const double slope = std::tan(degrees * kPi / 180);
+            const double half = kPi / (4 * pitch) + 0.04 / 4;
+            std::size_t touched = 0;
+            for (const Vec2& p : flat(run.trail.polygons.front())) {
+                const double r = std::hypot(p.x, p.y);
+                // From the middle of the space left of the first tooth, which lies along +y.
+                double angle = std::atan2(-p.x, p.y) - kPi / teeth;
+                if (std::abs(angle) > kPi / teeth) continue;  // all spaces are alike
+                double deepest = -1.0;
+                for (int i = -4000; i <= 4000; ++i) {
+                    const double roll = i * 0.0004 * (12.0 / teeth);
+                    const double x = r * std::cos(angle + roll);
+                    const double y = std::abs(r * std::sin(angle + roll) - radius * roll);
+                    deepest = std::max(deepest, std::min(x - lowest, (half + (x - radius) * slope - y) *
+                                                                         std::cos(degrees * kPi / 180)));
+                }
+                EXPECT_LT(deepest, 1e-5) << r << " " << angle;
+                if (r < outer - 1e-4) {
+                    EXPECT_GT(deepest, -4e-4) << r << " " << angle;
+                    ++touched;
+                } else {
+                    EXPECT_NEAR(r, outer, 1e-5);
+                }
+            }
+            EXPECT_GT(touched, 10U);
+        }
+    }
+}
+
+TEST(FlatlangKitGear, FlanksAreSampledToTheirTolerance) {
+    const auto outline = [](const std::string& tolerance) {
+        return flat(ran("load(\"kit/gear.fl\") g = gear(20, 4) g.tolerance = " + tolerance + " g.draw()")
+                        .trail.polygons.front());
+    };
+    const Points fine = outline("0.00002");
+    for (const double tolerance : {0.004, 0.0005}) {
+        const Points coarse = outline(std::to_string(tolerance));
+        EXPECT_LT(coarse.size(), fine.size());
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            double nearest = 1.0;
+            for (std::size_t j = 0; j < coarse.size(); ++j) {
+                const Vec2 a = coarse[j];
+                const Vec2 b = coarse[(j + 1) % coarse.size()];
+                const double length = std::hypot(b.x - a.x, b.y - a.y);
+                const double along =
+                    std::clamp(((fine[i].x - a.x) * (b.x - a.x) + (fine[i].y - a.y) * (b.y - a.y)) / length,
+                               0.0, length);
+                nearest = std::min(nearest, std::hypot(a.x + (b.x - a.x) * along / length - fine[i].x,
+                                                       a.y + (b.y - a.y) * along / length - fine[i].y));
+            }
+            EXPECT_LT(nearest, tolerance + 0.00003);
+        }
+    }
+}
+
+TEST(FlatlangKitGear, AFamilyIsMadeByDefinitions) {
+    const std::string sample = test::read_file(fs::path(POPUP_SOURCE_DIR) / "samples/flatlang/gear.fl");
+    for (const int teeth : {11, 24, 37}) {
+        ReadOptions options;
+        options.program.definitions = {{"teeth", std::to_string(teeth)}};
+        const ProgramRun run = ran(sample, options);
+        const Points outline = flat(run.trail.polygons.front());
+        int rising = 0;
+        const auto outside = [&](std::size_t i) {
+            const Vec2& p = outline[i % outline.size()];
+            return std::hypot(p.x, p.y) > teeth / 16.0;
+        };
+        for (std::size_t i = 0; i < outline.size(); ++i) rising += !outside(i) && outside(i + 1) ? 1 : 0;
+        EXPECT_EQ(rising, teeth);
+    }
+}
+
+const TrailPolygon* polygon_of(const Trail& trail, const std::string& part, std::size_t which = 0) {
+    for (const TrailPolygon& polygon : trail.polygons) {
+        if (trail.parts[static_cast<std::size_t>(polygon.part)].name == part && which-- == 0) return &polygon;
+    }
+    ADD_FAILURE() << "there is no " << part;
+    return nullptr;
+}
+
+TEST(FlatlangKitAssembly, CoaxialPartsAreStackedByTheirThickness) {
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl")
+        up() forward(2) right(90)
+        thick = wheel(0.5) thick.thickness = 0.25 thick.label = "thick"
+        coaxial(wheel(2), thick, axle(3), gear(20), coaxial(collar(), wheel(0.7)))
+    )");
+    const auto height = [&](const char* part, std::size_t which) {
+        const TrailPolygon* polygon = polygon_of(run.trail, part, which);
+        return polygon != nullptr ? polygon->points.front().z : NAN;
+    };
+    EXPECT_NEAR(height("wheel", 0), 0.0, 1e-6);
+    EXPECT_NEAR(height("thick", 0), 0.1, 1e-6);
+    EXPECT_NEAR(height("gear", 0), 0.35, 1e-6);
+    EXPECT_NEAR(height("collar", 0), 0.45, 1e-6);
+    EXPECT_NEAR(height("wheel", 2), 0.55, 1e-6);
+    // The axle stands on the axis, from the bottom.
+    const TrailPolygon* strip = polygon_of(run.trail, "axle");
+    ASSERT_NE(strip, nullptr);
+    for (const Vec3& p : strip->points) {
+        EXPECT_NEAR(std::abs(p.z - 1.5), 1.5, 1e-6);
+        EXPECT_LT(std::hypot(p.x, p.y - 2), 0.15);
+    }
+}
+
+TEST(FlatlangKitAssembly, AMeshIsAnArgumentLikeAnyOther) {
+    // As in figure 3: the gears lie in one layer, the piston wheel above the second of them, the last wheel
+    // above it all, on the first axis.
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl")
+        define parametric_automaton
+          (g1_teeth, g2_teeth, offset)
+          wheel_1 = wheel()
+          wheel_2 = wheel()
+          gear_1 = gear(g1_teeth)
+          gear_2 = gear(g2_teeth)
+          piston = piston_wheel(offset)
+          strut = link()
+          piston.offcenter_object = strut
+          coaxial(wheel_1, mesh(gear_1,
+                  coaxial(gear_2, piston_wheel)),
+                  wheel_2)
+        done
+        parametric_automaton(24, 12, 0.6)
+    )");
+    const auto bore = [&](const char* part, std::size_t which) {
+        const TrailPolygon* polygon = polygon_of(run.trail, part, which);
+        return polygon != nullptr ? std::pair{middle_of_bore(*polygon), polygon->points.front().z}
+                                  : std::pair{Vec2{}, 0.0};
+    };
+    EXPECT_EQ(run.trail.polygons.size(), 2 + 2 + 2 + 3 + 2U);
+    EXPECT_NEAR(bore("wheel", 1).second, 0.0, 1e-6);
+    EXPECT_NEAR(bore("gear", 1).second, 0.1, 1e-6);
+    EXPECT_NEAR(bore("gear", 3).second, 0.1, 1e-6);
+    EXPECT_NEAR(bore("piston wheel", 1).second, 0.2, 1e-6);
+    EXPECT_NEAR(bore("wheel", 3).second, 0.3, 1e-6);
+    EXPECT_NEAR(bore("wheel", 3).first.y, 0.0, 1e-6);
+    EXPECT_NEAR(bore("gear", 3).first.y, 36 / 8.0 / 2, 1e-5);
+    EXPECT_NEAR(bore("piston wheel", 1).first.y, 36 / 8.0 / 2, 1e-5);
+}
+
+TEST(FlatlangKitAssembly, TrainsMeshFromTheFirstGearToTheLast) {
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl")
+        last = coaxial(gear(31), collar())
+        second = coaxial(gear(29), mesh(gear(11), last))
+        m = mesh(gear(14), second)
+        m.direction = 40
+    )");
+    // 14 with 29, and in the layer above 11 with 31.
+    ASSERT_EQ(run.trail.polygons.size(), 10U);
+    const auto outline = [&](std::size_t i) { return flat(run.trail.polygons[i]); };
+    EXPECT_LT(overlap(outline(0), outline(2)), 1e-9);
+    EXPECT_LT(overlap(outline(4), outline(6)), 1e-9);
+    EXPECT_NEAR(run.trail.polygons[2].points.front().z, 0.0, 1e-6);
+    EXPECT_NEAR(run.trail.polygons[4].points.front().z, 0.1, 1e-6);
+    EXPECT_NEAR(run.trail.polygons[6].points.front().z, 0.1, 1e-6);
+    const Vec2 second = middle_of_bore(run.trail.polygons[3]);
+    const Vec2 pinion = middle_of_bore(run.trail.polygons[5]);
+    const Vec2 last = middle_of_bore(run.trail.polygons[7]);
+    EXPECT_NEAR(std::hypot(pinion.x - second.x, pinion.y - second.y), 0.0, 1e-5);
+    EXPECT_NEAR(std::hypot(last.x - pinion.x, last.y - pinion.y), 42 / 16.0, 1e-5);
+    EXPECT_NEAR(std::atan2(-second.x, second.y), 40 * kPi / 180, 1e-5);
+}
+
+TEST(FlatlangKitAssembly, IsDrawnOnceWhereItWasMadeOrWhereDrawIsCalled) {
+    const auto count = [](const std::string& text) {
+        return ran("load(\"kit/all.fl\")\n" + text).trail.polygons.size();
+    };
+    EXPECT_EQ(count("coaxial(wheel(), wheel())"), 4U);
+    EXPECT_EQ(count("c = coaxial(wheel(), wheel()) c.draw()"), 4U);
+    EXPECT_EQ(count("c = coaxial(wheel(), wheel()) coaxial(c, collar())"), 6U);
+    EXPECT_EQ(count("p = piston_wheel() p.offcenter_object = coaxial(bearing()) coaxial(p)"), 5U);
+    EXPECT_EQ(count("coaxial(wheel()) repeat (3) coaxial(wheel(0.5)) done"), 8U);
+    // Where the turtle stood; and the turtle stays where the program left it.
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl") up() forward(3) coaxial(wheel(0.5)) forward(4) pitch(90)
+    )");
+    EXPECT_NEAR(middle_of_bore(run.trail.polygons[1]).y, 3.0, 1e-6);
+    EXPECT_NEAR(run.trail.last.at.y, 7.0, 1e-6);
+    EXPECT_NEAR(run.trail.last.heading.z, 1.0, 1e-6);
+}
+
+TEST(FlatlangKitAssembly, ALinkHangsOnTheOffCenterAxleAndPointsAsItWasMade) {
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl")
+        piston = piston_wheel(0.9)
+        left(90) strut = link(4) right(90)
+        piston.offcenter_object = strut
+        coaxial(piston)
+    )");
+    const TrailPolygon* link = polygon_of(run.trail, "link");
+    ASSERT_NE(link, nullptr);
+    const auto [low, high] = std::minmax_element(link->points.begin(), link->points.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+    EXPECT_NEAR(low->x, -4.45, 1e-3);
+    EXPECT_NEAR(high->x, 0.45, 1e-3);
+    EXPECT_NEAR(high->y, 0.9, 0.06);
+    EXPECT_NEAR(high->z, 0.1, 1e-6);
+    EXPECT_NEAR(middle_of_bore(*polygon_of(run.trail, "piston wheel", 2)).y, 0.9, 1e-6);
+}
+
+TEST(FlatlangKitAssembly, ObjectsOfProgramsAreTakenToo) {
+    const ProgramRun run = ran(R"(
+        load("kit/all.fl")
+        define plate() p = object("plate") p.draw = plate_draw p done
+        define plate_draw() part("plate") centered_polygon(5, 1) done
+        coaxial(wheel(), plate(), plate)
+    )");
+    ASSERT_EQ(run.trail.polygons.size(), 4U);
+    EXPECT_NEAR(run.trail.polygons[3].points.front().z, 0.2, 1e-6);
+}
+
+// Every point of the material lies in exactly one of the faces, each as thick as it is.
+void expect_box_fits(const std::string& setup, Vec3 size, double thick, std::size_t faces) {
+    SCOPED_TRACE(setup);
+    const ProgramRun run = ran("load(\"kit/box.fl\")\n" + setup + "\nb.draw()");
+    ASSERT_EQ(run.trail.polygons.size(), faces);
+    struct Slab {
+        int axis;     // across it
+        double from;  // along the axis
+        Points outline;
+    };
+    const auto coordinate = [](const Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; };
+    std::vector<Slab> slabs;
+    for (const TrailPolygon& polygon : run.trail.polygons) {
+        Slab slab{-1, 0.0, {}};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = coordinate(polygon.points.front(), axis);
+            if (std::all_of(polygon.points.begin(), polygon.points.end(),
+                            [&](const Vec3& p) { return std::abs(coordinate(p, axis) - at) < 1e-5; })) {
+                slab.axis = axis;
+                slab.from = at < 1e-5 ? 0.0 : coordinate(size, axis) - thick;
+                EXPECT_TRUE(at < 1e-5 || std::abs(at - coordinate(size, axis)) < 1e-5);
+            }
+        }
+        ASSERT_GE(slab.axis, 0);
+        for (const Vec3& p : polygon.points) {
+            slab.outline.push_back({coordinate(p, (slab.axis + 1) % 3), coordinate(p, (slab.axis + 2) % 3)});
+        }
+        slabs.push_back(std::move(slab));
+    }
+    const auto within = [](const Points& outline, double x, double y) {
+        bool inside = false;
+        for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+            if ((outline[i].y > y) != (outline[j].y > y) &&
+                x < outline[i].x +
+                        (outline[j].x - outline[i].x) * (y - outline[i].y) / (outline[j].y - outline[i].y)) {
+                inside = !inside;
+            }
+        }
+        return inside;
+    };
+    test::Random random(7);
+    int seen = 0;
+    for (int i = 0; i < 40'000; ++i) {
+        const Vec3 p{size.x * random.unit(), size.y * random.unit(), size.z * random.unit()};
+        const bool open_above = faces == 5;
+        const bool material = p.x < thick || p.x > size.x - thick || p.y < thick || p.y > size.y - thick ||
+                              p.z < thick || (!open_above && p.z > size.z - thick);
+        int held = 0;
+        for (const Slab& slab : slabs) {
+            const double depth = coordinate(p, slab.axis) - slab.from;
+            held += depth > 0 && depth < thick &&
+                            within(slab.outline, coordinate(p, (slab.axis + 1) % 3),
+                                   coordinate(p, (slab.axis + 2) % 3))
+                        ? 1
+                        : 0;
+        }
+        EXPECT_EQ(held, material ? 1 : 0) << p.x << " " << p.y << " " << p.z;
+        seen += material ? 1 : 0;
+    }
+    EXPECT_GT(seen, 3000);
+}
+
+TEST(FlatlangKitBox, FacesFitTabIntoSlot) {
+    expect_box_fits("b = box(4, 2, 3, 0.125, 0.4)", {4, 3, 2}, 0.125, 6);
+    expect_box_fits("b = box(1, 1.5, 2, 0.25, 0.3)", {1, 2, 1.5}, 0.25, 6);
+    expect_box_fits("b = box(5, 0.7, 0.9, 0.2, 9)", {5, 0.9, 0.7}, 0.2, 6);
+    expect_box_fits("b = box(3, 2, 2.5, 0.1, 0.25) b.lid = false", {3, 2.5, 2}, 0.1, 5);
+}
+
+TEST(FlatlangKitJoints, TabsGoIntoSlots) {
+    const auto edge = [](const std::string& call) {
+        const ProgramRun run = ran("load(\"kit/joints.fl\")\n" + call);
+        Points points{{0, 0}};
+        for (const TrailSegment& segment : run.trail.segments) {
+            points.push_back({segment.to.x, segment.to.y});
+        }
+        return points;
+    };
+    // They go up along x = 0, what is inside on their left: tabs reach to +x, slots to -x.
+    const Points tabs = edge("finger_tabs(4, 0.2, 0.5)");
+    const Points slots = edge("finger_slots(4, 0.2, 0.5)");
+    ASSERT_EQ(tabs.size(), slots.size());
+    EXPECT_EQ(tabs.size(), 2U + 4 * 4);
+    double widest = 0.0;
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+        EXPECT_NEAR(tabs[i].y, slots[i].y, 1e-5);
+        EXPECT_NEAR(tabs[i].x, -slots[i].x, 1e-5);
+        widest = std::max(widest, tabs[i].x);
+    }
+    EXPECT_NEAR(widest, 0.2, 1e-5);
+    EXPECT_NEAR(tabs.back().y, 4.0, 1e-5);
+}
+
+TEST(FlatlangKit, EveryFileCanBeLoadedAlone) {
+    for (const std::string_view file : kit_files()) {
+        ran("load(\"kit/" + std::string(file) + "\") load(\"kit/" + std::string(file) + "\")");
+    }
+    // Assemblies that were made before outlive loading.
+    EXPECT_EQ(ran("load(\"kit/all.fl\") coaxial(wheel()) load(\"kit/all.fl\") load(\"kit/assembly.fl\")")
+                  .trail.polygons.size(),
+              2U);
+}
+
+TEST(FlatlangKit, LeavesWhatProgramsHoldAlone) {
+    const std::string names =
+        "i n a b x y z p o g at dir_ plane points sides radius angle count turn name list index element "
+        "value "
+        "amt teeth pitch bore thickness width height depth length label items low high parts offset inner "
+        "outer finger lid made held result skip size text file";
+    std::string program = "load(\"kit/all.fl\")\n";
+    std::string check;
+    std::string word;
+    int number = 100;
+    std::string expected;
+    for (const char c : names + " ") {
+        if (c != ' ') {
+            word += c;
+            continue;
+        }
+        program += word + " = " + std::to_string(++number) + "\n";
+        check += "print(\"" + word + "\", " + word + ")\n";
+        expected += word + " " + std::to_string(number) + ".0\n";
+        word.clear();
+    }
+    const std::string use = R"(
+        __g = gear(12) __g.draw() __p = piston_wheel() __p.offcenter_object = link() coaxial(__p, axle(), bearing())
+        mesh(gear(10), coaxial(gear(12), collar())).draw()
+        wheel().draw() link(4).draw() collar().draw() axle().draw() box(3, 3, 3, 0.2, 0.5).draw()
+        notch(3, 0.5, 0.2, "X") finger_tabs(3, 0.2, 0.3) finger_slots(3, 0.2, 0.3) centered_polygon(5, 1)
+    )";
+    const auto printed = [](const ProgramRun& run) {
+        std::string kept;
+        std::size_t at = 0;
+        while (at < run.printed.size()) {
+            const std::size_t end = run.printed.find('\n', at) + 1;
+            if (!run.printed.substr(at, end - at).starts_with("Beginning a new part")) {
+                kept += run.printed.substr(at, end - at);
+            }
+            at = end;
+        }
+        return kept;
+    };
+    EXPECT_EQ(printed(ran(program + use + check)), expected);
+    // In a function, and in a method, whose names are members.
+    EXPECT_EQ(printed(ran("load(\"kit/all.fl\")\ndefine f()\n" + program.substr(program.find('\n')) + use +
+                          check + "done\nf()")),
+              expected);
+    EXPECT_EQ(printed(ran("load(\"kit/all.fl\")\ndefine f()\n" + program.substr(program.find('\n')) + use +
+                          check + "done\nthing = object(\"thing\") thing.f = f thing.f()")),
+              expected);
+}
+
+TEST(FlatlangKit, TheTurtleComesBackAndItsPenIsUp) {
+    for (const char* what :
+         {"gear(10).draw()", "wheel().draw()", "piston_wheel().draw()", "link().draw()", "collar().draw()",
+          "axle().draw()", "bearing().draw()", "centered_polygon(7, 1)", "box(2, 2, 2, 0.1, 0.3).draw()",
+          "coaxial(wheel(), gear(20)).draw()", "mesh(gear(9), gear(20)).draw()", "coaxial(wheel())"}) {
+        SCOPED_TRACE(what);
+        const std::string before = "load(\"kit/all.fl\") up() forward(2) left(30) pitch(20) roll(10)\n";
+        const Pose expected = ran(before).trail.last;
+        const ProgramRun run = ran(before + what);
+        const std::size_t segments = run.trail.segments.size();
+        EXPECT_GT(segments, 0U);
+        const Pose last = run.trail.last;
+        for (const auto& [a, b] : std::vector<std::pair<Vec3, Vec3>>{
+                 {expected.at, last.at}, {expected.heading, last.heading}, {expected.up, last.up}}) {
+            EXPECT_NEAR(a.x, b.x, 1e-6);
+            EXPECT_NEAR(a.y, b.y, 1e-6);
+            EXPECT_NEAR(a.z, b.z, 1e-6);
+        }
+        EXPECT_EQ(ran(before + what + std::string(" forward(3)")).trail.segments.size(), segments);
+    }
+}
+
+TEST(FlatlangKit, MistakesAreToldAtTheCallThatMadeThem) {
+    EXPECT_EQ(trouble("x = 1\ng = gear(3)"),
+              "3: the number of teeth of a gear is 3.0; it lies between 6.0 and 1000.0");
+    EXPECT_EQ(trouble("g = gear(\"many\")"), "2: the number of teeth of a gear is a number, not many");
+    EXPECT_EQ(trouble("gear(10.5).draw()"), "2: a gear has a whole number of teeth, not 10.5");
+    EXPECT_EQ(trouble("gear(10, 8, 3)"), "2: gear(teeth, pitch) is given 3 arguments");
+    EXPECT_EQ(trouble("g = gear(10)\ng.profile = \"round\"\ng.draw()"),
+              "4: the profile of a gear is involute or trapezoid, not round");
+    EXPECT_EQ(trouble("mesh(gear(10))"), "2: mesh() is given 1 parts, and needs 2");
+    EXPECT_EQ(trouble("coaxial(3)"), "2: coaxial() puts parts together, and this is none: 3.0");
+    EXPECT_EQ(trouble("m = mesh(gear(10), wheel())\nm.draw()"),
+              "3: mesh() is given a part without a gear on its axis");
+    EXPECT_EQ(trouble("m = mesh(gear(10, 8), gear(10, 6))\nm.draw()").substr(0, 67),
+              "3: gears that mesh have the same pitch and pressure angle; here the");
+    EXPECT_EQ(trouble("p = piston_wheel(0.1)\np.draw()").substr(0, 43),
+              "3: the two holes of a piston wheel meet: it");
+    EXPECT_EQ(trouble("box(0.1, 2, 2, 0.2, 0.3).draw()").substr(0, 32), "2: the width of a box is 0.10000");
+    EXPECT_EQ(trouble("link(0.1).draw()").substr(0, 30), "2: the length of a link is 0.1");
+}
+
+std::vector<std::string> sample_names() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(fs::path(POPUP_SOURCE_DIR) / "samples/flatlang")) {
+        if (entry.path().extension() == ".fl") names.push_back(entry.path().stem());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class FlatlangSample : public testing::TestWithParam<std::string> {};
+
+TEST_P(FlatlangSample, BuildsWithNothingDoubtfulTheSameTwice) {
+    const fs::path program = fs::path(POPUP_SOURCE_DIR) / "samples/flatlang" / (GetParam() + ".fl");
+    const test::ScratchDirectory out;
+    const test::RunResult checked = test::popupc({"check", program});
+    EXPECT_EQ(checked.exit, 0) << checked.err;
+    std::string first;
+    for (const std::string run : {"1", "2"}) {
+        // Processors without FMA round their sines otherwise.
+        test::RunOptions options;
+        if (run == "2")
+            options.environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA4,-AVX2";
+        const test::RunResult result = test::popupc(
+            {"build", program, "-j", run, "-o", out / "a.svg", "-o", out / "a.dxf", "-o", out / "a.glb"},
+            options);
+        ASSERT_EQ(result.exit, 0) << result.err;
+        EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
+        std::string all;
+        for (const char* file : {"a.svg", "a.dxf", "a.glb"}) {
+            const std::string bytes = test::read_file(out / file);
+            EXPECT_GT(bytes.size(), 1000U) << file;
+            all += bytes;
+        }
+        if (first.empty()) first = all;
+        EXPECT_TRUE(first == all);
+    }
+    const test::RunResult measured =
+        test::run({std::string(POPUP_TOOLS_DIR) + "/glb_view", "measure", out / "a.glb"});
+    EXPECT_EQ(measured.exit, 0) << measured.out << measured.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, FlatlangSample, testing::ValuesIn(sample_names()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace popup::flatlang
