@@ -74,6 +74,8 @@ class Interpreter {
     Value fail(Place place, std::string what, std::string hint = {});
     // Likewise, for what the kit finds wrong: told of the program's own call alone.
     Value fail_program(Place place, std::string what, std::string hint);
+    // Where in the program the outermost call that goes on is said to stand, for findings.
+    void blame(Place place);
     // Ends the program: `what` is used up. `option` is the one that moves the limit.
     [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.
