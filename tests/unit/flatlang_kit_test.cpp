@@ -521,6 +521,26 @@ TEST(FlatlangKitJoints, TabsGoIntoSlots) {
     EXPECT_NEAR(tabs.back().y, 4.0, 1e-5);
 }
 
+// What the kit needs of the language.
+TEST(FlatlangKit, FunctionsOfArgumentsTakeAnyNumberAndTheEndIsCalledOnce) {
+    EXPECT_EQ(
+        ran("define f(__arguments) print(__arguments.n, __arguments) done f() f(1) f(\"a\", [2], f)").printed,
+        "0.0 []\n1.0 [1.0]\n3.0 [a, [2.0], f(__arguments)]\n");
+    EXPECT_EQ(ran("x = 1 define __at_end() print(\"end\", x) done x = 2 print(\"text\")").printed,
+              "text\nend 2.0\n");
+    EXPECT_EQ(
+        ran("print(__type(1), __type(\"\"), __type([]), __type(nil), __type(object(\"x\")), __shown(0.1))")
+            .printed,
+        "number text list nil object 0.1\n");
+    Diagnostics diagnostics("test.fl");
+    const ProgramRun failed = run_program(
+        {"test.fl", "define __at_end() print(\"end\") done\n__fail(\"no\", \"hint\")"}, {}, diagnostics);
+    EXPECT_EQ(failed.printed, "");
+    EXPECT_EQ(failed.status, RunStatus::runtime_fail);
+    EXPECT_EQ(diagnostics.sorted().front().message, "no");
+    EXPECT_EQ(diagnostics.sorted().front().place.line, 2);
+}
+
 TEST(FlatlangKit, EveryFileCanBeLoadedAlone) {
     for (const std::string_view file : kit_files()) {
         ran("load(\"kit/" + std::string(file) + "\") load(\"kit/" + std::string(file) + "\")");
@@ -626,6 +646,11 @@ TEST(FlatlangKit, MistakesAreToldAtTheCallThatMadeThem) {
     EXPECT_EQ(trouble("p = piston_wheel(0.1)\np.draw()").substr(0, 43),
               "3: the two holes of a piston wheel meet: it");
     EXPECT_EQ(trouble("box(0.1, 2, 2, 0.2, 0.3).draw()").substr(0, 33), "2: the width of a box is 0.1; it ");
+    EXPECT_EQ(trouble("w = wheel()\nw.tolerance = 0\nw.draw()"),
+              "4: the tolerance of a part is 0; it lies between 0.0001 and 0.1");
+    EXPECT_EQ(trouble("w = wheel()\nw.thickness = \"1\"\ncoaxial(w)"),
+              "4: the thickness of a part is a number, not 1");
+    EXPECT_EQ(trouble("gear(0 / 0)").substr(0, 34), "2: the number of teeth of a gear i");
     EXPECT_EQ(trouble("link(0.1).draw()").substr(0, 30), "2: the length of a link is 0.1");
 }
 

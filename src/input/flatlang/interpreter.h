@@ -44,7 +44,8 @@ struct ProgramRun {
     std::vector<std::string> files;  // that were loaded, but for the kit's
 };
 
-// Runs the program within its limits. Errors, located, also in loaded files (by their names): those of
+// Runs the program within its limits; when its own text has been run to the end, the function __at_end() that
+// a file of the kit may have defined. Errors, located, also in loaded files (by their names): those of
 // parse(), `flatlang-runtime` (what cannot be done), `flatlang-limit` (which limit, and the option that moves
 // it). Warnings: `flatlang-unknown-function`, `flatlang-argument-count`, `flatlang-not-loaded`, each place
 // once. Remarks: none. In 2008 mode a failure within a loaded file or evaluated text ends only that, as it
