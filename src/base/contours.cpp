@@ -25,6 +25,9 @@ double around(const Ring& ring) {
     return sum;
 }
 
+// More pairs that overlap partly are found by no one's eye, and each takes long.
+constexpr std::size_t kMostOverlaps = 10'000;
+
 // Where a ring crosses itself first; its first point when that cannot be told.
 Vec2 crossing_of(const Ring& ring) {
     const EdgeIndex index(edges_of({ring, {}}));
@@ -219,6 +222,7 @@ class Sorter {
             near_[{a, b}] = found;
             if (found == Relation::same) gone_[at(b)] = 1;
             if (found == Relation::overlap) {
+                if (out_.overlaps.size() == kMostOverlaps) return false;
                 out_.overlaps.push_back({a, b, area(common), common[0].outer[0]});
             }
         }

@@ -120,7 +120,7 @@ TEST(Joining, EndsFurtherApartThanTheToleranceStayApart) {
 
 TEST(Contours, AreSortedByWhatTheyLieIn) {
     // Rings of squares in one another, in mixed order, and one beside.
-    std::vector<drawing::ClosedLine> lines;
+    std::vector<ClosedLine> lines;
     const auto square = [&](double x, double y, double half) {
         lines.push_back(
             {{{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}},
@@ -132,11 +132,11 @@ TEST(Contours, AreSortedByWhatTheyLieIn) {
     square(100, 0, 5);
     square(0, 0, 30);
     square(35, 35, 2);
-    drawing::Work work;
-    const auto contours = drawing::sort_contours(lines, work);
+    Work work;
+    const auto contours = sort_contours(lines, work);
     ASSERT_TRUE(contours);
     std::map<int, std::pair<int, int>> by_element;  // depth, and element of the root
-    for (const drawing::ClosedContour& one : contours->all) {
+    for (const ClosedContour& one : contours->all) {
         by_element[one.elements[0]] = {one.depth,
                                        contours->all[static_cast<std::size_t>(one.root)].elements[0]};
     }

@@ -371,6 +371,40 @@ TEST(FlatLangPieces, LoopsThatLieInNoPlaneAreErrors) {
     EXPECT_EQ(made.codes(), std::vector<std::string>{"flatlang-bad-outline"});
 }
 
+// Anybody's program may draw this: it ends soon, and says why.
+TEST(FlatLangPieces, TooManyOverlapsAreAnErrorOfTheirOwn) {
+    TrailMaker maker;
+    for (int i = 0; i < 3000; ++i) maker.square(1e-3 * i, 2e-3 * i, 2);
+    const Made made = make(maker);
+    EXPECT_FALSE(made.list);
+    EXPECT_EQ(made.codes(), std::vector<std::string>{"document-too-large"});
+}
+
+TEST(FlatLangPieces, ALineThatNearlyClosesIsPointedOut) {
+    TrailMaker maker;
+    maker.square(0, 0, 2);
+    const std::vector<Vec3> path{{5, 0, 0}, {7, 0, 0}, {7, 2, 0}, {5, 2, 0}, {5, 0.003, 0}};
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) maker.line(path[i], path[i + 1]);
+    const Made made = make(maker);
+    ASSERT_TRUE(made.list);
+    ASSERT_EQ(made.codes(), std::vector<std::string>{"flatlang-open-lines"});
+    ASSERT_EQ(made.diagnostics.sorted().front().hints.size(), 1U);
+    EXPECT_NE(made.diagnostics.sorted().front().hints[0].find("0.0030 inches"), std::string::npos);
+}
+
+// Fine outlines have many edges within any tolerance that is looked at.
+TEST(FlatLangPieces, NoEdgeOfAFineOutlineIsAnOpenLine) {
+    for (const int corners : {500, 5000}) {
+        TrailMaker maker;
+        maker.part("disc");
+        maker.loop(regular(corners, 0.5, {0, 0, 0}));
+        maker.loop(regular(corners, 0.1, {0, 0, 0}));
+        const Made made = make(maker);
+        ASSERT_TRUE(made.list) << made.told();
+        EXPECT_TRUE(made.codes().empty()) << made.told();
+    }
+}
+
 // --- the model
 
 TEST(FlatLangPieces, TheModelHasANodeAPartAndOneOfLooseLines) {

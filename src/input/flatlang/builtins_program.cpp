@@ -191,6 +191,33 @@ Value type_of(const Call& call) {
     return call.in.heap.text(std::string(name));
 }
 
+// Numbers as messages have them, "0.2" and "3"; all else as print() has it.
+Value shown(const Call& call) {
+    const Value& value = call.arguments[0];
+    if (value->type != Type::number) return call.in.heap.text(to_text(value, call.in.symbols, 1000));
+    return call.in.heap.text(fmt::format("{:.6g}", value->number));
+}
+
+// Where in the program the call stands that led here, as [line, column].
+Value site(const Call& call) {
+    const Place place = call.in.program_place(call.place);
+    Value line = call.in.heap.number(place.line);
+    line->next = call.in.heap.number(place.column);
+    return call.in.heap.list(std::move(line));
+}
+
+// What goes wrong from now on at the end of the program is told there.
+Value blame(const Call& call) {
+    const Value& list = call.arguments[0];
+    if (list->type != Type::list || length(list) != 2) return call.in.heap.nil();
+    const auto whole = [&](const Value& value) {
+        const double number = to_number(value, call.in.symbols);
+        return number >= 0 && number < 1e7 ? static_cast<int>(number) : 0;
+    };
+    call.in.blame({whole(list->first), whole(list->first->next)});
+    return call.in.heap.nil();
+}
+
 Value fail(const Call& call) {
     constexpr std::size_t kMost = 1000;
     const auto text = [&](std::size_t i) {
@@ -209,6 +236,9 @@ constexpr std::array kBuiltins{
     Builtin{"__named_object", 1, 1, object},
     Builtin{"__type", 1, 1, type_of},
     Builtin{"__fail", 1, 2, fail},
+    Builtin{"__shown", 1, 1, shown},
+    Builtin{"__site", 0, 0, site},
+    Builtin{"__blame", 1, 1, blame},
     Builtin{"clear", 0, -1, clear},
     Builtin{"__hpgl", 1, 1, ask_for<&ProgramRun::hpgl>},
     Builtin{"laser", 1, 1, ask_for<&ProgramRun::laser>},

@@ -86,6 +86,10 @@ Value Interpreter::fail_program(Place place, std::string what, std::string hint)
     return fail_at(program_place(place), std::move(what), std::move(hint));
 }
 
+void Interpreter::blame(Place place) {
+    if (!state_->callers.empty()) state_->callers.front().place = place;
+}
+
 Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
     State& s = *state_;
     // What the original swallowed is no error of the program.

@@ -44,7 +44,8 @@ struct ProgramRun {
     std::vector<std::string> files;  // that were loaded, but for the kit's
 };
 
-// Runs the program within its limits. Errors, located, also in loaded files (by their names): those of
+// Runs the program within its limits; when its own text has been run to the end, the function __at_end() that
+// a file of the kit may have defined. Errors, located, also in loaded files (by their names): those of
 // parse(), `flatlang-runtime` (what cannot be done), `flatlang-limit` (which limit, and the option that moves
 // it). Warnings: `flatlang-unknown-function`, `flatlang-argument-count`, `flatlang-not-loaded`, each place
 // once. Remarks: none. In 2008 mode a failure within a loaded file or evaluated text ends only that, as it
@@ -74,6 +75,8 @@ class Interpreter {
     Value fail(Place place, std::string what, std::string hint = {});
     // Likewise, for what the kit finds wrong: told of the program's own call alone.
     Value fail_program(Place place, std::string what, std::string hint);
+    // Where in the program the outermost call that goes on is said to stand, for findings.
+    void blame(Place place);
     // Ends the program: `what` is used up. `option` is the one that moves the limit.
     [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.

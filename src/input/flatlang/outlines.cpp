@@ -14,6 +14,7 @@
 #include <unordered_map>
 
 #include "base/contours.h"
+#include "base/numbers.h"
 #include "base/regions.h"
 
 namespace popup::flatlang {
@@ -40,7 +41,7 @@ bool is_near(Vec3 inches) {
 
 std::string spot(Vec3 mm) {
     const Vec3 p = (1.0 / kMmPerInch) * mm;
-    return fmt::format("({:.3f}, {:.3f}, {:.3f}) inches", p.x + 0.0, p.y + 0.0, p.z + 0.0);
+    return fmt::format("({:.3f}, {:.3f}, {:.3f}) inches", rounded(p.x, 3), rounded(p.y, 3), rounded(p.z, 3));
 }
 
 // "this part"; with its name where it has one.
@@ -358,6 +359,7 @@ class Finder {
         const std::vector<ClosedContour>& all = contours.all;
         std::vector<std::vector<Polygon>> holes(all.size());
         std::vector<int> face_of(all.size(), -1);
+        const int first_face = all.empty() ? -1 : static_cast<int>(out_.faces.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (all[i].depth % 2 == 1) holes[at(all[i].parent)].push_back({all[i].ring, {}});
             if (all[i].parent >= 0) continue;
@@ -381,6 +383,12 @@ class Finder {
             if (!work_.sweep(all[i].ring) || !work_.sweep(holes[i])) return false;
             const std::vector<Polygon> left = subtract({{all[i].ring, {}}}, holes[i]);
             face.paper.insert(face.paper.end(), left.begin(), left.end());
+        }
+        // What is drawn twice within the rounding is as good as the outline itself.
+        for (const std::vector<int>& doubled : contours.doubled) {
+            for (const int polygon : doubled) {
+                if (out_.polygon_face[at(polygon)] < 0) out_.polygon_face[at(polygon)] = first_face;
+            }
         }
         for (const int root : overlapping) {
             std::vector<Polygon>& paper = out_.faces[at(face_of[at(root)])].paper;

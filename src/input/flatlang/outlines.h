@@ -26,8 +26,9 @@ struct Face {
 };
 
 struct Outlines {
-    std::vector<Face> faces;        // by their first polygons
-    std::vector<int> polygon_face;  // of each polygon its face; -1: it has no area
+    std::vector<Face> faces;  // by their first polygons
+    // Of each polygon its face, or one of its plane where it is drawn twice; -1: it has no area.
+    std::vector<int> polygon_face;
 };
 
 // Loops lie in one plane where they are within 1e-4 inch of it. A plane's front is the side that is seen from

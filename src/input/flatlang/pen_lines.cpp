@@ -11,9 +11,9 @@ namespace {
 
 // A loop's last point is its first to within this, in inches an axis.
 constexpr double kSameInch = 1.5e-4;
-constexpr double kCell = 0.01;
+constexpr double kCell = 0.002;
 // Off the numbers that people write, so that few points stand near the side of a cell.
-constexpr double kShift = 0.00377;
+constexpr double kShift = 0.00077;
 constexpr double kNoLength = 1e-9;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -62,7 +62,7 @@ class EdgeTable {
         const Edge edge{from, to, face};
         auto& bucket = table_[{cell_of(from), cell_of(to)}];
         // Loops are drawn again and again at one place.
-        constexpr std::size_t kMost = 16;
+        constexpr std::size_t kMost = 64;
         for (const Edge& one : bucket) {
             if (one.from == from && one.to == to) return;
         }

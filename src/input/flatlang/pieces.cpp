@@ -66,16 +66,23 @@ class Names {
     std::map<std::string, int> last_;
 };
 
-// The two ends of what was drawn in one go that are nearest to each other without being one.
-double narrowest_gap_inches(const Trail& trail) {
+// Says so where an outline is nearly closed.
+bool tell_gap(const Trail& trail, const PenLines& lines, Diagnostic& told) {
+    constexpr double kClosed = 1e-4;
+    constexpr double kSlip = 0.05;
     double narrowest = HUGE_VAL;
-    std::vector<std::size_t> all(trail.segments.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    for (const std::vector<Vec3>& line : chained(trail, all)) {
-        if (line.size() < 4) continue;
-        narrowest = std::min(narrowest, distance(line.front(), line.back()) / kMmPerInch);
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < trail.segments.size(); ++i) {
+        if (lines.face[i] == PenLines::kOpen) open.push_back(i);
     }
-    return narrowest;
+    for (const std::vector<Vec3>& line : chained(trail, open)) {
+        const double gap = distance(line.front(), line.back()) / kMmPerInch;
+        if (line.size() >= 4 && gap > kClosed) narrowest = std::min(narrowest, gap);
+    }
+    if (narrowest > kSlip) return false;
+    told.hint(
+        fmt::format("a line ends {:.4f} inches from where it began; {} is the most", narrowest, kClosed));
+    return true;
 }
 
 // Finite, and no further away than parts may be.
@@ -142,11 +149,7 @@ class PartMaker {
             told.hint("functions draw when they are called; down() puts the pen down");
             return;
         }
-        const double gap = narrowest_gap_inches(in_);
-        constexpr double kSlip = 0.05;
-        if (gap > 0.0 && gap < kSlip) {
-            told.hint(fmt::format("a line ends {:.4f} inches from where it began; 0.0001 is the most", gap));
-        } else {
+        if (!tell_gap(in_, lines_, told)) {
             told.hint("go back to where the outline began, with the pen down");
         }
     }
@@ -224,12 +227,13 @@ class PartMaker {
 
     void tell_open_lines() {
         if (lines_.open == 0) return;
-        diagnostics_.remark(
+        Diagnostic& told = diagnostics_.remark(
             "flatlang-open-lines", {},
             fmt::format(
                 "{} line{} {} on no closed outline ({:.1f} mm, {:.2f} inches, altogether) and {} not cut",
                 lines_.open, lines_.open == 1 ? "" : "s", lines_.open == 1 ? "is" : "are",
                 lines_.open_inches * kMmPerInch, lines_.open_inches, lines_.open == 1 ? "is" : "are"));
+        tell_gap(in_, lines_, told);
     }
 
     void add_lines() {

@@ -300,7 +300,7 @@ class Unfolder {
         if (!shared) return false;
         for (const SharedStretch& one : *shared) {
             const Segment line{{one.from.x, one.from.y}, {one.to.x, one.to.y}};
-            touching_.push_back(line);
+            touching_.emplace_back(line, one.b);
             const auto folds = joined.find({one.a, one.b});
             add_rest(piece, line, folds == joined.end() ? std::vector<Segment>{} : folds->second);
         }
@@ -333,22 +333,40 @@ class Unfolder {
 
     // Edges that should lie on each other are off by what the turtle's numbers are rounded to: thin paper
     // over them, pointed so that it stays within the outline, makes one area of the faces.
+    static Polygon bridge(const Segment& line) {
+        const Vec2 along = unit(line.b - line.a);
+        const Vec2 aside = kMeetMm * left_of(along);
+        const double point = std::min(10.0 * kMeetMm, 0.25 * distance(line.a, line.b));
+        return {{line.a, line.a + point * along - aside, line.b - point * along - aside, line.b,
+                 line.b - point * along + aside, line.a + point * along + aside},
+                {}};
+    }
+
+    // A few at a time: a boolean of all at once takes long where many have corners at the same height, and
+    // what is united has fewer.
     bool unite_paper(Unfolded& piece) {
-        std::vector<Polygon> regions;
+        std::map<int, std::size_t> place;
+        std::vector<std::vector<Polygon>> areas;
         for (const UnfoldedFace& one : piece.faces) {
-            regions.insert(regions.end(), one.paper.begin(), one.paper.end());
+            place[one.face] = areas.size();
+            areas.push_back(one.paper);
         }
-        if (!work_.sweep(regions)) return false;
-        for (const Segment& line : touching_) {
-            const Vec2 along = unit(line.b - line.a);
-            const Vec2 aside = kMeetMm * left_of(along);
-            const double point = std::min(10.0 * kMeetMm, 0.25 * distance(line.a, line.b));
-            regions.push_back({{line.a, line.a + point * along - aside, line.b - point * along - aside,
-                                line.b, line.b - point * along + aside, line.a + point * along + aside},
-                               {}});
-        }
+        for (const auto& [line, face] : touching_) areas[place.at(face)].push_back(bridge(line));
         touching_.clear();
-        piece.paper = unite(regions);
+        constexpr std::size_t kFew = 16;
+        while (areas.size() > 1) {
+            std::vector<std::vector<Polygon>> fewer;
+            for (std::size_t i = 0; i < areas.size(); i += kFew) {
+                std::vector<Polygon> some;
+                for (std::size_t j = i; j < std::min(areas.size(), i + kFew); ++j) {
+                    some.insert(some.end(), areas[j].begin(), areas[j].end());
+                }
+                if (!work_.sweep(some)) return false;
+                fewer.push_back(unite(some));
+            }
+            areas = std::move(fewer);
+        }
+        piece.paper = std::move(areas.front());
         return true;
     }
 
@@ -362,7 +380,7 @@ class Unfolder {
     EdgeIndex boxes_;
     std::unordered_multimap<PlaneCell, Vec2, PlaneCellHash> corners_;
     // Of the piece that is finished:
-    std::vector<Segment> touching_;
+    std::vector<std::pair<Segment, int>> touching_;  // where faces meet on the page; one of them
 };
 
 }  // namespace
