@@ -202,6 +202,12 @@ TEST(SampleNinjaFile, NamesEverySample) {
         ++seen;
         EXPECT_NE(text.find(line), std::string::npos) << line;
     }
+    for (const auto& entry : fs::directory_iterator(kSamples / "flatlang")) {
+        if (entry.path().extension() != ".fl") continue;
+        const std::string stem = "flatlang/" + entry.path().stem().string();
+        const std::string line = "build out/" + stem + ".pdf out/" + stem + ".glb: card " + stem + ".fl\n";
+        EXPECT_NE(text.find(line), std::string::npos) << line;
+    }
     EXPECT_GT(seen, 10U);
 }
 

@@ -500,7 +500,7 @@ TEST(Readme, TheTourIsWhatTheProgramPrints) {
     write_file(scratch / "run.jsonl", manifests.front());
     const std::vector<std::string> drawn = blocks("flatlang");
     ASSERT_EQ(drawn.size(), 1U);
-    EXPECT_EQ(drawn.front(), read_file(kSource / "samples/bracket.fl"));
+    EXPECT_EQ(drawn.front(), read_file(kSource / "samples/flatlang/bracket.fl"));
     write_file(scratch / "bracket.fl", drawn.front());
     RunOptions options;
     options.directory = scratch.path();

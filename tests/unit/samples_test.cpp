@@ -270,16 +270,19 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
                                         std::string("POPUPC=") + POPUPC_BINARY};
     const RunResult first = run(make);
     ASSERT_EQ(first.exit, 0) << first.out << first.err;
-    for (const std::string& name : sample_names()) {
+    for (const std::string& sample : sample_names()) {
+        const std::string name = fs::path(sample).stem();
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
     }
     for (const std::string& name : names_with(".svg")) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
     }
-    for (const std::string& name : names_with(".fl")) {
-        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
-        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
+    for (const auto& entry : fs::directory_iterator(kSamples / "flatlang")) {
+        const std::string name = entry.path().stem();
+        if (entry.path().extension() != ".fl") continue;
+        EXPECT_TRUE(fs::exists(out / ("samples/out/flatlang/" + name + ".pdf"))) << name;
+        EXPECT_TRUE(fs::exists(out / ("samples/out/flatlang/" + name + ".glb"))) << name;
     }
     std::vector<std::string> again = make;
     again.push_back("-q");
