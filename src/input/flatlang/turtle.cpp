@@ -193,7 +193,7 @@ void Turtle::left(double degrees) { state_->add({OperationKind::left, 0, degrees
 void Turtle::roll(double degrees) { state_->add({OperationKind::roll, 0, degrees}); }
 void Turtle::pitch(double degrees) { state_->add({OperationKind::pitch, 0, degrees}); }
 void Turtle::pen(bool down) { state_->add({OperationKind::pen, down ? 1 : 0, 0}); }
-void Turtle::mark(std::string name) { state_->add({OperationKind::mark, state_->tree.name(name), 0}); }
+void Turtle::mark(std::string_view name) { state_->add({OperationKind::mark, state_->tree.name(name), 0}); }
 
 void Turtle::part(std::string name, Place place) {
     state_->tree.parts().push_back({std::move(name), place});

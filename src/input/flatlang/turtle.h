@@ -44,7 +44,7 @@ class Turtle {
     void roll(double degrees);   // about heading; the right side dips
     void pitch(double degrees);  // about right; the nose goes up
     void pen(bool down);
-    void mark(std::string name);
+    void mark(std::string_view name);
     void part(std::string name, Place place);
 
     // The cursor goes to the nearest operation above it, itself included, that is a mark of this name. False:
@@ -71,7 +71,8 @@ class Turtle {
     // the end, then from the beginning to that mark.
     Outcome draw(std::string_view shape, const std::optional<std::string>& start);
 
-    // For blocks that run at several places: marks are looked for upwards from the cursor.
+    // For blocks that run at several places: marks are looked for upwards from the cursor. A cursor in what
+    // is replaced later means the mark before it.
     using Cursor = std::size_t;
     [[nodiscard]] Cursor cursor() const;
     [[nodiscard]] std::optional<Cursor> find_above(std::string_view mark) const;
@@ -81,7 +82,9 @@ class Turtle {
     // and `start`, the nearest above that; both stay. With `all`, every stretch from a `start` to the `end`
     // that follows it on an unbranched path is replaced by a copy.
     void begin_replacement(std::string start, std::string end, bool all);
-    // too_large leaves the drawing as it was. no_such_mark: likewise; with `all` that is no failure.
+    // Marks are looked for when it ends. too_large leaves the drawing as it was (with as_2008 and `all`, in
+    // parts); no_such_mark likewise, and with `all` that is no failure. Blocks that clear() has dropped end
+    // without doing anything.
     Outcome end_replacement();
 
     // The trees as the original's showSoup() printed them; a # stands for each address. Cut off beyond 64 MB.
