@@ -38,7 +38,7 @@ struct SceneCard {
     const Motion* motion = nullptr;
     std::string prefix;
     const StillModel* still = nullptr;  // then there is neither assembly nor motion
-    std::string stem;                   // of a still, the name of its source; else the assembly has it
+    std::string stem = {};              // of a still, the name of its source; else the assembly has it
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.

@@ -220,10 +220,10 @@ class Finder {
 
     bool check(Vec3 p, int part) {
         if (!is_finite(p)) {
-            error(part, fmt::format("{} has a line that leads to ({}, {}, {}), which is no place",
-                                    part_text(in_, part), p.x, p.y, p.z))
-                .hint(
-                    "a division by zero, or a root or a logarithm of a negative number, makes such lengths");
+            error(part,
+                  fmt::format("{} has a line that leads nowhere: a coordinate is infinite, or no number",
+                              part_text(in_, part)))
+                .hint("a division by zero, or the root of a negative number, makes such lengths");
             return false;
         }
         if (!is_near(p)) {
