@@ -433,7 +433,7 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
                     cut += drawing::length_of(one.points);
                     if (one.closed) cut -= 0.0 - distance(one.points.back(), one.points.front());
                 }
-                const auto again = make_pattern(PartList{{part}}, {}, diagnostics);
+                const auto again = make_pattern(PartList{{part}, {}}, {}, diagnostics);
                 for (const Contour& one : again->pieces[0].cuts) {
                     cut -= drawing::length_of(one.points);
                     if (one.closed) cut -= distance(one.points.back(), one.points.front());
