@@ -355,6 +355,27 @@ TEST_F(LoadedFiles, AreWatched) {
     EXPECT_EQ(watching.wait(), 0) << watching.err();
 }
 
+TEST_F(LoadedFiles, AreNoFindingsOfACheckThoughTheyDrawNothing) {
+    write_file(scratch / "part.fl", "load(\"lib/size.fl\") repeat (4) forward(size()) left(90) done");
+    fs::remove(scratch / "square.fl");
+    write_file(scratch / "all.fl", "load(\"lib/size.fl\")");
+    EXPECT_EQ(ran({"check", ".", "-q"}).err, "");
+    EXPECT_EQ(ran({"check", "lib/size.fl"}).err, "");
+    EXPECT_EQ(ran({"check", ".", "-q", "--sheet", "a4"}).err, "");
+    EXPECT_EQ(ran({"check", "lib", "-q", "--sheet", "a4"}).err, "");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"-o", "x.svg"}, {"--emit", "pattern"}}) {
+        std::vector<std::string> all{"build", "lib/size.fl"};
+        all.insert(all.end(), words.begin(), words.end());
+        const RunResult result = ran(all, 1);
+        EXPECT_TRUE(has(result.err, "lib/size.fl: error: the program draws nothing")) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+    // What draws, but closes nothing, is one.
+    write_file(scratch / "lib/size.fl", "forward(1)");
+    EXPECT_TRUE(has(ran({"check", "lib"}, 1).err, "[flatlang-no-parts]"));
+}
+
 TEST_F(Programs, AreNotMended) {
     const RunResult named = ran({"fix", "square.fl"}, 2);
     EXPECT_TRUE(has(named.err, "square.fl: fix mends popup documents, and this is a program")) << named.err;

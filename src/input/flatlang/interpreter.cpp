@@ -334,6 +334,11 @@ ProgramRun Interpreter::run() {
     run_program_text();
     result.trail = turtle.trail();
     if (state_->failed) result.trail.polygons.clear();
+    // The first of the texts is the prelude.
+    result.defines = std::any_of(state_->units.begin() + 1, state_->units.end(), [](const Syntax& unit) {
+        return std::any_of(unit.nodes.begin(), unit.nodes.end(),
+                           [](const Node& node) { return node.kind == NodeKind::define; });
+    });
     if (card.design) result.card = std::move(card);
     return std::move(result);
 }

@@ -41,6 +41,7 @@ struct ProgramRun {
     std::vector<AskedFile> hpgl,
         laser;  // in the order of the calls; the last of each is what the original wrote
     bool part_mode = false;
+    bool defines = false;  // functions, itself or what it loads
     std::vector<std::string> files;  // that were loaded, but for the kit's
 };
 

@@ -35,6 +35,8 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     }
     tell_ignored_files(run, diagnostics);
     if (!run.card) {
+        // It may be there for others to load, and is nothing by itself: a design as little as parts.
+        if (run.trail.segments.empty() && run.defines) return reading;
         reading.parts = make_parts(run.trail, diagnostics);
         return reading;
     }
