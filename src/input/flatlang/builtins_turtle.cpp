@@ -100,7 +100,7 @@ const std::array<double, 9>& numbers_of(const Call& call, Type type, std::string
 }
 
 Value draw_to(const Call& call) {
-    const std::array<double, 9>& v = numbers_of(call, Type::vec, "a vector, such as pos() gives");
+    const std::array<double, 9>& v = numbers_of(call, Type::vec, "a vector, such as pos() gives,");
     double fraction = 1.0;
     if (call.arguments.size() > 1) {
         if (call.arguments[1]->type != Type::number) {
@@ -113,7 +113,7 @@ Value draw_to(const Call& call) {
 }
 
 Value face(const Call& call) {
-    const std::array<double, 9>& m = numbers_of(call, Type::matrix, "a matrix, such as dir() gives");
+    const std::array<double, 9>& m = numbers_of(call, Type::matrix, "a matrix, such as dir() gives,");
     Pose pose;
     pose.right = {m[0], m[1], m[2]};
     pose.heading = {m[3], m[4], m[5]};

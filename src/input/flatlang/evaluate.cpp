@@ -503,7 +503,9 @@ Value Evaluation::negated(const Node& at) {
         // The text with a minus before it is read as a number, and "--5.0" is none.
         return in_.heap.number(text_number("-" + to_text(value, in_.symbols, 4096)));
     }
-    return in_.heap.number(-to_number(value, in_.symbols));
+    const double number = to_number(value, in_.symbols);
+    // What is no number is 0, also with a minus before it, and not -0.
+    return in_.heap.number(number == 0.0 && value->type != Type::number ? 0.0 : -number);
 }
 
 Value Evaluation::arithmetic(const Node& at) {

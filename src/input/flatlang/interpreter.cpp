@@ -122,12 +122,9 @@ Value Interpreter::fail_program(Place place, std::string what, std::string hint)
 Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
     State& s = *state_;
     // What the original swallowed is no error of the program.
-    const bool swallowed = as_2008() && s.running > 1;
-    if (!swallowed || may_warn("flatlang-runtime")) {
-        Diagnostic& told = s.diagnostics.add(swallowed ? Severity::warning : Severity::error,
-                                             "flatlang-runtime", place, std::move(what));
-        if (!hint.empty()) told.hint(std::move(hint));
-    }
+    const Severity severity = as_2008() && s.running > 1 ? Severity::warning : Severity::error;
+    Diagnostic& told = s.diagnostics.add(severity, "flatlang-runtime", place, std::move(what));
+    if (!hint.empty()) told.hint(std::move(hint));
     throw Stopped{RunStatus::runtime_fail};
 }
 
@@ -157,27 +154,11 @@ void Interpreter::spend_looks() {
     spend(steps);
 }
 
-// Says so once when there are too many of a code.
-bool Interpreter::may_warn(std::string_view code) {
-    State& s = *state_;
-    auto count = s.warnings.find(code);
-    if (count == s.warnings.end()) count = s.warnings.emplace(code, 0).first;
-    if (++count->second <= kMostWarnings) return true;
-    if (count->second == kMostWarnings + 1) {
-        s.diagnostics.warning(
-            code, {}, fmt::format("there are more of these than {}; the others are not told", kMostWarnings));
-    }
-    return false;
-}
-
 void Interpreter::warn(std::string_view code, Place place, std::string what, std::string hint) {
     if (as_2008()) return;
     State& s = *state_;
     const auto [at, where] = located(place);
-    if (const auto count = s.warnings.find(code); count != s.warnings.end() && count->second > kMostWarnings)
-        return;
     if (!s.warned.insert({std::string(code) + where, at.line, at.column}).second) return;
-    if (!may_warn(code)) return;
     Diagnostic& told = s.diagnostics.warning(code, at, where + what);
     if (!hint.empty()) told.hint(std::move(hint));
 }
@@ -317,7 +298,6 @@ const Syntax& Interpreter::read_text(std::string name, const std::string& text, 
     Parsed parsed = parse(name, text, {.as_2008 = as_2008()}, symbols, findings);
     const auto [at, where] = located(place);
     for (const Diagnostic& one : findings.sorted()) {
-        if (one.severity == Severity::warning && !may_warn(one.code)) continue;
         Diagnostic& told = s.diagnostics.add(
             one.severity, one.code, at,
             fmt::format("{}{}:{}:{}: {}", where, name, one.place.line, one.place.column, one.message));

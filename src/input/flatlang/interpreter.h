@@ -82,7 +82,7 @@ class Interpreter {
     Value fail_program(Place place, std::string what, std::string hint);
     // Ends the program: `what` is used up. `option` is the one that moves the limit; empty: none does.
     [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
-    // Once a place and code, and a hundred times a code. Nothing in 2008 mode, where there were none.
+    // Once a place and code. Nothing in 2008 mode, where there were none.
     void warn(std::string_view code, Place place, std::string what, std::string hint = {});
     // Appends a line to what is printed; counts it against the limit.
     void print(std::string_view line, Place place);
@@ -132,7 +132,6 @@ class Interpreter {
     // Reads a loaded file or an evaluated text; ends the program where it is none, but for 2008 mode.
     const Syntax& read_text(std::string name, const std::string& text, Place place, bool& complete);
     Value run_unit(const Syntax& unit, Place place);
-    bool may_warn(std::string_view code);
     void define_globals();
     void tell_unused_definitions();
     void run_program_text();

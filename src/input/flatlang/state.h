@@ -61,7 +61,6 @@ struct Interpreter::State {
     int evaluating = 0;        // of these, texts given to eval()
     const Node* at = nullptr;  // what is evaluated
     std::set<std::tuple<std::string, int, int>> warned;
-    std::map<std::string, std::uint64_t, std::less<>> warnings;  // by code, as often as they were told
     struct Definition {
         int symbol = -1;
         bool fixed = true;  // its first assignment at the top level is still to come
@@ -101,8 +100,6 @@ inline constexpr std::uint64_t kStepsPerEvaluatedByte = 4;
 inline constexpr std::uint64_t kBytesPerStep = 32;
 inline constexpr std::uint64_t kLooksPerStep = 4;
 inline constexpr std::uint64_t kMembersPerStep = 16;
-// Of one code.
-inline constexpr std::uint64_t kMostWarnings = 100;
 
 // Runs a block of `unit`, or evaluates an expression of it. Throws Stopped.
 class Evaluation {
