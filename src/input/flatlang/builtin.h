@@ -15,9 +15,10 @@ class Interpreter;  // interpreter.h
 struct Call {
     Interpreter& in;
     std::span<const Value> arguments;
-    Place place;  // of the call, in the file that Interpreter::file() names
-    std::string_view name;
-    const void* data;  // the row's
+    const Node& node;       // of the call
+    Place place;            // of the call, in the text that is run
+    std::string_view name;  // as the program knows it: of the function of the prelude that has called it
+    const void* data;       // the row's
 };
 
 // A row. `run` never returns an empty value; what is wrong it tells the interpreter: Interpreter::fail() ends

@@ -37,10 +37,10 @@ void refuse(const Call& call, const Refusal& refusal) {
 // The same of one argument, or of a point in it.
 void refuse_argument(const Call& call, std::size_t i, const Value& value, std::string_view wanted,
                      std::string hint = {}) {
-    call.in.fail(call.place,
-                 fmt::format("argument {} of {}() is {}, where {} is expected", i + 1, call.name,
-                             type_name(value->type), wanted),
-                 std::move(hint));
+    call.in.fail_argument(call, i,
+                          fmt::format("argument {} of {}() is {}, where {} is expected", i + 1, call.name,
+                                      type_name(value->type), wanted),
+                          std::move(hint));
 }
 
 // The card; the program ends where there is none.
@@ -132,11 +132,11 @@ class Arguments {
             const auto color = parse_color(text);
             if (!color) {
                 const std::string near = nearest_color_name(text);
-                call_.in.fail(call_.place,
-                              fmt::format("argument {} of {}() is \"{}\", which is not a colour", next_,
-                                          call_.name, shown(text)),
-                              near.empty() ? "write #rrggbb, r,g,b or a CSS colour name"
-                                           : fmt::format("perhaps '{}' is meant", near));
+                call_.in.fail_argument(call_, next_ - 1,
+                                       fmt::format("argument {} of {}() is \"{}\", which is not a colour",
+                                                   next_, call_.name, shown(text)),
+                                       near.empty() ? "write #rrggbb, r,g,b or a CSS colour name"
+                                                    : fmt::format("perhaps '{}' is meant", near));
             }
             colors.push_back(color.value_or(Color{}));
         }
@@ -166,19 +166,19 @@ class Arguments {
             std::size_t count = 0;
             for (const Value* one = &value->first; *one; one = &(*one)->next, ++count) {
                 if ((*one)->type != Type::number) {
-                    call_.in.fail(call_.place,
-                                  fmt::format("argument {} of {}() has {} in a point, where numbers are "
-                                              "expected",
-                                              next_, call_.name, type_name((*one)->type)),
-                                  "a point is [x, y], in inches");
+                    call_.in.fail_argument(
+                        call_, next_ - 1,
+                        fmt::format("argument {} of {}() has {} in a point, where numbers are expected",
+                                    next_, call_.name, type_name((*one)->type)),
+                        "a point is [x, y], in inches");
                 }
                 if (count < 2) numbers[count] = (*one)->number;
             }
             if (count != 2) {
-                call_.in.fail(call_.place,
-                              fmt::format("argument {} of {}() is a list of {} numbers, where {} is "
-                                          "expected",
-                                          next_, call_.name, count, kWanted));
+                call_.in.fail_argument(
+                    call_, next_ - 1,
+                    fmt::format("argument {} of {}() is a list of {} numbers, where {} is expected", next_,
+                                call_.name, count, kWanted));
             }
             at = {numbers[0], numbers[1]};
         } else {
@@ -248,6 +248,9 @@ Value element(const Call& call) {
     Interpreter& in = call.in;
     if (in.as_2008()) return in.heap.nil();
     Card& card = card_of(call);
+    // As long as these take about what it takes to make one.
+    constexpr std::uint64_t kStepsPerElement = 100;
+    in.spend(kStepsPerElement);
     NewElement wanted;
     wanted.info = static_cast<const ElementInfo*>(call.data);
     wanted.place = call.in.program_place(call.place);

@@ -27,16 +27,13 @@ class Chain {
 
 const Value& need_list(const Call& call, std::size_t i) {
     const Value& value = call.arguments[i];
-    if (value->type != Type::list) {
-        call.in.fail(call.place,
-                     fmt::format("{}() takes a list here, not {}", call.name, type_name(value->type)));
-    }
+    if (value->type != Type::list) call.in.fail_type(call, i, "a list");
     return value;
 }
 
 bool same(const Call& call, const Value& a, const Value& b) {
     call.in.spend(1);
-    return same_text(a, b, call.in.symbols);
+    return call.in.same_text(a, b, call.place);
 }
 
 // -1 where it is no sensible number of elements.
@@ -234,7 +231,12 @@ Value modify(const Call& call) {
             copies.add(call.in.copied(with, call.place));
         }
         const Value made = copies.take();
-        if (!made->first) call.in.fail(call.place, "the list to be put there has no elements");
+        if (!made->first) {
+            call.in.fail_argument(call, 1,
+                                  fmt::format("argument 2 of {}() is an empty list: there is nothing to put "
+                                              "into the other",
+                                              call.name));
+        }
         Value after = kInsert ? place : Value(place->next);
         place = made->first;
         Value end = made->first;

@@ -21,7 +21,10 @@ std::string_view trimmed_line(std::string_view text) {
 
 Value print(const Call& call) {
     std::string line;
-    for (const Value& argument : call.arguments) line += to_text(argument, call.in.symbols) + " ";
+    for (const Value& argument : call.arguments) {
+        line += call.in.text_of(argument, call.place) + " ";
+        call.in.check_text(trimmed_line(line), call.place);
+    }
     call.in.print(trimmed_line(line), call.place);
     return call.in.heap.nil();
 }
@@ -37,7 +40,7 @@ bool pretty_print(const Value& value, const Call& call, int level, bool after_li
             return false;
         case Type::text:
         case Type::nil:
-            out += to_text(value, call.in.symbols);
+            out += call.in.text_of(value, call.place);
             return false;
         case Type::list: {
             out += "\n" + indent + "[";
@@ -71,19 +74,20 @@ std::string_view register_name(Type type) {
     return kNames[static_cast<std::size_t>(type)];
 }
 
-// With its kind; addresses, which the original had there, are left out.
-std::string tagged(const Value& value, const Symbols& symbols) {
-    std::string text;
+// With its kind; addresses, which the original had there, are left out. Ends when `out` is too long.
+void append_tagged(const Value& value, const Call& call, std::string& out) {
+    call.in.check_text(out, call.place);
     if (value->type == Type::list) {
-        text = "[";
+        out += "[";
         for (const Value* at = &value->first; *at; at = &(*at)->next) {
-            text += (at == &value->first ? "" : ", ") + tagged(*at, symbols);
+            if (at != &value->first) out += ", ";
+            append_tagged(*at, call, out);
         }
-        text += "]";
+        out += "]";
     } else {
-        text = to_text(value, symbols, 100'000);
+        out += call.in.text_of(value, call.place);
     }
-    return text + "(#/Register$" + std::string(register_name(value->type)) + ")";
+    out.append("(#/Register$").append(register_name(value->type)).append(")");
 }
 
 // Members in the order in which Java's HashMap keeps them.
@@ -107,15 +111,21 @@ std::vector<std::size_t> in_hash_order(const std::vector<std::pair<int, Value>>&
 Value debug(const Call& call) {
     const Symbols& symbols = call.in.symbols;
     for (const Value& argument : call.arguments) {
-        std::string line = tagged(argument, symbols) + "_members={";
+        std::string line;
+        append_tagged(argument, call, line);
+        line += "_members={";
         if (const auto& extras = argument->owner().extras) {
             for (const std::size_t i : in_hash_order(extras->members, symbols)) {
                 const auto& [symbol, value] = extras->members[i];
-                line += "{" + symbols.name(symbol) + " = " + to_text(value, symbols, 100'000) + "} ";
+                line += "{" + symbols.name(symbol) + " = " + call.in.text_of(value, call.place) + "} ";
+                call.in.check_text(line, call.place);
             }
         }
         line += "}";
-        if (argument->next) line += "--->" + tagged(argument->next, symbols);
+        if (argument->next) {
+            line += "--->";
+            append_tagged(argument->next, call, line);
+        }
         call.in.print(line, call.place);
     }
     return call.in.heap.nil();
@@ -124,7 +134,7 @@ Value debug(const Call& call) {
 Value evaluate(const Call& call) {
     Value value = call.in.heap.nil();
     for (const Value& argument : call.arguments) {
-        value = call.in.evaluate_text(to_text(argument, call.in.symbols), call.place);
+        value = call.in.evaluate_text(call.in.text_of(argument, call.place), call.place);
     }
     return value;
 }
@@ -132,12 +142,17 @@ Value evaluate(const Call& call) {
 Value source(const Call& call) {
     const Value& value = call.arguments[0];
     if (value->type == Type::list) {
-        std::string text = words_of(value, call.in.symbols, std::size_t{64} << 20);
+        std::string text = words_of(value, call.in.symbols, call.in.longest_text() + 1);
         call.in.check_text(text, call.place);
         return call.in.heap.text(std::move(text));
     }
     if (value->type != Type::function) return call.in.heap.nil();
-    return source_list(value->extras->function, call.in.heap, call.in.symbols);
+    const std::uint64_t before = call.in.heap.size();
+    Value list = source_list(value->extras->function, call.in.heap, call.in.symbols);
+    // A word takes longer than a step.
+    constexpr std::uint64_t kStepsPerWord = 4;
+    call.in.spend(kStepsPerWord * (call.in.heap.size() - before));
+    return list;
 }
 
 Value load(const Call& call) {
@@ -161,23 +176,23 @@ Value clear(const Call& call) {
 
 template <std::vector<AskedFile> ProgramRun::*kFiles>
 Value ask_for(const Call& call) {
-    (call.in.result.*kFiles)
-        .push_back({to_text(call.arguments[0], call.in.symbols, 4096), call.in.program_place(call.place)});
+    std::string name = to_text(call.arguments[0], call.in.symbols, 4096);
+    call.in.spend(name.size());
+    (call.in.result.*kFiles).push_back({std::move(name), call.in.program_place(call.place)});
     return call.in.heap.nil();
 }
 
 Value set_part_mode(const Call& call) {
     const Value& value = call.arguments[0];
-    if (value->type != Type::truth) {
-        return call.in.fail(call.place,
-                            fmt::format("setPartMode() takes true or false, not {}", type_name(value->type)));
-    }
+    if (value->type != Type::truth) return call.in.fail_type(call, 0, "true or false");
     call.in.result.part_mode = value->number != 0.0;
     return value;
 }
 
 Value show_soup(const Call& call) {
-    call.in.print(call.in.turtle.describe(), call.place);
+    const std::string text = call.in.turtle.describe();
+    call.in.spend_looks();
+    call.in.print(text, call.place);
     return call.in.heap.nil();
 }
 

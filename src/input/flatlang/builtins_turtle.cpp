@@ -5,15 +5,17 @@
 #include <cmath>
 
 #include "input/flatlang/interpreter.h"
+#include "input/text.h"
 
 namespace popup::flatlang {
 namespace {
 
 double number(const Call& call, std::size_t i) { return to_number(call.arguments[i], call.in.symbols); }
 
-std::string text(const Call& call, std::size_t i) { return to_text(call.arguments[i], call.in.symbols); }
+std::string text(const Call& call, std::size_t i) { return call.in.text_of(call.arguments[i], call.place); }
 
 Value done(const Call& call) {
+    call.in.spend_looks();
     call.in.check_trail(call.place);
     return call.in.heap.nil();
 }
@@ -37,10 +39,12 @@ Value mark(const Call& call) {
 
 Value back_to(const Call& call) {
     const std::string name = text(call, 0);
-    if (!call.in.turtle.back_to(name)) {
-        call.in.warn(
-            "flatlang-no-such-mark", call.place,
-            fmt::format("there is no mark \"{}\" on the way back to the beginning; the turtle stays", name));
+    const bool there = call.in.turtle.back_to(name);
+    call.in.spend_looks();
+    if (!there) {
+        call.in.warn("flatlang-no-such-mark", call.place,
+                     fmt::format("there is no mark \"{}\" on the way back to the beginning; the turtle stays",
+                                 shown(name)));
     }
     return call.in.heap.nil();
 }
@@ -64,42 +68,43 @@ Value draw(const Call& call) {
         case Outcome::done:
             break;
         case Outcome::no_such_shape:
-            return call.in.fail(call.place, fmt::format("there is no shape \"{}\"", shape),
-                                "a shape is recorded by shape(\"…\") … done before it is drawn");
+            return call.in.fail_argument(call, 0, fmt::format("there is no shape \"{}\"", shown(shape)),
+                                         "a shape is recorded by shape(\"…\") … done before it is drawn");
         case Outcome::no_such_mark:
-            return call.in.fail(call.place, fmt::format("the shape \"{}\" has no mark \"{}\" to begin at",
-                                                        shape, start.value_or("")));
+            return call.in.fail_argument(call, 1,
+                                         fmt::format("the shape \"{}\" has no mark \"{}\" to begin at",
+                                                     shown(shape), shown(start.value_or(""))));
         case Outcome::too_large:
             return call.in.fail_limit(call.place, "the turtle's trail would grow too long", "--max-trail");
     }
     return done(call);
 }
 
-Value pos(const Call& call) { return call.in.heap.vec(call.in.turtle.pose().at); }
+Value pos(const Call& call) {
+    const Pose pose = call.in.turtle.pose();
+    call.in.spend_looks();
+    return call.in.heap.vec(pose.at);
+}
 
 Value dir(const Call& call) {
     const Pose pose = call.in.turtle.pose();
+    call.in.spend_looks();
     return call.in.heap.matrix({pose.right.x, pose.right.y, pose.right.z, pose.heading.x, pose.heading.y,
                                 pose.heading.z, pose.up.x, pose.up.y, pose.up.z});
 }
 
 const std::array<double, 9>& numbers_of(const Call& call, Type type, std::string_view wanted) {
     const Value& value = call.arguments[0];
-    if (value->type != type) {
-        call.in.fail(call.place,
-                     fmt::format("{}() takes {}, not {}", call.name, wanted, type_name(value->type)));
-    }
+    if (value->type != type) call.in.fail_type(call, 0, wanted);
     return value->extras->numbers;
 }
 
 Value draw_to(const Call& call) {
-    const std::array<double, 9>& v = numbers_of(call, Type::vec, "a vector, such as pos() gives");
+    const std::array<double, 9>& v = numbers_of(call, Type::vec, "a vector, such as pos() gives,");
     double fraction = 1.0;
     if (call.arguments.size() > 1) {
         if (call.arguments[1]->type != Type::number) {
-            return call.in.fail(call.place,
-                                fmt::format("drawto() takes a number as the fraction of the way, not {}",
-                                            type_name(call.arguments[1]->type)));
+            return call.in.fail_type(call, 1, "a number, the fraction of the way,");
         }
         fraction = call.arguments[1]->number;
     }
@@ -108,7 +113,7 @@ Value draw_to(const Call& call) {
 }
 
 Value face(const Call& call) {
-    const std::array<double, 9>& m = numbers_of(call, Type::matrix, "a matrix, such as dir() gives");
+    const std::array<double, 9>& m = numbers_of(call, Type::matrix, "a matrix, such as dir() gives,");
     Pose pose;
     pose.right = {m[0], m[1], m[2]};
     pose.heading = {m[3], m[4], m[5]};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/flatlang/state.h"
+#include "input/text.h"
 
 namespace popup::flatlang {
 namespace {
@@ -41,11 +42,16 @@ struct Evaluation::Level {
 void Evaluation::tick(const Node& at) {
     state_.at = &at;
     const ProgramLimits& limits = state_.options.program.limits;
-    if (++state_.steps > limits.steps) {
+    state_.steps += 1 + in_.heap.take_work();
+    if (state_.steps > limits.steps) {
+        state_.steps = limits.steps;
         in_.fail_limit(at.place, fmt::format("the program has taken {} steps", limits.steps), "--max-steps");
     }
-    if (in_.heap.size() > limits.values) {
-        in_.fail_limit(at.place, fmt::format("the program holds {} values", limits.values), "--max-values");
+    if (in_.heap.size() + state_.nodes > limits.values) {
+        in_.fail_limit(
+            at.place,
+            fmt::format("the program holds {} values, where 64 bytes of text count as one", limits.values),
+            "--max-values");
     }
     if (state_.nesting > kLevelsPerCall * limits.depth + kLevelsBesides) {
         in_.fail_limit(at.place, "calls and expressions stand too deep within each other", "--max-depth");
@@ -133,7 +139,7 @@ bool Evaluation::truth_text(int index) {
     return to_text(value, in_.symbols, 5) == "true";
 }
 
-std::string Evaluation::text_of(int index) { return to_text(evaluate(index), in_.symbols); }
+std::string Evaluation::text_of(int index) { return in_.text_of(evaluate(index), node(index).place); }
 
 double Evaluation::number_of(int index) { return to_number(evaluate(index), in_.symbols); }
 
@@ -178,6 +184,7 @@ void Evaluation::shape(const Node& at) {
     in_.turtle.begin_shape(text_of(need(at, 0)));
     run_block(at.children.size() > 1 ? at.children[1] : kMissing);
     in_.turtle.end_shape();
+    in_.check_trail(at.place);
 }
 
 void Evaluation::from(const Node& at) {
@@ -187,9 +194,11 @@ void Evaluation::from(const Node& at) {
     for (std::size_t i = 0; i + 1 < at.children.size(); ++i) {
         const std::string mark = text_of(need(at, i));
         const std::optional<Turtle::Cursor> place = in_.turtle.find_above(mark);
+        in_.spend_looks();
         if (!place) {
             in_.fail(
-                at.place, fmt::format("there is no mark \"{}\" on the way back to the beginning", mark),
+                node(at.children[i]).place,
+                fmt::format("there is no mark \"{}\" on the way back to the beginning", shown(mark)),
                 "a mark is found from where the turtle stands back along its way; backto() leaves others");
         }
         places.push_back(*place);
@@ -206,7 +215,9 @@ void Evaluation::replace(const Node& at) {
     const std::string end = text_of(need(at, 1));
     in_.turtle.begin_replacement(start, end, at.kind == NodeKind::replace_all);
     run_block(at.children.size() > 2 ? at.children[2] : kMissing);
-    switch (in_.turtle.end_replacement()) {
+    const Outcome outcome = in_.turtle.end_replacement();
+    in_.spend_looks();
+    switch (outcome) {
         case Outcome::done:
             in_.check_trail(at.place);
             return;
@@ -219,7 +230,7 @@ void Evaluation::replace(const Node& at) {
                 at.place,
                 fmt::format("there is no mark \"{}\" with a mark \"{}\" before it, on the way back to the "
                             "beginning",
-                            end, start));
+                            shown(end), shown(start)));
     }
 }
 
@@ -286,7 +297,7 @@ Value Evaluation::assign(const Node& at) {
     if (old->extras && old->extras->referent_symbol >= 0) {
         Cell* owner = old->extras->referent;
         if (owner->serial == old->extras->referent_serial) {
-            owner->set_member(old->extras->referent_symbol, value);
+            in_.set_member(*owner, old->extras->referent_symbol, value);
         }
         old->clear_referent();
         return value;
@@ -295,6 +306,7 @@ Value Evaluation::assign(const Node& at) {
     while (true) {
         const Node& left = node(target);
         if (left.kind == NodeKind::name || left.kind == NodeKind::call) {
+            if (in_.keeps_definition(left.symbol)) return value;
             in_.assign(left.symbol, value);
             return value;
         }
@@ -336,8 +348,12 @@ Value Evaluation::call(const Node& at) {
                              builtin->most == 1 ? "" : "s", given));
     }
     state_.scopes.push();
+    const bool of_prelude = state_.unit == state_.prelude && !state_.callers.empty();
+    const std::string_view name = of_prelude && state_.callers.back().function >= 0
+                                      ? in_.symbols.name(state_.callers.back().function)
+                                      : builtin->name;
     Value value =
-        builtin->run({in_, {arguments.data(), arguments.size()}, at.place, builtin->name, builtin->data});
+        builtin->run({in_, {arguments.data(), arguments.size()}, at, at.place, name, builtin->data});
     in_.assign(state_.returned, value);
     state_.scopes.pop();
     return value;
@@ -380,7 +396,7 @@ Value Evaluation::run_function(const Node& at, const FunctionBody& body, std::sp
         scopes.bind(definition.parameters[i], in_.heap.nil());
         in_.assign(definition.parameters[i], arguments[i]);
     }
-    state_.callers.push_back({state_.unit, at.place});
+    state_.callers.push_back({state_.unit, at.place, &at, definition.symbol});
     state_.unit = body.syntax;
     const int block = definition.children.empty() ? kMissing : definition.children.front();
     if (block == kMissing) {
@@ -392,6 +408,7 @@ Value Evaluation::run_function(const Node& at, const FunctionBody& body, std::sp
     run_block(block);
     state_.unit = state_.callers.back().unit;
     state_.callers.pop_back();
+    state_.at = &at;
     // What was returned may stand in a scope that the caller does not see.
     scopes.hide_below_newest(false);
     scopes.hide_below(0);
@@ -484,7 +501,9 @@ Value Evaluation::negated(const Node& at) {
         // The text with a minus before it is read as a number, and "--5.0" is none.
         return in_.heap.number(text_number("-" + to_text(value, in_.symbols, 4096)));
     }
-    return in_.heap.number(-to_number(value, in_.symbols));
+    const double number = to_number(value, in_.symbols);
+    // What is no number is 0, also with a minus before it, and not -0.
+    return in_.heap.number(number == 0.0 && value->type != Type::number ? 0.0 : -number);
 }
 
 Value Evaluation::arithmetic(const Node& at) {
@@ -532,7 +551,7 @@ Value Evaluation::arithmetic(const Node& at) {
         return in_.heap.vec({m[0] + sign * n[0], m[1] + sign * n[1], m[2] + sign * n[2]});
     }
     if (at.kind != NodeKind::add) return in_.heap.nil();
-    std::string text = to_text(a, in_.symbols) + to_text(b, in_.symbols);
+    std::string text = in_.text_of(a, at.place) + in_.text_of(b, at.place);
     in_.check_text(text, at.place);
     return in_.heap.text(std::move(text));
 }
@@ -568,7 +587,7 @@ Value Evaluation::comparison(const Node& at) {
             }
         }
         case Type::text:
-            return equality(a->text == b->text);
+            return equality(in_.same_text(a, b, at.place));
         case Type::truth:
             return equality(a->number == b->number);
         case Type::object:

@@ -63,23 +63,56 @@ Interpreter::~Interpreter() = default;
 
 bool Interpreter::as_2008() const { return state_->options.program.as_2008; }
 
-// Where a finding stands for the user: what happens in other texts is told at the call in the program that
-// led there.
-std::pair<Place, std::string> Interpreter::located(Place place) const {
+// What happens in other texts is told at the call in the program that led there; what happens in the prelude
+// at the call of its function, wherever that is.
+std::pair<Place, std::string> Interpreter::located(Position position) const {
     const State& s = *state_;
-    if (s.unit == nullptr || s.unit == s.program) return {place, {}};
-    std::string where = s.unit->file == kPreludeName
-                            ? std::string()
-                            : fmt::format("{}:{}:{}: ", s.unit->file, place.line, place.column);
-    for (auto caller = s.callers.rbegin(); caller != s.callers.rend(); ++caller) {
-        if (caller->unit == s.program) return {caller->place, std::move(where)};
-    }
-    return {{}, std::move(where)};
+    auto [unit, callers, place] = position;
+    const auto go_up = [&] {
+        --callers;
+        unit = s.callers[callers].unit;
+        place = s.callers[callers].place;
+    };
+    while (unit == s.prelude && callers > 0) go_up();
+    if (unit == nullptr || unit == s.program) return {place, {}};
+    std::string where = fmt::format("{}:{}:{}: ", unit->file, place.line, place.column);
+    while (unit != s.program && callers > 0) go_up();
+    return {unit == s.program ? place : Place{}, std::move(where)};
+}
+
+std::pair<Place, std::string> Interpreter::located(Place place) const {
+    return located({state_->unit, state_->callers.size(), place});
 }
 
 Value Interpreter::fail(Place place, std::string what, std::string hint) {
     const auto [at, where] = located(place);
     return fail_at(at, where + what, std::move(hint));
+}
+
+Value Interpreter::fail_argument(const Call& call, std::size_t argument, std::string what, std::string hint) {
+    const State& s = *state_;
+    Position position{s.unit, s.callers.size(), call.place};
+    const Node* node = &call.node;
+    // The prelude's functions hand on their arguments as they come.
+    if (position.unit == s.prelude && !s.callers.empty() && s.callers.back().call != nullptr) {
+        --position.callers;
+        position.unit = s.callers.back().unit;
+        node = s.callers.back().call;
+    }
+    position.place = node->place;
+    if (argument < node->children.size() && node->children[argument] != kMissing) {
+        position.place = position.unit->nodes[static_cast<std::size_t>(node->children[argument])].place;
+    }
+    const auto [at, where] = located(position);
+    return fail_at(at, where + what, std::move(hint));
+}
+
+Value Interpreter::fail_type(const Call& call, std::size_t argument, std::string_view wanted,
+                             std::string hint) {
+    return fail_argument(call, argument,
+                         fmt::format("argument {} of {}() is {}, where {} is expected", argument + 1,
+                                     call.name, type_name(call.arguments[argument]->type), wanted),
+                         std::move(hint));
 }
 
 Value Interpreter::fail_program(Place place, std::string what, std::string hint) {
@@ -101,8 +134,8 @@ Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
 
 Value Interpreter::fail_limit(Place place, std::string what, std::string_view option) {
     const auto [at, where] = located(place);
-    state_->diagnostics.error("flatlang-limit", at, where + what)
-        .hint(fmt::format("if it shall do so, {} N allows more", option));
+    Diagnostic& told = state_->diagnostics.error("flatlang-limit", at, where + what);
+    if (!option.empty()) told.hint(fmt::format("if it shall do so, {} N allows more", option));
     throw Stopped{RunStatus::timeout};
 }
 
@@ -111,8 +144,18 @@ void Interpreter::spend(std::uint64_t steps) {
     const std::uint64_t most = s.options.program.limits.steps;
     s.steps += steps;
     if (s.steps <= most) return;
+    s.steps = most;
     const Place place = s.at != nullptr ? s.at->place : Place{};
     fail_limit(place, fmt::format("the program has taken {} steps", most), "--max-steps");
+}
+
+void Interpreter::spend_looks() {
+    State& s = *state_;
+    const std::uint64_t looks = turtle.looks();
+    if (looks < s.turtle_looks) s.turtle_looks = 0;  // it was cleared
+    const std::uint64_t steps = (looks - s.turtle_looks) / kLooksPerStep;
+    s.turtle_looks += steps * kLooksPerStep;
+    spend(steps);
 }
 
 void Interpreter::warn(std::string_view code, Place place, std::string what, std::string hint) {
@@ -126,7 +169,7 @@ void Interpreter::warn(std::string_view code, Place place, std::string what, std
 
 void Interpreter::warn_unknown_function(int symbol, Place place) {
     if (as_2008()) return;
-    const std::string& name = symbols.name(symbol);
+    const std::string name = shown(symbols.name(symbol));
     const bool variable = lookup(symbol)->type != Type::nil;
     warn("flatlang-unknown-function", place,
          variable ? fmt::format("{} is a variable, not a function", name)
@@ -139,11 +182,29 @@ void Interpreter::check_text(std::string_view text, Place place) {
     if (text.size() > most) {
         fail_limit(place, fmt::format("a text grows beyond {} bytes", most), "--max-text");
     }
-    spend(text.size() / 32);
+}
+
+std::uint64_t Interpreter::longest_text() const { return state_->options.program.limits.text; }
+
+std::string Interpreter::text_of(const Value& value, Place place) {
+    std::string text = to_text(value, symbols, longest_text() + 1);
+    check_text(text, place);
+    spend(text.size() / kBytesPerStep);
+    return text;
+}
+
+bool Interpreter::same_text(const Value& a, const Value& b, Place place) {
+    if (a->type == Type::text && b->type == Type::text) {
+        if (a->text.size() != b->text.size()) return false;
+        spend(a->text.size() / kBytesPerStep);
+        return a->text == b->text;
+    }
+    return text_of(a, place) == text_of(b, place);
 }
 
 void Interpreter::print(std::string_view line, Place place) {
     check_text(line, place);
+    spend(line.size() / kBytesPerStep);
     if (result.printed.size() + line.size() + 1 > state_->options.program.limits.text) {
         fail_limit(place, fmt::format("more than {} bytes are printed", state_->options.program.limits.text),
                    "--max-text");
@@ -160,7 +221,10 @@ void Interpreter::check_trail(Place place) {
 
 Value Interpreter::member(const Value& of, int symbol) {
     State& s = *state_;
-    if (const Value* found = of->owner().member(symbol)) return *found;
+    if (const auto& extras = of->owner().extras) {
+        if (extras->members.size() >= kMembersPerStep) spend(extras->members.size() / kMembersPerStep);
+        if (const Value* found = of->owner().member(symbol)) return *found;
+    }
     if (of->type == Type::list && symbol == s.count) {
         const std::uint64_t n = length(of);
         spend(n / 8);
@@ -190,15 +254,24 @@ Value Interpreter::lookup(int symbol) {
 void Interpreter::assign(int symbol, Value value) {
     State& s = *state_;
     if (value->type == Type::function) return s.scopes.bind_function(symbol, std::move(value));
-    if (!s.objects.empty()) return s.objects.back()->owner().set_member(symbol, std::move(value));
-    if (s.callers.empty() && s.running <= 1) {
-        for (State::Definition& one : s.definitions) {
-            if (one.symbol != symbol) continue;
-            one.used = true;
-            if (std::exchange(one.fixed, false)) return;
-        }
-    }
+    if (!s.objects.empty()) return set_member(s.objects.back()->owner(), symbol, std::move(value));
     s.scopes.assign(symbol, std::move(value));
+}
+
+void Interpreter::set_member(Cell& of, int symbol, Value value) {
+    if (of.extras) spend(of.extras->members.size() / kMembersPerStep);
+    of.set_member(symbol, std::move(value));
+}
+
+bool Interpreter::keeps_definition(int symbol) {
+    State& s = *state_;
+    if (!s.objects.empty() || !s.callers.empty() || s.running > 1) return false;
+    for (State::Definition& one : s.definitions) {
+        if (one.symbol != symbol) continue;
+        one.used = true;
+        return std::exchange(one.fixed, false);
+    }
+    return false;
 }
 
 Value Interpreter::lookup_returned() { return lookup(state_->returned); }
@@ -210,19 +283,20 @@ Value Interpreter::copied(const Value& value, Place place) {
     }
     State& s = *state_;
     const ProgramLimits& limits = s.options.program.limits;
-    const std::uint64_t budget = std::min(limits.steps > s.steps ? limits.steps - s.steps : 0,
-                                          limits.values > heap.size() ? limits.values - heap.size() : 0) +
-                                 1;
+    const std::uint64_t steps = limits.steps > s.steps ? limits.steps - s.steps : 0;
+    const std::uint64_t held = heap.size() + s.nodes;
+    const std::uint64_t budget = std::min(steps, limits.values > held ? limits.values - held : 0) + 1;
     std::uint64_t left = budget;
     Value made = heap.copy(value, left);
     if (left == 0) {
-        return fail_limit(place, "a list grows too long to be copied", "--max-values");
+        if (budget > steps) spend(budget);
+        return fail_limit(place, "a list grows too long, or too deep, to be copied", "--max-values");
     }
     spend(budget - left);
     return made;
 }
 
-Value Interpreter::run_text(std::string name, const std::string& text, Place place) {
+const Syntax& Interpreter::read_text(std::string name, const std::string& text, Place place, bool& complete) {
     State& s = *state_;
     Diagnostics findings(name);
     Parsed parsed = parse(name, text, {.as_2008 = as_2008()}, symbols, findings);
@@ -233,14 +307,23 @@ Value Interpreter::run_text(std::string name, const std::string& text, Place pla
             fmt::format("{}{}:{}:{}: {}", where, name, one.place.line, one.place.column, one.message));
         for (const std::string& hint : one.hints) told.hint(hint);
     }
-    if (!parsed.complete && !as_2008()) throw Stopped{RunStatus::runtime_fail};
-    spend(text.size() / 32);
+    complete = parsed.complete;
+    if (!complete && !as_2008()) throw Stopped{RunStatus::runtime_fail};
     s.units.push_back(std::move(parsed.syntax));
-    const Syntax& unit = s.units.back();
+    s.nodes += s.units.back().nodes.size();
+    return s.units.back();
+}
+
+Value Interpreter::run_unit(const Syntax& unit, Place place) {
+    State& s = *state_;
+    const Node* at = s.at;
     s.callers.push_back({s.unit, place});
     const auto kept = std::make_tuple(s.unit, s.callers.size(), s.objects.size(), s.calls, s.scopes.depth());
     if (++s.running > kMostTextsWithin) {
-        fail_limit(place, "loaded files and evaluated texts stand too deep within each other", "--max-depth");
+        fail_limit(
+            place,
+            fmt::format("loaded files and evaluated texts stand {} deep within each other", kMostTextsWithin),
+            {});
     }
     try {
         Evaluation(*this, s).run_statements(unit, unit.root);
@@ -254,12 +337,14 @@ Value Interpreter::run_text(std::string name, const std::string& text, Place pla
     }
     --s.running;
     s.callers.pop_back();
+    s.at = at;
     turtle.recalculate();
     return lookup_returned();
 }
 
 void Interpreter::load(std::string_view name, Place place) {
     State& s = *state_;
+    spend(kStepsPerLoad);
     std::string why;
     std::optional<LoadedFile> file = s.folders.find(name, why);
     if (!file) {
@@ -270,14 +355,34 @@ void Interpreter::load(std::string_view name, Place place) {
         std::find(result.files.begin(), result.files.end(), file->name) == result.files.end()) {
         result.files.push_back(file->name);
     }
-    run_text(std::move(file->name), file->text, place);
+    const auto before = s.loaded.find(file->name);
+    if (before != s.loaded.end() && before->second.text == file->text) {
+        spend(file->text.size() / kBytesPerStep);
+        run_unit(*before->second.syntax, place);
+        return;
+    }
+    spend(file->text.size() * kStepsPerLoadedByte);
+    bool complete = false;
+    const Syntax& unit = read_text(file->name, file->text, place, complete);
+    if (complete) s.loaded[file->name] = {std::move(file->text), &unit};
+    run_unit(unit, place);
 }
 
 Value Interpreter::evaluate_text(const std::string& text, Place place) {
     State& s = *state_;
+    spend(kStepsPerEval + text.size() * kStepsPerEvaluatedByte);
+    bool complete = false;
+    const Syntax& unit = read_text("eval", text, place, complete);
     ++s.evaluating;
-    Value value = run_text("eval", text, place);
+    Value value = run_unit(unit, place);
     --s.evaluating;
+    // What defines nothing is not needed any more.
+    const bool defines = std::any_of(unit.nodes.begin(), unit.nodes.end(),
+                                     [](const Node& node) { return node.kind == NodeKind::define; });
+    if (!defines && &unit == &s.units.back()) {
+        s.nodes -= unit.nodes.size();
+        s.units.pop_back();
+    }
     return value;
 }
 
@@ -309,6 +414,7 @@ void Interpreter::run_program_text() {
     Parsed first = parse(kPreludeName, prelude(), {}, symbols, none);
     if (!first.complete) broken_invariant("the prelude is a program", __FILE__, __LINE__);
     s.units.push_back(std::move(first.syntax));
+    s.prelude = &s.units.back();
     Evaluation(*this, s).run_statements(s.units.back(), s.units.back().root);
     s.scopes.push();  // globals
     define_globals();
@@ -332,6 +438,7 @@ void Interpreter::run_program_text() {
 
 ProgramRun Interpreter::run() {
     run_program_text();
+    result.steps = state_->steps;
     result.trail = turtle.trail();
     if (state_->failed) result.trail.polygons.clear();
     // The first of the texts is the prelude.
@@ -340,6 +447,7 @@ ProgramRun Interpreter::run() {
                            [](const Node& node) { return node.kind == NodeKind::define; });
     });
     if (card.design) result.card = std::move(card);
+    heap.abandon();
     return std::move(result);
 }
 

@@ -42,6 +42,7 @@ struct ProgramRun {
         laser;  // in the order of the calls; the last of each is what the original wrote
     bool part_mode = false;
     bool defines = false;  // functions, itself or what it loads
+    std::uint64_t steps = 0;         // that it took
     std::vector<std::string> files;  // that were loaded, but for the kit's
 };
 
@@ -71,14 +72,19 @@ class Interpreter {
     [[nodiscard]] bool as_2008() const;
     // Counts work beside evaluation: elements copied or compared. The program fails at the limit.
     void spend(std::uint64_t steps);
+    // The same for what the turtle has looked up since.
+    void spend_looks();
     // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
     // while the program winds up are not told.
     Value fail(Place place, std::string what, std::string hint = {});
+    // Likewise, at an argument of a call: "argument 2 of find() is nil, where a list is expected".
+    Value fail_argument(const Call& call, std::size_t argument, std::string what, std::string hint = {});
+    Value fail_type(const Call& call, std::size_t argument, std::string_view wanted, std::string hint = {});
     // Likewise, for what the kit finds wrong: told of the program's own call alone.
     Value fail_program(Place place, std::string what, std::string hint);
     // Where in the program the outermost call that goes on is said to stand, for findings.
     void blame(Place place);
-    // Ends the program: `what` is used up. `option` is the one that moves the limit.
+    // Ends the program: `what` is used up. `option` is the one that moves the limit; empty: none does.
     [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.
     void warn(std::string_view code, Place place, std::string what, std::string hint = {});
@@ -86,13 +92,20 @@ class Interpreter {
     void print(std::string_view line, Place place);
     // Checks the trail against its limit. The program fails beyond it.
     void check_trail(Place place);
-
-    // The same for a text that is about to be kept; its length counts as steps, too.
+    // The same for a text, as long as one may be.
     void check_text(std::string_view text, Place place);
+    [[nodiscard]] std::uint64_t longest_text() const;
+    // What a value is as text; its length counts as steps. The program fails where it is too long.
+    std::string text_of(const Value& value, Place place);
+    // Equal texts; what is compared counts as steps.
+    bool same_text(const Value& a, const Value& b, Place place);
 
     // Variables, as assignments and names in the program see them. lookup() is nil when there is none.
     Value lookup(int symbol);
     void assign(int symbol, Value value);
+    void set_member(Cell& of, int symbol, Value value);
+    // True of the program's first assignment at its top level to what -D has set: it is not to be done.
+    bool keeps_definition(int symbol);
     // The value of the last expression that was a statement, as a function returns it.
     Value lookup_returned();
     // A copy as lists take elements in; its cells count as steps.
@@ -110,9 +123,19 @@ class Interpreter {
     struct State;  // state.h
 
  private:
+    // A place in a text, as `callers` have led there.
+    struct Position {
+        const Syntax* unit = nullptr;
+        std::size_t callers = 0;
+        Place place;
+    };
+    // Where a finding stands for the user, and what its message begins with.
+    [[nodiscard]] std::pair<Place, std::string> located(Position position) const;
     [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
     Value fail_at(Place place, std::string what, std::string hint);
-    Value run_text(std::string name, const std::string& text, Place place);
+    // Reads a loaded file or an evaluated text; ends the program where it is none, but for 2008 mode.
+    const Syntax& read_text(std::string name, const std::string& text, Place place, bool& complete);
+    Value run_unit(const Syntax& unit, Place place);
     void define_globals();
     void tell_unused_definitions();
     void run_program_text();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ struct Stopped {
 struct Caller {
     const Syntax* unit = nullptr;
     Place place;
+    const Node* call = nullptr;  // null: a text is run
+    int function = -1;           // the symbol of what is called
 };
 
 struct Interpreter::State {
@@ -33,7 +36,14 @@ struct Interpreter::State {
     const ReadOptions& options;
     Diagnostics& diagnostics;
     Folders folders;
-    std::deque<Syntax> units;  // every text that was read; functions refer to them
+    std::deque<Syntax> units;  // texts that were read; functions refer to them
+    // Files that were loaded: one that is loaded again is not read again.
+    struct Loaded {
+        std::string text;
+        const Syntax* syntax = nullptr;
+    };
+    std::map<std::string, Loaded> loaded;
+    const Syntax* prelude = nullptr;
     const Syntax* program = nullptr;
     const Syntax* unit = nullptr;  // in which the evaluation is
     std::vector<Caller> callers;
@@ -43,7 +53,9 @@ struct Interpreter::State {
     std::vector<Value> objects;
 
     std::uint64_t steps = 0;
-    std::uint64_t nesting = 0;  // of evaluations in each other
+    std::uint64_t nodes = 0;  // of loaded files and evaluated texts that are kept: they count as values
+    std::uint64_t turtle_looks = 0;  // that were counted as steps
+    std::uint64_t nesting = 0;       // of evaluations in each other
     std::uint64_t calls = 0;
     int running = 0;           // texts that run in each other, the program the first of them
     int evaluating = 0;        // of these, texts given to eval()
@@ -77,6 +89,17 @@ inline constexpr std::uint64_t kLevelsBesides = 1000;
 inline constexpr std::uint64_t kMostCalls = 100'000;
 // Loaded files and evaluated texts within each other.
 inline constexpr int kMostTextsWithin = 100;
+// What reading costs in steps, about as long as these take: looking for a file; a byte of it; a text to be
+// evaluated; a byte of it.
+inline constexpr std::uint64_t kStepsPerLoad = 500;
+inline constexpr std::uint64_t kStepsPerLoadedByte = 1;
+inline constexpr std::uint64_t kStepsPerEval = 50;
+inline constexpr std::uint64_t kStepsPerEvaluatedByte = 4;
+// Bytes of a text that are compared or copied in one step, operations of the turtle that are looked at, and
+// members.
+inline constexpr std::uint64_t kBytesPerStep = 32;
+inline constexpr std::uint64_t kLooksPerStep = 4;
+inline constexpr std::uint64_t kMembersPerStep = 16;
 
 // Runs a block of `unit`, or evaluates an expression of it. Throws Stopped.
 class Evaluation {

@@ -248,6 +248,7 @@ void Turtle::begin_shape(std::string name) {
     Block block;
     block.kind = BlockKind::shape;
     block.recording = state_->plant("__shape_turtles");
+    ++state_->recorded;
     block.name = std::move(name);
     state_->blocks.push_back(std::move(block));
 }
@@ -305,6 +306,7 @@ void Turtle::begin_replacement(std::string start, std::string end, bool all) {
     Block block;
     block.kind = BlockKind::replacement;
     block.recording = state_->plant("__replacement_turtles");
+    ++state_->recorded;
     block.start = std::move(start);
     block.end = std::move(end);
     block.all = all;
@@ -377,6 +379,8 @@ std::string Turtle::describe() const {
 }
 
 std::uint64_t Turtle::operations() const { return state_->recorded; }
+
+std::uint64_t Turtle::looks() const { return state_->tree.looks(); }
 
 Trail Turtle::trail() {
     return tree_trail(state_->tree, state_->drawing.root, state_->drawing.cursor, state_->as_2008,

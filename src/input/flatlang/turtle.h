@@ -90,8 +90,10 @@ class Turtle {
     // The trees as the original's showSoup() printed them; a # stands for each address. Cut off beyond 64 MB.
     [[nodiscard]] std::string describe() const;
 
-    // Of all that is recorded.
+    // Of all that is recorded, the beginnings of shapes and replacements among them.
     [[nodiscard]] std::uint64_t operations() const;
+    // How often operations were looked at beside being recorded; only grows, but for clear().
+    [[nodiscard]] std::uint64_t looks() const;
 
     // What was drawn so far, with its polygons. Cost: near linear in operations.
     Trail trail();

@@ -65,7 +65,10 @@ int TurtleTree::mark_at_or_above(int node, int name) const {
 
 int TurtleTree::mark_above(int node, int name) const {
     int link = at(node).above;
-    while (link != none && !is_mark(link, name)) link = at(link).above;
+    while (link != none && !is_mark(link, name)) {
+        ++looks_;
+        link = at(link).above;
+    }
     return link;
 }
 

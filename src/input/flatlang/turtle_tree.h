@@ -64,9 +64,18 @@ class TurtleTree {
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     [[nodiscard]] const Operation& operation(int node) const { return at(node).operation; }
-    [[nodiscard]] int parent(int node) const { return at(node).parent; }
-    [[nodiscard]] int first_child(int node) const { return at(node).first_child; }
-    [[nodiscard]] int next_sibling(int node) const { return at(node).next_sibling; }
+    [[nodiscard]] int parent(int node) const {
+        ++looks_;
+        return at(node).parent;
+    }
+    [[nodiscard]] int first_child(int node) const {
+        ++looks_;
+        return at(node).first_child;
+    }
+    [[nodiscard]] int next_sibling(int node) const {
+        ++looks_;
+        return at(node).next_sibling;
+    }
     // The only child, or `none`.
     [[nodiscard]] int only_child(int node) const;
     [[nodiscard]] bool gone(int node) const { return at(node).gone; }
@@ -76,6 +85,9 @@ class TurtleTree {
     // The nearest mark of this name at `node` or above it, or `none`. Cost: the marks between.
     [[nodiscard]] int mark_at_or_above(int node, int name) const;
     [[nodiscard]] int mark_above(int node, int name) const;
+
+    // How often nodes were looked at: what looking up, replacing and walking cost.
+    [[nodiscard]] std::uint64_t looks() const { return looks_; }
 
     std::vector<TrailPart>& parts() { return parts_; }
     [[nodiscard]] const std::vector<TrailPart>& parts() const { return parts_; }
@@ -107,6 +119,7 @@ class TurtleTree {
     std::vector<const std::string*> name_list_;  // by number
     std::vector<TrailPart> parts_;
     std::vector<Pose> changes_;
+    mutable std::uint64_t looks_ = 0;
 };
 
 template <class State, class Visit>

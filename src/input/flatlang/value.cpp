@@ -83,6 +83,7 @@ Value Heap::make(Type type) {
 }
 
 void Heap::release(Cell* cell) {
+    if (abandoned_) return;
     std::vector<Cell*> dying{cell};
     const auto let_go = [&dying](Value& value) {
         Cell* behind = std::exchange(value.cell_, nullptr);
@@ -97,6 +98,7 @@ void Heap::release(Cell* cell) {
             for (auto& [name, value] : one.extras->members) let_go(value);
             one.extras.reset();
         }
+        text_bytes_ -= one.text.size();
         if (one.text.capacity() > 64) {
             one.text = std::string();
         } else {
@@ -124,9 +126,15 @@ Value Heap::number(double value) {
     return made;
 }
 
+void Heap::set_text(Cell& cell, std::string text) {
+    text_bytes_ += text.size();
+    bytes_written_ += text.size();
+    cell.text = std::move(text);
+}
+
 Value Heap::text(std::string value) {
     Value made = make(Type::text);
-    made->text = std::move(value);
+    set_text(*made, std::move(value));
     return made;
 }
 
@@ -166,7 +174,8 @@ Value Heap::object(const Value& same_as) {
     return made;
 }
 
-Value Heap::copy(const Value& value, std::uint64_t& budget) {
+Value Heap::copy(const Value& value, std::uint64_t& budget, int depth) {
+    if (depth > kDeepestCopy) budget = 0;
     if (budget == 0) return nil();
     --budget;
     switch (value->type) {
@@ -174,7 +183,7 @@ Value Heap::copy(const Value& value, std::uint64_t& budget) {
             Value made = list({});
             Value last;
             for (Value at = value->first; at; at = at->next) {
-                Value element = copy(at, budget);
+                Value element = copy(at, budget, depth + 1);
                 if (budget == 0) return nil();
                 (last ? last->next : made->first) = element;
                 last = std::move(element);
@@ -200,7 +209,7 @@ Value Heap::copy(const Value& value, std::uint64_t& budget) {
     }
     Value made = make(value->type);
     made->number = value->number;
-    made->text = value->text;
+    if (!value->text.empty()) set_text(*made, value->text);
     if (value->extras) {
         made->more().members = value->extras->members;
         made->extras->numbers = value->extras->numbers;
@@ -245,6 +254,8 @@ std::string number_text(double value) {
 }
 
 double text_number(std::string_view text) {
+    constexpr std::size_t kLongest = 4096;
+    if (text.size() > kLongest) return 0.0;
     const auto is_space = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
     while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
@@ -305,7 +316,7 @@ void append_text(const Value& value, const Symbols& symbols, std::size_t most, i
             out += number_text(value->number);
             return;
         case Type::text:
-            out += value->text;
+            out.append(value->text, 0, most - out.size());
             return;
         case Type::list:
             out += '[';
@@ -377,13 +388,6 @@ std::string to_text(const Value& value, const Symbols& symbols, std::size_t most
     std::string text;
     append_text(value, symbols, most, 0, text);
     return text;
-}
-
-bool same_text(const Value& a, const Value& b, const Symbols& symbols) {
-    if (a->type == b->type && a->type == Type::text) return a->text == b->text;
-    if (a->type == b->type && a->type == Type::number)
-        return number_text(a->number) == number_text(b->number);
-    return to_text(a, symbols) == to_text(b, symbols);
 }
 
 bool is_true(const Value& value) {

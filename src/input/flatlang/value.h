@@ -87,6 +87,9 @@ struct Cell {
     }
 };
 
+// Lists within lists, when they are copied.
+inline constexpr int kDeepestCopy = 10'000;
+
 // Where cells live. Frees long chains without recursion, and everything at its end, cycles too: it outlives
 // all values.
 class Heap {
@@ -110,20 +113,35 @@ class Heap {
 
     // A new cell with the same value and nothing behind it. Of a list all its elements are copied, deeply;
     // objects stay the same one, and a matrix comes out transposed: so the language has it. `budget`: how
-    // many cells it may make, less by those it made; when that is not enough it is 0, and the copy nil.
-    Value copy(const Value& value, std::uint64_t& budget);
+    // many cells it may make, less by those it made; when that is not enough, or lists stand deeper within
+    // each other than kDeepestCopy, it is 0, and the copy nil.
+    Value copy(const Value& value, std::uint64_t& budget) { return copy(value, budget, 0); }
 
-    // Cells that live.
-    [[nodiscard]] std::uint64_t size() const { return size_; }
+    // Nothing is given back from now on, before everything is: values that end cost nothing.
+    void abandon() { abandoned_ = true; }
+
+    // Cells that live, and one more for every 64 bytes of their texts.
+    [[nodiscard]] std::uint64_t size() const { return size_ + text_bytes_ / 64; }
+    // What writing texts has cost since this was asked last: 1 for every 32 bytes.
+    std::uint64_t take_work() {
+        const std::uint64_t work = bytes_written_ / 32;
+        bytes_written_ %= 32;
+        return work;
+    }
 
  private:
     friend class Value;
     Value make(Type type);
+    void set_text(Cell& cell, std::string text);
+    Value copy(const Value& value, std::uint64_t& budget, int depth);
     void release(Cell* cell);
     std::vector<std::unique_ptr<Cell[]>> blocks_;
     std::vector<Cell*> free_;
     std::uint64_t size_ = 0;
+    std::uint64_t text_bytes_ = 0;  // of cells that live
+    std::uint64_t bytes_written_ = 0;
     std::uint64_t serials_ = 0;
+    bool abandoned_ = false;
 };
 
 // Elements of a list, counted.
@@ -131,15 +149,14 @@ std::uint64_t length(const Value& list);
 
 // A number as Java's Double.toString writes it: "5.0", "0.10000000149011612", "1.0E8", "NaN".
 std::string number_text(double value);
-// The number that a text begins and ends with, as Java's Float.parseFloat reads it; 0 when it is none.
+// The number that a text is, as Java's Float.parseFloat reads it; 0 when it is none, or longer than 4096
+// bytes.
 double text_number(std::string_view text);
 // What a value is where a number is wanted, rounded to float.
 double to_number(const Value& value, const Symbols& symbols);
 // As print() writes it: lists "[1.0, a]", vec "{x, y, z}", objects their __str__. At most about `most` bytes;
 // longer texts end there.
 std::string to_text(const Value& value, const Symbols& symbols, std::size_t most = std::size_t{64} << 20);
-// eq(): equal texts.
-bool same_text(const Value& a, const Value& b, const Symbols& symbols);
 // What `if` takes for true.
 bool is_true(const Value& value);
 
