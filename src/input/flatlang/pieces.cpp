@@ -123,8 +123,12 @@ class PartMaker {
  private:
     // What was drawn in several strokes is an outline as well as what was drawn in one.
     void join_strokes() {
+        // A loop may have points that no line leads to.
         if (!std::all_of(in_.segments.begin(), in_.segments.end(),
-                         [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); })) {
+                         [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); }) ||
+            !std::all_of(in_.polygons.begin(), in_.polygons.end(), [](const TrailPolygon& one) {
+                return std::all_of(one.points.begin(), one.points.end(), is_near);
+            })) {
             return;
         }
         const Outlines all{{}, std::vector<int>(in_.polygons.size(), 0)};
