@@ -94,6 +94,10 @@ TEST_F(Programs, EachLimitEndsTheProgramItIsFor) {
         }
     }
     EXPECT_TRUE(has(ran({"check", "square.fl", "--max-depth", "100001"}, 2).err, "from 1 to 100000"));
+    // Also where they leave no room for what stands before the program.
+    for (const std::string option : {"--max-steps", "--max-values"}) {
+        EXPECT_TRUE(has(ran({"check", "square.fl", option, "1"}, 1).err, "[flatlang-limit]")) << option;
+    }
 }
 
 TEST_F(Programs, FoldersAreLookedIntoInTheirOrder) {
