@@ -68,8 +68,10 @@ struct Language {
     // null.
     bool (*recognises)(std::string_view text) = nullptr;
     // What the source draws before anything is made of it, as JSON, for `--emit trail`; also of sources with
-    // errors, as far as they were run. Null: it has no trail.
-    std::string (*trail)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
+    // errors, as far as they were run. Others that were read are added to `files`, as in Reading. Null: it
+    // has no trail.
+    std::string (*trail)(const Source&, const ReadOptions&, Diagnostics&,
+                         std::vector<std::string>& files) = nullptr;
 };
 std::vector<Language> const& language_table();
 

@@ -217,6 +217,7 @@ void write_what_was_run(const Options& options, Build& result) {
 void print_trails(const Options& options, Build& result) {
     std::vector<std::string> trails;
     result.run = run_trails(options, trails);
+    take_in_loaded(options, result);
     Compilation& compilation = result.run.compilation;
     bool written = true;
     if (result.run.usable()) {

@@ -295,6 +295,7 @@ TEST_F(LoadedFiles, AreNotWrittenOver) {
     refuse(with({"--print", "lib/size.fl"}));
     refuse(with({"--diagnostics", "lib/size.fl"}));
     refuse(with({"-MD", "-MF", "lib/size.fl"}));
+    refuse({"build", "part.fl", "-I", "lib", "--emit", "trail", "--diagnostics", "lib/size.fl"});
     refuse({"check", "part.fl", "-I", "lib", "--print", "lib/size.fl"});
     refuse({"check", "part.fl", "-I", "lib", "--diagnostics", "lib/size.fl"});
 }

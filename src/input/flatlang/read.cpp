@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "input/flatlang/interpreter.h"
 #include "input/flatlang/pieces.h"
 #include "input/flatlang/trail_json.h"
@@ -50,8 +53,11 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     return reading;
 }
 
-std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    return trail_json(run_program(source, options, diagnostics));
+std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics,
+                  std::vector<std::string>& files) {
+    ProgramRun run = run_program(source, options, diagnostics);
+    std::move(run.files.begin(), run.files.end(), std::back_inserter(files));
+    return trail_json(run);
 }
 
 }  // namespace popup::flatlang
