@@ -48,6 +48,8 @@ struct Reading {
     std::optional<PartList> parts;
     std::string printed;             // what a program printed, also before an error; each line ends with \n
     std::vector<std::string> files;  // others that were read, once each, in the order in which they were
+    // Others that were looked for in vain, once each, sorted: were they there, the reading might be another.
+    std::vector<std::string> missing;
 };
 
 // One row an input language.

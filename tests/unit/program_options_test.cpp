@@ -319,6 +319,13 @@ TEST_F(LoadedFiles, MakeJobsOfABatchStale) {
     write_file(scratch / "lib/size.fl", kSize);
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
     EXPECT_NEAR(width("a.json"), 25.4, 1e-3);
+    // A file that comes to be in a folder that is looked into before.
+    write_file(scratch / "size.fl", "define size() 2 done");
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_NEAR(width("a.json"), 50.8, 1e-3);
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "2 as they were"));
+    fs::remove(scratch / "size.fl");
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
     // A file of prints is an output like others.
     fs::remove(scratch / "a.txt");
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
@@ -356,6 +363,9 @@ TEST_F(LoadedFiles, AreWatched) {
     EXPECT_TRUE(eventually([&] { return has(watching.err(), "flatlang-runtime"); }));
     write_file(scratch / "lib/size.fl", "define size() 3 done");
     EXPECT_TRUE(comes(76.2));
+    // And what comes to be in a folder that is looked into before.
+    write_file(scratch / "size.fl", "define size() 4 done");
+    EXPECT_TRUE(comes(101.6));
     watching.send(SIGTERM);
     EXPECT_EQ(watching.wait(), 0) << watching.err();
 }

@@ -261,7 +261,7 @@ Value Interpreter::run_text(std::string name, const std::string& text, Place pla
 void Interpreter::load(std::string_view name, Place place) {
     State& s = *state_;
     std::string why;
-    std::optional<LoadedFile> file = s.folders.find(name, why);
+    std::optional<LoadedFile> file = s.folders.find(name, why, &result.missing);
     if (!file) {
         warn("flatlang-not-loaded", place, fmt::format("\"{}\" is not loaded: {}", shown(name), why));
         return;

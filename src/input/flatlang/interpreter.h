@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,7 @@ struct ProgramRun {
         laser;  // in the order of the calls; the last of each is what the original wrote
     bool part_mode = false;
     std::vector<std::string> files;  // that were loaded, but for the kit's
+    std::set<std::string> missing;   // that were looked for in vain
 };
 
 // Runs the program within its limits; when its own text has been run to the end, the function __at_end() that

@@ -32,6 +32,7 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     Reading reading;
     reading.printed = std::move(run.printed);
     reading.files = std::move(run.files);
+    reading.missing.assign(run.missing.begin(), run.missing.end());
     if (diagnostics.has_errors() || run.status == RunStatus::runtime_fail ||
         run.status == RunStatus::timeout) {
         return reading;
