@@ -115,6 +115,7 @@ class PartMaker {
             if (!add_part(begin, end)) return std::nullopt;
             begin = end;
         }
+        tell_lost_parts();
         tell_open_lines();
         add_lines();
         return std::move(list_);
@@ -141,6 +142,12 @@ class PartMaker {
     }
 
     void tell_empty() {
+        if (outlines_.covered > 0) {
+            diagnostics_.error("flatlang-no-parts", {},
+                               "there is no part to cut: of all outlines the loops in them, which are holes, "
+                               "leave nothing");
+            return;
+        }
         const bool drew = !in_.segments.empty();
         Diagnostic& told = diagnostics_.error(
             "flatlang-no-parts", {},
@@ -228,6 +235,24 @@ class PartMaker {
     }
 
     // --- lines
+
+    // A part of which nothing is cut may not be missed on the sheets.
+    void tell_lost_parts() {
+        std::vector<std::size_t> lines(in_.parts.size(), 0);
+        for (const TrailSegment& one : in_.segments) ++lines[at(one.part)];
+        for (const Face& face : outlines_.faces) lines[at(face.part)] = 0;
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            if (lines[i] == 0) continue;
+            const std::string name = clean(in_.parts[i].name);
+            diagnostics_
+                .warning(
+                    "flatlang-open-lines", in_.parts[i].place,
+                    fmt::format("{} has {} line{} and no closed outline, so it is not cut",
+                                name.empty() ? std::string("this part") : fmt::format("part \"{}\"", name),
+                                lines[i], lines[i] == 1 ? "" : "s"))
+                .hint("go back to where the outline began, with the pen down");
+        }
+    }
 
     void tell_open_lines() {
         if (lines_.open == 0) return;
