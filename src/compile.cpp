@@ -17,6 +17,7 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     Reading reading = read_source_text(one.source, options.read, one.diagnostics);
     one.printed = std::move(reading.printed);
     one.further_files = std::move(reading.files);
+    one.missing_files = std::move(reading.missing);
     one.design = std::move(reading.design);
     one.parts = std::move(reading.parts);
     if (one.parts && options.until >= Stage::pattern) {

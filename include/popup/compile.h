@@ -56,6 +56,7 @@ struct CompiledDesign {
     Diagnostics diagnostics;
     std::string printed;                     // as in Reading
     std::vector<std::string> further_files;  // likewise: Reading::files
+    std::vector<std::string> missing_files;  // likewise: Reading::missing
     std::optional<Design> design;
     std::optional<CheckedDesign> checked;
     std::optional<Assembly> assembly;

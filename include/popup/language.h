@@ -48,6 +48,8 @@ struct Reading {
     std::optional<PartList> parts;
     std::string printed;             // what a program printed, also before an error; each line ends with \n
     std::vector<std::string> files;  // others that were read, once each, in the order in which they were
+    // Others that were looked for in vain, once each, sorted: were they there, the reading might be another.
+    std::vector<std::string> missing;
 };
 
 // One row an input language.
@@ -68,8 +70,10 @@ struct Language {
     // null.
     bool (*recognises)(std::string_view text) = nullptr;
     // What the source draws before anything is made of it, as JSON, for `--emit trail`; also of sources with
-    // errors, as far as they were run. Null: it has no trail.
-    std::string (*trail)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
+    // errors, as far as they were run. Others that were read are added to `files`, as in Reading. Null: it
+    // has no trail.
+    std::string (*trail)(const Source&, const ReadOptions&, Diagnostics&,
+                         std::vector<std::string>& files) = nullptr;
 };
 std::vector<Language> const& language_table();
 

@@ -48,13 +48,16 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "program went on without the file. Correct the name, or name its folder with -I."},
     {"flatlang-open-lines", Severity::remark, "lines that are no part of a closed outline are not cut",
      "Only closed loops in one plane are outlines. What else the turtle drew with its pen down stands in the "
-     "model, but on no sheet. Where lines were to be cut, close them; where they only lead from one "
+     "model, but on no sheet; of a part that has nothing else this is a warning. Where lines were to be cut, "
+     "close them; where they only lead from one "
      "outline to the next, lift the pen with up() and the message goes."},
     {"flatlang-outlines-overlap", Severity::warning, "loops drawn before the first part cross one another",
      "A closed loop of the turtle's trail crosses or touches itself, or overlaps another in part. Within a "
      "part that begins with part() this is an error. Before the first part each outermost loop is a piece of "
      "its own, so nothing is in doubt but whether it is meant: overlapping pieces are cut apart from each "
-     "other, and of a loop that crosses itself all that it goes round is paper. Often it is the turtle's own "
+     "other, and of a loop that crosses itself all that it goes round is paper. A loop in which others lie "
+     "side by side "
+     "until nothing is left makes no piece: these are holes. Often it is the turtle's own "
      "arrow, drawn with the pen down."},
     {"flatlang-output-ignored", Severity::remark, "a program asks for a file of its own",
      "hpgl() and laser() wrote files from within a program. Programs are not trusted with that here: what is "

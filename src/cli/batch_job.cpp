@@ -190,6 +190,7 @@ std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDig
             files.push_back(digest_as_read(name, begun));
         }
     }
+    for (const std::string& name : build.missing) files.push_back({name, 0, {}});
     return files;
 }
 

@@ -189,6 +189,9 @@ void take_in_loaded(const Options& options, Build& result) {
         check_loaded(result.run, output);
     }
     std::move(loaded.begin(), loaded.end(), std::back_inserter(result.inputs));
+    for (const CompiledDesign& one : result.run.compilation.designs) {
+        result.missing.insert(result.missing.end(), one.missing_files.begin(), one.missing_files.end());
+    }
 }
 
 // To check them is one thing, but nothing can be built of programs that only define what others call.
@@ -217,6 +220,7 @@ void write_what_was_run(const Options& options, Build& result) {
 void print_trails(const Options& options, Build& result) {
     std::vector<std::string> trails;
     result.run = run_trails(options, trails);
+    take_in_loaded(options, result);
     Compilation& compilation = result.run.compilation;
     bool written = true;
     if (result.run.usable()) {

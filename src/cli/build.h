@@ -22,6 +22,8 @@ struct Build {
     // The names of the files that were read, or should have been: the inputs, then the profile, then the
     // configuration and response files, then what programs loaded.
     std::vector<std::string> inputs;
+    // The names of files that programs would have loaded from, had they been there.
+    std::vector<std::string> missing;
 };
 
 // Compiles the inputs and writes all outputs, or none. UsageError when the options do not go together.

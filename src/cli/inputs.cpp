@@ -64,7 +64,8 @@ std::string walked_suffixes(Walked walked) {
     return fmt::format("{}", fmt::join(suffixes, " and "));
 }
 
-std::string trail_of(const Options& options, const Source& source, Diagnostics& diagnostics) {
+std::string trail_of(const Options& options, const Source& source, Diagnostics& diagnostics,
+                     std::vector<std::string>& loaded) {
     const Language& language = language_of(options.inputs, source);
     if (language.trail == nullptr) {
         throw UsageError(fmt::format("{}: this is no program, and has no trail", source.name),
@@ -72,7 +73,7 @@ std::string trail_of(const Options& options, const Source& source, Diagnostics& 
     }
     ReadOptions read = options.compile.read;
     read.language = language.name;
-    return language.trail(source, read, diagnostics);
+    return language.trail(source, read, diagnostics, loaded);
 }
 
 // A name whose suffix tells no language is wrong usage, unless there is no such file to begin with.
@@ -280,7 +281,7 @@ Run run_trails(const Options& options, std::vector<std::string>& trails) {
         CompiledDesign one;
         one.diagnostics = Diagnostics(source.name, options.policy);
         one.source = std::move(source);
-        trails.push_back(trail_of(options, one.source, one.diagnostics));
+        trails.push_back(trail_of(options, one.source, one.diagnostics, one.further_files));
         run.compilation.designs.push_back(std::move(one));
     }
     return run;
@@ -290,7 +291,8 @@ std::vector<std::string> trails_of(const Options& options, const Compilation& co
     std::vector<std::string> trails;
     for (const CompiledDesign& one : compilation.designs) {
         Diagnostics unheard;
-        trails.push_back(trail_of(options, one.source, unheard));
+        std::vector<std::string> known;
+        trails.push_back(trail_of(options, one.source, unheard, known));
     }
     return trails;
 }

@@ -96,8 +96,9 @@ void add_config_places(const Options& options, std::vector<std::string>& files) 
     for (std::string& place : config_places(options.inputs.names.front())) files.push_back(std::move(place));
 }
 
-// Builds and tells; gives what was read.
-std::vector<std::string> build_and_tell(Options options, const std::string& why) {
+// Builds and tells; gives what was read, and what was looked for.
+std::vector<std::string> build_and_tell(Options options, const std::string& why,
+                                        std::set<std::string>& missing) {
     NestEffort& nesting = options.compile.layout.nesting;
     if (nesting.seconds) nesting.stop = &g_over;
     const Build done = build(options);
@@ -108,6 +109,8 @@ std::vector<std::string> build_and_tell(Options options, const std::string& why)
     // A file of diagnostics also has to become empty again.
     if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
     std::vector<std::string> files = done.inputs;
+    files.insert(files.end(), done.missing.begin(), done.missing.end());
+    missing = {done.missing.begin(), done.missing.end()};
     add_config_places(options, files);
     return files;
 }
@@ -159,18 +162,19 @@ int run_watch(const Options& options) {
     using Time = std::filesystem::file_time_type;
     Time begun = Time::max();
     std::set<std::string> seen;
+    std::set<std::string> missing;  // that the last build would have read
     std::optional<std::string> missed;
     Watching watching;
     watching.build = [&](const std::string& why) {
         begun = Time::clock::now();
         if (first) {
             first = false;
-            return files = build_and_tell(options, why);
+            return files = build_and_tell(options, why, missing);
         }
         try {
             const Options now = read_again(options);
             refuse_streams(now);
-            files = build_and_tell(now, why);
+            files = build_and_tell(now, why, missing);
         } catch (const UsageError& error) {
             // Of a configuration that is being edited, say. What was looked at stays looked at.
             report_usage(error);
@@ -180,7 +184,12 @@ int run_watch(const Options& options) {
     watching.look_at = [&](const std::vector<std::string>& names) {
         changes.look_at(names);
         for (const std::string& name : names) {
-            if (seen.insert(name).second && begun != Time::max() && changed_since(name, begun)) missed = name;
+            const bool fresh = seen.insert(name).second && begun != Time::max();
+            std::error_code error;
+            if (missing.contains(name) ? std::filesystem::exists(name, error)
+                                       : fresh && changed_since(name, begun)) {
+                missed = name;
+            }
         }
     };
     watching.wait = [&](std::optional<std::chrono::milliseconds> longest) {

@@ -380,6 +380,49 @@ TEST(FlatLangPieces, TooManyOverlapsAreAnErrorOfTheirOwn) {
     EXPECT_EQ(made.codes(), std::vector<std::string>{"document-too-large"});
 }
 
+// A rectangle and its halves: two holes that leave nothing.
+TEST(FlatLangPieces, NoOutlineIsLostUntold) {
+    TrailMaker named;
+    named.part("lid");
+    named.loop({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
+    named.square(0, 0, 1);
+    named.square(1, 0, 1);
+    named.part("disc");
+    named.square(5, 0, 1);
+    const Made made = make(named);
+    EXPECT_FALSE(made.list);
+    ASSERT_EQ(made.codes(), std::vector<std::string>{"flatlang-bad-outline"}) << made.told();
+    EXPECT_NE(made.told().find("part \"lid\" has a loop at (0.000, 0.000, 0.000) inches of which"),
+              std::string::npos)
+        << made.told();
+    TrailMaker loose;
+    loose.loop({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
+    loose.square(0, 0, 1);
+    loose.square(1, 0, 1);
+    EXPECT_EQ(make(loose).codes(),
+              (std::vector<std::string>{"flatlang-no-parts", "flatlang-outlines-overlap"}));
+    loose.square(5, 0, 1);
+    EXPECT_TRUE(make(loose).list);
+    EXPECT_EQ(make(loose).codes(),
+              (std::vector<std::string>{"flatlang-outlines-overlap", "flatlang-open-lines"}));
+}
+
+TEST(FlatLangPieces, APartThatIsNotCutIsTold) {
+    TrailMaker maker;
+    maker.part("plate");
+    maker.square(0, 0, 2);
+    maker.part("wheel");
+    maker.line({5, 0, 0}, {6, 0, 0});
+    maker.line({6, 0, 0}, {6, 1, 0});
+    maker.part("empty");
+    const Made made = make(maker);
+    ASSERT_TRUE(made.list);
+    EXPECT_NE(made.told().find("part \"wheel\" has 2 lines and no closed outline, so it is not cut"),
+              std::string::npos)
+        << made.told();
+    EXPECT_EQ(made.told().find("empty"), std::string::npos) << made.told();
+}
+
 TEST(FlatLangPieces, ALineThatNearlyClosesIsPointedOut) {
     TrailMaker maker;
     maker.square(0, 0, 2);
@@ -442,7 +485,8 @@ TEST(FlatLangPieces, TheModelHasANodeAPartAndOneOfLooseLines) {
         }
         EXPECT_LT(nearest, 1e-5);
     }
-    EXPECT_EQ(made.codes(), std::vector<std::string>{"flatlang-open-lines"});
+    // One of them of the part that has nothing else.
+    EXPECT_EQ(made.codes(), (std::vector<std::string>{"flatlang-open-lines", "flatlang-open-lines"}));
     EXPECT_NE(made.told().find("5 lines"), std::string::npos) << made.told();
 }
 

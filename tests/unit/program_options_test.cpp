@@ -94,6 +94,10 @@ TEST_F(Programs, EachLimitEndsTheProgramItIsFor) {
         }
     }
     EXPECT_TRUE(has(ran({"check", "square.fl", "--max-depth", "100001"}, 2).err, "from 1 to 100000"));
+    // Also where they leave no room for what stands before the program.
+    for (const std::string option : {"--max-steps", "--max-values"}) {
+        EXPECT_TRUE(has(ran({"check", "square.fl", option, "1"}, 1).err, "[flatlang-limit]")) << option;
+    }
 }
 
 TEST_F(Programs, FoldersAreLookedIntoInTheirOrder) {
@@ -291,6 +295,7 @@ TEST_F(LoadedFiles, AreNotWrittenOver) {
     refuse(with({"--print", "lib/size.fl"}));
     refuse(with({"--diagnostics", "lib/size.fl"}));
     refuse(with({"-MD", "-MF", "lib/size.fl"}));
+    refuse({"build", "part.fl", "-I", "lib", "--emit", "trail", "--diagnostics", "lib/size.fl"});
     refuse({"check", "part.fl", "-I", "lib", "--print", "lib/size.fl"});
     refuse({"check", "part.fl", "-I", "lib", "--diagnostics", "lib/size.fl"});
 }
@@ -314,6 +319,13 @@ TEST_F(LoadedFiles, MakeJobsOfABatchStale) {
     write_file(scratch / "lib/size.fl", kSize);
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
     EXPECT_NEAR(width("a.json"), 25.4, 1e-3);
+    // A file that comes to be in a folder that is looked into before.
+    write_file(scratch / "size.fl", "define size() 2 done");
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_NEAR(width("a.json"), 50.8, 1e-3);
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "2 as they were"));
+    fs::remove(scratch / "size.fl");
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
     // A file of prints is an output like others.
     fs::remove(scratch / "a.txt");
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
@@ -351,6 +363,9 @@ TEST_F(LoadedFiles, AreWatched) {
     EXPECT_TRUE(eventually([&] { return has(watching.err(), "flatlang-runtime"); }));
     write_file(scratch / "lib/size.fl", "define size() 3 done");
     EXPECT_TRUE(comes(76.2));
+    // And what comes to be in a folder that is looked into before.
+    write_file(scratch / "size.fl", "define size() 4 done");
+    EXPECT_TRUE(comes(101.6));
     watching.send(SIGTERM);
     EXPECT_EQ(watching.wait(), 0) << watching.err();
 }

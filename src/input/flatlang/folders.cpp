@@ -79,12 +79,13 @@ bool Folders::allows(const std::string& path) const {
 }
 
 std::optional<LoadedFile> Folders::from_disk(const Folder& folder, const std::string& shown,
-                                             std::string& trouble) const {
+                                             std::string& trouble, bool& there) const {
     std::error_code error;
     const fs::path path = fs::canonical(shown, error);
     // What is not there is not worth a word of its own: other folders may have it.
     if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory ||
         error == std::errc::filename_too_long || folder.canonical.empty()) {
+        there = false;
         return std::nullopt;
     }
     if (error) {
@@ -113,7 +114,8 @@ std::optional<LoadedFile> Folders::from_disk(const Folder& folder, const std::st
     return LoadedFile{shown, std::move(source->text)};
 }
 
-std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why) const {
+std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why,
+                                        std::set<std::string>* missing) const {
     if (name.empty() || name.find('\0') != std::string_view::npos) {
         why = name.empty() ? "the name of the file to load is empty"
                            : "the name of the file to load has a NUL byte";
@@ -137,7 +139,9 @@ std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why)
         std::string what;
         std::optional<LoadedFile> file;
         if (!read_) {
-            file = from_disk(folder, shown, what);
+            bool there = true;
+            file = from_disk(folder, shown, what, there);
+            if (!there && missing != nullptr) missing->insert(shown);
         } else if (const std::string path = normal(shown); !allows(path)) {
             what = in_quotes(shown) + " leads out of the folders that programs may load from";
         } else if (std::optional<Source> source = read_(path); source && source->text.size() > kLargest) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +31,12 @@ class Folders {
     // that were looked at, or that the name leads out of all of these ("..", symbolic links), where nothing
     // is ever read, or that what is there is no regular file, cannot be read, or has more than 4 MiB.
     //
+    // Files before it in the order that are not there, and all when there is none, are added to `missing`.
+    //
     // With ProgramOptions::read_file folders are beginnings of names and nothing else: the disk is not asked
-    // for anything, and ".." is taken out of names as text.
-    std::optional<LoadedFile> find(std::string_view name, std::string& why) const;
+    // for anything, ".." is taken out of names as text, and nothing is added to `missing`.
+    std::optional<LoadedFile> find(std::string_view name, std::string& why,
+                                   std::set<std::string>* missing = nullptr) const;
 
  private:
     struct Folder {
@@ -41,8 +45,9 @@ class Folders {
     };
     // True when a path, canonical or normal as text, is in one of the folders.
     [[nodiscard]] bool allows(const std::string& path) const;
-    std::optional<LoadedFile> from_disk(const Folder& folder, const std::string& shown,
-                                        std::string& trouble) const;
+    // `there`: whether the path names anything.
+    std::optional<LoadedFile> from_disk(const Folder& folder, const std::string& shown, std::string& trouble,
+                                        bool& there) const;
 
     std::vector<Folder> folders_;
     std::function<std::optional<Source>(const std::string& path)> read_;

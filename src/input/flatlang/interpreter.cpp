@@ -346,7 +346,7 @@ void Interpreter::load(std::string_view name, Place place) {
     State& s = *state_;
     spend(kStepsPerLoad);
     std::string why;
-    std::optional<LoadedFile> file = s.folders.find(name, why);
+    std::optional<LoadedFile> file = s.folders.find(name, why, &result.missing);
     if (!file) {
         warn("flatlang-not-loaded", place, fmt::format("\"{}\" is not loaded: {}", shown(name), why));
         return;
@@ -426,18 +426,19 @@ void Interpreter::run_program_text() {
     s.program = &s.units.back();
     s.running = 1;
     s.steps = 0;
-    try {
-        Evaluation(*this, s).run_statements(*s.program, s.program->root);
-        Evaluation(*this, s).run_at_end();
-    } catch (const Stopped& stopped) {
-        s.failed = true;
-        if (result.status == RunStatus::ok) result.status = stopped.status;
-    }
-    if (!s.failed && !as_2008()) tell_unused_definitions();
+    Evaluation(*this, s).run_statements(*s.program, s.program->root);
+    Evaluation(*this, s).run_at_end();
+    if (!as_2008()) tell_unused_definitions();
 }
 
 ProgramRun Interpreter::run() {
-    run_program_text();
+    // Limits may be too narrow for what comes before the program, too.
+    try {
+        run_program_text();
+    } catch (const Stopped& stopped) {
+        state_->failed = true;
+        if (result.status == RunStatus::ok) result.status = stopped.status;
+    }
     result.steps = state_->steps;
     result.trail = turtle.trail();
     if (state_->failed) result.trail.polygons.clear();

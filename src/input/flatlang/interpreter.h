@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,7 @@ struct ProgramRun {
     bool defines = false;  // functions, itself or what it loads
     std::uint64_t steps = 0;         // that it took
     std::vector<std::string> files;  // that were loaded, but for the kit's
+    std::set<std::string> missing;   // that were looked for in vain
 };
 
 // Runs the program within its limits; when its own text has been run to the end, the function __at_end() that

@@ -326,6 +326,17 @@ class Finder {
             .hint("begin a part for each piece with part(), if they are several");
     }
 
+    void tell_covered(int part, Vec3 where) {
+        if (part == 0) {
+            if (out_.covered++ == 0) covered_at_ = where;
+            return;
+        }
+        error(part,
+              fmt::format("{} has a loop at {} of which the loops in it, which are holes, leave nothing",
+                          part_text(in_, part), spot(where)))
+            .hint("begin a part for each piece with part(), if they are several");
+    }
+
     // Of what is drawn before the first part, once: it may be all of a program of many pieces.
     void tell_loose() {
         if (crossed_ > 0) {
@@ -352,6 +363,18 @@ class Finder {
                         overlaps_ == 1 ? "" : "up to ", largest_mm2_, spot(largest_at_)))
                 .hint(std::string(kLiftPen))
                 .hint("name what belongs together with part()");
+        }
+        if (out_.covered > 0) {
+            diagnostics_
+                .warning("flatlang-outlines-overlap", {},
+                         out_.covered == 1
+                             ? fmt::format("of a loop drawn before the first part, at {}, the loops in it, "
+                                           "which are holes, leave nothing",
+                                           spot(covered_at_))
+                             : fmt::format("of {} loops drawn before the first part, the first at {}, the "
+                                           "loops in them, which are holes, leave nothing",
+                                           out_.covered, spot(covered_at_)))
+                .hint("begin a part for each piece with part()");
         }
     }
 
@@ -394,13 +417,17 @@ class Finder {
             std::vector<Polygon>& paper = out_.faces[at(face_of[at(root)])].paper;
             paper = unite(paper);
         }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].parent >= 0 || !out_.faces[at(face_of[i])].paper.empty()) continue;
+            tell_covered(part, frame.point(all[i].ring.front()));
+        }
         return true;
     }
 
     void put_in_order() {
         std::vector<int> order;
         for (std::size_t i = 0; i < out_.faces.size(); ++i) {
-            // A loop that others cover wholly leaves nothing.
+            // Of a loop that others cover wholly nothing is left.
             if (!out_.faces[i].paper.empty()) order.push_back(static_cast<int>(i));
         }
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -431,6 +458,7 @@ class Finder {
     int crossed_ = 0;   // loops that cross themselves
     Vec3 crossed_at_;   // the first of them
     int overlaps_ = 0;  // pairs of loops
+    Vec3 covered_at_;   // the first loop of which nothing is left
     double largest_mm2_ = 0.0;
     Vec3 largest_at_;
 };

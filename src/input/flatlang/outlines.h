@@ -27,8 +27,10 @@ struct Face {
 
 struct Outlines {
     std::vector<Face> faces;  // by their first polygons
-    // Of each polygon its face, or one of its plane where it is drawn twice; -1: it has no area.
+    // Of each polygon its face, or one of its plane where it is drawn twice; -1: it has no area, or nothing
+    // is left of it.
     std::vector<int> polygon_face;
+    int covered = 0;  // outermost loops that make no face: the loops in them leave nothing
 };
 
 // Loops lie in one plane where they are within 1e-4 inch of it. A plane's front is the side that is seen from
@@ -38,9 +40,11 @@ struct Outlines {
 //
 // Loops that are drawn twice count once; loops without an area, lines there and back, make no face.
 // Errors, `flatlang-bad-outline`: coordinates that are not finite or too far away, loops that do not lie in a
-// plane, and in a part with a name loops that cross themselves or overlap others in part;
+// plane, and in a part with a name loops that cross themselves, overlap others in part, or are covered wholly
+// by the loops in them, which are holes;
 // `document-too-large` where loops cross, touch or surround one another too often. Warnings:
-// `flatlang-outlines-overlap`, the same of loops drawn before any part, each of which is a face of its own;
+// `flatlang-outlines-overlap`, the same of loops drawn before any part, each of which is a face of its own
+// unless it is covered;
 // `holes-overlap`. Nullopt after errors. Cost: near linear.
 std::optional<Outlines> find_outlines(const Trail& trail, Work& work, Diagnostics& diagnostics);
 

@@ -1,99 +1,47 @@
 #include "input/flatlang/pen_lines.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
+
+#include "input/flatlang/same_points.h"
 
 namespace popup::flatlang {
 namespace {
 
 // A loop's last point is its first to within this, in inches an axis.
 constexpr double kSameInch = 1.5e-4;
-constexpr double kCell = 0.002;
-// Off the numbers that people write, so that few points stand near the side of a cell.
-constexpr double kShift = 0.00077;
 constexpr double kNoLength = 1e-9;
 
-using Cell = std::array<std::int64_t, 3>;
-
 struct PairHash {
-    std::size_t operator()(const std::pair<Cell, Cell>& key) const {
-        std::uint64_t h = 0;
-        for (const Cell& cell : {key.first, key.second}) {
-            for (const std::int64_t one : cell) {
-                h = (h ^ (h >> 29U)) * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(one);
-            }
-        }
-        return static_cast<std::size_t>((h ^ (h >> 31U)) * 0xBF58476D1CE4E5B9ULL);
+    std::size_t operator()(const std::pair<int, int>& key) const {
+        const std::uint64_t both =
+            static_cast<std::uint64_t>(key.first) << 32U | static_cast<std::uint32_t>(key.second);
+        return static_cast<std::size_t>((both ^ (both >> 31U)) * 0x9E3779B97F4A7C15ULL);
     }
 };
 
-std::int64_t cell_of(double x) { return static_cast<std::int64_t>(std::floor((x + kShift) / kCell)); }
-Cell cell_of(Vec3 p) { return {cell_of(p.x), cell_of(p.y), cell_of(p.z)}; }
-
-// The cells that points within kSameInch of p may be in: mostly one.
-std::vector<Cell> cells_near(Vec3 p) {
-    std::vector<Cell> cells{cell_of(p)};
-    const std::array<double, 3> place{p.x, p.y, p.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::int64_t low = cell_of(place.at(k) - kSameInch);
-        const std::int64_t high = cell_of(place.at(k) + kSameInch);
-        if (low == high) continue;
-        const std::size_t count = cells.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            Cell other = cells[i];
-            other.at(k) = other.at(k) == low ? high : low;
-            cells.push_back(other);
-        }
-    }
-    return cells;
-}
-
-bool same(Vec3 p, Vec3 q) {
-    return std::abs(p.x - q.x) <= kSameInch && std::abs(p.y - q.y) <= kSameInch &&
-           std::abs(p.z - q.z) <= kSameInch;
-}
-
+// The edges of loops by their ends. What is too short to have two is an edge there as well.
 class EdgeTable {
  public:
+    // Of edges that are drawn again the first counts.
     void add(Vec3 from, Vec3 to, int face) {
-        const Edge edge{from, to, face};
-        auto& bucket = table_[{cell_of(from), cell_of(to)}];
-        // Loops are drawn again and again at one place.
-        constexpr std::size_t kMost = 64;
-        for (const Edge& one : bucket) {
-            if (one.from == from && one.to == to) return;
-        }
-        if (bucket.size() < kMost) bucket.push_back(edge);
+        const int a = points_.of(from);
+        const int b = points_.of(to);
+        faces_.try_emplace(std::minmax(a, b), face);
     }
 
     [[nodiscard]] int find(Vec3 from, Vec3 to) const {
-        const std::vector<Cell> ends = cells_near(to);
-        for (const Cell& a : cells_near(from)) {
-            for (const Cell& b : ends) {
-                for (const auto& key : {std::pair(a, b), std::pair(b, a)}) {
-                    const auto bucket = table_.find(key);
-                    if (bucket == table_.end()) continue;
-                    for (const Edge& one : bucket->second) {
-                        if ((same(one.from, from) && same(one.to, to)) ||
-                            (same(one.from, to) && same(one.to, from))) {
-                            return one.face;
-                        }
-                    }
-                }
-            }
-        }
-        return PenLines::kOpen;
+        const int a = points_.find(from);
+        const int b = points_.find(to);
+        const auto found = faces_.find(std::minmax(a, b));
+        return found == faces_.end() ? PenLines::kOpen : found->second;
     }
 
  private:
-    struct Edge {
-        Vec3 from, to;
-        int face;
-    };
-    std::unordered_map<std::pair<Cell, Cell>, std::vector<Edge>, PairHash> table_;
+    SamePoints points_{kSameInch};
+    std::unordered_map<std::pair<int, int>, int, PairHash> faces_;
 };
 
 }  // namespace

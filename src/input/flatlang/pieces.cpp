@@ -115,6 +115,7 @@ class PartMaker {
             if (!add_part(begin, end)) return std::nullopt;
             begin = end;
         }
+        tell_lost_parts();
         tell_open_lines();
         add_lines();
         return std::move(list_);
@@ -123,8 +124,12 @@ class PartMaker {
  private:
     // What was drawn in several strokes is an outline as well as what was drawn in one.
     void join_strokes() {
+        // A loop may have points that no line leads to.
         if (!std::all_of(in_.segments.begin(), in_.segments.end(),
-                         [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); })) {
+                         [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); }) ||
+            !std::all_of(in_.polygons.begin(), in_.polygons.end(), [](const TrailPolygon& one) {
+                return std::all_of(one.points.begin(), one.points.end(), is_near);
+            })) {
             return;
         }
         const Outlines all{{}, std::vector<int>(in_.polygons.size(), 0)};
@@ -137,6 +142,12 @@ class PartMaker {
     }
 
     void tell_empty() {
+        if (outlines_.covered > 0) {
+            diagnostics_.error("flatlang-no-parts", {},
+                               "there is no part to cut: of all outlines the loops in them, which are holes, "
+                               "leave nothing");
+            return;
+        }
         const bool drew = !in_.segments.empty();
         Diagnostic& told = diagnostics_.error(
             "flatlang-no-parts", {},
@@ -224,6 +235,24 @@ class PartMaker {
     }
 
     // --- lines
+
+    // A part of which nothing is cut may not be missed on the sheets.
+    void tell_lost_parts() {
+        std::vector<std::size_t> lines(in_.parts.size(), 0);
+        for (const TrailSegment& one : in_.segments) ++lines[at(one.part)];
+        for (const Face& face : outlines_.faces) lines[at(face.part)] = 0;
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            if (lines[i] == 0) continue;
+            const std::string name = clean(in_.parts[i].name);
+            diagnostics_
+                .warning(
+                    "flatlang-open-lines", in_.parts[i].place,
+                    fmt::format("{} has {} line{} and no closed outline, so it is not cut",
+                                name.empty() ? std::string("this part") : fmt::format("part \"{}\"", name),
+                                lines[i], lines[i] == 1 ? "" : "s"))
+                .hint("go back to where the outline began, with the pen down");
+        }
+    }
 
     void tell_open_lines() {
         if (lines_.open == 0) return;

@@ -37,8 +37,8 @@ namespace popup::flatlang {
 // nodes of their names.
 //
 // Errors: `flatlang-no-parts`, when there is no loop with an area; those of find_outlines(), located at the
-// part's beginning. Remark: `flatlang-open-lines`, of what is no part of a loop and not cut. Cost: near
-// linear; what is far from it ends as `document-too-large`.
+// part's beginning. Remark: `flatlang-open-lines`, of what is no part of a loop and not cut; a warning of
+// each part that has lines and no loop. Cost: near linear; what is far from it ends as `document-too-large`.
 std::optional<PartList> make_parts(const Trail& trail, Diagnostics& diagnostics);
 
 }  // namespace popup::flatlang

@@ -71,6 +71,13 @@ void PolygonFinder::push(Vec3 point, bool list) {
     run_.push_back({.at = point, .older = -1, .newer = -1, .listed = list});
     if (!list) return;
     CellPoints& cell = cells_[{cell_of(point.x), cell_of(point.y), cell_of(point.z)}];
+    // A crowd would be walked through by each point that comes near it.
+    constexpr int most = 200;
+    if (cell.count == most) {
+        run_.back().listed = false;
+        return;
+    }
+    ++cell.count;
     run_.back().older = cell.newest;
     if (cell.newest >= 0) {
         run_[static_cast<std::size_t>(cell.newest)].newer = index;
@@ -85,6 +92,7 @@ void PolygonFinder::pop() {
     if (last.listed) {
         const auto cell = cells_.find({cell_of(last.at.x), cell_of(last.at.y), cell_of(last.at.z)});
         cell->second.newest = last.older;
+        --cell->second.count;
         if (last.older >= 0) {
             run_[static_cast<std::size_t>(last.older)].newer = -1;
         } else {

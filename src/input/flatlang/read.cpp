@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "input/flatlang/interpreter.h"
 #include "input/flatlang/pieces.h"
 #include "input/flatlang/trail_json.h"
@@ -29,6 +32,7 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     Reading reading;
     reading.printed = std::move(run.printed);
     reading.files = std::move(run.files);
+    reading.missing.assign(run.missing.begin(), run.missing.end());
     if (diagnostics.has_errors() || run.status == RunStatus::runtime_fail ||
         run.status == RunStatus::timeout) {
         return reading;
@@ -52,8 +56,11 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     return reading;
 }
 
-std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    return trail_json(run_program(source, options, diagnostics));
+std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics,
+                  std::vector<std::string>& files) {
+    ProgramRun run = run_program(source, options, diagnostics);
+    std::move(run.files.begin(), run.files.end(), std::back_inserter(files));
+    return trail_json(run);
 }
 
 }  // namespace popup::flatlang

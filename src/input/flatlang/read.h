@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "popup/language.h"
 
@@ -10,6 +11,7 @@ namespace popup::flatlang {
 // The row's functions, as language.h promises them; see popupc-flatlang(7). Runs the program; a program that
 // makes a card is a design, any other its parts. Deterministic; writes nothing.
 Reading read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
-std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+std::string trail(const Source& source, const ReadOptions& options, Diagnostics& diagnostics,
+                  std::vector<std::string>& files);
 
 }  // namespace popup::flatlang

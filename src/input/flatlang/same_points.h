@@ -12,11 +12,10 @@
 namespace popup::flatlang {
 
 // Points no further apart than `tolerance` on any axis are the same: the first of them stands for all. Cost
-// of each: constant, unless many points crowd in one place. Coordinates must be finite and within ±1e12
-// tolerances.
+// of each: constant. Coordinates must be finite and within ±1e12 tolerances.
 class SamePoints {
  public:
-    explicit SamePoints(double tolerance) : tolerance_(tolerance), cell_(64 * tolerance) {}
+    explicit SamePoints(double tolerance) : tolerance_(tolerance), cell_(16 * tolerance) {}
 
     // The number of the point, from 0 in the order in which they came.
     int of(Vec3 p);
@@ -33,7 +32,7 @@ class SamePoints {
     [[nodiscard]] std::int64_t cell_of(double x) const;
 
     double tolerance_;
-    double cell_;
+    double cell_;  // its width: few points fit in one, and mostly one has to be looked at
     std::vector<Vec3> points_;
     std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
