@@ -435,8 +435,7 @@ void Interpreter::run_program_text() {
 ProgramRun Interpreter::run() {
     run_program_text();
     result.steps = state_->steps;
-    result.trail = turtle.trail();
-    if (state_->failed) result.trail.polygons.clear();
+    result.trail = turtle.trail(!state_->failed);
     if (card.design) result.card = std::move(card);
     heap.abandon();
     return std::move(result);
