@@ -307,7 +307,7 @@ Value named(const Call& call) {
     const auto number = hidden_number(call, call.arguments[0], kElementNumber);
     if (!number) refuse_argument(call, 0, call.arguments[0], "an element of the card");
     if (call.arguments[1]->type != Type::text) {
-        refuse_argument(call, 1, call.arguments[1], "its name, a text");
+        refuse_argument(call, 1, call.arguments[1], "its name, a text,");
     }
     std::string name = call.arguments[1]->text;
     if (call.arguments.size() > 2) {

@@ -369,8 +369,9 @@ Value Evaluation::call_function(const Node& at, const Value& function, std::span
     if (arguments.size() != definition.parameters.size()) {
         in_.warn("flatlang-argument-count", at.place,
                  fmt::format("{}() takes {} argument{}, not {}; it is not called",
-                             in_.symbols.name(definition.symbol), definition.parameters.size(),
-                             definition.parameters.size() == 1 ? "" : "s", arguments.size()));
+                             shown(in_.symbols.name(at.symbol >= 0 ? at.symbol : definition.symbol)),
+                             definition.parameters.size(), definition.parameters.size() == 1 ? "" : "s",
+                             arguments.size()));
         return in_.heap.nil();
     }
     return run_function(at, body, arguments);

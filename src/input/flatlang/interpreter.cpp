@@ -440,8 +440,7 @@ ProgramRun Interpreter::run() {
         if (result.status == RunStatus::ok) result.status = stopped.status;
     }
     result.steps = state_->steps;
-    result.trail = turtle.trail();
-    if (state_->failed) result.trail.polygons.clear();
+    result.trail = turtle.trail(!state_->failed);
     // The first of the texts is the prelude.
     result.defines = std::any_of(state_->units.begin() + 1, state_->units.end(), [](const Syntax& unit) {
         return std::any_of(unit.nodes.begin(), unit.nodes.end(),

@@ -108,12 +108,13 @@ void find_polygons(const TurtleTree& tree, int root, bool as_2008, const KnownPo
 
 }  // namespace
 
-Trail tree_trail(const TurtleTree& tree, int root, int cursor, bool as_2008, const KnownPoses& known) {
+Trail tree_trail(const TurtleTree& tree, int root, int cursor, bool as_2008, const KnownPoses& known,
+                 bool polygons) {
     Trail trail;
     trail.parts.emplace_back();
     std::vector<int> parts;
     draw(tree, root, cursor, as_2008, trail, parts);
-    find_polygons(tree, root, as_2008, known, parts, trail);
+    if (polygons) find_polygons(tree, root, as_2008, known, parts, trail);
     return trail;
 }
 

@@ -29,7 +29,8 @@ class KnownPoses {
 // begins with the pen of the operation it grows from.
 //
 // With as_2008 operations whose poses are `known` count as drawn with the pen down for that, and stay where
-// they were; new ones follow from them.
-Trail tree_trail(const TurtleTree& tree, int root, int cursor, bool as_2008, const KnownPoses& known);
+// they were; new ones follow from them. Without `polygons` none are looked for.
+Trail tree_trail(const TurtleTree& tree, int root, int cursor, bool as_2008, const KnownPoses& known,
+                 bool polygons);
 
 }  // namespace popup::flatlang

@@ -382,9 +382,9 @@ std::uint64_t Turtle::operations() const { return state_->recorded; }
 
 std::uint64_t Turtle::looks() const { return state_->tree.looks(); }
 
-Trail Turtle::trail() {
+Trail Turtle::trail(bool polygons) {
     return tree_trail(state_->tree, state_->drawing.root, state_->drawing.cursor, state_->as_2008,
-                      state_->known);
+                      state_->known, polygons);
 }
 
 }  // namespace popup::flatlang

@@ -95,8 +95,8 @@ class Turtle {
     // How often operations were looked at beside being recorded; only grows, but for clear().
     [[nodiscard]] std::uint64_t looks() const;
 
-    // What was drawn so far, with its polygons. Cost: near linear in operations.
-    Trail trail();
+    // What was drawn so far, with its polygons unless they are not wanted. Cost: near linear in operations.
+    Trail trail(bool polygons = true);
 
  private:
     struct State;
