@@ -66,6 +66,7 @@ struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
     std::variant<SheetWriter, SceneWriter, DocumentWriter, ReportWriter> write;
+    bool takes_stills = false;  // of scenes: parts that stand still too, and not only what moves
 };
 std::span<const Format> format_table();
 // The row whose suffix ends `path` (case disregarded), or whose suffix without its dot is `path`; null: none.

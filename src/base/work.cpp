@@ -21,8 +21,8 @@ bool Work::sweep(std::span<const Ring* const> rings) {
     for (const Ring* ring : rings) {
         for (const Vec2 p : *ring) heights.push_back(p.y);
     }
+    // Corners of one height count each: what begins there is sorted in one by one.
     std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
     const auto rank = [&](double y) {
         return static_cast<std::size_t>(std::lower_bound(heights.begin(), heights.end(), y) -
                                         heights.begin());

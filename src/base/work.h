@@ -14,8 +14,7 @@ namespace popup {
 // The work left for one input. Each question takes what it allows, and is false once there is too little.
 class Work {
  public:
-    // For a boolean or offset of these rings: its cost is for each height of a corner the number of edges
-    // there.
+    // For a boolean or offset of these rings: its cost is for each corner the number of edges at its height.
     bool sweep(std::span<const Ring* const> rings);
     bool sweep(const Ring& ring);
     bool sweep(const std::vector<Polygon>& regions);

@@ -139,11 +139,9 @@ void check_parts(const std::string& input, bool has_model, const std::vector<Pla
                          has_model ? "the still model (.glb, .gltf), " : "")});
     };
     for (const PlannedOutput& output : outputs) {
-        if (std::holds_alternative<SceneWriter>(output.format->write) && !has_model) {
-            refuse(fmt::format("moving model for {}", output.path));
-        }
-        if (output.format->suffix == ".fold") {
-            refuse(fmt::format("motion to fold for {}", output.path));
+        if (std::holds_alternative<SceneWriter>(output.format->write)) {
+            if (!has_model) refuse(fmt::format("moving model for {}", output.path));
+            if (!output.format->takes_stills) refuse(fmt::format("motion for {}", output.path));
         }
         if (std::holds_alternative<DocumentWriter>(output.format->write)) {
             refuse(fmt::format("popup document for {}", output.path));

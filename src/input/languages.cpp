@@ -89,10 +89,15 @@ Reading read_source_text(const Source& source, const ReadOptions& options, Diagn
 
 std::optional<Design> read_design(const Source& source, const ReadOptions& options,
                                   Diagnostics& diagnostics) {
+    const auto refuse = [&](const char* what) {
+        diagnostics.error("no-design", {}, std::string(what) + ", not the design of a pop-up card");
+        return std::nullopt;
+    };
+    const Language* language = find_language(source, options.language);
+    if (language != nullptr && language->only_parts) return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
-    if (reading.parts) {
-        diagnostics.error("no-design", {}, "this describes flat parts, not the design of a pop-up card");
-    }
+    if (reading.parts) return refuse("this describes flat parts");
+    if (!reading.design && !diagnostics.has_errors()) return refuse("this only defines functions");
     return std::move(reading.design);
 }
 

@@ -512,6 +512,12 @@ TEST(DrawingLanguage, IsNoDesign) {
     Diagnostics diagnostics("a.svg");
     EXPECT_FALSE(read_design(Source{"a.svg", "<svg/>"}, {}, diagnostics));
     EXPECT_EQ(diagnostics.sorted().at(0).code, "no-design");
+    for (const std::string program :
+         {"repeat (4) forward(1) left(90) done", "define side() forward(1) done"}) {
+        Diagnostics told("a.fl");
+        EXPECT_FALSE(read_design(Source{"a.fl", program}, {}, told));
+        EXPECT_EQ(told.sorted().at(0).code, "no-design") << program;
+    }
 }
 
 }  // namespace

@@ -423,6 +423,26 @@ TEST(FlatLangPieces, APartThatIsNotCutIsTold) {
     EXPECT_EQ(made.told().find("empty"), std::string::npos) << made.told();
 }
 
+// All teeth stand at one height, where a boolean takes them in one by one.
+TEST(FlatLangPieces, ACombOfVeryManyTeethIsToldInTime) {
+    std::vector<Vec3> comb;
+    constexpr double kTooth = 1e-2;
+    for (int i = 0; i < 30000; ++i) {
+        comb.push_back({i * kTooth, 0, 0});
+        comb.push_back({i * kTooth, 1, 0});
+        comb.push_back({(i + 0.5) * kTooth, 1, 0});
+        comb.push_back({(i + 0.5) * kTooth, 0, 0});
+    }
+    comb.push_back({300, 0, 0});
+    comb.push_back({300, -1, 0});
+    comb.push_back({0, -1, 0});
+    TrailMaker maker;
+    maker.loop(comb);
+    const Made made = make(maker);
+    EXPECT_FALSE(made.list);
+    EXPECT_EQ(made.codes(), std::vector<std::string>{"document-too-large"});
+}
+
 TEST(FlatLangPieces, ALineThatNearlyClosesIsPointedOut) {
     TrailMaker maker;
     maker.square(0, 0, 2);

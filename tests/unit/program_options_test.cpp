@@ -153,14 +153,14 @@ TEST_F(Programs, WhatIsPrintedStandsBeforeTheFindings) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"check", "bad.fl"}, {"build", "bad.fl", "-o", "b.svg"}}) {
         const RunResult result = ran(words, 1);
-        EXPECT_TRUE(result.err.starts_with("so far\nbad.fl:2:1: error: ")) << result.err;
+        EXPECT_TRUE(result.err.starts_with("so far\nbad.fl:2:7: error: ")) << result.err;
         EXPECT_EQ(result.out, "");
     }
     EXPECT_FALSE(fs::exists(scratch / "b.svg"));
     const RunResult several = ran({"check", "square.fl", "bad.fl", "square.fl", "-q", "-j2"}, 1);
     EXPECT_TRUE(
         several.err.starts_with("== square.fl ==\nsize 1.0\n== bad.fl ==\nso far\n== square.fl ==\nsize 1.0\n"
-                                "bad.fl:2:1: error: "))
+                                "bad.fl:2:7: error: "))
         << several.err;
     EXPECT_EQ(ran({"check", "bad.fl", "--message-format=json"}, 1).err, "so far\n");
 }
