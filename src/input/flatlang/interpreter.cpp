@@ -65,19 +65,18 @@ bool Interpreter::as_2008() const { return state_->options.program.as_2008; }
 
 // What happens in other texts is told at the call in the program that led there; what happens in the prelude
 // at the call of its function, wherever that is.
-std::pair<Place, std::string> Interpreter::located(Position position) const {
+std::pair<Place, std::string> Interpreter::located(Position at) const {
     const State& s = *state_;
-    auto [unit, callers, place] = position;
     const auto go_up = [&] {
-        --callers;
-        unit = s.callers[callers].unit;
-        place = s.callers[callers].place;
+        const Caller& caller = s.callers[--at.callers];
+        at.unit = caller.unit;
+        at.place = caller.place;
     };
-    while (unit == s.prelude && callers > 0) go_up();
-    if (unit == nullptr || unit == s.program) return {place, {}};
-    std::string where = fmt::format("{}:{}:{}: ", unit->file, place.line, place.column);
-    while (unit != s.program && callers > 0) go_up();
-    return {unit == s.program ? place : Place{}, std::move(where)};
+    while (at.unit == s.prelude && at.callers > 0) go_up();
+    if (at.unit == nullptr || at.unit == s.program) return {at.place, {}};
+    std::string where = fmt::format("{}:{}:{}: ", at.unit->file, at.place.line, at.place.column);
+    while (at.unit != s.program && at.callers > 0) go_up();
+    return {at.unit == s.program ? at.place : Place{}, std::move(where)};
 }
 
 std::pair<Place, std::string> Interpreter::located(Place place) const {

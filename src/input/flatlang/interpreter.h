@@ -126,7 +126,7 @@ class Interpreter {
         Place place;
     };
     // Where a finding stands for the user, and what its message begins with.
-    [[nodiscard]] std::pair<Place, std::string> located(Position position) const;
+    [[nodiscard]] std::pair<Place, std::string> located(Position at) const;
     [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
     Value fail_at(Place place, std::string what, std::string hint);
     // Reads a loaded file or an evaluated text; ends the program where it is none, but for 2008 mode.
