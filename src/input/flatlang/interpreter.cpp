@@ -83,12 +83,13 @@ std::pair<Place, std::string> Interpreter::located(Place place) const {
     return located({state_->unit, state_->callers.size(), place});
 }
 
-Value Interpreter::fail(Place place, std::string what, std::string hint) {
+Value Interpreter::fail(Place place, const std::string& what, std::string hint) {
     const auto [at, where] = located(place);
     return fail_at(at, where + what, std::move(hint));
 }
 
-Value Interpreter::fail_argument(const Call& call, std::size_t argument, std::string what, std::string hint) {
+Value Interpreter::fail_argument(const Call& call, std::size_t argument, const std::string& what,
+                                 std::string hint) {
     const State& s = *state_;
     Position position{s.unit, s.callers.size(), call.place};
     const Node* node = &call.node;
@@ -127,7 +128,7 @@ Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
     throw Stopped{RunStatus::runtime_fail};
 }
 
-Value Interpreter::fail_limit(Place place, std::string what, std::string_view option) {
+Value Interpreter::fail_limit(Place place, const std::string& what, std::string_view option) {
     const auto [at, where] = located(place);
     Diagnostic& told = state_->diagnostics.error("flatlang-limit", at, where + what);
     if (!option.empty()) told.hint(fmt::format("if it shall do so, {} N allows more", option));
@@ -153,7 +154,7 @@ void Interpreter::spend_looks() {
     spend(steps);
 }
 
-void Interpreter::warn(std::string_view code, Place place, std::string what, std::string hint) {
+void Interpreter::warn(std::string_view code, Place place, const std::string& what, std::string hint) {
     if (as_2008()) return;
     State& s = *state_;
     const auto [at, where] = located(place);
