@@ -65,31 +65,31 @@ bool Interpreter::as_2008() const { return state_->options.program.as_2008; }
 
 // What happens in other texts is told at the call in the program that led there; what happens in the prelude
 // at the call of its function, wherever that is.
-std::pair<Place, std::string> Interpreter::located(Position position) const {
+std::pair<Place, std::string> Interpreter::located(Position at) const {
     const State& s = *state_;
-    auto [unit, callers, place] = position;
     const auto go_up = [&] {
-        --callers;
-        unit = s.callers[callers].unit;
-        place = s.callers[callers].place;
+        const Caller& caller = s.callers[--at.callers];
+        at.unit = caller.unit;
+        at.place = caller.place;
     };
-    while (unit == s.prelude && callers > 0) go_up();
-    if (unit == nullptr || unit == s.program) return {place, {}};
-    std::string where = fmt::format("{}:{}:{}: ", unit->file, place.line, place.column);
-    while (unit != s.program && callers > 0) go_up();
-    return {unit == s.program ? place : Place{}, std::move(where)};
+    while (at.unit == s.prelude && at.callers > 0) go_up();
+    if (at.unit == nullptr || at.unit == s.program) return {at.place, {}};
+    std::string where = fmt::format("{}:{}:{}: ", at.unit->file, at.place.line, at.place.column);
+    while (at.unit != s.program && at.callers > 0) go_up();
+    return {at.unit == s.program ? at.place : Place{}, std::move(where)};
 }
 
 std::pair<Place, std::string> Interpreter::located(Place place) const {
     return located({state_->unit, state_->callers.size(), place});
 }
 
-Value Interpreter::fail(Place place, std::string what, std::string hint) {
+Value Interpreter::fail(Place place, const std::string& what, std::string hint) {
     const auto [at, where] = located(place);
     return fail_at(at, where + what, std::move(hint));
 }
 
-Value Interpreter::fail_argument(const Call& call, std::size_t argument, std::string what, std::string hint) {
+Value Interpreter::fail_argument(const Call& call, std::size_t argument, const std::string& what,
+                                 std::string hint) {
     const State& s = *state_;
     Position position{s.unit, s.callers.size(), call.place};
     const Node* node = &call.node;
@@ -132,7 +132,7 @@ Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
     throw Stopped{RunStatus::runtime_fail};
 }
 
-Value Interpreter::fail_limit(Place place, std::string what, std::string_view option) {
+Value Interpreter::fail_limit(Place place, const std::string& what, std::string_view option) {
     const auto [at, where] = located(place);
     Diagnostic& told = state_->diagnostics.error("flatlang-limit", at, where + what);
     if (!option.empty()) told.hint(fmt::format("if it shall do so, {} N allows more", option));
@@ -158,7 +158,7 @@ void Interpreter::spend_looks() {
     spend(steps);
 }
 
-void Interpreter::warn(std::string_view code, Place place, std::string what, std::string hint) {
+void Interpreter::warn(std::string_view code, Place place, const std::string& what, std::string hint) {
     if (as_2008()) return;
     State& s = *state_;
     const auto [at, where] = located(place);

@@ -78,18 +78,19 @@ class Interpreter {
     void spend_looks();
     // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
     // while the program winds up are not told.
-    Value fail(Place place, std::string what, std::string hint = {});
+    Value fail(Place place, const std::string& what, std::string hint = {});
     // Likewise, at an argument of a call: "argument 2 of find() is nil, where a list is expected".
-    Value fail_argument(const Call& call, std::size_t argument, std::string what, std::string hint = {});
+    Value fail_argument(const Call& call, std::size_t argument, const std::string& what,
+                        std::string hint = {});
     Value fail_type(const Call& call, std::size_t argument, std::string_view wanted, std::string hint = {});
     // Likewise, for what the kit finds wrong: told of the program's own call alone.
     Value fail_program(Place place, std::string what, std::string hint);
     // Where in the program the outermost call that goes on is said to stand, for findings.
     void blame(Place place);
     // Ends the program: `what` is used up. `option` is the one that moves the limit; empty: none does.
-    [[noreturn]] Value fail_limit(Place place, std::string what, std::string_view option);
+    [[noreturn]] Value fail_limit(Place place, const std::string& what, std::string_view option);
     // Once a place and code. Nothing in 2008 mode, where there were none.
-    void warn(std::string_view code, Place place, std::string what, std::string hint = {});
+    void warn(std::string_view code, Place place, const std::string& what, std::string hint = {});
     // Appends a line to what is printed; counts it against the limit.
     void print(std::string_view line, Place place);
     // Checks the trail against its limit. The program fails beyond it.
@@ -132,7 +133,7 @@ class Interpreter {
         Place place;
     };
     // Where a finding stands for the user, and what its message begins with.
-    [[nodiscard]] std::pair<Place, std::string> located(Position position) const;
+    [[nodiscard]] std::pair<Place, std::string> located(Position at) const;
     [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
     Value fail_at(Place place, std::string what, std::string hint);
     // Reads a loaded file or an evaluated text; ends the program where it is none, but for 2008 mode.

@@ -241,7 +241,7 @@ std::string number_text(double value) {
         if (c == '-') sign = "-";
         if (c >= '0' && c <= '9') digits += c;
     }
-    const auto padded = [](std::string text) { return text.empty() ? std::string("0") : text; };
+    const auto padded = [](const std::string& text) { return text.empty() ? std::string("0") : text; };
     if (exponent < -3 || exponent >= 7) {
         return sign + digits[0] + "." + padded(digits.substr(1)) + "E" + std::to_string(exponent);
     }
