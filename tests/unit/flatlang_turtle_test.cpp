@@ -481,6 +481,22 @@ TEST(FlatlangTurtle, AllStretchesAreReplacedAlsoOnBranchesAndBetweenMarksOfOneNa
     EXPECT_EQ(segments(turtle.trail()), "0 0 0 > 0 1 0");
 }
 
+TEST(FlatlangTurtle, ACursorInWhatIsForgottenStaysWhereTheTurtleStands) {
+    for (const bool as_2008 : {false, true}) {
+        Turtle turtle(as_2008, plenty);
+        turtle.forward(1);
+        const Turtle::Cursor forgotten = turtle.cursor();
+        turtle.clear();
+        turtle.set_cursor(forgotten);
+        EXPECT_EQ(text(turtle.pose().at), "0 0 0");
+        turtle.left(90);
+        turtle.forward(2);
+        turtle.set_cursor(forgotten);
+        turtle.forward(1);
+        EXPECT_EQ(segments(turtle.trail()), "0 0 0 > -2 0 0 > -3 0 0");
+    }
+}
+
 TEST(FlatlangTurtle, ACursorInWhatIsReplacedStaysAtTheMarkBefore) {
     Turtle turtle(false, plenty);
     const Script script(turtle, "mark a f 1 mark m f 1 mark b f 1 back m");

@@ -90,6 +90,7 @@ struct Turtle::State {
 
     bool as_2008;
     std::uint64_t most;
+    std::uint64_t number = 0;  // how many drawings were forgotten before this one
     std::uint64_t recorded = 0;
     TurtleTree tree;
     Recording drawing;
@@ -238,7 +239,11 @@ void Turtle::face(const Pose& pose) {
     state_->tree.changes().back().at = {};
 }
 
-void Turtle::clear() { state_ = std::make_unique<State>(state_->as_2008, state_->most); }
+void Turtle::clear() {
+    const std::uint64_t number = state_->number + 1;
+    state_ = std::make_unique<State>(state_->as_2008, state_->most);
+    state_->number = number;
+}
 
 void Turtle::begin_shape(std::string name) {
     if (state_->as_2008) {
@@ -284,18 +289,19 @@ Outcome Turtle::draw(std::string_view shape, const std::optional<std::string>& s
     return Outcome::done;
 }
 
-Turtle::Cursor Turtle::cursor() const { return static_cast<Cursor>(state_->source().cursor); }
+Turtle::Cursor Turtle::cursor() const { return {state_->source().cursor, state_->number}; }
 
 std::optional<Turtle::Cursor> Turtle::find_above(std::string_view mark) const {
     const int name = state_->tree.find_name(mark);
     if (name == none) return std::nullopt;
     const int found = state_->tree.mark_at_or_above(state_->source().cursor, name);
     if (found == none) return std::nullopt;
-    return static_cast<Cursor>(found);
+    return Cursor{found, state_->number};
 }
 
 void Turtle::set_cursor(Cursor cursor) {
-    int node = static_cast<int>(cursor);
+    if (cursor.drawing != state_->number) return;
+    int node = cursor.node;
     // What was replaced meanwhile is left at the mark before it.
     while (state_->tree.gone(node)) node = state_->tree.parent(node);
     state_->source().cursor = node;

@@ -72,8 +72,11 @@ class Turtle {
     Outcome draw(std::string_view shape, const std::optional<std::string>& start);
 
     // For blocks that run at several places: marks are looked for upwards from the cursor. A cursor in what
-    // is replaced later means the mark before it.
-    using Cursor = std::size_t;
+    // is replaced later means the mark before it; one in what was forgotten means where the turtle stands.
+    struct Cursor {
+        int node = 0;
+        std::uint64_t drawing = 0;  // how often everything had been forgotten
+    };
     [[nodiscard]] Cursor cursor() const;
     [[nodiscard]] std::optional<Cursor> find_above(std::string_view mark) const;
     void set_cursor(Cursor cursor);
