@@ -84,6 +84,11 @@ constexpr std::array kProgramCodes = std::to_array<CodeInfo>({
      "define has been passed, and a file once it has been loaded. The call does nothing, and its value is "
      "nil: so the language has it. Correct the name, load the file that has the function, or move the call "
      "below the definition."},
+    {"flatlang-unknown-variable", Severity::warning, "a variable is read that nothing sets",
+     "Neither the program nor a file that it loads assigns a variable of this name, has a parameter, a "
+     "function or "
+     "a member that is called so, or is given it with -D. Its value is nil, and where a number is wanted nil "
+     "is 0: so the language has it. Mostly the name is misspelt; where nil is meant, write nil."},
     {"flatlang-unused-definition", Severity::warning, "a value given with -D is not used",
      "-D NAME=VALUE sets a global variable before the program begins, and keeps the value when the program "
      "gives "

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "input/flatlang/value.h"
 #include "popup/diagnostics.h"
@@ -40,6 +41,8 @@ std::span<const Builtin> card_builtins();     // popup, and one an element of th
 
 // By name; null: there is none.
 const Builtin* find_builtin(std::string_view name);
+// All names, in no certain order.
+std::vector<std::string_view> builtin_names();
 
 // FlatLang text that is run before every program: what the language calls forward(), cons() … in terms of
 // builtins whose names begin with "__".

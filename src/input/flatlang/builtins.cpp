@@ -85,6 +85,14 @@ const Builtin* find_builtin(std::string_view name) {
     return row == all.end() ? nullptr : row->second;
 }
 
+std::vector<std::string_view> builtin_names() {
+    std::vector<std::string_view> names;
+    for (const Table table : kTables) {
+        for (const Builtin& row : table()) names.push_back(row.name);
+    }
+    return names;
+}
+
 std::string_view prelude() { return kPrelude; }
 
 }  // namespace popup::flatlang

@@ -337,9 +337,14 @@ Value Evaluation::call(const Node& at) {
     if (defined) return call_function(at, found, {arguments.data(), arguments.size()});
     const auto given = static_cast<int>(arguments.size());
     if (given < builtin->least) {
-        in_.fail(at.place, fmt::format("{}() takes {}{} argument{}, not {}", builtin->name,
-                                       builtin->most == builtin->least ? "" : "at least ", builtin->least,
-                                       builtin->least == 1 ? "" : "s", given));
+        const bool of_value = !state_.objects.empty();
+        in_.fail(at.place,
+                 fmt::format("{}() takes {}{} argument{}, not {}", builtin->name,
+                             builtin->most == builtin->least ? "" : "at least ", builtin->least,
+                             builtin->least == 1 ? "" : "s", given),
+                 of_value ? fmt::format("what stands before the dot is {} and has no {}() of its own",
+                                        shown_value(state_.objects.back(), in_.symbols), builtin->name)
+                          : std::string());
     }
     if (builtin->most >= 0 && given > builtin->most) {
         in_.warn("flatlang-argument-count", at.place,

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/nearest.h"
 #include "input/flatlang/state.h"
+#include "input/flatlang/unknown_names.h"
 #include "input/text.h"
 
 namespace popup::flatlang {
@@ -171,10 +171,19 @@ void Interpreter::warn_unknown_function(int symbol, Place place) {
     if (as_2008()) return;
     const std::string name = shown(symbols.name(symbol));
     const bool variable = lookup(symbol)->type != Type::nil;
+    const std::vector<std::string> like = functions_like(symbols.name(symbol), state_->units, symbols);
+    std::string hint;
+    if (!variable && kit_file(symbols.name(symbol) + ".fl") != nullptr) {
+        hint = fmt::format("load(\"kit/{}.fl\") has it", symbols.name(symbol));
+    } else if (!variable && !like.empty() && like.front() != symbols.name(symbol)) {
+        hint = fmt::format("did you mean {}()?", fmt::join(like, "() or "));
+    } else if (!variable) {
+        hint = "a function exists once its define has been run, or its file been loaded";
+    }
     warn("flatlang-unknown-function", place,
          variable ? fmt::format("{} is a variable, not a function", name)
                   : fmt::format("there is no function {}() here; the call does nothing", name),
-         variable ? "" : "a function exists once its define has been run, or its file been loaded");
+         std::move(hint));
 }
 
 void Interpreter::check_text(std::string_view text, Place place) {
@@ -431,6 +440,19 @@ void Interpreter::run_program_text() {
     if (!as_2008()) tell_unused_definitions();
 }
 
+void Interpreter::tell_unknown_names() {
+    const State& s = *state_;
+    if (as_2008() || s.program == nullptr) return;
+    std::vector<int> defined;
+    for (const State::Definition& one : s.definitions) defined.push_back(one.symbol);
+    for (const UnknownName& one : unknown_names(*s.program, s.units, defined, symbols)) {
+        Diagnostic& told = s.diagnostics.warning(
+            "flatlang-unknown-variable", one.place,
+            fmt::format("nothing gives {} a value, so it is nil", shown(symbols.name(one.symbol))));
+        if (!one.like.empty()) told.hint(fmt::format("did you mean {}?", fmt::join(one.like, " or ")));
+    }
+}
+
 ProgramRun Interpreter::run() {
     // Limits may be too narrow for what comes before the program, too.
     try {
@@ -439,6 +461,7 @@ ProgramRun Interpreter::run() {
         state_->failed = true;
         if (result.status == RunStatus::ok) result.status = stopped.status;
     }
+    tell_unknown_names();
     result.steps = state_->steps;
     result.trail = turtle.trail(!state_->failed);
     // The first of the texts is the prelude.

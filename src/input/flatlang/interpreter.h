@@ -42,7 +42,7 @@ struct ProgramRun {
     std::vector<AskedFile> hpgl,
         laser;  // in the order of the calls; the last of each is what the original wrote
     bool part_mode = false;
-    bool defines = false;  // functions, itself or what it loads
+    bool defines = false;            // functions, itself or what it loads
     std::uint64_t steps = 0;         // that it took
     std::vector<std::string> files;  // that were loaded, but for the kit's
     std::set<std::string> missing;   // that were looked for in vain
@@ -141,6 +141,7 @@ class Interpreter {
     Value run_unit(const Syntax& unit, Place place);
     void define_globals();
     void tell_unused_definitions();
+    void tell_unknown_names();
     void run_program_text();
     std::unique_ptr<State> state_;
 };

@@ -14,6 +14,7 @@
 #include <unordered_map>
 
 #include "base/contours.h"
+#include "base/edge_index.h"
 #include "base/numbers.h"
 #include "base/regions.h"
 
@@ -27,6 +28,9 @@ constexpr double kAskewMm = 1e-3 * kMmPerInch;
 // Cells in which planes are looked up: a normal's coordinate, a distance in mm.
 constexpr double kNormalCell = 2e-3;
 constexpr double kDistanceCell = 0.5;
+
+// Of loops that overlap, so many are told of each part, and how many there are besides.
+constexpr std::size_t kUnclearTold = 3;
 
 constexpr std::string_view kLiftPen = "lift the pen with up() on the way from one outline to the next";
 
@@ -186,6 +190,7 @@ class Finder {
             if (!add_faces(polygons)) return too_large();
         }
         tell_loose();
+        tell_further_unclear();
         if (bad_) return std::nullopt;
         put_in_order();
         return std::move(out_);
@@ -320,10 +325,21 @@ class Finder {
         }
     }
 
+    // Of each part the first few; how many there are more is told at the end.
     void tell_unclear(int part, const std::string& message) {
+        bad_ = true;
+        if (++unclear_[part] > kUnclearTold) return;
         error(part, message)
             .hint(std::string(kLiftPen))
             .hint("begin a part for each piece with part(), if they are several");
+    }
+
+    void tell_further_unclear() {
+        for (const auto& [part, count] : unclear_) {
+            if (count <= kUnclearTold) continue;
+            error(part, fmt::format("{} has {} further loops that overlap, cross or touch like these",
+                                    part_text(in_, part), count - kUnclearTold));
+        }
     }
 
     void tell_covered(int part, Vec3 where) {
@@ -378,8 +394,37 @@ class Finder {
         }
     }
 
+    // A flap that is folded onto a wall lies in its plane, and would be cut out of it.
+    void tell_holes_on_edges(const std::vector<ClosedContour>& all, int part, const Frame& frame) {
+        constexpr double kOnEdgeMm = 0.01;
+        std::map<int, EdgeIndex> edges;
+        std::size_t found = 0;
+        Vec3 first;
+        for (const ClosedContour& one : all) {
+            if (one.depth % 2 == 0) continue;
+            const auto parent = edges.try_emplace(one.parent, edges_of({all[at(one.parent)].ring, {}})).first;
+            for (std::size_t i = 0; i < one.ring.size(); ++i) {
+                const Vec2 middle = lerp(one.ring[i], one.ring[(i + 1) % one.ring.size()], 0.5);
+                if (parent->second.clearance(middle, 2.0 * kOnEdgeMm) > kOnEdgeMm) continue;
+                if (found++ == 0) first = frame.point(middle);
+                break;
+            }
+        }
+        if (found == 0) return;
+        diagnostics_
+            .warning(
+                "flatlang-outlines-overlap", in_.parts[at(part)].place,
+                fmt::format(
+                    "{} has {} in a loop of the same plane, with an edge on its edge, at {}; {} cut out "
+                    "of it",
+                    part_text(in_, part), found == 1 ? std::string("a loop") : fmt::format("{} loops", found),
+                    spot(first), found == 1 ? "it is" : "they are"))
+            .hint("a flap that is folded onto a face is kept when it is drawn a little open, by a degree");
+    }
+
     bool make_faces(const Contours& contours, int part, int plane, const Frame& frame) {
         const std::vector<ClosedContour>& all = contours.all;
+        tell_holes_on_edges(all, part, frame);
         std::vector<std::vector<Polygon>> holes(all.size());
         std::vector<int> face_of(all.size(), -1);
         const int first_face = all.empty() ? -1 : static_cast<int>(out_.faces.size());
@@ -454,6 +499,7 @@ class Finder {
     std::vector<std::vector<int>> in_plane_;
     Outlines out_;
     bool bad_ = false;
+    std::map<int, std::size_t> unclear_;  // loops that overlap, cross or touch, of each part
     // Of what is drawn before the first part:
     int crossed_ = 0;   // loops that cross themselves
     Vec3 crossed_at_;   // the first of them

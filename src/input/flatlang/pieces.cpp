@@ -66,23 +66,34 @@ class Names {
     std::map<std::string, int> last_;
 };
 
-// Says so where an outline is nearly closed.
-bool tell_gap(const Trail& trail, const PenLines& lines, Diagnostic& told) {
+// A line that ends near where it began: an outline that was missed by a slip.
+struct Gap {
+    double inches = 0.0;
+    std::size_t lines = 0;
+    int part = 0;
+};
+
+// The narrowest of each part, up to 0.05 inches.
+std::vector<Gap> gaps(const Trail& trail, const PenLines& lines) {
     constexpr double kClosed = 1e-4;
     constexpr double kSlip = 0.05;
-    double narrowest = HUGE_VAL;
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < trail.segments.size(); ++i) {
-        if (lines.face[i] == PenLines::kOpen) open.push_back(i);
+    std::vector<Gap> found;
+    for (std::size_t i = 0; i < trail.segments.size();) {
+        const int part = trail.segments[i].part;
+        std::vector<std::size_t> open;
+        for (; i < trail.segments.size() && trail.segments[i].part == part; ++i) {
+            if (lines.face[i] == PenLines::kOpen) open.push_back(i);
+        }
+        Gap narrowest{kSlip, 0, part};
+        for (const std::vector<Vec3>& line : chained(trail, open)) {
+            const double gap = distance(line.front(), line.back()) / kMmPerInch;
+            if (line.size() >= 4 && gap > kClosed && gap <= narrowest.inches) {
+                narrowest = {gap, line.size() - 1, part};
+            }
+        }
+        if (narrowest.lines > 0) found.push_back(narrowest);
     }
-    for (const std::vector<Vec3>& line : chained(trail, open)) {
-        const double gap = distance(line.front(), line.back()) / kMmPerInch;
-        if (line.size() >= 4 && gap > kClosed) narrowest = std::min(narrowest, gap);
-    }
-    if (narrowest > kSlip) return false;
-    told.hint(
-        fmt::format("a line ends {:.4f} inches from where it began; {} is the most", narrowest, kClosed));
-    return true;
+    return found;
 }
 
 // Finite, and no further away than parts may be.
@@ -160,8 +171,12 @@ class PartMaker {
             told.hint("functions draw when they are called; down() puts the pen down");
             return;
         }
-        if (!tell_gap(in_, lines_, told)) {
+        const std::vector<Gap> slips = gaps(in_, lines_);
+        if (slips.empty()) {
             told.hint("go back to where the outline began, with the pen down");
+        } else {
+            told.hint(fmt::format("a line ends {:.4f} inches from where it began; 0.0001 is the most",
+                                  slips.front().inches));
         }
     }
 
@@ -256,13 +271,25 @@ class PartMaker {
 
     void tell_open_lines() {
         if (lines_.open == 0) return;
-        Diagnostic& told = diagnostics_.remark(
+        diagnostics_.remark(
             "flatlang-open-lines", {},
             fmt::format(
                 "{} line{} {} on no closed outline ({:.1f} mm, {:.2f} inches, altogether) and {} not cut",
                 lines_.open, lines_.open == 1 ? "" : "s", lines_.open == 1 ? "is" : "are",
                 lines_.open_inches * kMmPerInch, lines_.open_inches, lines_.open == 1 ? "is" : "are"));
-        tell_gap(in_, lines_, told);
+        for (const Gap& one : gaps(in_, lines_)) {
+            const TrailPart& part = in_.parts[at(one.part)];
+            diagnostics_
+                .warning(
+                    "flatlang-open-lines", part.place,
+                    fmt::format(
+                        "{} has an outline of {} lines that ends {:.4f} inches from where it began, and is "
+                        "not cut",
+                        one.part == 0 ? std::string("what is drawn before the first part")
+                                      : fmt::format("part \"{}\"", clean(part.name)),
+                        one.lines, one.inches))
+                .hint("0.0001 inches are the most that count as closed");
+        }
     }
 
     void add_lines() {
