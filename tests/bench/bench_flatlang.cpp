@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/interpreter.h"
-#include "input/flatlang/pieces.h"
+#include "input/flatlang/pieces/pieces.h"
+#include "input/flatlang/run/interpreter.h"
 #include "popup/files.h"
 
 namespace popup::flatlang {

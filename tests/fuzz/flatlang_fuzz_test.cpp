@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "input/flatlang/parse.h"
+#include "input/flatlang/syntax/parse.h"
 #include "popup/diagnostics.h"
 #include "support/random.h"
 

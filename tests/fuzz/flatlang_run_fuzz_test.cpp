@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "input/flatlang/interpreter.h"
 #include "input/flatlang/read.h"
+#include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
 #include "support/random.h"
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "output/xml.h"
-#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
+#include "popup/language.h"
 #include "support/random.h"
 
 namespace popup {

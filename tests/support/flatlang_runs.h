@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/interpreter.h"
+#include "input/flatlang/run/interpreter.h"
 
 namespace popup::flatlang {
 

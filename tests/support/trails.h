@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/trail.h"
+#include "input/flatlang/turtle/trail.h"
 
 namespace popup::test {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
+#include "popup/language.h"
 
 namespace popup {
 namespace {

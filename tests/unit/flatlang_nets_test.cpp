@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/regions.h"
-#include "input/flatlang/pieces.h"
+#include "input/flatlang/pieces/pieces.h"
 #include "support/designs.h"
 #include "support/random.h"
 #include "support/trails.h"

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/flatlang/parse.h"
+#include "input/flatlang/syntax/parse.h"
 #include "popup/diagnostics.h"
 
 namespace popup::flatlang {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/pieces.h"
+#include "input/flatlang/pieces/pieces.h"
 #include "popup/pattern.h"
 #include "support/designs.h"
 #include "support/trails.h"

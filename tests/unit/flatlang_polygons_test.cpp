@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/original_files.h"
-#include "input/flatlang/polygons.h"
-#include "input/flatlang/poses.h"
-#include "input/flatlang/turtle.h"
+#include "input/flatlang/turtle/original_files.h"
+#include "input/flatlang/turtle/polygons.h"
+#include "input/flatlang/turtle/poses.h"
+#include "input/flatlang/turtle/turtle.h"
 
 namespace popup::flatlang {
 namespace {

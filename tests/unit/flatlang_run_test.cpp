@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "input/flatlang/interpreter.h"
 #include "input/flatlang/read.h"
+#include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
 
 namespace popup::flatlang {

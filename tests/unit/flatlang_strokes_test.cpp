@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "input/flatlang/pieces.h"
-#include "input/flatlang/strokes.h"
+#include "input/flatlang/pieces/pieces.h"
+#include "input/flatlang/pieces/strokes.h"
 #include "support/random.h"
 
 namespace popup::flatlang {

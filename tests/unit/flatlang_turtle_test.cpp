@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "input/flatlang/turtle.h"
+#include "input/flatlang/turtle/turtle.h"
 
 namespace popup::flatlang {
 namespace {

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/interpreter.h"
-#include "input/flatlang/original_files.h"
+#include "input/flatlang/run/interpreter.h"
+#include "input/flatlang/turtle/original_files.h"
 #include "popup/files.h"
 #include "support/run_program.h"
 

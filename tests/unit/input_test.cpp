@@ -10,9 +10,9 @@
 #include "input/color.h"
 #include "input/xml/locate.h"
 #include "input/xml/number.h"
-#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
+#include "popup/language.h"
 
 namespace popup {
 namespace {

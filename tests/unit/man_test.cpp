@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/builtin.h"
 #include "input/flatlang/folders.h"
+#include "input/flatlang/run/builtin.h"
 #include "popup/diagnostics.h"
 #include "popup/layout.h"
 #include "popup/mechanism.h"

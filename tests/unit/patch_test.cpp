@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
+#include "popup/language.h"
 
 namespace popup {
 namespace {

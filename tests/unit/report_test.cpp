@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "output/emit.h"
 #include "base/json_text.h"
+#include "output/emit.h"
 #include "popup/compile.h"
 #include "support/sheet_example.h"
 

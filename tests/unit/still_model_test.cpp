@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "input/flatlang/pieces.h"
+#include "input/flatlang/pieces/pieces.h"
 #include "output/emit.h"
 #include "output/gltf.h"
 #include "popup/pattern.h"

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "output/xml.h"
-#include "popup/language.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
+#include "popup/language.h"
 #include "support/designs.h"
 
 namespace popup {

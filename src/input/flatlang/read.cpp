@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "input/flatlang/interpreter.h"
-#include "input/flatlang/pieces.h"
+#include "input/flatlang/pieces/pieces.h"
+#include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
 #include "input/text.h"
 

@@ -4,7 +4,7 @@
 
 #include "base/json_text.h"
 #include "base/numbers.h"
-#include "input/flatlang/original_files.h"
+#include "input/flatlang/turtle/original_files.h"
 
 namespace popup::flatlang {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "input/flatlang/interpreter.h"
+#include "input/flatlang/run/interpreter.h"
 
 namespace popup::flatlang {
 

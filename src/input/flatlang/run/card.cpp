@@ -1,0 +1,249 @@
+#include "input/flatlang/run/card.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "input/design_limits.h"
+#include "input/text.h"
+
+namespace popup::flatlang {
+namespace {
+
+std::string inches(double mm) { return fmt::format("{:.6g}", mm / 25.4); }
+
+Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
+
+// A place beside a fold, on the page of its left or of its right side.
+Vec2 on_page(const Segment& fold, Vec2 at) {
+    const Vec2 along = unit(fold.b - fold.a);
+    return lerp(fold.a, fold.b, 0.5) + at.y * along + at.x * right_of(along);
+}
+
+DesignPoint design_point(Vec2 at, Place place) {
+    DesignPoint point;
+    point.at = at;
+    point.place = place;
+    return point;
+}
+
+bool within_limits(Vec2 p) { return std::abs(p.x) <= kCoordinateLimit && std::abs(p.y) <= kCoordinateLimit; }
+
+std::optional<Refusal> too_far(const std::vector<Vec2>& points) {
+    for (const Vec2 p : points) {
+        if (within_limits(p)) continue;
+        if (std::isnan(p.x) || std::isnan(p.y))
+            return Refusal{"has a point whose coordinate is not a number"};
+        return Refusal{fmt::format("has the point [{}, {}]; coordinates are at most {} inches", inches(p.x),
+                                   inches(p.y), inches(kCoordinateLimit))};
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> count_points(Card& card, std::size_t more) {
+    card.points += more;
+    if (card.points <= kPointsLimit) return std::nullopt;
+    return Refusal{
+        fmt::format("would be the card's {}th point, and it can have {}", kPointsLimit + 1, kPointsLimit)};
+}
+
+// Its partner comes before it in the row: it may be left out.
+bool is_mirror(const ElementInfo& info, std::size_t point) {
+    return info.points[point].side == 'R' && info.partners[point] >= 0 &&
+           static_cast<std::size_t>(info.partners[point]) != point;
+}
+
+// All points in the row's order.
+std::optional<std::vector<Vec2>> all_points(const ElementInfo& info, const std::vector<Vec2>& given) {
+    if (given.size() == info.points.size()) return given;
+    if (given.size() != points_without_mirrored(info)) return std::nullopt;
+    std::vector<Vec2> all(info.points.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!is_mirror(info, i)) all[i] = given[next++];
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (is_mirror(info, i)) all[i] = mirrored(all[static_cast<std::size_t>(info.partners[i])]);
+    }
+    return all;
+}
+
+Refusal wrong_count(const ElementInfo& info, std::size_t given) {
+    const std::size_t fewest = points_without_mirrored(info);
+    std::string least;
+    for (std::size_t i = 0; i < info.points.size(); ++i) {
+        if (!is_mirror(info, i)) least += (least.empty() ? "" : ", ") + std::string(info.points[i].letter);
+    }
+    Refusal refusal{fmt::format("has {} points, {}, and {} {} given", info.points.size(), letters_of(info),
+                                given, given == 1 ? "is" : "are")};
+    if (fewest < info.points.size()) {
+        refusal.hint =
+            fmt::format("of an even one give {} alone: the right side then mirrors the left", least);
+    }
+    return refusal;
+}
+
+}  // namespace
+
+std::size_t points_without_mirrored(const ElementInfo& info) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < info.points.size(); ++i) count += is_mirror(info, i) ? 0 : 1;
+    return count;
+}
+
+std::string letters_of(const ElementInfo& info) {
+    std::string text;
+    PointPage page = PointPage::fold;
+    for (const PointInfo& point : info.points) {
+        if (!text.empty()) text += ", ";
+        if (point.page != page) text += "and on its own page ";
+        page = point.page;
+        text += point.letter;
+        if (point.side != '-') text += point.side == 'L' ? " (left)" : " (right)";
+    }
+    return text;
+}
+
+std::optional<Refusal> begin_card(Card& card, const NewCard& wanted) {
+    for (const auto& [name, size] : {std::pair{"wide", wanted.width_mm}, {"high", wanted.height_mm}}) {
+        if (size >= kSmallestPage && size <= kLargestPage) continue;
+        return Refusal{fmt::format("is {} inches {}, and must be from {} to {}", inches(size), name,
+                                   inches(kSmallestPage), inches(kLargestPage))};
+    }
+    Design& design = card.design.emplace();
+    design.width_mm = wanted.width_mm;
+    design.height_mm = wanted.height_mm;
+    design.left = wanted.left;
+    design.right = wanted.right;
+    design.page_place = card.place = wanted.place;
+    const Segment gutter{{0, -0.5 * design.height_mm}, {0, 0.5 * design.height_mm}};
+    card.folds.push_back({0, 0, gutter, gutter, false, 0});
+    return std::nullopt;
+}
+
+std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::optional<std::size_t>& folds) {
+    const ElementInfo& info = *wanted.info;
+    Design& design = *card.design;
+    const auto beside = all_points(info, wanted.points);
+    if (!beside) return wrong_count(info, wanted.points.size());
+    if (auto refusal = too_far(*beside)) return refusal;
+    if (design.structures.size() >= kItemsLimit) {
+        return Refusal{fmt::format("would be the card's {}th element, and it can have {}", kItemsLimit + 1,
+                                   kItemsLimit)};
+    }
+    if (auto refusal = count_points(card, beside->size())) return refusal;
+
+    const PageFold fold = card.folds[wanted.fold];
+    if (info.glued) ++card.glued;
+    if (info.code < 0) design.version = "3.0";
+    Structure& made = design.structures.emplace_back();
+    made.type = info.name;
+    made.place = made.type_place = made.fold.place = wanted.place;
+    paint_element(card, design.structures.size() - 1, wanted.paint);
+    made.fold.page = fold.left_page;
+    made.fold.begin = design_point(fold.on_left.a, wanted.place);
+    made.fold.end = design_point(fold.on_left.b, wanted.place);
+    std::vector<Vec2> on_pages;
+    for (std::size_t i = 0; i < beside->size(); ++i) {
+        const bool right = info.points[i].side == 'R';
+        const bool extra = info.points[i].page == PointPage::extra;
+        const Vec2 at = extra ? (*beside)[i] : on_page(right ? fold.on_right : fold.on_left, (*beside)[i]);
+        on_pages.push_back(at);
+        DesignPoint& point = made.points.emplace_back(design_point(at, wanted.place));
+        if (!extra && right && fold.right_page != fold.left_page) point.page = fold.right_page;
+    }
+    card.pages.push_back(info.glued ? card.glued : fold.left_page);
+
+    folds.reset();
+    if (const auto lines = folds_made(info, fold, card.glued, on_pages)) {
+        folds = card.folds.size();
+        card.folds.insert(card.folds.end(), lines->begin(), lines->end());
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> add_line(Card& card, const NewLine& wanted) {
+    Design& design = *card.design;
+    if (wanted.points.size() < 2) {
+        return Refusal{fmt::format("has at least 2 points, and {} {} given", wanted.points.size(),
+                                   wanted.points.size() == 1 ? "is" : "are")};
+    }
+    if (auto refusal = too_far(wanted.points)) return refusal;
+    if (!(wanted.thickness_pt >= 0.0 && wanted.thickness_pt <= kThickestLine)) {
+        return Refusal{fmt::format("is {:.6g} points thick, and must be from 0 to {:.6g}",
+                                   wanted.thickness_pt, kThickestLine)};
+    }
+    if (design.lines.size() >= kItemsLimit) {
+        return Refusal{
+            fmt::format("would be the card's {}th line, and it can have {}", kItemsLimit + 1, kItemsLimit)};
+    }
+    DrawnLine made;
+    made.page = wanted.page;
+    const Segment* fold_line = nullptr;
+    if (wanted.fold) {
+        const PageFold& fold = card.folds[*wanted.fold];
+        const bool left =
+            std::all_of(wanted.points.begin(), wanted.points.end(), [](Vec2 p) { return p.x <= 0.0; });
+        const bool right =
+            std::all_of(wanted.points.begin(), wanted.points.end(), [](Vec2 p) { return p.x >= 0.0; });
+        if (fold.left_page != fold.right_page && !left && !right) {
+            return Refusal{"crosses a seam, where one page ends and another begins",
+                           "draw what lies on the left (x below 0) and on the right as two lines"};
+        }
+        const bool on_right = right && !left;
+        made.page = on_right ? fold.right_page : fold.left_page;
+        fold_line = on_right ? &fold.on_right : &fold.on_left;
+    }
+    if (auto refusal = count_points(card, wanted.points.size())) return refusal;
+    made.thickness_pt = wanted.thickness_pt;
+    made.color = wanted.color;
+    made.place = wanted.place;
+    for (const Vec2 p : wanted.points) {
+        made.points.push_back(design_point(fold_line ? on_page(*fold_line, p) : p, wanted.place));
+    }
+    design.lines.push_back(std::move(made));
+    return std::nullopt;
+}
+
+void paint_element(Card& card, std::size_t structure, const Paint& paint) {
+    Structure& made = card.design->structures[structure];
+    made.left = paint.left;
+    made.right = paint.right;
+    made.left_tab = paint.left_tab;
+    made.right_tab = paint.right_tab;
+}
+
+std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {
+    if (!is_id(id)) return Refusal{fmt::format("cannot give the name '{}'", shown(id)), std::string(kIdHint)};
+    if (id == "page") return Refusal{"cannot give the name 'page', which is kept for the base page"};
+    Structure& made = card.design->structures[structure];
+    if (made.id == id) return std::nullopt;
+    if (!card.ids.insert(id).second) {
+        return Refusal{
+            fmt::format("cannot give the name '{}', which another element has", id),
+            "in a loop or function give a number besides, as in named(house, \"house\", 3) for house-3"};
+    }
+    if (made.id_given) card.ids.erase(made.id);
+    made.id = id;
+    made.id_given = true;
+    return std::nullopt;
+}
+
+Design finished(Card card, const Source& source) {
+    Design design = std::move(*card.design);
+    design.file = source.name;
+    design.stem = source.stem();
+    std::size_t spare = design.structures.size();
+    for (std::size_t n = 0; n < design.structures.size(); ++n) {
+        Structure& structure = design.structures[n];
+        if (structure.id_given) continue;
+        structure.id = fmt::format("e{}", n + 1);
+        while (card.ids.contains(structure.id)) structure.id = fmt::format("e{}", ++spare);
+    }
+    return design;
+}
+
+}  // namespace popup::flatlang
