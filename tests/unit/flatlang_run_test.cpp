@@ -105,7 +105,7 @@ TEST(FlatLangRun, AMinusTurnsTheSign) {
     EXPECT_EQ(value("-(0 - 5)"), "5.0");
     EXPECT_EQ(value("-\"7\""), "-7.0");
     EXPECT_EQ(value("-\"-7\""), "7.0");
-    EXPECT_EQ(value("-nothing"), "0.0");
+    EXPECT_EQ(value("-nil"), "0.0");
     EXPECT_EQ(value("+4"), "4.0");
     EXPECT_EQ(run_2008("print(-(0 - 5))").printed(), "0.0\n");
 }
@@ -132,7 +132,7 @@ TEST(FlatLangRun, ComparisonsKnowNumbersTextsTruthsAndObjects) {
               "[true, true, false, false, true, false]");
     EXPECT_EQ(value("[\"a\" == \"a\", \"a\" != \"a\", \"a\" < \"b\", true == true, true != false]"),
               "[true, false, false, true, true]");
-    EXPECT_EQ(value("[no == 1, no != 1, no == no, no != no, [1] == [1], [1] != [1], 1 == \"1\"]"),
+    EXPECT_EQ(value("[nil == 1, nil != 1, nil == nil, nil != nil, [1] == [1], [1] != [1], 1 == \"1\"]"),
               "[false, true, false, false, false, false, false]");
     EXPECT_EQ(run("a = object(\"a\") b = a c = object(\"a\") print(a == b, a == c, a != c)").printed(),
               "true false true\n");
@@ -208,11 +208,25 @@ TEST(FlatLangRun, FunctionsAreGlobalByTheirNames) {
     EXPECT_EQ(run("f = 3 define f() 1 done print(f)").printed(), "3.0\n");
 }
 
+TEST(FlatLangRun, VariablesThatNothingSetsAreTold) {
+    EXPECT_EQ(run("width = 2\nforward(widht) left(widht)").told(),
+              "2:9 warning flatlang-unknown-variable: nothing gives widht a value, so it is nil\n"
+              "  did you mean width?\n");
+    // What is set somewhere, or may be, is known: later, by a member, a parameter, a loop, -D or eval().
+    EXPECT_EQ(run("print(later) later = 1").told(), "");
+    EXPECT_EQ(run("o = object(\"o\") o.size = 1 define get() size done print(o.get())").told(), "");
+    EXPECT_EQ(run("define f(a) a done for each (b: [1]) print(f(b), nil) done").told(), "");
+    EXPECT_EQ(run("o = object(\"o\") if (o.missing) print(1) done").told(), "");
+    EXPECT_EQ(run("eval(\"made = 1\") print(made)").told(), "");
+    EXPECT_EQ(run_with("print(given)", {{"given", "2"}}).told(), "");
+    EXPECT_EQ(run_2008("print(nowhere)").told(), "");
+}
+
 TEST(FlatLangRun, UnknownFunctionsAndWrongCountsAreWarnedOfOnce) {
     const Ran unknown = run("repeat (3) fordward(1) done\nx = 1 x()");
     EXPECT_EQ(unknown.told(),
               "1:12 warning flatlang-unknown-function: there is no function fordward() here; the call does "
-              "nothing\n  a function exists once its define has been run, or its file been loaded\n"
+              "nothing\n  did you mean forward()?\n"
               "2:7 warning flatlang-unknown-function: x is a variable, not a function\n");
     EXPECT_EQ(unknown.result.status, RunStatus::ok);
     EXPECT_EQ(run("define f(a, b) 1 done\nprint(f(1))").told(),

@@ -292,7 +292,12 @@ class Finder {
         auto contours = sort_contours(std::move(lines), work_);
         if (!contours) return false;
         tell(*contours, part, frame);
-        return make_faces(*contours, part, plane, frame);
+        const auto covered = out_.covered;
+        const bool bad = bad_;
+        if (!make_faces(*contours, part, plane, frame)) return false;
+        // Where nothing is left, that has been said.
+        if (out_.covered == covered && bad_ == bad) tell_holes_on_edges(contours->all, part, frame);
+        return true;
     }
 
     void tell(const Contours& contours, int part, const Frame& frame) {
@@ -424,7 +429,6 @@ class Finder {
 
     bool make_faces(const Contours& contours, int part, int plane, const Frame& frame) {
         const std::vector<ClosedContour>& all = contours.all;
-        tell_holes_on_edges(all, part, frame);
         std::vector<std::vector<Polygon>> holes(all.size());
         std::vector<int> face_of(all.size(), -1);
         const int first_face = all.empty() ? -1 : static_cast<int>(out_.faces.size());
