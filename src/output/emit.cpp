@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
+#include "base/json_text.h"
 #include "base/numbers.h"
 #include "output/examination_json.h"
-#include "base/json_text.h"
 
 namespace popup {
 namespace {

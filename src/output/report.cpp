@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "base/numbers.h"
 #include "base/render_diagnostics.h"
 #include "output/cut_report.h"
 #include "output/examination_json.h"
-#include "base/json_text.h"
 #include "popup/compile.h"
 
 namespace popup {

@@ -8,10 +8,10 @@
 
 namespace popup::drawing {
 
-// The row's functions, as language.h promises them. Every outermost closed contour is a part, with what lies in
-// it; see "Drawings" in popupc(1). The origin is the drawing's lower left corner.
-// Errors, located: those of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`,
-// `contours-overlap`, `document-too-large`.
+// The row's functions, as language.h promises them. Every outermost closed contour is a part, with what lies
+// in it; see "Drawings" in popupc(1). The origin is the drawing's lower left corner. Errors, located: those
+// of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`, `contours-overlap`,
+// `document-too-large`.
 std::optional<PartList> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 bool recognises(std::string_view text);
 

@@ -5,8 +5,8 @@
 
 #include "input/drawing/tracing.h"
 #include "input/xml/locate.h"
-#include "popup/language.h"
 #include "popup/diagnostics.h"
+#include "popup/language.h"
 
 namespace popup::drawing {
 
