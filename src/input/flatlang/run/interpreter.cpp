@@ -85,7 +85,7 @@ std::pair<Place, std::string> Interpreter::located(Place place) const {
 
 Value Interpreter::fail(Place place, const std::string& what, std::string hint) {
     const auto [at, where] = located(place);
-    return fail_at(at, where + what, std::move(hint));
+    fail_at(at, where + what, std::move(hint));
 }
 
 Value Interpreter::fail_argument(const Call& call, std::size_t argument, const std::string& what,
@@ -104,19 +104,19 @@ Value Interpreter::fail_argument(const Call& call, std::size_t argument, const s
         position.place = position.unit->nodes[static_cast<std::size_t>(node->children[argument])].place;
     }
     const auto [at, where] = located(position);
-    return fail_at(at, where + what, std::move(hint));
+    fail_at(at, where + what, std::move(hint));
 }
 
 Value Interpreter::fail_type(const Call& call, std::size_t argument, std::string_view wanted,
                              std::string hint) {
-    return fail_argument(call, argument,
-                         fmt::format("argument {} of {}() is {}, where {} is expected", argument + 1,
-                                     call.name, type_name(call.arguments[argument]->type), wanted),
-                         std::move(hint));
+    fail_argument(call, argument,
+                  fmt::format("argument {} of {}() is {}, where {} is expected", argument + 1, call.name,
+                              type_name(call.arguments[argument]->type), wanted),
+                  std::move(hint));
 }
 
 Value Interpreter::fail_program(Place place, std::string what, std::string hint) {
-    return fail_at(program_place(place), std::move(what), std::move(hint));
+    fail_at(program_place(place), std::move(what), std::move(hint));
 }
 
 void Interpreter::blame(Place place) {

@@ -76,15 +76,15 @@ class Interpreter {
     void spend(std::uint64_t steps);
     // The same for what the turtle has looked up since.
     void spend_looks();
-    // Ends the program with an error at this place; returns nil, for `return in.fail(…)`. Later failures
-    // while the program winds up are not told.
-    Value fail(Place place, const std::string& what, std::string hint = {});
+    // Ends the program with an error at this place. Does not return; the type is for `return in.fail(…)`.
+    [[noreturn]] Value fail(Place place, const std::string& what, std::string hint = {});
     // Likewise, at an argument of a call: "argument 2 of find() is nil, where a list is expected".
-    Value fail_argument(const Call& call, std::size_t argument, const std::string& what,
-                        std::string hint = {});
-    Value fail_type(const Call& call, std::size_t argument, std::string_view wanted, std::string hint = {});
+    [[noreturn]] Value fail_argument(const Call& call, std::size_t argument, const std::string& what,
+                                     std::string hint = {});
+    [[noreturn]] Value fail_type(const Call& call, std::size_t argument, std::string_view wanted,
+                                 std::string hint = {});
     // Likewise, for what the kit finds wrong: told of the program's own call alone.
-    Value fail_program(Place place, std::string what, std::string hint);
+    [[noreturn]] Value fail_program(Place place, std::string what, std::string hint);
     // Where in the program the outermost call that goes on is said to stand, for findings.
     void blame(Place place);
     // Ends the program: `what` is used up. `option` is the one that moves the limit; empty: none does.
@@ -135,7 +135,7 @@ class Interpreter {
     // Where a finding stands for the user, and what its message begins with.
     [[nodiscard]] std::pair<Place, std::string> located(Position at) const;
     [[nodiscard]] std::pair<Place, std::string> located(Place place) const;
-    Value fail_at(Place place, std::string what, std::string hint);
+    [[noreturn]] Value fail_at(Place place, std::string what, std::string hint);
     // Reads a loaded file or an evaluated text; ends the program where it is none, but for 2008 mode.
     const Syntax& read_text(std::string name, const std::string& text, Place place, bool& complete);
     Value run_unit(const Syntax& unit, Place place);

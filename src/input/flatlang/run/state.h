@@ -110,7 +110,14 @@ class Evaluation {
     void run_at_end();
 
  private:
-    struct Level;
+    // One evaluation within others.
+    struct Level {
+        explicit Level(Interpreter::State& state_) : state(state_) { ++state.nesting; }
+        ~Level() { --state.nesting; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+        Interpreter::State& state;
+    };
     [[nodiscard]] const Node& node(int index) const;
     void tick(const Node& at);
     int need(const Node& parent, std::size_t child);

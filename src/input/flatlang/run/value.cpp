@@ -390,6 +390,13 @@ std::string to_text(const Value& value, const Symbols& symbols, std::size_t most
     return text;
 }
 
+int whole_number(double value) {
+    if (std::isnan(value)) return 0;
+    constexpr double kLeast = std::numeric_limits<int>::min();
+    constexpr double kMost = std::numeric_limits<int>::max();
+    return static_cast<int>(std::clamp(value, kLeast, kMost));
+}
+
 bool is_true(const Value& value) {
     switch (value->type) {
         case Type::nil:

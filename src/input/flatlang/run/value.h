@@ -154,6 +154,8 @@ std::string number_text(double value);
 double text_number(std::string_view text);
 // What a value is where a number is wanted, rounded to float.
 double to_number(const Value& value, const Symbols& symbols);
+// A number as Java casts it to a whole one: towards 0, and the nearest there is; 0 of what is no number.
+int whole_number(double value);
 // As print() writes it: lists "[1.0, a]", vec "{x, y, z}", objects their __str__. At most about `most` bytes;
 // longer texts end there.
 std::string to_text(const Value& value, const Symbols& symbols, std::size_t most = std::size_t{64} << 20);
