@@ -49,6 +49,7 @@ std::vector<Language> const& language_table() {
          .suffix = ".fl",
          .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",
          .read = flatlang::read,
+         .recognises = flatlang::recognises,
          .trail = flatlang::trail},
     };
     return table;

@@ -500,8 +500,10 @@ TEST(DrawingLanguage, IsToldBySuffixAndOfStandardInputByItsFirstTag) {
     EXPECT_EQ(name("-", "\xEF\xBB\xBF<?xml version='1.0'?> <!-- <popup> --><svg width='3'>"), "svg");
     EXPECT_EQ(name("-", "<!DOCTYPE svg PUBLIC 'x'><svg/>"), "svg");
     EXPECT_EQ(name("-", "<s:svg/>"), "svg");
+    EXPECT_EQ(name("-", "\n ; a program\nforward(1)"), "flatlang");
+    EXPECT_EQ(name("-", "repeat (4) forward(1) done"), "flatlang");
     for (const std::string other :
-         {"", "<popup><svg/></popup>", "<svgs/>", "<?xml", "<!-- <svg/>", "svg", "<"}) {
+         {"", "<popup><svg/></popup>", "<svgs/>", "<?xml", "<!-- <svg/>", "<", "12"}) {
         EXPECT_EQ(name("-", other), "xml") << other;
     }
     EXPECT_EQ(find_language(Source{"a.xml", ""}, "svg")->name, "svg");

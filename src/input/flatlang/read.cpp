@@ -27,6 +27,14 @@ void tell_ignored_files(const ProgramRun& run, Diagnostics& diagnostics) {
 
 }  // namespace
 
+bool recognises(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return false;
+    const char c = text[begin];
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    return letter || c == ';';
+}
+
 Reading read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     ProgramRun run = run_program(source, options, diagnostics);
     Reading reading;

@@ -135,6 +135,11 @@ Value Interpreter::fail_at(Place place, std::string what, std::string hint) {
 Value Interpreter::fail_limit(Place place, const std::string& what, std::string_view option) {
     const auto [at, where] = located(place);
     Diagnostic& told = state_->diagnostics.error("flatlang-limit", at, where + what);
+    const State::Loop& loop = state_->loop;
+    if (loop.node != nullptr && loop.unit == state_->program) {
+        told.hint(fmt::format("the innermost loop that goes on begins at {}:{}", loop.node->place.line,
+                              loop.node->place.column));
+    }
     if (!option.empty()) told.hint(fmt::format("if it shall do so, {} N allows more", option));
     throw Stopped{RunStatus::timeout};
 }
@@ -357,7 +362,8 @@ void Interpreter::load(std::string_view name, Place place) {
     std::string why;
     std::optional<LoadedFile> file = s.folders.find(name, why, &result.missing);
     if (!file) {
-        warn("flatlang-not-loaded", place, fmt::format("\"{}\" is not loaded: {}", shown(name), why));
+        warn("flatlang-not-loaded", place, fmt::format("\"{}\" is not loaded: {}", shown(name), why),
+             name.starts_with("kit/") ? "" : "-I DIR names a further folder to look in");
         return;
     }
     if (!file->of_kit &&
@@ -410,10 +416,12 @@ void Interpreter::tell_unused_definitions() {
     for (const State::Definition& one : state_->definitions) {
         if (one.used) continue;
         const std::string& name = symbols.name(one.symbol);
-        state_->diagnostics
-            .warning("flatlang-unused-definition", {},
-                     fmt::format("the program has no variable {}, which -D sets", name))
-            .hint("names are case-sensitive");
+        Diagnostic& told =
+            state_->diagnostics.warning("flatlang-unused-definition", {},
+                                        fmt::format("the program has no variable {}, which -D sets", name));
+        const std::vector<std::string> like = variables_like(name, state_->units, symbols);
+        told.hint(like.empty() ? std::string("names are case-sensitive")
+                               : fmt::format("did you mean {}?", fmt::join(like, " or ")));
     }
 }
 

@@ -60,6 +60,12 @@ struct Interpreter::State {
     int running = 0;           // texts that run in each other, the program the first of them
     int evaluating = 0;        // of these, texts given to eval()
     const Node* at = nullptr;  // what is evaluated
+    // The innermost loop that goes on, and the text it stands in.
+    struct Loop {
+        const Syntax* unit = nullptr;
+        const Node* node = nullptr;
+    };
+    Loop loop;
     std::set<std::tuple<std::string, int, int>> warned;
     struct Definition {
         int symbol = -1;

@@ -95,6 +95,24 @@ std::vector<UnknownName> unknown_names(const Syntax& program, const std::deque<S
     return found;
 }
 
+std::vector<std::string> variables_like(std::string_view name, const std::deque<Syntax>& units,
+                                        const Symbols& symbols) {
+    std::vector<std::string_view> names;
+    for (const Syntax& unit : units) {
+        if (&unit == &units.front()) continue;
+        for (const Node& at : unit.nodes) {
+            std::set<int> set;
+            if (at.kind == NodeKind::assign && !at.children.empty())
+                add_target(unit, at.children.front(), set);
+            for (const int symbol : set) names.push_back(symbols.name(symbol));
+        }
+    }
+    std::erase_if(names, is_private);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return nearest(name, names, 2);
+}
+
 std::vector<std::string> functions_like(std::string_view name, const std::deque<Syntax>& units,
                                         const Symbols& symbols) {
     std::vector<std::string_view> names = builtin_names();

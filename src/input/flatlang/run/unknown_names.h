@@ -23,6 +23,9 @@ struct UnknownName {
 std::vector<UnknownName> unknown_names(const Syntax& program, const std::deque<Syntax>& units,
                                        const std::vector<int>& defined, const Symbols& symbols);
 
+// The variables and members that `name` may be meant to be, of those that `units` set, but for the first.
+std::vector<std::string> variables_like(std::string_view name, const std::deque<Syntax>& units,
+                                        const Symbols& symbols);
 // The functions that `name` may be meant to be, of the builtins and those that `units` define.
 std::vector<std::string> functions_like(std::string_view name, const std::deque<Syntax>& units,
                                         const Symbols& symbols);
