@@ -68,6 +68,17 @@ struct Shapes {
     std::vector<Edge> edges;
 };
 
+template <typename Visit>
+void for_each_point(const Shapes& shapes, const Visit& visit) {
+    for (const Face& face : shapes.faces) {
+        for (const Point3& p : face.at) visit(p);
+    }
+    for (const Edge& edge : shapes.edges) {
+        visit(edge.a);
+        visit(edge.b);
+    }
+}
+
 // Edges that bound only one triangle: the outline and its holes.
 void add_outline(const GlbPart& part, const GlbPose& pose, Shapes& shapes) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
@@ -233,14 +244,12 @@ class Picture {
           view_(options.from, options.up) {
         Point3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
         Point3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-        for (const Face& face : shapes.faces) {
-            for (const Point3& p : face.at) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    low.at(k) = std::min(low.at(k), p.at(k));
-                    high.at(k) = std::max(high.at(k), p.at(k));
-                }
+        for_each_point(shapes, [&](const Point3& p) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                low.at(k) = std::min(low.at(k), p.at(k));
+                high.at(k) = std::max(high.at(k), p.at(k));
             }
-        }
+        });
         centre_ = 0.5 * (low + high);
         radius_ = 0.5 * std::sqrt(dot(high - low, high - low));
         aim(shapes, options.zoom);
@@ -287,15 +296,13 @@ class Picture {
         view_.eye = 5.0 * radius_;
         Point3 low{HUGE_VAL, HUGE_VAL, 0};
         Point3 high{-HUGE_VAL, -HUGE_VAL, 0};
-        for (const Face& face : shapes.faces) {
-            for (const Point3& p : face.at) {
-                const Point3 at = view_.project(p);
-                for (std::size_t k = 0; k < 2; ++k) {
-                    low.at(k) = std::min(low.at(k), at.at(k));
-                    high.at(k) = std::max(high.at(k), at.at(k));
-                }
+        for_each_point(shapes, [&](const Point3& p) {
+            const Point3 at = view_.project(p);
+            for (std::size_t k = 0; k < 2; ++k) {
+                low.at(k) = std::min(low.at(k), at.at(k));
+                high.at(k) = std::max(high.at(k), at.at(k));
             }
-        }
+        });
         view_.scale = zoom * 0.88 * std::min(width_ / (high[0] - low[0]), height_ / (high[1] - low[1]));
         view_.cx = 0.5 * width_ - view_.scale * 0.5 * (low[0] + high[0]);
         view_.cy = 0.5 * height_ - view_.scale * 0.5 * (low[1] + high[1]);
