@@ -11,14 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "base/utf8.h"
 #include "input/flatlang/syntax/parse.h"
 #include "popup/diagnostics.h"
 #include "support/random.h"
+#include "support/text_columns.h"
 
 namespace popup::flatlang {
 namespace {
 
+using test::columns;
 using test::Random;
 
 const std::array<std::string, 4> kPrograms{
@@ -152,21 +153,6 @@ std::string words(Random& random) {
     const std::size_t count = random.below(60);
     for (std::size_t i = 0; i < count; ++i) text += kPieces[random.below(kPieces.size())];
     return text;
-}
-
-// Lines of a text, each with the columns that it has, the one behind its last character among them.
-std::vector<int> columns(std::string_view text) {
-    std::vector<int> lines{1};
-    for (std::size_t at = 0; at < text.size();) {
-        const Character next = first_character(text.substr(at));
-        at += next.bytes;
-        if (next.code == '\n') {
-            lines.push_back(1);
-        } else {
-            ++lines.back();
-        }
-    }
-    return lines;
 }
 
 void check_tree(const Parsed& parsed, const Symbols& symbols, const std::vector<int>& lines, int deepest) {

@@ -16,16 +16,17 @@
 #include <string_view>
 #include <vector>
 
-#include "base/utf8.h"
 #include "input/flatlang/read.h"
 #include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
 #include "support/random.h"
+#include "support/text_columns.h"
 
 namespace popup::flatlang {
 namespace {
 
 namespace fs = std::filesystem;
+using test::columns;
 using test::Random;
 
 constexpr std::string_view kOther =
@@ -263,21 +264,6 @@ std::string mutated(std::string text, Random& random) {
         }
     }
     return text;
-}
-
-// Lines of a text, each with the columns that it has, the one behind its last character among them.
-std::vector<int> columns(std::string_view text) {
-    std::vector<int> lines{1};
-    for (std::size_t at = 0; at < text.size();) {
-        const Character next = first_character(text.substr(at));
-        at += next.bytes;
-        if (next.code == '\n') {
-            lines.push_back(1);
-        } else {
-            ++lines.back();
-        }
-    }
-    return lines;
 }
 
 void check_places(const std::string& text, const Diagnostics& diagnostics) {

@@ -3,21 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <random>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "input/flatlang/turtle/turtle.h"
+#include "support/turtle_script.h"
 
 namespace popup::flatlang {
 namespace {
+
+using test::Script;
 
 constexpr std::uint64_t plenty = 1'000'000;
 
@@ -59,103 +56,6 @@ std::string polygons(const Trail& trail) {
 std::string shown(const Pose& pose) {
     return text(pose.at) + " | " + text(pose.right) + " | " + text(pose.heading) + " | " + text(pose.up);
 }
-
-// Calls of a turtle, written short: "f 1" forward, "l 90" left, "note v" remembers pos(), "drawto v 0.5",
-// "drawfrom shape mark", blocks as "shape name { … }", "from mark,mark { … }", "replace start end { … }".
-class Script {
- public:
-    Script(Turtle& turtle, std::string_view calls) : turtle_(turtle) {
-        std::istringstream in{std::string(calls)};
-        for (std::string word; in >> word;) words_.push_back(word);
-        run(0, words_.size());
-    }
-
-    [[nodiscard]] Outcome last() const { return last_; }
-
- private:
-    double number(std::size_t i) const {
-        double value = 0;
-        std::from_chars(words_[i].data(), words_[i].data() + words_[i].size(), value);
-        return value;
-    }
-    // `begin` is the word after "{"; where the "}" that belongs to it is.
-    std::size_t end_of_block(std::size_t begin) const {
-        int depth = 1;
-        while (true) {
-            if (words_[begin] == "{") ++depth;
-            if (words_[begin] == "}" && --depth == 0) return begin;
-            ++begin;
-        }
-    }
-    // Runs a block whose "{" is at `brace`; where the "}" is.
-    std::size_t block(std::size_t brace) {
-        const std::size_t end = end_of_block(brace + 1);
-        run(brace + 1, end);
-        return end;
-    }
-    void run(std::size_t i, std::size_t end) {
-        for (; i < end; ++i) {
-            const std::string& word = words_[i];
-            if (word == "f") {
-                turtle_.forward(number(++i));
-            } else if (word == "l") {
-                turtle_.left(number(++i));
-            } else if (word == "roll") {
-                turtle_.roll(number(++i));
-            } else if (word == "pitch") {
-                turtle_.pitch(number(++i));
-            } else if (word == "up" || word == "down") {
-                turtle_.pen(word == "down");
-            } else if (word == "mark") {
-                turtle_.mark(words_[++i]);
-            } else if (word == "back") {
-                turtle_.back_to(words_[++i]);
-            } else if (word == "part") {
-                turtle_.part(words_[++i], {1, static_cast<int>(i)});
-            } else if (word == "note") {
-                noted_[words_[++i]] = turtle_.pose().at;
-            } else if (word == "drawto") {
-                turtle_.draw_to(noted_.at(words_[i + 1]), number(i + 2));
-                i += 2;
-            } else if (word == "draw") {
-                last_ = turtle_.draw(words_[++i], std::nullopt);
-            } else if (word == "drawfrom") {
-                last_ = turtle_.draw(words_[i + 1], words_[i + 2]);
-                i += 2;
-            } else if (word == "clear") {
-                turtle_.clear();
-            } else if (word == "shape") {
-                turtle_.begin_shape(words_[i + 1]);
-                i = block(i + 2);
-                turtle_.end_shape();
-            } else if (word == "replace" || word == "replaceall") {
-                turtle_.begin_replacement(words_[i + 1], words_[i + 2], word == "replaceall");
-                i = block(i + 3);
-                last_ = turtle_.end_replacement();
-            } else if (word == "from") {
-                std::vector<Turtle::Cursor> marks;
-                std::istringstream names(words_[i + 1]);
-                for (std::string name; std::getline(names, name, ',');) {
-                    marks.push_back(turtle_.find_above(name).value());
-                }
-                const Turtle::Cursor here = turtle_.cursor();
-                for (const Turtle::Cursor mark : marks) {
-                    turtle_.set_cursor(mark);
-                    block(i + 2);
-                }
-                turtle_.set_cursor(here);
-                i = end_of_block(i + 3);
-            } else {
-                ADD_FAILURE() << "no such call: " << word;
-            }
-        }
-    }
-
-    Turtle& turtle_;
-    std::vector<std::string> words_;
-    std::map<std::string, Vec3> noted_;
-    Outcome last_ = Outcome::done;
-};
 
 Trail drawn(std::string_view calls, bool as_2008 = false) {
     Turtle turtle(as_2008, plenty);
@@ -610,173 +510,6 @@ TEST(FlatlangTurtle, TreesAreDescribedAsTheOriginalDid) {
               "null\n"
               "shape list:----------------\n"
               "<<<-- __shape_turtles -->>>(#)\n");
-}
-
-// Turned by matrices, one after the other.
-class NaiveWalk {
- public:
-    void forward(double d) {
-        for (std::size_t i = 0; i < 3; ++i) at_[i] += d * frame_[i][1];
-    }
-    // About axis `axis` of its own, right-handed.
-    void turn(std::size_t axis, double degrees) {
-        const double angle = degrees * std::numbers::pi / 180;
-        const std::size_t a = (axis + 1) % 3;
-        const std::size_t b = (axis + 2) % 3;
-        Matrix turned = frame_;
-        for (std::size_t i = 0; i < 3; ++i) {
-            turned[i][a] = std::cos(angle) * frame_[i][a] + std::sin(angle) * frame_[i][b];
-            turned[i][b] = std::cos(angle) * frame_[i][b] - std::sin(angle) * frame_[i][a];
-        }
-        frame_ = turned;
-    }
-    [[nodiscard]] Pose pose() const {
-        const auto column = [this](std::size_t c) { return Vec3{frame_[0][c], frame_[1][c], frame_[2][c]}; };
-        return {{at_[0], at_[1], at_[2]}, column(0), column(1), column(2)};
-    }
-
- private:
-    using Matrix = std::array<std::array<double, 3>, 3>;
-    std::array<double, 3> at_{};
-    Matrix frame_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-};
-
-double apart(const Pose& a, const Pose& b) {
-    return std::max({distance(a.at, b.at), distance(a.right, b.right), distance(a.heading, b.heading),
-                     distance(a.up, b.up)});
-}
-
-TEST(FlatlangTurtle, PosesAreThoseOfTurnsMultipliedAlsoOnBranches) {
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        std::mt19937 random(seed);
-        Turtle turtle(seed % 2 == 0, plenty);
-        NaiveWalk walk;
-        std::vector<NaiveWalk> at_marks;
-        for (int i = 0; i < 600; ++i) {
-            const double amount = static_cast<double>(random() % 2001) / 7.0 - 140.0;
-            switch (random() % 7) {
-                case 0:
-                case 1:
-                    turtle.forward(amount / 100);
-                    walk.forward(amount / 100);
-                    break;
-                case 2:
-                    turtle.left(amount);
-                    walk.turn(2, amount);
-                    break;
-                case 3:
-                    turtle.roll(amount);
-                    walk.turn(1, amount);
-                    break;
-                case 4:
-                    turtle.pitch(amount);
-                    walk.turn(0, amount);
-                    break;
-                case 5:
-                    turtle.mark(std::to_string(at_marks.size()));
-                    at_marks.push_back(walk);
-                    break;
-                case 6: {
-                    if (at_marks.empty()) break;
-                    const std::size_t mark = random() % at_marks.size();
-                    if (turtle.back_to(std::to_string(mark))) walk = at_marks[mark];
-                    break;
-                }
-            }
-            if (random() % 4 != 0) continue;
-            ASSERT_LT(apart(turtle.pose(), walk.pose()), 1e-9) << seed << " " << i;
-        }
-        EXPECT_LT(apart(turtle.trail().last, walk.pose()), 1e-9);
-    }
-}
-
-TEST(FlatlangTurtle, PosesAreWhatTheDrawingSaysAfterAnyReplacement) {
-    for (unsigned seed = 1; seed <= 30; ++seed) {
-        std::mt19937 random(seed);
-        Turtle turtle(false, plenty);
-        const std::array<std::string, 3> names{"a", "b", "c"};
-        for (int i = 0; i < 300; ++i) {
-            switch (random() % 8) {
-                case 0:
-                    turtle.forward(1);
-                    break;
-                case 1:
-                    turtle.left(30);
-                    break;
-                case 2:
-                    turtle.pitch(50);
-                    break;
-                case 3:
-                case 4:
-                    turtle.mark(names[random() % 3]);
-                    break;
-                case 5:
-                    turtle.back_to(names[random() % 3]);
-                    break;
-                case 6:
-                    turtle.begin_replacement(names[random() % 3], names[random() % 3], random() % 4 == 0);
-                    turtle.roll(20);
-                    turtle.forward(0.5);
-                    if (random() % 2 == 0) turtle.mark(names[random() % 3]);
-                    turtle.end_replacement();
-                    break;
-                case 7:
-                    turtle.draw_to({1, 2, 3}, 0.5);
-                    break;
-            }
-            if (random() % 3 != 0) continue;
-            ASSERT_LT(apart(turtle.pose(), turtle.trail().last), 1e-9) << seed;
-        }
-    }
-}
-
-TEST(FlatlangTurtle, PosesStaySquareOverAMillionTurns) {
-    Turtle turtle(false, plenty);
-    for (int i = 0; i < 1'000'000; ++i) {
-        switch (i % 3) {
-            case 0:
-                turtle.left(0.1F);
-                break;
-            case 1:
-                turtle.roll(37.3F);
-                break;
-            case 2:
-                turtle.pitch(-121.7F);
-                break;
-        }
-    }
-    const Pose pose = turtle.pose();
-    EXPECT_NEAR(length(pose.right), 1, 1e-12);
-    EXPECT_NEAR(length(pose.heading), 1, 1e-12);
-    EXPECT_NEAR(dot(pose.right, pose.heading), 0, 1e-12);
-    EXPECT_LT(distance(cross(pose.right, pose.heading), pose.up), 1e-12);
-}
-
-TEST(FlatlangTurtle, FacingALotAddsUpNoErrors) {
-    for (const bool as_2008 : {false, true}) {
-        Turtle turtle(as_2008, plenty);
-        const Script script(turtle, "l 33 pitch 21 roll 54");
-        const Pose wanted = turtle.pose();
-        for (int i = 0; i < 1000; ++i) {
-            turtle.left(7);
-            turtle.face(wanted);
-        }
-        EXPECT_LT(apart(turtle.pose(), wanted), 1e-9);
-        EXPECT_EQ(turtle.trail().segments.size(), 0U);
-    }
-}
-
-TEST(FlatlangTurtle, FacingWhatIsNoFrameFacesTheNearest) {
-    Turtle turtle(false, plenty);
-    Pose askew;
-    askew.heading = {0, 0, 2};
-    askew.right = {1, 0, 1};
-    askew.up = {5, 5, 5};
-    turtle.face(askew);
-    EXPECT_EQ(shown(turtle.pose()), "0 0 0 | 1 0 0 | 0 0 1 | 0 -1 0");
-    askew.heading = {};
-    turtle.face(askew);
-    EXPECT_EQ(shown(turtle.pose()), "0 0 0 | 1 0 0 | 0 1 0 | 0 0 1");
 }
 
 }  // namespace

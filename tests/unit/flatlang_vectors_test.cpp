@@ -75,20 +75,6 @@ ProgramRun run(const Vector& vector, bool as_2008) {
     return run_program(source.value_or(Source{vector.program, ""}), options, diagnostics);
 }
 
-std::string_view name(RunStatus status) {
-    switch (status) {
-        case RunStatus::ok:
-            return "ok";
-        case RunStatus::parse_fail:
-            return "parse-fail";
-        case RunStatus::runtime_fail:
-            return "runtime-fail";
-        case RunStatus::timeout:
-            return "timeout";
-    }
-    return "";
-}
-
 // The words of a text, and between them the numbers, so that these can be compared as such.
 std::vector<std::string> words(const std::string& text) {
     std::vector<std::string> found;
@@ -236,8 +222,9 @@ std::string laser_difference(const Json& expected, const OriginalLaser& got) {
 std::string difference(const Vector& vector, const ProgramRun& got, bool as_2008,
                        std::vector<std::string>& excused) {
     const Json& wanted = vector.expected;
-    if (wanted["status"].get<std::string>() != name(got.status)) {
-        return fmt::format("it ends with {}, not {}", name(got.status), wanted["status"].get<std::string>());
+    if (wanted["status"].get<std::string>() != to_string(got.status)) {
+        return fmt::format("it ends with {}, not {}", to_string(got.status),
+                           wanted["status"].get<std::string>());
     }
     if (vector.flagged("quote_returns_nil")) {
         excused.push_back("stdout, where quote() returned nil");

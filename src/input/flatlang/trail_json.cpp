@@ -11,20 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view name(RunStatus status) {
-    switch (status) {
-        case RunStatus::ok:
-            return "ok";
-        case RunStatus::parse_fail:
-            return "parse-fail";
-        case RunStatus::runtime_fail:
-            return "runtime-fail";
-        case RunStatus::timeout:
-            return "timeout";
-    }
-    return "";
-}
-
 double inches(double value) { return rounded(value, 9); }
 
 Json point(Vec3 p) { return Json::array({inches(p.x), inches(p.y), inches(p.z)}); }
@@ -51,7 +37,7 @@ std::string trail_json(const ProgramRun& run) {
     if (!run.hpgl.empty() && run.status != RunStatus::runtime_fail && run.status != RunStatus::timeout) {
         files[run.hpgl.back().name] = original_hpgl(trail, run.part_mode);
     }
-    return json_text({{"status", name(run.status)},
+    return json_text({{"status", to_string(run.status)},
                       {"stdout", run.printed},
                       {"segments", std::move(segments)},
                       {"polygons", std::move(polygons)},

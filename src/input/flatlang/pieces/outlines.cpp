@@ -38,11 +38,6 @@ std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-bool is_near(Vec3 inches) {
-    constexpr double kMost = kFarthestMm / kMmPerInch;
-    return std::abs(inches.x) <= kMost && std::abs(inches.y) <= kMost && std::abs(inches.z) <= kMost;
-}
-
 std::string spot(Vec3 mm) {
     const Vec3 p = (1.0 / kMmPerInch) * mm;
     return fmt::format("({:.3f}, {:.3f}, {:.3f}) inches", rounded(p.x, 3), rounded(p.y, 3), rounded(p.z, 3));
@@ -514,6 +509,11 @@ class Finder {
 };
 
 }  // namespace
+
+bool is_near(Vec3 inches) {
+    constexpr double kMost = kFarthestMm / kMmPerInch;
+    return std::abs(inches.x) <= kMost && std::abs(inches.y) <= kMost && std::abs(inches.z) <= kMost;
+}
 
 std::optional<Outlines> find_outlines(const Trail& trail, Work& work, Diagnostics& diagnostics) {
     return Finder(trail, work, diagnostics).run();

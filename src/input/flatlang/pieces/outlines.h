@@ -16,6 +16,9 @@ inline constexpr double kMmPerInch = 25.4;
 // Parts lie this near to the origin, as part_list.h has it.
 inline constexpr double kFarthestMm = 1e5;
 
+// Finite, and no further from the origin than parts may be.
+bool is_near(Vec3 inches);
+
 // An outermost loop of a plane of one part, with all that lies in it. Lengths in mm.
 struct Face {
     int part = 0;                // of the trail

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -96,23 +98,17 @@ std::vector<Gap> gaps(const Trail& trail, const PenLines& lines) {
     return found;
 }
 
-// Finite, and no further away than parts may be.
-bool is_near(Vec3 p) {
-    const double most = kFarthestMm / kMmPerInch;
-    return std::fabs(p.x) <= most && std::fabs(p.y) <= most && std::fabs(p.z) <= most;
-}
-
 class PartMaker {
  public:
     PartMaker(Trail trail, Diagnostics& diagnostics)
         : in_(std::move(trail)), diagnostics_(diagnostics), names_(in_) {}
 
     std::optional<PartList> run() {
-        join_strokes();
+        const bool joined = join_strokes();
         auto outlines = find_outlines(in_, work_, diagnostics_);
         if (!outlines) return std::nullopt;
         outlines_ = std::move(*outlines);
-        lines_ = sort_segments(in_, outlines_);
+        name_faces(joined);
         if (outlines_.faces.empty()) {
             tell_empty();
             return std::nullopt;
@@ -134,22 +130,39 @@ class PartMaker {
 
  private:
     // What was drawn in several strokes is an outline as well as what was drawn in one.
-    void join_strokes() {
+    bool join_strokes() {
         // A loop may have points that no line leads to.
         if (!std::all_of(in_.segments.begin(), in_.segments.end(),
                          [](const TrailSegment& one) { return is_near(one.from) && is_near(one.to); }) ||
             !std::all_of(in_.polygons.begin(), in_.polygons.end(), [](const TrailPolygon& one) {
                 return std::all_of(one.points.begin(), one.points.end(), is_near);
             })) {
+            return false;
+        }
+        Outlines polygons{{}, std::vector<int>(in_.polygons.size())};
+        std::iota(polygons.polygon_face.begin(), polygons.polygon_face.end(), 0);
+        lines_ = sort_segments(in_, polygons);
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < lines_.face.size(); ++i) {
+            if (lines_.face[i] == PenLines::kOpen) open.push_back(i);
+        }
+        std::vector<TrailPolygon> loops = loops_of_strokes(in_, open);
+        in_.polygons.insert(in_.polygons.end(), std::make_move_iterator(loops.begin()),
+                            std::make_move_iterator(loops.end()));
+        return !loops.empty();
+    }
+
+    // The lines' polygons are known. Where no loop was added, and none is without an area, so are their
+    // faces.
+    void name_faces(bool joined) {
+        const std::vector<int>& face = outlines_.polygon_face;
+        if (joined || std::any_of(face.begin(), face.end(), [](int one) { return one < 0; })) {
+            lines_ = sort_segments(in_, outlines_);
             return;
         }
-        const Outlines all{{}, std::vector<int>(in_.polygons.size(), 0)};
-        const PenLines lines = sort_segments(in_, all);
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < lines.face.size(); ++i) {
-            if (lines.face[i] == PenLines::kOpen) open.push_back(i);
+        for (int& one : lines_.face) {
+            if (one != PenLines::kOpen) one = face[at(one)];
         }
-        for (TrailPolygon& loop : loops_of_strokes(in_, open)) in_.polygons.push_back(std::move(loop));
     }
 
     void tell_empty() {

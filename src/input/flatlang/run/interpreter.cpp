@@ -34,6 +34,20 @@ Value definition_value(Heap& heap, const std::string& text) {
 
 }  // namespace
 
+std::string_view to_string(RunStatus status) {
+    switch (status) {
+        case RunStatus::ok:
+            return "ok";
+        case RunStatus::parse_fail:
+            return "parse-fail";
+        case RunStatus::runtime_fail:
+            return "runtime-fail";
+        case RunStatus::timeout:
+            return "timeout";
+    }
+    return "";
+}
+
 Interpreter::State::State(const Source& source_, const ReadOptions& options_, Diagnostics& diagnostics_)
     : source(source_), options(options_), diagnostics(diagnostics_), folders(source_, options_.program) {}
 

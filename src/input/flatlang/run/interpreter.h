@@ -28,6 +28,9 @@ enum class RunStatus {
     timeout,       // it was ended by a limit
 };
 
+// "ok", "parse-fail", "runtime-fail", "timeout".
+std::string_view to_string(RunStatus status);
+
 // A file that a program asked for, which is not written.
 struct AskedFile {
     std::string name;

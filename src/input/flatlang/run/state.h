@@ -128,6 +128,17 @@ class Evaluation {
     void tick(const Node& at);
     int need(const Node& parent, std::size_t child);
 
+    // Goes round within a loop: what ends there is told with it.
+    struct Round {
+        Round(Interpreter::State& state_, const Node& loop)
+            : state(state_), around(std::exchange(state_.loop, {state_.unit, &loop})) {}
+        ~Round() { state.loop = around; }
+        Round(const Round&) = delete;
+        Round& operator=(const Round&) = delete;
+        Interpreter::State& state;
+        Interpreter::State::Loop around;
+    };
+
     void run(int index);
     void run_block(int index);
     void choose(const Node& at);

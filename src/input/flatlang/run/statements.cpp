@@ -75,26 +75,24 @@ void Evaluation::choose(const Node& at) {
 }
 
 void Evaluation::loop_while(const Node& at) {
-    const Interpreter::State::Loop around = std::exchange(state_.loop, {state_.unit, &at});
+    const Round round(state_, at);
     while (truth_text(need(at, 0))) {
         tick(at);
         run_block(at.children.size() > 1 ? at.children[1] : kMissing);
     }
-    state_.loop = around;
 }
 
 void Evaluation::repeat(const Node& at) {
-    const Interpreter::State::Loop around = std::exchange(state_.loop, {state_.unit, &at});
+    const Round round(state_, at);
     const int times = whole_number(number_of(need(at, 0)));
     for (int i = 0; i < times; ++i) {
         tick(at);
         run_block(at.children.size() > 1 ? at.children[1] : kMissing);
     }
-    state_.loop = around;
 }
 
 void Evaluation::for_each(const Node& at) {
-    const Interpreter::State::Loop around = std::exchange(state_.loop, {state_.unit, &at});
+    const Round round(state_, at);
     const Value list = evaluate(need(at, 0));
     if (list->type != Type::list) {
         static constexpr std::string_view kNames[] = {"NIL",      "BOOLEAN",    "NUMBER", "STR",   "LIST",
@@ -102,7 +100,6 @@ void Evaluation::for_each(const Node& at) {
         in_.print(
             fmt::format("expected list in foreach but got {}", kNames[static_cast<std::size_t>(list->type)]),
             at.place);
-        state_.loop = around;
         return;
     }
     const int condition = at.children.size() > 1 ? at.children[1] : kMissing;
@@ -115,7 +112,6 @@ void Evaluation::for_each(const Node& at) {
         if (condition == kMissing || is_true(evaluate(condition))) run_block(block);
         state_.scopes.pop();
     }
-    state_.loop = around;
 }
 
 void Evaluation::shape(const Node& at) {
