@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "base/allowances.h"
-#include "base/crew.h"
+#include "base/diagnostics/allowances.h"
+#include "base/system/crew.h"
 #include "fabrication/kerf.h"
 
 namespace popup {

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/command_line.h"
+#include "cli/options/command_line.h"
 #include "cli/report.h"
 
 namespace popup::cli {

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/fingerprint.h"
-#include "base/nearest.h"
-#include "base/quoted_words.h"
+#include "base/text/fingerprint.h"
+#include "base/text/nearest.h"
+#include "base/text/quoted_words.h"
 
 namespace popup {
 namespace {

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/digest.h"
+#include "base/system/digest.h"
 #include "popup/compile.h"
 
 namespace popup {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/edge_index.h"
+#include "base/geometry/edge_index.h"
 #include "mechanism/builder.h"
 
 namespace popup {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/edge_index.h"
+#include "base/geometry/edge_index.h"
 #include "mechanism/element.h"
 #include "popup/geometry.h"
 

@@ -17,16 +17,16 @@
 #include <utility>
 
 #include "batch/results.h"
-#include "cli/batch_files.h"
-#include "cli/batch_job.h"
-#include "cli/command_line.h"
-#include "cli/jobserver.h"
-#include "cli/outputs.h"
+#include "cli/batch/batch_files.h"
+#include "cli/batch/batch_job.h"
+#include "cli/batch/jobserver.h"
+#include "cli/batch/worker_pool.h"
+#include "cli/files/outputs.h"
+#include "cli/options/command_line.h"
+#include "cli/options/value_option.h"
 #include "cli/progress.h"
 #include "cli/report.h"
-#include "cli/value_option.h"
 #include "cli/verbs.h"
-#include "cli/worker_pool.h"
 
 namespace popup::cli {
 namespace {

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
-#include "cli/dependency_file.h"
-#include "cli/outputs.h"
+#include "cli/files/dependency_file.h"
+#include "cli/files/outputs.h"
+#include "cli/options/value_option.h"
 #include "cli/report.h"
-#include "cli/value_option.h"
 #include "cli/verbs.h"
 #include "cli/watch.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/inputs.h"
-#include "cli/profile_options.h"
+#include "cli/files/inputs.h"
+#include "cli/options/profile_options.h"
 
 namespace popup::cli {
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "cli/inputs.h"
+#include "cli/files/inputs.h"
 #include "cli/judge.h"
 #include "cli/report.h"
 #include "cli/verbs.h"

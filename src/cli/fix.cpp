@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/line_diff.h"
-#include "cli/inputs.h"
-#include "cli/outputs.h"
+#include "cli/files/inputs.h"
+#include "cli/files/line_diff.h"
+#include "cli/files/outputs.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 

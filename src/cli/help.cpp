@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/dependency_options.h"
+#include "cli/options/dependency_options.h"
 #include "popup/compile.h"
 
 namespace popup::cli {

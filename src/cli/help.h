@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace popup::cli {
 

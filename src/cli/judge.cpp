@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/outputs.h"
+#include "cli/files/outputs.h"
 #include "cli/report.h"
 
 namespace popup::cli {

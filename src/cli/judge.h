@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "findings/baseline.h"
 #include "popup/files.h"
 

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 // What there is, as rows of named values; text and JSON are two views of the same rows.
 using Rows = std::vector<Json>;
 
-std::string_view kind_of(const Format& format) {
+std::string_view kind_word(const Format& format) {
     struct Kind {
         std::string_view operator()(SheetWriter) const { return "sheet"; }
         std::string_view operator()(SceneWriter) const { return "scene"; }
@@ -29,7 +29,7 @@ std::string_view kind_of(const Format& format) {
 Rows formats() {
     Rows rows;
     for (const Format& row : format_table()) {
-        rows.push_back({{"suffix", row.suffix}, {"kind", kind_of(row)}, {"about", row.about}});
+        rows.push_back({{"suffix", row.suffix}, {"kind", kind_word(row)}, {"about", row.about}});
     }
     return rows;
 }

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "batch/merge.h"
-#include "cli/batch_files.h"
-#include "cli/outputs.h"
+#include "cli/batch/batch_files.h"
+#include "cli/files/outputs.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 

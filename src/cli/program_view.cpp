@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cli/command_line.h"
-#include "cli/dependency_options.h"
+#include "cli/options/command_line.h"
+#include "cli/options/dependency_options.h"
 
 namespace popup::cli {
 namespace {

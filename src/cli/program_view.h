@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/value_option.h"
+#include "cli/options/value_option.h"
 
 namespace popup::cli {
 

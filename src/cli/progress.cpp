@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "base/progress_line.h"
+#include "cli/progress_line.h"
 
 namespace popup::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace popup::cli {
 

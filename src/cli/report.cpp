@@ -12,8 +12,8 @@
 #include <memory>
 #include <utility>
 
-#include "base/render_diagnostics.h"
-#include "base/signal_cleanup.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/system/signal_cleanup.h"
 #include "findings/repository.h"
 #include "findings/statistics.h"
 

@@ -2,7 +2,7 @@
 // the exit code. The options are those the parser filled.
 #pragma once
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace popup::cli {
 

@@ -14,12 +14,12 @@
 #include <utility>
 #include <variant>
 
-#include "base/signal_cleanup.h"
+#include "base/system/signal_cleanup.h"
 #include "cli/build.h"
-#include "cli/command_line.h"
-#include "cli/config_file.h"
-#include "cli/file_changes.h"
-#include "cli/outputs.h"
+#include "cli/files/file_changes.h"
+#include "cli/files/outputs.h"
+#include "cli/options/command_line.h"
+#include "cli/options/config_file.h"
 #include "cli/report.h"
 
 namespace popup::cli {

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "base/edge_index.h"
-#include "base/numbers.h"
-#include "base/regions.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
+#include "base/text/numbers.h"
 
 namespace popup {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/nearest.h"
-#include "base/toml_text.h"
+#include "base/text/nearest.h"
+#include "base/text/toml_text.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/edge_index.h"
+#include "base/geometry/edge_index.h"
 #include "popup/geometry.h"
 
 namespace popup {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/fingerprint.h"
-#include "base/further_findings.h"
+#include "base/diagnostics/further_findings.h"
+#include "base/text/fingerprint.h"
 #include "findings/repository.h"
 
 namespace popup {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/further_findings.h"
+#include "base/diagnostics/further_findings.h"
 
 namespace popup {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/further_findings.h"
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/further_findings.h"
+#include "base/diagnostics/render_diagnostics.h"
 #include "findings/message_formats.h"
 #include "findings/repository.h"
 #include "findings/statistics.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
 #include "findings/message_formats.h"
 
 namespace popup {

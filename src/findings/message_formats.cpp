@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
 
 namespace popup {
 namespace {

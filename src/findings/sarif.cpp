@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "base/fingerprint.h"
+#include "base/text/fingerprint.h"
 #include "findings/message_formats.h"
 #include "findings/repository.h"
 #include "popup/compile.h"

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/further_findings.h"
+#include "base/diagnostics/further_findings.h"
 
 namespace popup {
 namespace {

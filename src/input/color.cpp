@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 #include "input/text.h"
 
 namespace popup {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/hull.h"
+#include "base/geometry/hull.h"
 #include "layout/leftover.h"
 #include "layout/scale.h"
 #include "layout/turns.h"

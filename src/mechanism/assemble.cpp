@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/edge_index.h"
-#include "base/regions.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
 #include "mechanism/builder.h"
 #include "popup/assembly.h"
 #include "popup/check.h"

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/hull.h"
-#include "base/regions.h"
+#include "base/geometry/hull.h"
+#include "base/geometry/regions.h"
 #include "motion/cells.h"
 #include "motion/nearness.h"
 

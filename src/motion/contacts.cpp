@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/regions.h"
+#include "base/geometry/regions.h"
 #include "motion/cells.h"
 
 namespace popup {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/hull.h"
-#include "base/regions.h"
-#include "base/triangulate.h"
+#include "base/geometry/hull.h"
+#include "base/geometry/regions.h"
+#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {

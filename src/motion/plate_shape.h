@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "base/edge_index.h"
+#include "base/geometry/edge_index.h"
 #include "popup/assembly.h"
 
 namespace popup {

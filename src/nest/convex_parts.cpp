@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/triangulate.h"
+#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/regions.h"
+#include "base/geometry/regions.h"
 #include "nest/partition.h"
 
 namespace popup {

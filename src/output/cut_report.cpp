@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "base/numbers.h"
+#include "base/text/numbers.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "base/numbers.h"
-#include "base/render_diagnostics.h"
-#include "base/utf8.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/numbers.h"
+#include "base/text/utf8.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {

@@ -8,8 +8,8 @@
 #include <span>
 #include <string_view>
 
-#include "base/json_text.h"
-#include "base/numbers.h"
+#include "base/text/json_text.h"
+#include "base/text/numbers.h"
 #include "output/examination_json.h"
 
 namespace popup {

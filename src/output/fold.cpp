@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/text/numbers.h"
 #include "output/fold_mesh.h"
 #include "output/poses.h"
 

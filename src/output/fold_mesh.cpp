@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/cells.h"
-#include "base/edge_index.h"
-#include "base/triangulate.h"
+#include "base/geometry/cells.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {

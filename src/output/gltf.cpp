@@ -13,8 +13,8 @@
 #include <streambuf>
 #include <utility>
 
-#include "base/numbers.h"
-#include "base/triangulate.h"
+#include "base/geometry/triangulate.h"
+#include "base/text/numbers.h"
 #include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/numbers.h"
+#include "base/text/numbers.h"
 #include "popup/diagnostics.h"
 
 namespace popup {

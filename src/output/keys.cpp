@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "base/numbers.h"
+#include "base/text/numbers.h"
 #include "output/poses.h"
 
 namespace popup {

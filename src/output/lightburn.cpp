@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/numbers.h"
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/numbers.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {

@@ -5,9 +5,9 @@
 #include <polyclipping/clipper.hpp>
 #include <utility>
 
-#include "base/edge_index.h"
-#include "base/regions.h"
-#include "base/triangulate.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
+#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {

@@ -19,8 +19,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/numbers.h"
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/numbers.h"
 #include "output/pdf_pages.h"
 #include "output/sheet_drawing.h"
 #include "output/sheet_sides.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/json_text.h"
-#include "base/numbers.h"
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/json_text.h"
+#include "base/text/numbers.h"
 #include "output/cut_report.h"
 #include "output/examination_json.h"
 #include "popup/compile.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.h"
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/numbers.h"
 #include "fabrication/marks.h"
 #include "output/machine_order.h"
 #include "output/sheet_sides.h"

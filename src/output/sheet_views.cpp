@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.h"
+#include "base/text/numbers.h"
 #include "fabrication/count_operations.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"

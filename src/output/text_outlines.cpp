@@ -7,7 +7,7 @@
 #include "output/font_file.h"
 #include FT_OUTLINE_H
 
-#include "base/utf8.h"
+#include "base/text/utf8.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {

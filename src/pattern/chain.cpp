@@ -6,8 +6,8 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "base/cells.h"
-#include "base/edge_index.h"
+#include "base/geometry/cells.h"
+#include "base/geometry/edge_index.h"
 
 namespace popup {
 namespace {

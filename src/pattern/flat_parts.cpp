@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "base/edge_index.h"
-#include "base/numbers.h"
+#include "base/geometry/edge_index.h"
+#include "base/text/numbers.h"
 #include "pattern/chain.h"
 #include "pattern/labels.h"
 #include "popup/pattern.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/edge_index.h"
+#include "base/geometry/edge_index.h"
 #include "popup/geometry.h"
 
 namespace popup {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/regions.h"
+#include "base/geometry/regions.h"
 
 namespace popup {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/hull.h"
-#include "base/regions.h"
+#include "base/geometry/hull.h"
+#include "base/geometry/regions.h"
 #include "popup/diagnostics.h"
 
 namespace popup {

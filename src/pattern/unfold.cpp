@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/edge_index.h"
-#include "base/regions.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
 #include "pattern/chain.h"
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/render_diagnostics.h"
+#include "base/diagnostics/render_diagnostics.h"
 #include "findings/message_formats.h"
 
 namespace popup::test {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/cells.h"
+#include "base/geometry/cells.h"
 
 namespace popup::drawing {
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
-#include "base/contours.h"
-#include "base/edge_index.h"
-#include "base/regions.h"
-#include "base/work.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
 #include "input/drawing/joining.h"
+#include "parts/contours.h"
+#include "parts/work.h"
 
 namespace popup::drawing {
 namespace {

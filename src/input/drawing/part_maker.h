@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "base/work.h"
 #include "input/drawing/tracing.h"
+#include "parts/work.h"
 #include "popup/diagnostics.h"
 #include "popup/part_list.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/regions.h"
+#include "base/geometry/regions.h"
 #include "input/drawing/numbers.h"
 
 namespace popup::drawing {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/json_text.h"
-#include "base/numbers.h"
+#include "base/text/json_text.h"
+#include "base/text/numbers.h"
 #include "input/flatlang/turtle/original_files.h"
 
 namespace popup::flatlang {

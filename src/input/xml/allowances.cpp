@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 #include "input/text.h"
 #include "input/xml/encoding.h"
 #include "input/xml/names.h"

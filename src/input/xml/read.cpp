@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 #include "input/design_limits.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"

@@ -13,10 +13,10 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "base/contours.h"
-#include "base/edge_index.h"
-#include "base/numbers.h"
-#include "base/regions.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
+#include "base/text/numbers.h"
+#include "parts/contours.h"
 
 namespace popup::flatlang {
 namespace {

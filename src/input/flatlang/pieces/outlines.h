@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/work.h"
 #include "input/flatlang/turtle/trail.h"
+#include "parts/work.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
 

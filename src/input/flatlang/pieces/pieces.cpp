@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/regions.h"
+#include "base/geometry/regions.h"
 #include "input/flatlang/pieces/outlines.h"
 #include "input/flatlang/pieces/pen_lines.h"
 #include "input/flatlang/pieces/strokes.h"

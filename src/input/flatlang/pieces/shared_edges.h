@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/work.h"
+#include "parts/work.h"
 #include "popup/geometry.h"
 
 namespace popup::flatlang {

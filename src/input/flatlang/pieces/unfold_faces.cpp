@@ -9,11 +9,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/cells.h"
-#include "base/contours.h"
-#include "base/edge_index.h"
-#include "base/regions.h"
+#include "base/geometry/cells.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
 #include "input/flatlang/pieces/shared_edges.h"
+#include "parts/contours.h"
 
 namespace popup::flatlang {
 namespace {

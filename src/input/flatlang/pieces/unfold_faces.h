@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "base/work.h"
 #include "input/flatlang/pieces/outlines.h"
+#include "parts/work.h"
 #include "popup/geometry.h"
 
 namespace popup::flatlang {

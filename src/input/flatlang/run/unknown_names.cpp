@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/nearest.h"
+#include "base/text/nearest.h"
 #include "input/flatlang/run/builtin.h"
 
 namespace popup::flatlang {

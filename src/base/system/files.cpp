@@ -1,0 +1,469 @@
+#include "popup/files.h"
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <climits>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/system/digest.h"
+#include "base/system/signal_cleanup.h"
+
+namespace popup {
+namespace {
+
+std::string reason(int error) {
+    switch (error) {
+        case ENOENT:
+            return "no such file or directory";
+        case EACCES:
+        case EPERM:
+            return "permission denied";
+        case EISDIR:
+            return "it is a directory";
+        case ENOSPC:
+        case EDQUOT:
+            return "no space is left on the disk";
+        case EPIPE:
+            return "its reader has gone";
+        default:
+            return std::generic_category().message(error);
+    }
+}
+
+// A file descriptor that closes itself.
+class Descriptor {
+ public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    [[nodiscard]] int get() const { return fd_; }
+    [[nodiscard]] bool open() const { return fd_ >= 0; }
+    // Closes now; some file systems tell only here that a write has failed.
+    int close() {
+        const int result = ::close(fd_);
+        fd_ = -1;
+        return result;
+    }
+
+ private:
+    int fd_;
+};
+
+// Reads to the end, or one byte past the limit. Returns 0 or errno.
+int read_all(int fd, std::size_t limit, std::size_t expected, std::string& text) {
+    std::size_t used = 0;
+    text.resize(std::min(limit, std::max<std::size_t>(expected, 4096)) + 1);
+    for (;;) {
+        if (used == text.size()) {
+            if (used > limit) break;
+            text.resize(std::min(limit + 1, 2 * used));
+        }
+        const ssize_t got = ::read(fd, text.data() + used, text.size() - used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return errno;
+        if (got == 0) break;
+        used += static_cast<std::size_t>(got);
+    }
+    text.resize(used);
+    return 0;
+}
+
+// Writes everything. Returns 0 or errno.
+int write_fully(int fd, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), std::min<std::size_t>(bytes.size(), 1u << 30));
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+// Temporary files of the running write_all(). The names are listed before any file is made, so no signal
+// finds a file it does not know of. It may be called at any moment: unlink() and nothing else.
+void remove_litter(void* names) {
+    for (const char* name : *static_cast<const std::vector<const char*>*>(names)) ::unlink(name);
+}
+
+std::string directory_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+std::string beside(const std::string& path, const std::string& name) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
+}
+
+// What tells the processes of this machine, and of this space of process numbers in it, from others that
+// share the disk.
+const std::string& machine() {
+    static const std::string id = [] {
+        std::array<char, 256> name{};
+        ::gethostname(name.data(), name.size() - 1);
+        std::array<char, 64> space{};
+        const ssize_t length = ::readlink("/proc/self/ns/pid", space.data(), space.size() - 1);
+        std::string text = std::string(name.data()) + '/';
+        text.append(space.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+        // Machines of one name are not alike in this; and what ran before the machine was started anew is
+        // dead.
+        const Descriptor boot(::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC));
+        std::string id;
+        if (boot.open() && read_all(boot.get(), 64, 0, id) == 0) text += '/' + id;
+        return sha256(text).substr(0, 8);
+    }();
+    return id;
+}
+
+// False for a process that has ended and waits for its parent to hear of it, too.
+bool is_running(pid_t process) {
+    if (::kill(process, 0) != 0 && errno == ESRCH) return false;
+    const Descriptor file(
+        ::open(("/proc/" + std::to_string(process) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
+    std::string text;
+    if (!file.open() || read_all(file.get(), 4096, 512, text) != 0) return true;
+    // "17 (name) S …": the name may hold anything.
+    const std::size_t close = text.rfind(')');
+    const char state = close != std::string::npos && close + 2 < text.size() ? text[close + 2] : 'R';
+    return state != 'Z' && state != 'X';
+}
+
+constexpr std::string_view kTemporary = ".popup-";
+constexpr std::string_view kTemporaryEnd = ".tmp";
+
+// ".popup-MACHINE-PROCESS-NOISE.tmp". Random, so that no other file, not even one another machine makes in a
+// shared directory, has this name.
+std::string temporary_name() {
+    static std::atomic<unsigned> counter{0};
+    std::array<unsigned char, 8> noise{};
+    if (::getrandom(noise.data(), noise.size(), 0) != static_cast<ssize_t>(noise.size())) {
+        const unsigned number = counter++;
+        std::memcpy(noise.data(), &number, sizeof number);
+    }
+    std::string name = std::string(kTemporary) + machine() + '-' + std::to_string(::getpid()) + '-';
+    for (const unsigned char byte : noise) {
+        name += "0123456789abcdef"[byte >> 4U];
+        name += "0123456789abcdef"[byte & 15U];
+    }
+    return name.append(kTemporaryEnd);
+}
+
+bool same_file(const struct stat& a, const struct stat& b) {
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+// One output on its way.
+struct Target {
+    const PendingFile* file = nullptr;
+    std::string path;  // links followed
+    std::string temporary;
+    bool stream = false;     // written through at the end, not replaced
+    bool unchanged = false;  // holds these bytes already
+    bool exists = false;
+    struct stat old {};
+    bool renamed = false;
+    bool exchanged = false;  // `temporary` holds the old file
+};
+
+// Follows symbolic links of the last path component by hand, because the last one may lead to a file that
+// does not exist yet. Returns 0 or errno; `magic` tells that a link was one of /proc's, which names an open
+// file.
+int follow_links(std::string& path, bool& magic) {
+    for (int hops = 0; hops < 40; ++hops) {
+        std::array<char, PATH_MAX> link{};
+        const ssize_t length = ::readlink(path.c_str(), link.data(), link.size() - 1);
+        if (length < 0) return errno == EINVAL || errno == ENOENT ? 0 : errno;
+        if (path.starts_with("/proc/") || path.starts_with("/dev/fd/")) magic = true;
+        const std::string to(link.data(), static_cast<std::size_t>(length));
+        path = to.starts_with('/') ? to : beside(path, to);
+    }
+    return ELOOP;
+}
+
+// Finds out what is to be done for one output. Returns an empty string, or why it cannot be done.
+std::string prepare(Target& target) {
+    const std::string& path = target.file->path;
+    if (path == "-") {
+        target.stream = true;
+        return {};
+    }
+    if (path.empty()) return "the name is empty";
+    struct stat now {};
+    if (::stat(path.c_str(), &now) == 0) {
+        if (S_ISDIR(now.st_mode)) return reason(EISDIR);
+        struct stat standard_output {};
+        const bool is_stdout =
+            ::fstat(STDOUT_FILENO, &standard_output) == 0 && same_file(now, standard_output);
+        target.exists = true;
+        target.old = now;
+        target.stream = !S_ISREG(now.st_mode) || is_stdout;
+    } else if (errno != ENOENT) {
+        return reason(errno);
+    }
+    target.path = path;
+    if (target.stream) return {};
+    bool magic = false;
+    if (const int error = follow_links(target.path, magic); error != 0) return reason(error);
+    if (magic) {
+        target.stream = true;
+        target.path = path;
+        return {};
+    }
+    const std::string directory = directory_of(target.path);
+    struct stat where {};
+    if (::stat(directory.c_str(), &where) != 0) return "directory " + directory + ": " + reason(errno);
+    if (!S_ISDIR(where.st_mode)) return directory + " is not a directory";
+    if (target.path.ends_with('/')) return "it names a directory";
+    // Renaming would replace a read-only file without asking; its owner meant something else.
+    if (target.exists && ::access(target.path.c_str(), W_OK) != 0) return reason(errno);
+    target.temporary = beside(target.path, temporary_name());
+    return {};
+}
+
+bool holds(const Target& target) {
+    const std::string& bytes = target.file->bytes;
+    if (!target.exists || target.stream || static_cast<std::size_t>(target.old.st_size) != bytes.size()) {
+        return false;
+    }
+    const Descriptor in(::open(target.path.c_str(), O_RDONLY | O_CLOEXEC));
+    std::string text;
+    return in.open() && read_all(in.get(), bytes.size(), bytes.size(), text) == 0 && text == bytes;
+}
+
+// Writes the temporary file and sees it safely to the disk. Returns 0 or errno.
+int write_temporary(const Target& target) {
+    // 0666 lets the umask decide; what exists keeps its permissions.
+    Descriptor out(::open(target.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!out.open()) return errno;
+    if (const int error = write_fully(out.get(), target.file->bytes); error != 0) return error;
+    if (target.exists) {
+        mode_t mode = target.old.st_mode & 07777U;
+        struct stat made {};
+        if (::fstat(out.get(), &made) != 0) return errno;
+        if ((made.st_uid != target.old.st_uid || made.st_gid != target.old.st_gid) &&
+            ::fchown(out.get(), target.old.st_uid, target.old.st_gid) != 0) {
+            mode &= 0777U;  // not ours to give away: then without set-id bits
+        }
+        if (::fchmod(out.get(), mode) != 0) return errno;
+    }
+    if (::fsync(out.get()) != 0 && errno != EINVAL) return errno;
+    return out.close() == 0 ? 0 : errno;
+}
+
+int write_stream(const Target& target) {
+    if (target.file->path == "-") return write_fully(STDOUT_FILENO, target.file->bytes);
+    struct stat standard_output {};
+    if (target.exists && ::fstat(STDOUT_FILENO, &standard_output) == 0 &&
+        same_file(target.old, standard_output)) {
+        return write_fully(STDOUT_FILENO, target.file->bytes);
+    }
+    Descriptor out(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!out.open()) return errno;
+    if (const int error = write_fully(out.get(), target.file->bytes); error != 0) return error;
+    return out.close() == 0 ? 0 : errno;
+}
+
+// Moves the new file into place. Where the file system can, old and new change places in one step, so that a
+// failure further on can still be undone. Returns 0 or errno.
+int move_into_place(Target& target) {
+    if (target.exists && ::renameat2(AT_FDCWD, target.temporary.c_str(), AT_FDCWD, target.path.c_str(),
+                                     RENAME_EXCHANGE) == 0) {
+        target.renamed = target.exchanged = true;
+        return 0;
+    }
+    if (::rename(target.temporary.c_str(), target.path.c_str()) != 0) return errno;
+    target.renamed = true;
+    return 0;
+}
+
+void undo(Target& target) {
+    if (!target.renamed) return;
+    if (target.exchanged) {
+        ::rename(target.temporary.c_str(), target.path.c_str());
+    } else if (!target.exists) {
+        ::unlink(target.path.c_str());
+    }
+}
+
+}  // namespace
+
+std::string Source::stem() const {
+    if (name == "-") return "stdin";
+    const std::size_t slash = name.rfind('/');
+    std::string last = slash == std::string::npos ? name : name.substr(slash + 1);
+    const std::size_t dot = last.rfind('.');
+    if (dot != std::string::npos && dot > 0) last.resize(dot);
+    return last;
+}
+
+std::optional<Source> read_source(const std::string& name, Diagnostics& diagnostics,
+                                  std::size_t limit_bytes) {
+    const auto refuse = [&](const std::string& why) {
+        diagnostics.error("unreadable-input", {}, "cannot be read: " + why);
+        return std::nullopt;
+    };
+    const bool standard = name == "-";
+    const Descriptor file(standard ? -1 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+    if (!standard && !file.open()) return refuse(reason(errno));
+    const int fd = standard ? STDIN_FILENO : file.get();
+    struct stat status {};
+    if (::fstat(fd, &status) != 0) return refuse(reason(errno));
+    if (S_ISDIR(status.st_mode)) {
+        diagnostics.error("unreadable-input", {}, "cannot be read: " + reason(EISDIR))
+            .hint("name the files in it; only check and fix look into directories");
+        return std::nullopt;
+    }
+    const auto too_large = [&](const std::string& size) {
+        return refuse("it holds " + size + " bytes, the limit is " + std::to_string(limit_bytes));
+    };
+    const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+    if (size > limit_bytes) return too_large(std::to_string(size));
+    Source source{name, {}};
+    if (const int error = read_all(fd, limit_bytes, size, source.text); error != 0) {
+        return refuse(reason(error));
+    }
+    if (source.text.size() > limit_bytes) return too_large("more than " + std::to_string(limit_bytes));
+    return source;
+}
+
+bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics) {
+    bool good = true;
+    const auto fail = [&](const Target& target, const std::string& why) {
+        const std::string name = target.file->path == "-" ? "standard output" : target.file->path;
+        diagnostics.error("unwritable-output", {}, name + " cannot be written: " + why);
+        good = false;
+    };
+
+    std::vector<Target> targets(files.size());
+    std::map<std::string, const Target*> names;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Target& target = targets[i];
+        target.file = &files[i];
+        const std::string why = prepare(target);
+        if (!why.empty()) {
+            fail(target, why);
+            continue;
+        }
+        if (keep_identical && !files[i].fresh) target.unchanged = holds(target);
+        if (target.stream) continue;
+        struct stat where {};
+        const std::string directory = directory_of(target.path);
+        if (::stat(directory.c_str(), &where) != 0) continue;  // prepare() has just seen it; open() will tell
+        const std::string identity = std::to_string(where.st_dev) + ":" + std::to_string(where.st_ino) + ":" +
+                                     target.path.substr(target.path.rfind('/') + 1);
+        const auto [other, is_new] = names.emplace(identity, &target);
+        if (!is_new) fail(target, "it is the same file as " + other->second->file->path);
+    }
+    if (!good) return false;
+
+    std::vector<const char*> litter;
+    for (const Target& target : targets) {
+        if (!target.stream && !target.unchanged) litter.push_back(target.temporary.c_str());
+    }
+    const SignalCleanup guard(remove_litter, &litter);
+    for (const Target& target : targets) {
+        if (target.stream || target.unchanged) continue;
+        if (const int error = write_temporary(target); error != 0) {
+            fail(target, reason(error));
+            break;
+        }
+    }
+    // What cannot be taken back comes after everything that is likely to fail.
+    for (const Target& target : targets) {
+        if (!good) break;
+        if (!target.stream) continue;
+        if (const int error = write_stream(target); error != 0) fail(target, reason(error));
+    }
+    const SignalPause pause;
+    for (Target& target : targets) {
+        if (!good) break;
+        if (target.stream || target.unchanged) continue;
+        if (const int error = move_into_place(target); error != 0) fail(target, reason(error));
+    }
+    if (!good) {
+        for (Target& target : targets) undo(target);
+    }
+    for (const char* name : litter) ::unlink(name);
+    return good;
+}
+
+NewFile::NewFile(std::string path) : path_(std::move(path)) {}
+
+NewFile::~NewFile() {
+    if (fd_ < 0) return;
+    ::close(fd_);
+    ::unlink(temporary_.c_str());
+}
+
+bool NewFile::fail() {
+    trouble_ = reason(errno);
+    return false;
+}
+
+bool NewFile::open() {
+    temporary_ = beside(path_, temporary_name());
+    fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return fd_ >= 0 || fail();
+}
+
+bool NewFile::write(std::string_view bytes) {
+    if (fd_ < 0 && !open()) return false;
+    errno = write_fully(fd_, bytes);
+    return errno == 0 || fail();
+}
+
+void NewFile::keep_mode(unsigned mode) {
+    if (fd_ >= 0) ::fchmod(fd_, static_cast<mode_t>(mode & 0777U));
+}
+
+bool NewFile::commit() {
+    if (fd_ < 0 && !open()) return false;
+    if (::fsync(fd_) != 0 && errno != EINVAL) return fail();
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
+    ::close(std::exchange(fd_, -1));
+    return true;
+}
+
+std::size_t remove_litter(const std::string& directory) {
+    std::size_t removed = 0;
+    const std::string mine = std::string(kTemporary) + machine() + '-';
+    std::error_code error;
+    std::vector<std::string> stale;
+    for (std::filesystem::directory_iterator at(directory.empty() ? "." : directory, error), end;
+         !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (!name.starts_with(mine) || !name.ends_with(kTemporaryEnd)) continue;
+        pid_t process = 0;
+        const char* const begin = name.data() + mine.size();
+        const auto [stop, wrong] = std::from_chars(begin, name.data() + name.size(), process);
+        if (wrong != std::errc() || *stop != '-' || process <= 0) continue;
+        if (is_running(process)) continue;
+        stale.push_back(at->path().string());
+    }
+    for (const std::string& name : stale) {
+        if (::unlink(name.c_str()) == 0) ++removed;
+    }
+    return removed;
+}
+
+}  // namespace popup

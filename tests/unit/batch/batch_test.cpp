@@ -1,0 +1,576 @@
+// Batches: what manifests say, what a rerun does, and what is left when any part is killed at any moment.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "base/system/digest.h"
+#include "batch/manifest.h"
+#include "batch/results.h"
+#include "support/background.h"
+#include "support/run_program.h"
+
+namespace popup::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string card(int width, int height) {
+    return "<popup version=\"2.0\" units=\"mm\"><mainpage width=\"200\" height=\"140\"/><structurelist>\n"
+           "<structure type=\"step\" id=\"box\"><outerpoints><point x=\"-" +
+           std::to_string(width) + "\" y=\"" + std::to_string(height) + "\"/><point x=\"-" +
+           std::to_string(width) + "\" y=\"-" + std::to_string(height) + "\"/><point x=\"" +
+           std::to_string(width) + "\" y=\"" + std::to_string(height) + "\"/><point x=\"" +
+           std::to_string(width) + "\" y=\"-" + std::to_string(height) +
+           "\"/></outerpoints><parentfold><begin x=\"0\" y=\"-70\"/><end x=\"0\" y=\"70\"/></parentfold>"
+           "</structure></structurelist></popup>\n";
+}
+
+// A manifest of `count` cards with their outputs in out/, and the cards.
+void make_library(const fs::path& directory, int count) {
+    fs::create_directories(directory / "designs");
+    std::ofstream manifest(directory / "jobs.jsonl");
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "card" + std::to_string(i);
+        write_file(directory / ("designs/" + name + ".xml"), card(15 + i % 23, 20 + i / 23 % 31));
+        manifest << R"({"input": "designs/)" << name << R"(.xml", "output": ["out/)" << name << R"(.svg"]})"
+                 << "\n";
+    }
+}
+
+std::map<std::string, std::string> files_below(const fs::path& directory) {
+    std::map<std::string, std::string> files;
+    if (!fs::exists(directory)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+        if (entry.is_regular_file()) files[fs::relative(entry.path(), directory)] = read_file(entry.path());
+    }
+    return files;
+}
+
+// The names of the files that only one of them has, or that differ.
+std::set<std::string> differing(const std::map<std::string, std::string>& a,
+                                const std::map<std::string, std::string>& b) {
+    std::set<std::string> names;
+    for (const auto* one : {&a, &b}) {
+        const auto& other = one == &a ? b : a;
+        for (const auto& [name, bytes] : *one) {
+            const auto at = other.find(name);
+            if (at == other.end() || at->second != bytes) names.insert(name);
+        }
+    }
+    return names;
+}
+
+std::vector<json> lines_of(const fs::path& path) {
+    std::vector<json> lines;
+    std::istringstream text(read_file(path));
+    for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
+    return lines;
+}
+
+RunResult batch(const fs::path& directory, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "batch");
+    RunOptions options;
+    options.directory = directory;
+    return popupc(arguments, options);
+}
+
+std::optional<Manifest> manifest_of(const std::string& name, const std::string& text,
+                                    Diagnostics& diagnostics) {
+    return read_manifest(Source{name, text}, std::nullopt, diagnostics);
+}
+
+TEST(Digest, IsWhatFips180SaysOfItsExamples) {
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(Manifest, BothFormsSayTheSame) {
+    Diagnostics diagnostics("jobs");
+    const auto lines = manifest_of("jobs.jsonl",
+                                   "{\"input\": [\"a b.xml\", \"c.xml\"], \"output\": \"x,y.svg\", "
+                                   "\"options\": \"--sheet a4 --scale '0.5'\", \"copies\": 3}\n"
+                                   "\n{\"input\": \"d.xml\", \"output\": [\"d.svg\", \"d.pdf\"]}\n",
+                                   diagnostics);
+    const auto table = manifest_of("jobs.csv",
+                                   "input,input,output,output,options,copies\r\n"
+                                   "a b.xml,c.xml,\"x,y.svg\",,--sheet a4 --scale '0.5',3\r\n"
+                                   "\r\nd.xml,,d.svg,d.pdf,,\r\n",
+                                   diagnostics);
+    ASSERT_TRUE(lines && table) << diagnostics.sorted().front().message;
+    ASSERT_EQ(lines->size(), 2U);
+    ASSERT_EQ(table->size(), 2U);
+    for (const Manifest* one : {&*lines, &*table}) {
+        const BatchJob job = one->job(0);
+        EXPECT_EQ(job.inputs, (std::vector<std::string>{"a b.xml", "c.xml"}));
+        EXPECT_EQ(job.outputs, (std::vector<std::string>{"x,y.svg"}));
+        EXPECT_EQ(job.options, (std::vector<std::string>{"--sheet", "a4", "--scale", "0.5"}));
+        EXPECT_EQ(job.copies, 3);
+        EXPECT_EQ(one->job(1).outputs.size(), 2U);
+        EXPECT_FALSE(one->job(1).copies);
+    }
+    EXPECT_EQ(job_key(lines->job(0)), job_key(table->job(0)));
+    EXPECT_NE(job_key(lines->job(0)), job_key(lines->job(1)));
+    EXPECT_EQ(lines->place(1).line, 3);
+    EXPECT_EQ(table->place(1).line, 4);
+}
+
+TEST(Manifest, AFieldMayGoOnOverLines) {
+    Diagnostics diagnostics("jobs.csv");
+    const auto manifest = manifest_of(
+        "jobs.csv", "input,output,options\na.xml,\"a\nb.svg\",\"--sheet\na4\"\nc.xml,c.svg,\n", diagnostics);
+    ASSERT_TRUE(manifest);
+    EXPECT_EQ(manifest->job(0).outputs.front(), "a\nb.svg");
+    EXPECT_EQ(manifest->job(0).options, (std::vector<std::string>{"--sheet", "a4"}));
+    EXPECT_EQ(manifest->job(1).inputs.front(), "c.xml");
+    EXPECT_EQ(manifest->place(1).line, 5);
+}
+
+// What is wrong with a manifest, as "line:column: message".
+std::string complaint(const std::string& name, const std::string& text) {
+    Diagnostics diagnostics(name);
+    EXPECT_FALSE(manifest_of(name, text, diagnostics)) << text;
+    if (!diagnostics.has_errors()) return "nothing";
+    const Diagnostic first = diagnostics.sorted().front();
+    EXPECT_EQ(first.code, "bad-manifest");
+    return std::to_string(first.place.line) + ":" + std::to_string(first.place.column) + ": " + first.message;
+}
+
+TEST(Manifest, WhatIsNoJobIsToldAtItsPlace) {
+    const std::string good = "{\"input\": \"a.xml\", \"output\": \"a.svg\"}\n";
+    EXPECT_EQ(complaint("m.jsonl", good + "{\"input\": \"b.xml\"}"), "2:1: the job has no \"output\"");
+    EXPECT_EQ(complaint("m.jsonl", good + "{\"output\": \"b.svg\"}"), "2:1: the job has no \"input\"");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"ä\", oops}"), "1:16: the line is not JSON");
+    EXPECT_EQ(complaint("m.jsonl", good + "{\"inputs\": \"b.xml\"}"), "2:1: there is no key \"inputs\"");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a\", \"output\": \"b.svg\", \"copies\": 0}"),
+              "1:1: \"copies\" takes a whole number from 1 to 10000");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a\", \"output\": []}"),
+              "1:1: \"output\" takes the name of a file or a list of names");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a\", \"output\": \"b.svg\", \"options\": \"'open\"}"),
+              "1:1: \"options\" takes a list of words, or one string of words whose quotes are closed");
+    EXPECT_EQ(complaint("m.jsonl", "\n\n"), "0:0: the manifest has no job");
+    EXPECT_EQ(complaint("m.jsonl", good + "{\"input\": \"b.xml\", \"output\": \"./a.svg\"}"),
+              "2:1: \"a.svg\" is written by two jobs");
+    EXPECT_EQ(complaint("m.jsonl", good + "{\"input\": \"a.svg\", \"output\": \"b.svg\"}"),
+              "2:1: \"a.svg\" is written by another job of this batch");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a.xml\", \"output\": \"x/../a.xml\"}"),
+              "1:1: \"a.xml\" is an input and an output of this job");
+    EXPECT_EQ(complaint("m.jsonl", "{\"input\": \"a.xml\", \"output\": \"a\\u0000.svg\"}"),
+              "1:1: \"output\" takes the name of a file or a list of names");
+    EXPECT_EQ(complaint("m.csv", "input;output\na.xml;b.svg\n"),
+              "1:1: the columns are not separated by commas");
+    EXPECT_EQ(complaint("m.csv", "input,out\na,b"), "1:1: there is no column \"out\"");
+    EXPECT_EQ(complaint("m.csv", "input,output\na.xml,b.svg,c\n"),
+              "2:1: the row has 3 fields, and there are 2 columns");
+    EXPECT_EQ(complaint("m.csv", "input,output\na.xml,\"b.svg\n"), "2:1: the row's quotes do not pair");
+    EXPECT_EQ(complaint("m.csv", "input,output,copies\na.xml,b.svg,two\n"),
+              "2:1: \"copies\" takes a whole number from 1 to 10000");
+    EXPECT_EQ(complaint("m.csv", "input,output\na\xff.xml,b.svg\n"), "2:1: the row is not UTF-8");
+}
+
+TEST(Results, ALineReadsBackAndATornOneIsPassedOver) {
+    const ScratchDirectory scratch;
+    JobResult result;
+    result.key = std::string(32, 'a');
+    result.command = std::string(64, 'b');
+    result.inputs = {{"a.xml", 3, sha256("abc")}, {"popupc.toml", 0, ""}};
+    result.warnings = 1;
+    result.diagnostics = R"([{"code":"x"}])";
+    const std::string line = to_line(result);
+    ASSERT_TRUE(result_of(line));
+    EXPECT_EQ(to_line(*result_of(line)), line);
+    for (std::size_t cut = 0; cut + 1 < line.size(); cut += 7) {
+        write_file(scratch / "r.jsonl", line + line.substr(0, cut) + "\n");
+        Diagnostics trouble;
+        ResultIndex index;
+        ASSERT_TRUE(index.add(scratch / "r.jsonl", trouble));
+        ASSERT_EQ(index.of(result.key).size(), 1U) << cut;
+        EXPECT_EQ(to_line(index.of(result.key).front()), line);
+    }
+}
+
+TEST(Batch, MakesWhatSingleBuildsMake) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 6);
+    write_file(scratch / "more.csv",
+               "input,output,options,copies\ndesigns/card1.xml,deep/er/two.svg,--sheet a3 --rotate any,2\n");
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl", "-j2", "--", "--sheet", "a4"}).exit, 0);
+    ASSERT_EQ(batch(scratch.path(), {"more.csv"}).exit, 0);
+    RunOptions here;
+    here.directory = scratch.path();
+    for (int i = 0; i < 6; ++i) {
+        const std::string name = "card" + std::to_string(i);
+        ASSERT_EQ(popupc({"build", "designs/" + name + ".xml", "--sheet", "a4", "-o", "one.svg"}, here).exit,
+                  0);
+        EXPECT_EQ(read_file(scratch / ("out/" + name + ".svg")), read_file(scratch / "one.svg"));
+    }
+    ASSERT_EQ(popupc({"build", "designs/card1.xml", "--sheet", "a3", "--rotate", "any", "--copies", "2", "-o",
+                      "two.svg"},
+                     here)
+                  .exit,
+              0);
+    EXPECT_EQ(read_file(scratch / "deep/er/two.svg"), read_file(scratch / "two.svg"));
+}
+
+TEST(Batch, GoesOnPastFailuresAndSaysWhatBecameOfEachJob) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 5);
+    write_file(scratch / "designs/card1.xml", "<popup><broken");
+    fs::remove(scratch / "designs/card2.xml");
+    write_file(
+        scratch / "jobs.jsonl",
+        read_file(scratch / "jobs.jsonl") +
+            "{\"input\": \"designs/card0.xml\", \"output\": \"x.svg\", \"options\": [\"--shet\", \"a4\"]}\n");
+    const RunResult first = batch(scratch.path(), {"jobs.jsonl"});
+    EXPECT_EQ(first.exit, 2);
+    EXPECT_NE(first.err.find("designs/card1.xml:1:"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("jobs.jsonl:6:1: error: there is no option --shet [bad-job]"), std::string::npos)
+        << first.err;
+    EXPECT_NE(first.err.find(" s: 3 done, 1 failed, 2 unusable; 6 built"), std::string::npos) << first.err;
+    std::vector<std::string> states;
+    for (const json& line : lines_of(scratch / "jobs.results.jsonl")) states.push_back(line["status"]);
+    EXPECT_EQ(states, (std::vector<std::string>{"done", "failed", "unusable", "done", "done", "unusable"}));
+
+    // What is wrong stays wrong, and is told again; what can be done now is.
+    write_file(scratch / "designs/card2.xml", card(20, 30));
+    const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
+    EXPECT_EQ(second.exit, 2);
+    EXPECT_NE(second.err.find("designs/card1.xml:1:"), std::string::npos) << second.err;
+    EXPECT_NE(second.err.find(" s: 4 done, 1 failed, 1 unusable; 4 as they were; 2 built"), std::string::npos)
+        << second.err;
+}
+
+// The names of the outputs that a run wrote anew.
+std::set<std::string> rebuilt(const fs::path& directory, const std::vector<std::string>& arguments) {
+    for (const auto& entry : fs::directory_iterator(directory / "out")) {
+        fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(48));
+    }
+    EXPECT_EQ(batch(directory, arguments).exit, 0);
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(directory / "out")) {
+        if (entry.last_write_time() > fs::file_time_type::clock::now() - std::chrono::hours(24)) {
+            names.insert(entry.path().stem());
+        }
+    }
+    return names;
+}
+
+TEST(Batch, ARerunDoesWhatIsMissingOrStaleAndNothingElse) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 6);
+    write_file(scratch / "fold.toml", "base = \"workshop\"\n");
+    const std::vector<std::string> plain{"jobs.jsonl", "-j2"};
+    ASSERT_EQ(batch(scratch.path(), plain).exit, 0);
+    const auto first = files_below(scratch.path());
+    using Names = std::set<std::string>;
+    EXPECT_EQ(rebuilt(scratch.path(), plain), Names{});
+    EXPECT_EQ(differing(files_below(scratch.path()), first), Names{});
+
+    fs::last_write_time(scratch / "designs/card0.xml", fs::file_time_type::clock::now());
+    write_file(scratch / "designs/card1.xml", card(33, 44));  // other content
+    fs::remove(scratch / "out/card2.svg");                    // missing
+    write_file(scratch / "out/card3.svg", "scribbled over");  // not what was written
+    EXPECT_EQ(rebuilt(scratch.path(), plain), (Names{"card1", "card2", "card3"}));
+
+    // A row more changes nothing for the others, wherever it stands.
+    write_file(scratch / "jobs.jsonl", "{\"input\": \"designs/card0.xml\", \"output\": \"out/new.svg\"}\n" +
+                                           read_file(scratch / "jobs.jsonl"));
+    EXPECT_EQ(rebuilt(scratch.path(), plain), Names{"new"});
+    EXPECT_EQ(lines_of(scratch / "jobs.results.jsonl").size(), 7U);
+
+    // Other options: everything; then the profile's own file counts as an input.
+    EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}).size(), 7U);
+    EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}), Names{});
+    write_file(scratch / "fold.toml", "base = \"workshop\"\nfolds = \"score\"\n");
+    EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}).size(), 7U);
+}
+
+TEST(Batch, WhereSettingsComeFromIsPartOfAJob) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 3);
+    RunOptions here;
+    here.directory = scratch.path();
+    here.environment["POPUPC_NO_CONFIG"] = "";
+    const auto built = [&] {
+        const RunResult result = popupc({"batch", "jobs.jsonl"}, here);
+        EXPECT_EQ(result.exit, 0) << result.err;
+        // "popupc: 3 jobs in 0.1 s: 3 done; 2 as they were; 1 built, 20.1 a second"
+        const std::size_t at = result.err.find(" built");
+        return at == std::string::npos ? 0 : std::stoi(result.err.substr(result.err.rfind(' ', at - 1) + 1));
+    };
+    EXPECT_EQ(built(), 3);
+    EXPECT_EQ(built(), 0);
+    const std::string plain = read_file(scratch / "out/card0.svg");
+    write_file(scratch / "designs/popupc.toml", "sheet = 'a3'\n");  // comes to be
+    EXPECT_EQ(built(), 3);
+    EXPECT_NE(read_file(scratch / "out/card0.svg"), plain);
+    EXPECT_EQ(built(), 0);
+    write_file(scratch / "designs/popupc.toml", "sheet = 'a4'\n");  // says something else
+    EXPECT_EQ(built(), 3);
+    here.environment["POPUPC_SHEET"] = "a2";
+    EXPECT_EQ(built(), 3);
+    here.environment.erase("POPUPC_SHEET");
+    fs::remove(scratch / "designs/popupc.toml");
+    EXPECT_EQ(built(), 3);
+    EXPECT_EQ(read_file(scratch / "out/card0.svg"), plain);
+}
+
+// Names of further sheets and dependency files are known only when they are written.
+TEST(Batch, NoJobWritesOverWhatOthersHave) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 3);
+    const auto row = [](const std::string& input, const std::string& output, const std::string& options) {
+        return json{{"input", input}, {"output", output}, {"options", options}}.dump() + "\n";
+    };
+    const std::string two_sheets = "--copies 2 --sheet 215x155";
+    const std::string design = read_file(scratch / "designs/card1.xml");
+    const auto refused = [&](const std::string& manifest, const std::string& part) {
+        write_file(scratch / "m.jsonl", manifest);
+        const RunResult result = batch(scratch.path(), {"m.jsonl", "-j1"});
+        EXPECT_EQ(result.exit, 2) << result.err;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+        EXPECT_EQ(read_file(scratch / "m.jsonl"), manifest);
+        EXPECT_EQ(read_file(scratch / "designs/card1.xml"), design);
+        fs::remove(scratch / "m.results.jsonl");
+    };
+    refused(row("designs/card0.xml", "a.svg", two_sheets) + row("designs/card1.xml", "a-2.svg", ""),
+            "a-2.svg would be written, and the job of line 2 has a file of that name");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"), "m.jsonl would be written over ");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF designs/card1.xml") +
+                row("designs/card1.xml", "b.svg", ""),
+            "designs/card1.xml would be written, and the job of line 2 has a file of that name");
+    refused(row("designs/card0.xml", "a.svg", "-MD") + row("designs/card1.xml", "a.pdf", "-MD"),
+            "a.d is written by another job, too");
+    refused(row("designs/card0.xml", "a.svg b.svg", ""), "\"a.svg b.svg\" looks like several names");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF -"), "is no file that a job could write");
+    // A single build does not write further sheets over its inputs, either.
+    RunOptions here;
+    here.directory = scratch.path();
+    fs::copy_file(scratch / "designs/card0.xml", scratch / "in-2.svg");
+    EXPECT_EQ(popupc({"build", "in-2.svg", "--from", "popup", "--copies", "2", "--sheet", "215x155", "-o",
+                      "in.svg"},
+                     here)
+                  .exit,
+              2);
+    EXPECT_EQ(read_file(scratch / "in-2.svg"), read_file(scratch / "designs/card0.xml"));
+}
+
+TEST(Batch, ADryRunPrintsTheRowsThatAreDueAndDoesNothing) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 4);
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
+    fs::remove(scratch / "out/card2.svg");
+    const auto before = files_below(scratch.path());
+    const RunResult dry = batch(scratch.path(), {"jobs.jsonl", "--dry-run"});
+    EXPECT_EQ(dry.exit, 0);
+    EXPECT_EQ(dry.out, "{\"input\": \"designs/card2.xml\", \"output\": [\"out/card2.svg\"]}\n");
+    EXPECT_EQ(differing(files_below(scratch.path()), before), std::set<std::string>());
+}
+
+TEST(Batch, ShardsTogetherDoAllOnceAndMergeToOneReport) {
+    const ScratchDirectory scratch;
+    const ScratchDirectory whole;
+    make_library(scratch.path(), 10);
+    make_library(whole.path(), 10);
+    ASSERT_EQ(batch(whole.path(), {"jobs.jsonl"}).exit, 0);
+    RunOptions here;
+    here.directory = scratch.path();
+
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl", "--shard", "1/3"}).exit, 0);
+    // As a task of a Slurm job array that counts from 0 in steps of 2.
+    here.environment = {{"SLURM_ARRAY_TASK_ID", "4"},
+                        {"SLURM_ARRAY_TASK_COUNT", "3"},
+                        {"SLURM_ARRAY_TASK_MIN", "0"},
+                        {"SLURM_ARRAY_TASK_STEP", "2"}};
+    ASSERT_EQ(popupc({"batch", "jobs.jsonl"}, here).exit, 0);
+    here.environment.clear();
+    EXPECT_EQ(lines_of(scratch / "jobs.results.1-of-3.jsonl").size(), 4U);
+    EXPECT_EQ(lines_of(scratch / "jobs.results.3-of-3.jsonl").size(), 3U);
+
+    const RunResult part =
+        popupc({"merge-reports", "jobs.jsonl", "-o", "report.json", "--missing", "again.jsonl"}, here);
+    EXPECT_EQ(part.exit, 1);
+    EXPECT_NE(part.err.find("jobs.jsonl:2:1: error: designs/card1.xml has not been built [job-missing]"),
+              std::string::npos)
+        << part.err;
+    EXPECT_NE(part.err.find("popupc: 10 jobs: 7 done, 3 missing"), std::string::npos) << part.err;
+    const json report = json::parse(read_file(scratch / "report.json"));
+    EXPECT_EQ(report["done"], 7);
+    EXPECT_EQ(report["missing"], 3);
+    EXPECT_EQ(report["results"].size(), 10U);
+    EXPECT_EQ(report["results"][1]["state"], "missing");
+    EXPECT_EQ(lines_of(scratch / "again.jsonl").size(), 3U);
+
+    // With another number of shards nothing that is done is done again.
+    ASSERT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--shard", "1/1"}),
+              (std::set<std::string>{"card1", "card4", "card7"}));
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl", "-o", "report.json"}, here).exit, 0);
+    EXPECT_EQ(differing(files_below(scratch / "out"), files_below(whole / "out")), std::set<std::string>());
+    EXPECT_EQ(read_file(scratch / "jobs.results.jsonl"), read_file(whole / "jobs.results.jsonl"));
+
+    fs::remove(scratch / "out/card5.svg");
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
+
+    // The newest run counts: one that failed in shards, and then one that finds all as it was.
+    EXPECT_EQ(batch(scratch.path(), {"jobs.jsonl", "--shard", "2/2", "--", "--sheet", "10x10"}).exit, 1);
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 0);
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"-o", "designs/card1.xml"},
+                                               {"-o", "jobs.results.jsonl"},
+                                               {"--missing", "jobs.jsonl"},
+                                               {"--missing", "out/again.jsonl"}}) {
+        std::vector<std::string> line{"merge-reports", "jobs.jsonl"};
+        line.insert(line.end(), words.begin(), words.end());
+        EXPECT_EQ(popupc(line, here).exit, 2) << words.back();
+    }
+}
+
+TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 1);
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"jobs.jsonl", "--shard", "0/3"},
+                                               {"jobs.jsonl", "--shard", "4/3"},
+                                               {"jobs.jsonl", "--shard", "3"},
+                                               {"missing.jsonl"},
+                                               {"jobs.jsonl", "--", "--shet", "a4"},
+                                               {"jobs.jsonl", "--", "card.xml"},
+                                               {"jobs.jsonl", "--", "-o", "all.svg"},
+                                               {"jobs.jsonl", "--sheet", "a4"},
+                                               {"jobs.jsonl", "--results", "designs/card0.xml"},
+                                               {"jobs.jsonl", "--results", "nowhere/at/all.jsonl"}}) {
+        const RunResult result = batch(scratch.path(), arguments);
+        EXPECT_EQ(result.exit, 2) << result.err;
+        EXPECT_NE(result.err.find("error: "), std::string::npos) << result.err;
+    }
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+// popupc batch in the background.
+class Running : public Background {
+ public:
+    Running(const fs::path& directory, const std::vector<std::string>& arguments)
+        : Background(words(arguments), in(directory)) {}
+    [[nodiscard]] std::vector<pid_t> workers() const {
+        const std::string id = std::to_string(pid());
+        std::istringstream list(read_file("/proc/" + id + "/task/" + id + "/children"));
+        std::vector<pid_t> all;
+        for (pid_t one = 0; list >> one;) all.push_back(one);
+        return all;
+    }
+
+ private:
+    static std::vector<std::string> words(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {POPUPC_BINARY, "batch"});
+        return arguments;
+    }
+    static RunOptions in(const fs::path& directory) {
+        RunOptions options;
+        options.directory = directory;
+        return options;
+    }
+};
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kDesigns = 60;
+constexpr int kKills = 20;
+#else
+constexpr int kDesigns = 1000;
+constexpr int kKills = 220;
+#endif
+
+// Workers, the first process, or all of them are killed at random moments, the batch begun again each time;
+// in between finished files are taken away, so that there is always something to do.
+TEST(Batch, KillingAnyPartAtAnyMomentLosesNothingAndLeavesNothingHalfWritten) {
+    const ScratchDirectory scratch;
+    const ScratchDirectory whole;
+    make_library(scratch.path(), kDesigns);
+    make_library(whole.path(), kDesigns);
+    ASSERT_EQ(batch(whole.path(), {"jobs.jsonl", "-j2"}).exit, 0);
+    const auto expected = files_below(whole.path());
+
+    std::mt19937 random(20261122);
+    const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    int kills = 0;
+    int begun = 0;
+    while (kills < kKills) {
+        Running run(scratch.path(), {"jobs.jsonl", "-j2"});
+        ++begun;
+        const int before_parent = 1 + below(6);  // workers that die before the first process does
+        for (int i = 0; i < before_parent && run.running(); ++i) {
+            std::this_thread::sleep_for(std::chrono::microseconds(2000 + below(30000)));
+            const std::vector<pid_t> workers = run.workers();
+            if (workers.empty()) continue;
+            ::kill(workers[static_cast<std::size_t>(below(static_cast<int>(workers.size())))], SIGKILL);
+            ++kills;
+        }
+        if (!run.running()) {
+            // All done: some of it is to be done again.
+            for (int i = 0; i < kDesigns; i += 1 + below(4)) {
+                fs::remove(scratch / ("out/card" + std::to_string(i) + ".svg"));
+            }
+            continue;
+        }
+        const std::vector<pid_t> workers = below(2) == 0 ? run.workers() : std::vector<pid_t>();
+        run.send(SIGKILL);
+        ++kills;
+        for (const pid_t worker : workers) kills += ::kill(worker, SIGKILL) == 0 ? 1 : 0;
+        run.wait();
+        // Whatever has a name is complete.
+        for (const auto& [name, bytes] : files_below(scratch / "out")) {
+            if (name.starts_with(".popup-")) continue;
+            ASSERT_EQ(bytes, expected.at("out/" + name)) << "after " << kills << " kills";
+        }
+    }
+    // Workers whose parent is gone may still be at their last job.
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl", "-j2"}).exit, 0);
+    EXPECT_EQ(differing(files_below(scratch.path()), expected), std::set<std::string>())
+        << "after " << kills << " kills of " << begun << " runs";
+    RecordProperty("kills", kills);
+    RecordProperty("runs", begun);
+}
+
+TEST(Batch, AnInterruptLetsRunningJobsEndAndTheNextRunGoesOn) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), kDesigns);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Running run(scratch.path(), {"jobs.jsonl", "-j2"});
+        while (!fs::exists(scratch / "out") && run.running())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        run.send(signal);
+        ASSERT_EQ(run.wait(), 128 + signal) << run.err();
+        // What was written is known to be.
+        EXPECT_EQ(lines_of(scratch / "jobs.results.jsonl").size(), files_below(scratch / "out").size());
+        fs::remove_all(scratch / "out");
+        fs::remove(scratch / "jobs.results.jsonl");
+    }
+}
+
+TEST(Batch, OneRunAtATimeWritesAResultsFile) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), kDesigns);
+    Running run(scratch.path(), {"jobs.jsonl", "-j1"});
+    while (!fs::exists(scratch / "out") && run.running())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
+    run.send(SIGTERM);
+    run.wait();
+    EXPECT_EQ(second.exit, 2);
+    EXPECT_NE(second.err.find("another run is writing its results there"), std::string::npos) << second.err;
+}
+
+}  // namespace
+}  // namespace popup::test
