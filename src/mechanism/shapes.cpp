@@ -230,11 +230,7 @@ Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_poi
 
 FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right) {
     const int like = site.mountain ? 360 : 0;
-    FoldLines folds;
-    folds[kLeftFold] = {left, left, like};
-    folds[kCentreFold] = {centre, centre, 360 - like};
-    folds[kRightFold] = {right, right, like};
-    return folds;
+    return {{left, left, like}, {centre, centre, 360 - like}, {right, right, like}};
 }
 
 void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
@@ -252,8 +248,8 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi,
                      id);
 
-    const auto fold = [&](FoldRole role, int left_plate, int right_plate) {
-        const FoldLine& line = folds[static_cast<std::size_t>(role)];
+    const auto fold = [&](ThreeFolds role, int left_plate, int right_plate) {
+        const FoldLine& line = folds[role];
         builder.add_fold({left_plate,
                           right_plate,
                           page,

@@ -12,6 +12,9 @@ namespace popup {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
+// Where the folds of a linkage of four stand in kThreeFolds.
+enum ThreeFolds : std::size_t { kLeftFold, kCentreFold, kRightFold };
+
 inline Side other(Side side) { return side == Side::left ? Side::right : Side::left; }
 
 // Angle between the direction `dir` (+1 or -1) along the fold and the line from the apex to p; in (0, π) for

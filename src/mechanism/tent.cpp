@@ -185,8 +185,7 @@ bool constrain_piece(Element& e) {
         return false;
     }
     if (width(e) < 0.0) {
-        for (Vec2& p : e.extra) p.x = -p.x;
-        e.piece_mirrored = true;
+        mirror_piece(e);
         e.repaired("piece-mirrored",
                    "its piece was drawn from the back (K–L on the wrong side of G–H); it was mirrored",
                    "draw the printed side: with G–H upwards, K–L on its right");
@@ -229,7 +228,7 @@ FoldLines fold_lines(const Element& e) {
     const double t = std::abs(wide) > 1e-9 ? left_far(e) / wide : 0.5;
     const Segment centre = line({lerp(e.extra[G], e.extra[K], t), lerp(e.extra[H], e.extra[L], t)});
     const int seams = e.site.mountain ? 180 : 0;
-    FoldLines folds;
+    FoldLines folds(kThreeFolds.size());
     folds[kLeftFold] = {line(e.site.segment(Side::left, e.on[A], e.on[B])), line({e.extra[G], e.extra[H]}),
                         seams};
     folds[kCentreFold] = {centre, centre, 360};
@@ -257,12 +256,19 @@ void lower(const Element& e, Builder& builder) {
 
 }  // namespace
 
-const ElementRow kTent = {
-    {"tent", 8, "tent", false, true, "a piece glued along two seams beside the fold", kPoints, kPartners},
-    stands_on,
-    constrain,
-    fold_lines,
-    width,
-    lower};
+const ElementRow kTent = {{"tent",
+                           8,
+                           "tent",
+                           false,
+                           true,
+                           "a piece glued along two seams beside the fold",
+                           kPoints,
+                           kPartners,
+                           {.seam = true}},
+                          stands_on,
+                          constrain,
+                          fold_lines,
+                          width,
+                          lower};
 
 }  // namespace popup

@@ -32,6 +32,9 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
      "well. It has usually been damaged on its way or is not a text at all; take the character out, or "
      "export the document anew."},
+    {"bad-choice", Severity::error, "a word that is not one of those a value can be",
+     "Some values of elements are one word out of a few, like the side of a plate that is glued. The message "
+     "names the words there are."},
     {"bad-color", Severity::error, "a colour that cannot be read",
      "Colours are written #rrggbb. Also read are #rgb, three whole numbers r,g,b from 0 to 255, the colour "
      "names of CSS, and the signed 32-bit number that a Java program stores for a colour (-65536 is red; its "
@@ -418,6 +421,10 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The angles of the piece and of the V must not exceed 350° together. At 360° all of the paper round the "
      "apex lies in one plane before the card is open, and the card stops there. The piece was narrowed alike "
      "on both sides."},
+    {"plate-not-found", Severity::error, "there is no plate where an element should stand",
+     "A structure names its parent plate by any point of it. Neither the page nor an earlier structure has "
+     "paper there: the point lies beside all plates of that page, or where one has been cut out. The list is "
+     "in build order, parents first, and the point is in the coordinates of the page given."},
     {"plotter-range", Severity::remark, "a sheet is larger than what old plotters count to",
      "HP-GL counts in units of 0.025 mm, and the plotters it was made for count no further than 32767, which "
      "is 819 mm. Most machines of today take larger numbers; one that does not stops there, or draws in the "
@@ -561,6 +568,9 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "Inverted steps, beaks and angled steps are those that stand on mountain folds. A v-fold's V opens "
      "towards the end of its parent fold, an inverted one's towards its begin. The type was corrected; no "
      "point moved."},
+    {"wrong-ground", Severity::error, "an element stands on what it cannot stand on",
+     "Some elements stand on folds or seams, which parentfold names, and some on plates, which parentplate "
+     "names by any point of them. `popupc list elements` and popup(5) say which."},
     {"wrong-page", Severity::error, "a point lies on a page that its parent fold is not on",
      "Points of an element lie on the planes beside its parent fold. On a seam these planes are on two "
      "pages: each point must name the page of its side. On a fold both sides are on one page."},
