@@ -11,7 +11,7 @@
 #include "check/placing.h"
 #include "check/plate_index.h"
 #include "mechanism/element.h"
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 

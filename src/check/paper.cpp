@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "mechanism/arguments.h"
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "check/placing.h"
 #include "mechanism/arguments.h"
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {

@@ -288,6 +288,11 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "below the next and the last below the first; the message names them. Paper would have to be woven, and "
      "the card bulges or does not close. Make one of the plates smaller, so that it no longer reaches over "
      "the next, or move its element."},
+    {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
+     "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
+     "apart. A "
+     "narrower one stops the card from opening, and a wider one is a tent. The piece was widened or narrowed "
+     "alike on both sides."},
     {"line-outside", Severity::warning, "an open line that lies outside of every part",
      "Lines that do not close are slits or folds of the part they lie in. This one lies in none, or not "
      "wholly, and what lies outside is left out. Often it is the side of an outline that does not close: "
@@ -466,6 +471,12 @@ constexpr std::array kCodes = std::to_array<CodeInfo>({
      "The plates on both sides of this seam lie in one plane, facing the same way, when the card is closed. "
      "Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley folds do "
      "open and close."},
+    {"seams-uneven", Severity::warning, "seams that must be at the same distance from the fold are not",
+     "A layer is wrapped round a mountain fold and must not slide on it, which it does not where both seams "
+     "are "
+     "at the same distance from the fold. The farther seam was moved to the nearer one's distance, and the "
+     "piece "
+     "narrowed with it."},
     {"shape-outside", Severity::warning, "a painted shape that is not cut",
      "In a drawing that has stroked contours, these are what is cut, and shapes that have a fill and no "
      "stroke are printed on the parts they lie on. This one lies on none. Give it a stroke if it is a "
