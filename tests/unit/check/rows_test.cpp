@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "input/flatlang/run/card.h"
 #include "input/xml/read.h"
 #include "input/xml/schema.h"
 #include "mechanism/element.h"
@@ -379,6 +380,67 @@ TEST_F(Rows, AnElementMakesAsManyFoldsAsItsRowNamesAndOthersStandOnEach) {
         EXPECT_EQ(fold.on_left.b, real.on_left.b);
         EXPECT_EQ(fold.closed_deg, real.closed_deg);
     }
+}
+
+// A tent's piece that is 10 mm too narrow is widened: its left half moves 5 mm to the left, and the flag on
+// it too.
+TEST_F(Rows, WhatStandsOnAPlateThatARepairMovedMovesWithIt) {
+    const std::string tent =
+        "<structure type='tent' id='t'><outerpoints>-40,-50 -40,50 40,-50 40,50 -35,-50 -35,50 35,-50 35,50"
+        "</outerpoints><parentfold page='0'><begin x='0' y='-75'/><end x='0' "
+        "y='75'/></parentfold></structure>";
+    const std::string on_it =
+        "<structure type='flag' id='f'><outerpoints><point x='-30' y='0'/><point x='-20' y='0'/><point "
+        "x='-5' "
+        "y='0'/><point x='5' y='0'/></outerpoints><outline d='M -9 0 H 9 V 9 Z'/><glue d='M -30 0 h 9 v 9 "
+        "z'/>"
+        "<parentplate page='1' x='-25' y='3'/></structure>";
+    const std::string xml = document(tent + on_it);
+    const Outcome outcome = run(xml);
+    ASSERT_TRUE(outcome.checked) << outcome.text;
+    EXPECT_NE(outcome.text.find(
+                  "warning moved-with-fold: \"f\": the plate of \"t\" it stands on was moved by a "
+                  "repair; it keeps its place on it [A (-30, 0) B (-20, 0) -> A (-35, 0) B (-25, 0)]"),
+              std::string::npos)
+        << outcome.text;
+    EXPECT_EQ(seen.plate, 2);
+    const std::string patched = xml::patch({"card.xml", xml}, outcome.checked->design());
+    EXPECT_NE(patched.find("<point x='-35' y='0'/><point x='-25' y='0'/><point x='-5' y='0'/>"),
+              std::string::npos)
+        << patched;
+    EXPECT_NE(patched.find("<parentplate page='1' x='-30' y='3'/>"), std::string::npos) << patched;
+    EXPECT_NE(patched.find("<glue d='M -35 0 L -26 0 L -26 9 Z'/>"), std::string::npos) << patched;
+    EXPECT_EQ(run(patched).text, "");
+}
+
+// In a program an element's values follow its points, and a plate is a page and a point of it.
+TEST_F(Rows, ProgramsGiveTheSameValues) {
+    flatlang::Card card;
+    ASSERT_FALSE(flatlang::begin_card(card, {200, 150, {}, {}, {1, 1}}));
+    flatlang::NewElement wanted;
+    wanted.info = find_element("banner");
+    wanted.plate = flatlang::PlatePlace{0, {-60, 50}};
+    wanted.points = {{-60, 0}, {-50, 0}, {-5, 0}, {5, 0}};
+    wanted.values = {7.0, "back", "M -1 -1 H 1 V 1 Z"};
+    std::optional<std::size_t> folds;
+    ASSERT_FALSE(flatlang::add_element(card, wanted, folds));
+    const Design design = flatlang::finished(card, {"card.fl", ""});
+    EXPECT_EQ(design.version, "3.0");
+    Diagnostics diagnostics;
+    ASSERT_TRUE(check(design, {}, diagnostics)) << findings(diagnostics);
+    EXPECT_EQ(seen.height, 7.0);
+    EXPECT_EQ(seen.side, "back");
+    EXPECT_NEAR(seen.outline, 2 * 25.4 * 25.4, 1e-3);
+    EXPECT_EQ(seen.plate, 0);
+
+    wanted.values = {"back"};
+    EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what, "has no outline");
+    wanted.values = {100.0, "M -1 -1 H 1 V 1 Z"};
+    EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what,
+              "has 3.93701 inches as height, which must be from 0.0393701 to 1.9685");
+    wanted.values = {1.0, 2.0};
+    EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what,
+              "is given 2, which none of its parameters takes");
 }
 
 }  // namespace
