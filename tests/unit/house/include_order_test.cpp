@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/diagnostics.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -33,6 +34,9 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"fabrication", {"base"}},
         {"output", {"base", "fabrication"}},
         {"findings", {"base"}},
+        {"codes.cpp",
+         {"base", "input", "mechanism", "check", "motion", "pattern", "layout", "fabrication", "output",
+          "findings", "batch", "cli"}},
         {"compile.cpp", {"base", "fabrication"}},
         {"batch", {"base"}},
         {"cli", {"base", "findings", "output", "batch"}},
@@ -172,6 +176,40 @@ TEST(IncludeOrder, LibrariesStayInTheirRooms) {
             }
         }
     }
+}
+
+// Who changes a stage finds what it says beside it: a room has the rows of the codes that it gives, and no
+// others.
+TEST(Codes, StandInARoomThatGivesThem) {
+    const fs::path root = fs::path(POPUP_SOURCE_DIR) / "src";
+    std::map<std::string, std::string> texts;  // of every other file, by its name below src/
+    std::vector<fs::path> tables;
+    for (const fs::path& path : sources(root)) {
+        if (path.filename() == "codes.cpp" && path.parent_path() != root) {
+            tables.push_back(path);
+        } else {
+            texts[fs::relative(path, root)] = test::read_file(path);
+        }
+    }
+    std::size_t rows = 0;
+    for (const fs::path& table : tables) {
+        const std::string folder = fs::relative(table.parent_path(), root).string() + "/";
+        const std::string text = test::read_file(table);
+        for (const CodeInfo& row : code_table()) {
+            const std::string quoted = '"' + std::string(row.code) + '"';
+            if (text.find('{' + quoted + ',') == std::string::npos) continue;
+            ++rows;
+            // Files are read and written by base/system, whose codes stand with the findings.
+            const std::string room = folder == "base/diagnostics/" ? "base/" : folder;
+            EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
+                                    [&](const auto& file) {
+                                        return file.first.starts_with(room) &&
+                                               file.second.find(quoted) != std::string::npos;
+                                    }))
+                << row.code << " has its row in " << folder << ", where nothing gives it";
+        }
+    }
+    EXPECT_EQ(rows, code_table().size());
 }
 
 // ARCHITECTURE: the stages in order on one page.
