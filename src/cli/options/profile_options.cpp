@@ -5,6 +5,7 @@
 
 #include "cli/options/value_option.h"
 #include "popup/files.h"
+#include "popup/write.h"
 
 namespace popup::cli {
 namespace {
@@ -179,19 +180,17 @@ void finish_profile(Options& options) {
     profile.marks = options.build.marks.value_or(profile.marks);
     for (const std::string& text : options.build.kerfs) apply_kerf(profile, text);
     for (const std::string& text : options.build.speeds) apply_speed(profile, text);
-    options.compile.layout.bed = {profile.bed_width_mm, profile.bed_height_mm};
 
     const double need = margin_needed(options.compile.output);
-    Length& margin = options.compile.layout.margin;
-    if (margin.mm >= need) return;
-    if (options.margin_given) {
+    const Length margin = options.compile.layout.margin;
+    if (options.margin_given && margin.mm < need) {
         throw UsageError(
             fmt::format("a margin of {} mm has no room for {}, which {} {} mm", margin.mm,
                         clear_of(profile.marks) == need ? "the registration marks" : "the bar of --reference",
                         clear_of(profile.marks) == need ? "need" : "needs", need),
             {fmt::format("leave --margin away, or make it {} mm", need)});
     }
-    margin = Length::millimetres(need);
+    fit_layout(options.compile);
 }
 
 }  // namespace popup::cli

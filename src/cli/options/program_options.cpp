@@ -150,11 +150,8 @@ bool write_printed(const Options& options, const Run& run, Diagnostics& diagnost
 
 void check_loaded(const Run& run, const std::string& output) {
     if (output.empty()) return;
-    for (const std::string& file : loaded_files(run)) {
-        if (!overwrites(output, file)) continue;
-        throw UsageError(fmt::format("{} is loaded by a program of this run, and is not overwritten", file),
-                         {"give the output another name"});
-    }
+    Diagnostics told;
+    if (!spares_loaded(output, loaded_files(run), told)) refuse_usage(told);
 }
 
 std::vector<std::string> loaded_files(const Run& run) {
