@@ -20,6 +20,7 @@
 #include "output/codes.h"
 #include "pattern/codes.h"
 #include "popup/diagnostics.h"
+#include "run/codes.h"
 
 namespace popup {
 namespace {
@@ -29,7 +30,7 @@ std::vector<CodeInfo> sorted_rows() {
     for (const std::span<const CodeInfo> room :
          {base_codes(), input_codes(), xml_codes(), drawing_codes(), flatlang_codes(), mechanism_codes(),
           check_codes(), motion_codes(), pattern_codes(), layout_codes(), fabrication_codes(), output_codes(),
-          findings_codes(), batch_codes(), cli_codes()}) {
+          run_codes(), findings_codes(), batch_codes(), cli_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

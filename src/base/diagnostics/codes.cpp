@@ -11,11 +11,6 @@ constexpr std::array kBaseCodes = std::to_array<CodeInfo>({
      "which only check and fix look into. Nothing of it has been looked at. Check the path and the "
      "permissions; paths are taken relative to the directory the program was started in, and \"-\" stands "
      "for standard input."},
-    {"unused-allow", Severity::warning, "a comment allows what is not there",
-     "A comment of the document allows a diagnostic, and where it stands nothing of the kind was found, "
-     "although everything was looked at. The reason for it may have gone, or the comment has lost the "
-     "element that it was written for. Left alone it would hide the next such finding, which nobody has "
-     "looked at. Take the code out of the comment, or the comment out of the document."},
     {"unwritable-output", Severity::error, "an output file cannot be written",
      "The directory does not exist, is not writable, or the disk is full. Outputs are written to temporary "
      "files first and moved into place together, so no older file of this run has been touched. Create the "

@@ -1,4 +1,4 @@
-// The rows of code_table() that no stage gives alone: files that cannot be read or written, and allowances.
+// The rows of code_table() about files that cannot be read or written.
 #pragma once
 
 #include <span>
