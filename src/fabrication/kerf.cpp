@@ -12,6 +12,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "base/text/numbers.h"
 
 namespace popup {
@@ -29,7 +30,6 @@ constexpr double kMitreLimit = 2.0;
 // The same when a path is moved back: it says how sharp a corner of the waste may be that counts as a corner,
 // and not as a notch that is too narrow.
 constexpr double kCornerLimit = 20.0;
-constexpr double kLostMm = 0.01;  // how deep a corner must be buried to be lost
 // Rings whose area is less than this times their length are rounding, or too narrow to be cut.
 constexpr double kThinMm = 1e-5;
 constexpr std::size_t kMostFindings = 20;
@@ -293,7 +293,6 @@ Vec2 image_of_start(const Move& move) {
 
 // Turns the ring so that it starts at the corner nearest to p; of several as near, at the first of a run.
 void start_near(Ring& ring, Vec2 p) {
-    constexpr double kTieMm = 1e-5;
     double best = HUGE_VAL;
     for (const Vec2 q : ring) best = std::min(best, distance(p, q));
     const auto is_near = [&](std::size_t i) { return distance(p, ring[i]) <= best + kTieMm; };

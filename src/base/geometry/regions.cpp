@@ -5,6 +5,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
@@ -16,8 +17,6 @@ using ClipperLib::Paths;
 
 constexpr double kPerMm = 1e6;
 constexpr double kRangeMm = 1e9;
-// Offsets draw an arc so that no point is further than this from the circle.
-constexpr double kArcMm = 0.01;
 // The cosecant of half the sharpest angle that keeps its corner.
 constexpr double kMitreLimit = 4.0;
 // How far off an edge a line still counts as lying on it.
@@ -191,7 +190,7 @@ std::vector<Polygon> offset(const std::vector<Polygon>& regions, double delta, C
     // One outline first: overlapping rings would each be offset on their own.
     const Paths united = run(ClipperLib::ctUnion, regions, {});
     if (united.empty()) return {};
-    ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcMm * kPerMm);
+    ClipperLib::ClipperOffset offsetter(kMitreLimit, kCurveMm * kPerMm);
     offsetter.AddPaths(united, corners == Corners::sharp ? ClipperLib::jtMiter : ClipperLib::jtRound,
                        ClipperLib::etClosedPolygon);
     Paths result;
