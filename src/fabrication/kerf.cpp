@@ -13,6 +13,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
+#include "base/nth.h"
 #include "base/text/numbers.h"
 
 namespace popup {
@@ -465,7 +466,7 @@ double least_spacing(const Layout& layout, const KerfWidths& kerf) {
     const double mixed = 0.5 * (outer + active(kerf.inner_mm));
     double least = 0.0;
     for (const Placement& placement : layout.placements) {
-        if (pieces_on[static_cast<std::size_t>(placement.sheet)] < 2) continue;
+        if (nth(pieces_on, placement.sheet) < 2) continue;
         least = std::max(least, outer);
         if (mixed <= least) continue;
         const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;

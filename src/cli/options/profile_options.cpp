@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/nth.h"
 #include "cli/options/value_option.h"
 #include "popup/files.h"
 #include "popup/write.h"
@@ -47,7 +48,7 @@ bool with_pens(Profile& profile, std::string_view name, Use use) {
         const bool group = (name == "fold" && is_fold(operation)) ||
                            (name == "cut" && (is_cut(operation) || operation == Operation::perforation));
         if (!group && (is_printed(operation) || name != to_string(operation))) continue;
-        use(profile.pens[static_cast<std::size_t>(operation)]);
+        use(nth(profile.pens, operation));
         any = true;
     }
     return any;
@@ -66,7 +67,7 @@ void apply_kerf(Profile& profile, std::string_view text) {
     bool known = false;
     for (const Operation cut : {Operation::inner_cut, Operation::outer_cut}) {
         if (!name.empty() && name != to_string(cut)) continue;
-        profile.pens[static_cast<std::size_t>(cut)].kerf_mm = kerf;
+        nth(profile.pens, cut).kerf_mm = kerf;
         known = true;
     }
     if (known) return;
