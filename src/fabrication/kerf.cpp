@@ -23,8 +23,6 @@ using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-constexpr double kPerMm = 1e6;    // grid units
-constexpr double kRangeMm = 1e9;  // coordinates beyond are no drawing's
 constexpr double kLeastKerfMm = 1e-4;
 // Corners of the paper longer than this many half kerfs are cut square.
 constexpr double kMitreLimit = 2.0;

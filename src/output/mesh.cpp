@@ -13,7 +13,6 @@
 namespace popup {
 namespace {
 
-constexpr double kPerMm = 1.0 / kGridMm;
 constexpr std::size_t kMostCrossings = 50;  // a line, on average
 
 using Region = std::vector<Polygon>;

@@ -14,6 +14,12 @@ inline constexpr double kSameCornerMm = kRoundingMm;
 
 // The grid of regions, to which every corner of a cut outline is rounded. Nothing finer is kept.
 inline constexpr double kGridMm = 1e-6;
+// Steps of the grid in a millimetre.
+inline constexpr double kPerMm = 1e6;
+// Coordinates further out have no place on the grid: they are no drawing's.
+inline constexpr double kRangeMm = 1e9;
+// A point of the grid no further from a line than this counts as lying on it.
+inline constexpr double kOnGridLineMm = 2.0 * kGridMm;
 // Heights of two plates over a third no further apart are equal.
 inline constexpr double kSameHeightMm = kGridMm;
 // A tour that is shorter by less than this is no better.

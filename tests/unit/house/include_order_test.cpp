@@ -305,10 +305,45 @@ TEST(Codes, StandInARoomThatGivesThem) {
     EXPECT_EQ(rows, code_table().size());
 }
 
+// Who reads that points are as near as kSameMm must not have to ask whose. Names in common are best defined
+// once, in base/geometry/tolerances.h.
+TEST(Constants, ALengthOfOneNameHasOneValue) {
+    std::map<std::string, std::pair<std::string, fs::path>> seen;  // name: its value as written, and where
+    for (const char* folder : {"include", "src"}) {
+        for (const fs::path& path : sources(fs::path(POPUP_SOURCE_DIR) / folder)) {
+            std::istringstream lines(test::read_file(path));
+            for (std::string line; std::getline(lines, line);) {
+                const std::size_t begin = line.find("constexpr double k");
+                const std::size_t equals = line.find(" = ");
+                const std::size_t end = line.find(';');
+                if (begin == std::string::npos || equals == std::string::npos || end == std::string::npos)
+                    continue;
+                const std::size_t name_at = line.find('k', begin + 16);
+                const std::string name = line.substr(name_at, equals - name_at);
+                if (!name.ends_with("Mm")) continue;
+                const std::string value = line.substr(equals + 3, end - equals - 3);
+                const auto [at, fresh] = seen.try_emplace(name, value, path);
+                EXPECT_EQ(value, at->second.first) << name << " in " << path << " and " << at->second.second;
+            }
+        }
+    }
+    EXPECT_GT(seen.size(), 30U);
+}
+
 // ARCHITECTURE: the stages in order on one page.
 TEST(IncludeOrder, TheCompilerFitsOnOnePage) {
     const std::string text = test::read_file(fs::path(POPUP_SOURCE_DIR) / "src/compile.cpp");
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 150);
+}
+
+// What is longer than this has a part that could stand for itself.
+TEST(IncludeOrder, FilesAreShortEnoughToBeRead) {
+    for (const char* folder : {"include", "src"}) {
+        for (const fs::path& path : sources(fs::path(POPUP_SOURCE_DIR) / folder)) {
+            const std::string text = test::read_file(path);
+            EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 600) << path;
+        }
+    }
 }
 
 // Two types of one name in one namespace are one type to the linker, which then takes either's functions for
