@@ -10,9 +10,10 @@
 //     fit_layout(options);
 //     Compilation run = compile({*source}, options, {});
 //     const auto written = write_files(*plan, options.output, run);
-//     // The names, "castle-2.svg" of a second sheet among them. Nothing is written where a design has
-//     errors,
-//     // or an output cannot be made: the findings of the designs and of the run say why.
+//
+// `written` has the names, "castle-2.svg" of a second sheet among them. It is nullopt, and nothing is
+// written, when a design has errors or an output cannot be made: the findings of the designs and of the run
+// say why.
 #pragma once
 
 #include <optional>
@@ -73,16 +74,17 @@ void refuse_definitions(Compilation& run);
 // Makes every file of the plan, and writes none. Sheets after the first are "card-2.svg", what is printed of
 // a sheet and what is cut "card-print.svg" and "card-cut.svg"; reports come last and name the others.
 // Findings on the profile and on single outputs are added to the run's. Nullopt when a design has errors,
-// there is no layout, or a writer failed; then the run or a design has an error that says why. Precondition:
-// `run` was compiled with the same output options.
+// there is no layout, or a writer failed; then the run or a design has an error that says why.
+// Precondition: `run` was compiled with the same output options.
 std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const OutputOptions& options,
                                                    Compilation& run);
 
-// True when the files, of which the plan knew not all names, replace nothing that the run has read. Else an
-// `unwritable-output` error names the first input, or file loaded by a program, that would be lost.
+// True when no file replaces an input, or what a program has loaded. The plan could not know: names of
+// further sheets, and what programs load, are known only now. Else an `unwritable-output` error names the
+// first that would be lost.
 bool spares_inputs(const OutputPlan& plan, const std::vector<PendingFile>& files, const Compilation& run,
                    Diagnostics& diagnostics);
-// The same of one file and of those that programs have loaded.
+// The same of one output, and of the files that programs have loaded.
 bool spares_loaded(const std::string& output, const std::vector<std::string>& loaded,
                    Diagnostics& diagnostics);
 
