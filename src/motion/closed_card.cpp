@@ -9,6 +9,7 @@
 
 #include "base/geometry/hull.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "motion/cells.h"
 #include "motion/nearness.h"
 
@@ -18,7 +19,6 @@ namespace {
 constexpr double kOutMm = 0.02;     // as far as a drawing may be rounded
 constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest angle are not told apart
 constexpr double kAreaMm2 = 1e-6;
-constexpr double kSameMm = 1e-9;                // corners no further apart are one
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 
 // The closed card seen from the side: x away from the gutter, y along it; `up` from the left cover to the
@@ -265,8 +265,8 @@ class Layers {
         // Where most plates lie over one another is a region with a corner at which the outline of one of two
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
         for (const Vec2 p : shape) {
-            const bool corner =
-                std::any_of(corners.begin(), corners.end(), [p](Vec2 q) { return distance(p, q) < kSameMm; });
+            const bool corner = std::any_of(corners.begin(), corners.end(),
+                                            [p](Vec2 q) { return distance(p, q) < kSameCornerMm; });
             if (corner || (by_outline(a, p) && by_outline(b, p))) points_.push_back(lerp(p, centre, 1e-2));
         }
     }

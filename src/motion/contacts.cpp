@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "motion/cells.h"
 
 namespace popup {
@@ -20,7 +21,6 @@ constexpr int kSamples = 24;       // where the depth is looked at
 constexpr std::array kAsideDegs{0.001, 0.01, 0.1, 1.0};
 
 constexpr double kDeepestDeg = 1e-3;     // to which the angle of the greatest depth is found
-constexpr double kSameMm = 1e-6;         // heights no further apart are equal
 constexpr double kNearlyParallel = 0.1;  // sine of the angle between plates
 constexpr double kInnerMm = 0.1;
 
@@ -110,7 +110,7 @@ struct Pair {
                 const double height = of_b ? at.b_in_a.point(p).z
                                            : dot(Vec3{p.x, p.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
                 const double off = std::abs(std::abs(height) - here.depth_mm);
-                const std::pair<double, double> order{off < kSameMm ? 0.0 : off, distance(p, meeting)};
+                const std::pair<double, double> order{off < kSameHeightMm ? 0.0 : off, distance(p, meeting)};
                 if (order >= least) continue;
                 least = order;
                 best = p;
