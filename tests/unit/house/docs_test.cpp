@@ -134,6 +134,23 @@ TEST(Docs, EveryLinkLeadsSomewhere) {
     EXPECT_GT(seen, 50U);
 }
 
+// Names of files in backquotes; NAME and ROOM stand for others, and so do "*" and "…".
+TEST(Docs, FilesThatPagesNameAreThere) {
+    static const std::regex kFile(
+        R"(`((src|include|tests|samples|schemas|man|docs|cmake)/[A-Za-z0-9_./-]+)`)");
+    std::size_t seen = 0;
+    for (const std::string& page : pages({"docs", "samples"})) {
+        const std::string text = read_file(kSource / page);
+        for (std::sregex_iterator at(text.begin(), text.end(), kFile), end; at != end; ++at) {
+            const std::string name = (*at)[1];
+            if (name.find("NAME") != std::string::npos || name.find("ROOM") != std::string::npos) continue;
+            ++seen;
+            EXPECT_TRUE(fs::exists(kSource / name)) << page << " names " << name;
+        }
+    }
+    EXPECT_GT(seen, 20U);
+}
+
 TEST(Docs, TheReadmeIsReadInThreeMinutesAndLeadsToEveryPage) {
     const std::string text = read_file(kSource / "README.md");
     EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 200);
