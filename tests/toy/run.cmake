@@ -31,7 +31,7 @@ function(run output)
 endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
-file(MAKE_DIRECTORY ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH}/again)
 run(made ${CMAKE_COMMAND} --build ${BUILD} --target popupc_toy)
 configure_file(${HERE}/toy.xml ${SCRATCH}/toy.xml COPYONLY)
 # The document is read without a finding, and the element stands in the list of elements.
