@@ -197,7 +197,7 @@ void take_in_loaded(const Options& options, Build& result) {
 // To check them is one thing, but nothing can be built of programs that only define what others call.
 void refuse_libraries(Compilation& compilation) {
     for (CompiledDesign& one : compilation.designs) {
-        if (one.design || one.parts || one.diagnostics.has_errors()) continue;
+        if (one.design || one.assembly || one.diagnostics.has_errors()) continue;
         one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
             .hint("call them at its end, or load() it from a program that does");
     }

@@ -11,21 +11,11 @@
 #include <string>
 
 #include "popup/assembly.h"
-#include "popup/design.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
 #include "popup/pattern.h"
 
 namespace popup {
-
-// {file, stem, version, unit, width_mm, height_mm, left, right, place,
-//  structures: [{id, id_given, type, type_changed, dropped, place,
-//    points: [{at, page, place, changed}],
-//    fold: {page, begin: {at, page, place, changed}, end: {…}, place},
-//    left, right, left_tab, right_tab}],
-//  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}]}
-// Byte ranges of the source are left out: they are the reader's own.
-std::string emit_design(const Design& design);
 
 // {file, stem,
 //  pieces: [{name, plates}],

@@ -83,12 +83,13 @@ struct ColorGroup {
 
 std::vector<ColorGroup> drawn_groups(const Plate& plate) {
     std::vector<DrawnShape> shapes;
-    for (const Stroke& stroke : plate.strokes) {
-        if (!(stroke.width_mm > 0.0)) continue;
-        Region region = widened(stroke);
+    for (const Print& print : plate.prints) {
+        const Stroke* stroke = std::get_if<Stroke>(&print);
+        if (stroke == nullptr || !(stroke->width_mm > 0.0)) continue;
+        Region region = widened(*stroke);
         if (region.empty()) continue;
         const Box box = box_of(region);
-        shapes.push_back({stroke.color, std::move(region), box});
+        shapes.push_back({stroke->color, std::move(region), box});
     }
     if (shapes.empty()) return {};
     const EdgeIndex outline(edges_of(plate.outline));

@@ -169,17 +169,21 @@ class Drawer {
     void draw(const PatternPiece& piece, Operation operation) {
         switch (operation) {
             case Operation::fill:
-                for (const Fill& fill : piece.fills) {
-                    begin(operation, fill.plate, fill.color, 0.0);
+                for (const PatternPrint& one : piece.prints) {
+                    const Area* area = std::get_if<Area>(&one.print);
+                    if (area == nullptr) continue;
+                    begin(operation, one.plate, area->color, 0.0);
                     drawing_.shapes.back().filled = true;
-                    run(fill.area.outer, true);
-                    for (const Ring& hole : fill.area.holes) run(hole, true);
+                    run(area->shape.outer, true);
+                    for (const Ring& hole : area->shape.holes) run(hole, true);
                 }
                 return;
             case Operation::draw:
-                for (const PatternStroke& drawn : piece.strokes) {
-                    begin(operation, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
-                    run(drawn.stroke.points, false);
+                for (const PatternPrint& one : piece.prints) {
+                    const Stroke* stroke = std::get_if<Stroke>(&one.print);
+                    if (stroke == nullptr) continue;
+                    begin(operation, one.plate, stroke->color, stroke->width_mm);
+                    run(stroke->points, false);
                 }
                 return lines(piece, operation);
             case Operation::glue:
@@ -189,6 +193,11 @@ class Drawer {
                 }
                 return lines(piece, operation);
             case Operation::label:
+                for (const PatternPrint& one : piece.prints) {
+                    const Text* own = std::get_if<Text>(&one.print);
+                    if (own == nullptr || own->text.empty() || own->height_mm <= 0.0) continue;
+                    text(own->text, own->at, own->height_mm, own->angle, operation);
+                }
                 for (const Label& label : piece.labels) {
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "input/xml/number.h"
+#include "popup/check.h"
 #include "popup/mechanism.h"
 
 namespace popup {

@@ -11,6 +11,7 @@
 #include "cli/files/inputs.h"
 #include "cli/options/dependency_options.h"
 #include "output/emit.h"
+#include "output/emit_design.h"
 
 namespace popup::cli {
 namespace {
@@ -95,13 +96,8 @@ std::vector<SceneCard> scene_of(const Compilation& compilation) {
     for (const CompiledDesign& one : compilation.designs) {
         SceneCard& card = cards.emplace_back();
         if (several) card.prefix = one.stem + ":";
-        if (one.parts) {
-            card.still = &*one.parts->model;
-            card.stem = one.stem;
-        } else {
-            card.assembly = &*one.assembly;
-            card.motion = &*one.motion;
-        }
+        card.assembly = &*one.assembly;
+        if (one.motion) card.motion = &*one.motion;
     }
     return cards;
 }
@@ -303,8 +299,8 @@ std::optional<std::vector<PendingFile>> make_files(const std::vector<PlannedOutp
                                                    const Options& options, Compilation& compilation) {
     // Of programs and of standard input it is known only now.
     for (const CompiledDesign& one : compilation.designs) {
-        if (one.parts) {
-            check_parts(one.source.name, one.parts->model.has_value(), outputs, options.build.emit);
+        if (one.assembly && !moves(*one.assembly)) {
+            check_parts(one.source.name, has_model(*one.assembly), outputs, options.build.emit);
         }
     }
     const bool has_sheets = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {

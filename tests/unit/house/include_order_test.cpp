@@ -44,10 +44,10 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // The public headers in the order of the stages: a header, and a room that makes a stage, may include those
 // up to it.
 const std::vector<std::string>& stages() {
-    static const std::vector<std::string> order{
-        "units",  "diagnostics", "geometry", "nest",      "files",  "design",
-        "lines",  "part_list",   "language", "mechanism", "check",  "assembly",
-        "motion", "pattern",     "layout",   "profile",   "output", "compile"};
+    static const std::vector<std::string> order{"units",     "diagnostics", "geometry", "nest",    "files",
+                                                "print",     "lines",       "assembly", "design",  "language",
+                                                "mechanism", "check",       "motion",   "pattern", "layout",
+                                                "profile",   "output",      "compile"};
     return order;
 }
 
@@ -59,11 +59,10 @@ std::size_t stage_of(const std::string& header) {
 
 // The last stage that a room may know of. The report writer alone sees the whole compilation.
 std::string last_stage(const std::string& room, const std::string& file) {
-    if (room == "base") return "files";
-    if (room == "parts") return "part_list";
+    if (room == "base") return "print";
+    if (room == "parts") return "assembly";
     if (room == "input") return "mechanism";
-    if (room == "mechanism") return "assembly";
-    if (room == "check") return "check";
+    if (room == "mechanism" || room == "check") return "check";
     if (room == "fabrication") return "profile";
     if (room == "output" && file != "report.cpp" && file != "report.h") return "output";
     if (room == "motion" || room == "nest" || room == "pattern" || room == "layout") return room;
@@ -129,6 +128,50 @@ TEST(IncludeOrder, ARoomIncludesOnlyRoomsBeforeIt) {
         }
     }
     EXPECT_GT(seen, 100U);
+}
+
+// All that a file includes, directly or through others of this house; names as they stand in includes.
+std::set<std::string> reached_from(const fs::path& path) {
+    const fs::path root = POPUP_SOURCE_DIR;
+    std::set<std::string> reached;
+    std::vector<fs::path> ahead{path};
+    while (!ahead.empty()) {
+        const fs::path next = ahead.back();
+        ahead.pop_back();
+        for (const Include& include : includes_of(next)) {
+            if (!include.quoted || !reached.insert(include.what).second) continue;
+            ahead.push_back(root / (include.what.starts_with("popup/") ? "include" : "src") / include.what);
+        }
+    }
+    return reached;
+}
+
+// The waist: what comes after the assembly cannot know in which language, or from which elements, it was
+// made. Of the writers only that of documents, that of reports, and what is emitted of a design see more.
+TEST(IncludeOrder, NothingAfterTheWaistReachesTheDesign) {
+    const fs::path root = fs::path(POPUP_SOURCE_DIR);
+    const std::set<std::string> rooms{"parts",  "motion",      "pattern", "nest",
+                                      "layout", "fabrication", "output"};
+    const std::set<std::string> exceptions{"output/xml.cpp", "output/report.cpp", "output/emit_design.cpp"};
+    std::vector<fs::path> files;
+    for (const fs::path& path : sources(root / "src")) {
+        const std::string file = fs::relative(path, root / "src");
+        if (!rooms.contains(file.substr(0, file.find('/'))) || exceptions.contains(file)) continue;
+        files.push_back(path);
+    }
+    for (const char* header : {"assembly", "motion", "pattern", "layout", "profile", "output"}) {
+        files.push_back(root / "include/popup" / (std::string(header) + ".h"));
+    }
+    EXPECT_GT(files.size(), 100U);
+    for (const fs::path& path : files) {
+        const std::set<std::string> reached = reached_from(path);
+        for (const char* header : {"design", "language", "mechanism", "check", "compile"}) {
+            EXPECT_FALSE(reached.contains(std::string("popup/") + header + ".h"))
+                << path << " reaches popup/" << header << ".h";
+        }
+    }
+    // The way through others is followed.
+    EXPECT_TRUE(reached_from(root / "src/output/report.cpp").contains("popup/design.h"));
 }
 
 TEST(IncludeOrder, PublicHeadersFollowTheStages) {

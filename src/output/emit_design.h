@@ -1,0 +1,20 @@
+// The Design as JSON, for `--emit design`; apart from the other stages' values, for those who write these
+// know no design.
+#pragma once
+
+#include <string>
+
+namespace popup {
+
+struct Design;
+
+// {file, stem, version, unit, width_mm, height_mm, left, right, place,
+//  structures: [{id, id_given, type, type_changed, dropped, place,
+//    points: [{at, page, place, changed}],
+//    fold: {page, begin: {at, page, place, changed}, end: {…}, place},
+//    left, right, left_tab, right_tab}],
+//  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}]}
+// Byte ranges of the source are left out: they are the reader's own. Numbers are as emit.h has them.
+std::string emit_design(const Design& design);
+
+}  // namespace popup
