@@ -27,7 +27,7 @@ struct Plate {
     // The colour in which all of it is printed, under its prints; none: bare paper. No Area, for it is as
     // large as the plate whatever is cut out of it.
     std::optional<Color> fill = {};
-    std::vector<Print> prints = {};  // what is printed on it. Only what lies on the outline is to be seen
+    std::vector<Print> prints = {};  // what is printed on it, and lies on the outline; images are cut to it
     int parent = -1;                 // plate it is hinged to; -1: stands in the world
     Vec2 pivot = {};                 // a point of the hinge line, in this plate's page coordinates
     // Where it stands, when no joint moves it and that is known: then it is shown in models.

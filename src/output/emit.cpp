@@ -7,10 +7,12 @@
 #include <string_view>
 #include <variant>
 
+#include "base/system/digest.h"
 #include "base/text/json_text.h"
 #include "base/text/numbers.h"
 #include "output/emit_json.h"
 #include "output/examination_json.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -53,14 +55,29 @@ Json strokes(const std::vector<Print>& prints) {
     return result;
 }
 
+// The file itself is left out: it is told by its length and digest.
+Json json(const Image& image) {
+    const Affine& place = image.place;
+    return {{"format", mime_type(image.format)},
+            {"bytes", image.bytes->size()},
+            {"sha256", sha256(*image.bytes)},
+            {"pixels", Json::array({image.width, image.height})},
+            {"place", Json::array({json(place.x), json(place.y), json(place.origin)})},
+            {"clip", list(image.clip, [](const Polygon& polygon) { return json(polygon); })}};
+}
+
 Json json(const Plate& plate, const Assembly& assembly) {
-    return {{"name", plate.name},
-            {"piece", named(assembly.pieces, plate.piece)},
-            {"outline", json(plate.outline)},
-            {"fill", json(plate.fill)},
-            {"strokes", strokes(plate.prints)},
-            {"parent", named(assembly.plates, plate.parent)},
-            {"pivot", json(plate.pivot)}};
+    Json one{{"name", plate.name},
+             {"piece", named(assembly.pieces, plate.piece)},
+             {"outline", json(plate.outline)},
+             {"fill", json(plate.fill)},
+             {"strokes", strokes(plate.prints)},
+             {"parent", named(assembly.plates, plate.parent)},
+             {"pivot", json(plate.pivot)}};
+    for (const Print& print : plate.prints) {
+        if (const auto* image = std::get_if<Image>(&print)) one["images"].push_back(json(*image));
+    }
+    return one;
 }
 
 Json json(const Line& line, const Assembly& assembly) {
@@ -239,7 +256,7 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
         }
     }
     const bool empty = piece.bounds.empty();
-    return {
+    Json one{
         {"name", piece.name},
         {"bounds", empty ? Json() : Json::array({json(piece.bounds.min), json(piece.bounds.max)})},
         {"cuts", list(piece.cuts,
@@ -263,6 +280,13 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
                          })},
         {"labels", labels(piece)},
         {"silhouette", list(piece.silhouette, [](const Polygon& polygon) { return json(polygon); })}};
+    for (const PatternPrint& print : piece.prints) {
+        const auto* image = std::get_if<Image>(&print.print);
+        if (image == nullptr) continue;
+        one["images"].push_back(json(*image));
+        one["images"].back()["plate"] = plate(print.plate);
+    }
+    return one;
 }
 
 Json json(const Pattern& pattern) {

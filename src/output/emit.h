@@ -19,7 +19,9 @@ namespace popup {
 
 // {file, stem,
 //  pieces: [{name, plates}],
-//  plates: [{name, piece, outline: polygon, fill, strokes: [{points, width_mm, color}], parent, pivot}],
+//  plates: [{name, piece, outline: polygon, fill, strokes: [{points, width_mm, color}], parent, pivot,
+//    images where there are any: [{format, bytes: their number, sha256, pixels: [width, height],
+//      place: the vectors of x and y and the origin, clip: [polygon]}]}],
 //  lines: [{kind, at, piece, plate, other_plate}],
 //  hinges: [{a, b, a_line, b_line, glued}],
 //  glue: [{piece_plate, base_plate, on_piece, on_base, label, fill, element, place}],
@@ -42,7 +44,8 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion);
 // {pieces: [{name, bounds: [min, max] or null,
 //    cuts: [{closed, depth, points}], lines: [{kind, at, plate, glued_on, fold_deg where it is known}],
 //    fills: [{plate, color, area: polygon}], strokes: [{plate, points, width_mm, color}], targets: [{plate,
-//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon]}]}
+//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon],
+//    images where there are any: as of plates, with plate}]}
 std::string emit_pattern(const Pattern& pattern);
 
 // {margin_mm, sheets: [{size_mm, utilisation, used_mm}], leftover_mm: [min, max] or null,

@@ -18,12 +18,12 @@
 #include "output/keys.h"
 #include "output/mesh.h"
 #include "output/poses.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
 
 constexpr double kMetre = 1000.0;
-constexpr double kDrawnLiftMm = 0.02;   // of drawn lines before the paper
 constexpr Color kCollision{255, 0, 0};  // of plates that cross others
 constexpr Color kTraceColor{0, 0, 0};
 constexpr int kLengthDecimals = 6;
@@ -88,12 +88,13 @@ class View {
     std::vector<unsigned char> bytes_;
 };
 
-enum Surface { kPaper, kDrawn, kColliding, kTrail };
+enum Surface { kPaper, kDrawn, kColliding, kTrail, kPainted };
 
 enum ViewIndex : std::size_t {
     kPositions,
     kNormals,
     kFaceNormals,
+    kTexturePlaces,
     kShortIndices,
     kLongIndices,
     kMotion,
@@ -103,11 +104,27 @@ enum ViewIndex : std::size_t {
 // Triangles or lines of one material, as points of space.
 struct SpaceMesh {
     Color color;
+    const Image* image = nullptr;
     bool drawn = false;
+    double lift_mm = 0.0;
     std::vector<Vec3> points;   // mm
     std::vector<Vec3> normals;  // of lines none
+    std::vector<Vec2> pixels;   // of a picture, at the points
     std::vector<std::uint32_t> indices;
 };
+
+// Where points of a plate lie in a picture, in pixels.
+std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot) {
+    const Affine& place = image.place;
+    const double scale = 1.0 / cross(place.x, place.y);
+    std::vector<Vec2> pixels;
+    pixels.reserve(points.size());
+    for (const Vec2 p : points) {
+        const Vec2 from = p + pivot - place.origin;
+        pixels.push_back({scale * cross(from, place.y), scale * cross(place.x, from)});
+    }
+    return pixels;
+}
 
 // What of a piece stands, one mesh a material.
 std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& piece) {
@@ -117,11 +134,19 @@ std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& pi
         if (!plate.stands) continue;
         for (const MeshPart& part : plate_mesh(plate)) {
             auto mesh = std::find_if(meshes.begin(), meshes.end(), [&part](const SpaceMesh& one) {
-                return one.color == part.color && one.drawn == part.drawn;
+                return one.color == part.color && one.drawn == part.drawn && one.lift_mm == part.lift_mm &&
+                       one.image == part.image;
             });
-            if (mesh == meshes.end()) mesh = meshes.insert(mesh, {part.color, part.drawn, {}, {}, {}});
+            if (mesh == meshes.end()) {
+                mesh =
+                    meshes.insert(mesh, {part.color, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
+            }
             const auto first = static_cast<std::uint32_t>(mesh->points.size());
-            const Vec3 lift = part.drawn ? kDrawnLiftMm * plate.stands->normal() : Vec3{};
+            const Vec3 lift = part.drawn ? part.lift_mm * plate.stands->normal() : Vec3{};
+            if (part.image != nullptr) {
+                const std::vector<Vec2> pixels = pixels_at(*part.image, part.points, plate.pivot);
+                mesh->pixels.insert(mesh->pixels.end(), pixels.begin(), pixels.end());
+            }
             for (const Vec2 p : part.points) {
                 mesh->points.push_back(plate.stands->point(p + plate.pivot) + lift);
                 mesh->normals.push_back(plate.stands->normal());
@@ -134,7 +159,8 @@ std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& pi
 
 // Lines as pairs of points.
 SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines) {
-    SpaceMesh mesh{kTraceColor, true, {}, {}, {}};
+    SpaceMesh mesh;
+    mesh.color = kTraceColor;
     for (const std::vector<Vec3>& line : lines) {
         for (std::size_t i = 0; i < line.size(); ++i) {
             if (i > 0) {
@@ -197,11 +223,13 @@ class SceneBuilder {
         const auto [at, is_new] = materials_.try_emplace({surface, color.r, color.g, color.b},
                                                          static_cast<int>(model_.materials.size()));
         if (!is_new) return at->second;
-        const bool drawn = surface == kDrawn;
+        const bool drawn = surface == kDrawn || surface == kPainted;
         tinygltf::Material material;
         material.name = surface == kColliding ? "collision"
                         : surface == kTrail   ? "trail"
-                                              : to_string(color) + (drawn ? " line" : "");
+                                              : to_string(color) + (surface == kDrawn     ? " line"
+                                                                    : surface == kPainted ? " area"
+                                                                                          : "");
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
                                                          1.0};
         material.pbrMetallicRoughness.metallicFactor = 0.0;
@@ -210,6 +238,58 @@ class SceneBuilder {
         material.doubleSided = !drawn;
         model_.materials.push_back(std::move(material));
         return at->second;
+    }
+
+    // The material of a picture: the same for all that shows the same file.
+    int material(const Image& image) {
+        const auto [at, is_new] =
+            pictures_.try_emplace(image.bytes.get(), static_cast<int>(model_.materials.size()));
+        if (!is_new) return at->second;
+        const int number = static_cast<int>(model_.images.size());
+        tinygltf::Image file;
+        file.name = fmt::format("picture {}", number + 1);
+        file.mimeType = mime_type(image.format);
+        file.bufferView = number;  // among those of pictures, until add_buffer() knows better
+        model_.images.push_back(std::move(file));
+        picture_files_.push_back(image.bytes);
+        if (model_.samplers.empty()) {
+            tinygltf::Sampler sampler;
+            sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+            sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+            sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+            model_.samplers.push_back(std::move(sampler));
+        }
+        tinygltf::Texture texture;
+        texture.sampler = 0;
+        texture.source = number;
+        model_.textures.push_back(std::move(texture));
+        tinygltf::Material material;
+        material.name = model_.images.back().name;
+        material.pbrMetallicRoughness.baseColorTexture.index = number;
+        material.pbrMetallicRoughness.metallicFactor = 0.0;
+        material.pbrMetallicRoughness.roughnessFactor = 1.0;
+        material.doubleSided = false;  // as of drawn lines
+        if (may_be_transparent(image)) material.alphaMode = "BLEND";
+        model_.materials.push_back(std::move(material));
+        return at->second;
+    }
+
+    int material_of(const Image* image, Color color, bool drawn, double lift_mm) {
+        if (image != nullptr) return material(*image);
+        return material(color, !drawn ? kPaper : lift_mm == kDrawnLiftMm ? kDrawn : kPainted);
+    }
+
+    // The accessor of places in a picture, as parts of its width and height.
+    int texture_places(const Image& image, const std::vector<Vec2>& pixels) {
+        std::vector<std::array<float, 2>> places;
+        places.reserve(pixels.size());
+        for (const Vec2 p : pixels) {
+            places.push_back({static_cast<float>(rounded(p.x / image.width, 9)),
+                              static_cast<float>(rounded(p.y / image.height, 9))});
+        }
+        return add_accessor(kTexturePlaces,
+                            views_[kTexturePlaces].append(std::span<const std::array<float, 2>>(places)),
+                            TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, places.size());
     }
 
     // The accessor of points, and how far they reach.
@@ -231,18 +311,22 @@ class SceneBuilder {
         return accessor;
     }
 
-    tinygltf::Primitive primitive(const MeshPart& part, bool collides) {
-        const float z = part.drawn ? metres(kDrawnLiftMm) : 0.0F;
+    tinygltf::Primitive primitive(const MeshPart& part, Vec2 pivot, bool collides) {
+        const float z = metres(part.lift_mm);
         std::vector<std::array<float, 3>> points;
         points.reserve(part.points.size());
         for (const Vec2 p : part.points) points.push_back({metres(p.x), metres(p.y), z});
         tinygltf::Primitive result;
         result.mode = TINYGLTF_MODE_TRIANGLES;
-        result.material = part.drawn ? material(part.color, kDrawn)
-                          : collides ? material(kCollision, kColliding)
-                                     : material(part.color, kPaper);
+        result.material = collides && !part.drawn
+                              ? material(kCollision, kColliding)
+                              : material_of(part.image, part.color, part.drawn, part.lift_mm);
         result.attributes["POSITION"] = positions(points);
         result.attributes["NORMAL"] = normals(part.points.size());
+        if (part.image != nullptr) {
+            result.attributes["TEXCOORD_0"] =
+                texture_places(*part.image, pixels_at(*part.image, part.points, pivot));
+        }
         result.indices = indices(part);
         return result;
     }
@@ -268,7 +352,8 @@ class SceneBuilder {
         for (const Vec3 p : mesh.points) points.push_back({metres(p.x), metres(p.y), metres(p.z)});
         tinygltf::Primitive result;
         result.mode = lines ? TINYGLTF_MODE_LINE : TINYGLTF_MODE_TRIANGLES;
-        result.material = material(mesh.color, lines ? kTrail : mesh.drawn ? kDrawn : kPaper);
+        result.material = lines ? material(mesh.color, kTrail)
+                                : material_of(mesh.image, mesh.color, mesh.drawn, mesh.lift_mm);
         result.attributes["POSITION"] = positions(points);
         if (!lines) {
             std::vector<float> normals;
@@ -281,6 +366,7 @@ class SceneBuilder {
                 add_accessor(kFaceNormals, views_[kFaceNormals].append(std::span<const float>(normals)),
                              TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.normals.size());
         }
+        if (mesh.image != nullptr) result.attributes["TEXCOORD_0"] = texture_places(*mesh.image, mesh.pixels);
         result.indices = add_indices(mesh.indices, mesh.points.size());
         return result;
     }
@@ -310,7 +396,8 @@ class SceneBuilder {
     int add_mesh(const Plate& plate, const std::string& name, bool collides) {
         tinygltf::Mesh mesh;
         mesh.name = name;
-        for (const MeshPart& part : plate_mesh(plate)) mesh.primitives.push_back(primitive(part, collides));
+        for (const MeshPart& part : plate_mesh(plate))
+            mesh.primitives.push_back(primitive(part, plate.pivot, collides));
         if (mesh.primitives.empty()) return -1;
         model_.meshes.push_back(std::move(mesh));
         return static_cast<int>(model_.meshes.size()) - 1;
@@ -521,6 +608,9 @@ class SceneBuilder {
             if (i == kPositions || i == kNormals || i == kFaceNormals) {
                 view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
                 view.byteStride = 3 * sizeof(float);
+            } else if (i == kTexturePlaces) {
+                view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
+                view.byteStride = 2 * sizeof(float);
             } else if (i != kMotion) {
                 view.target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
             }
@@ -532,6 +622,17 @@ class SceneBuilder {
         for (tinygltf::Accessor& accessor : model_.accessors) {
             accessor.bufferView = numbers.at(static_cast<std::size_t>(accessor.bufferView));
         }
+        for (tinygltf::Image& image : model_.images) {
+            const std::string& file = *picture_files_.at(static_cast<std::size_t>(image.bufferView));
+            image.bufferView = static_cast<int>(model_.bufferViews.size());
+            tinygltf::BufferView view;
+            view.buffer = 0;
+            view.byteOffset = buffer.data.size();
+            view.byteLength = file.size();
+            buffer.data.insert(buffer.data.end(), file.begin(), file.end());
+            buffer.data.resize((buffer.data.size() + 3) / 4 * 4);
+            model_.bufferViews.push_back(std::move(view));
+        }
         if (!buffer.data.empty()) model_.buffers.push_back(std::move(buffer));
     }
 
@@ -542,6 +643,8 @@ class SceneBuilder {
     std::vector<float> times_;
     std::vector<std::array<float, 4>> turns_;  // of one plate; kept for its memory
     std::map<std::array<int, 4>, int> materials_;
+    std::map<const std::string*, int> pictures_;  // the materials of files
+    std::vector<std::shared_ptr<const std::string>> picture_files_;
     std::map<std::size_t, int> normals_;
     std::map<std::vector<std::uint32_t>, int> indices_;
     std::size_t largest_mesh_ = 0;

@@ -12,6 +12,7 @@
 #include "output/machine_order.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -108,6 +109,26 @@ class Drawer {
         shape.color = color;
         shape.width_mm = width_mm;
     }
+    void area(const Area& area, int plate) {
+        begin(Operation::fill, plate, area.color, 0.0);
+        drawing_.shapes.back().filled = true;
+        region(area.shape);
+    }
+    void image(const Image& image, int plate) {
+        begin(Operation::fill, plate, Color{}, 0.0);
+        drawing_.shapes.back().filled = true;
+        drawing_.shapes.back().image = static_cast<int>(drawing_.images.size());
+        const Vec2 origin = carrier_.at(image.place.origin);
+        drawing_.images.push_back({&image,
+                                   {carrier_.at(image.place.point({1.0, 0.0})) - origin,
+                                    carrier_.at(image.place.point({0.0, 1.0})) - origin, origin}});
+        for (const Polygon& one : shown_regions(image)) region(one);
+    }
+    void region(const Polygon& polygon) {
+        run(polygon.outer, true);
+        for (const Ring& hole : polygon.holes) run(hole, true);
+    }
+
     void begin(Operation operation, int plate) {
         const Pen& pen = drawing_.profile.pen(operation);
         begin(operation, plate, pen.color, pen.width_mm);
@@ -170,12 +191,8 @@ class Drawer {
         switch (operation) {
             case Operation::fill:
                 for (const PatternPrint& one : piece.prints) {
-                    const Area* area = std::get_if<Area>(&one.print);
-                    if (area == nullptr) continue;
-                    begin(operation, one.plate, area->color, 0.0);
-                    drawing_.shapes.back().filled = true;
-                    run(area->shape.outer, true);
-                    for (const Ring& hole : area->shape.holes) run(hole, true);
+                    if (const Area* painted = std::get_if<Area>(&one.print)) area(*painted, one.plate);
+                    if (const Image* shown = std::get_if<Image>(&one.print)) image(*shown, one.plate);
                 }
                 return;
             case Operation::draw:

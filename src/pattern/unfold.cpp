@@ -16,6 +16,7 @@
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"
 #include "pattern/tabs.h"
+#include "popup/image.h"
 #include "popup/pattern.h"
 
 namespace popup {
@@ -132,6 +133,19 @@ class Unfolder {
         return line;
     }
 
+    // Pictures are cut to the paper they are printed on.
+    static void add_print(const Print& print, const std::vector<Polygon>& paper, int plate,
+                          PatternPiece& piece) {
+        const Image* image = std::get_if<Image>(&print);
+        if (image == nullptr) {
+            piece.prints.push_back({print, plate});
+            return;
+        }
+        Image cut = *image;
+        cut.clip = intersect(shown_regions(*image), paper);
+        if (!cut.clip.empty()) piece.prints.push_back({std::move(cut), plate});
+    }
+
     void unfold_plates(std::size_t number) {
         PatternPiece& piece = pieces_[number].piece;
         const Piece& from = in_.pieces[number];
@@ -141,10 +155,10 @@ class Unfolder {
             const Plate& plate = in_.plates[at(index)];
             outlines.push_back(plate.outline);
             if (plate.fill) piece.prints.push_back({Area{plate.outline, *plate.fill}, index});
-            for (const Print& print : plate.prints) piece.prints.push_back({print, index});
+            for (const Print& print : plate.prints) add_print(print, {plate.outline}, index, piece);
         }
-        for (const Print& print : from.prints) piece.prints.push_back({print, -1});
         piece.silhouette = from.paper.empty() ? silhouette_of(outlines) : from.paper;
+        for (const Print& print : from.prints) add_print(print, piece.silhouette, -1, piece);
     }
 
     // Everything on a plate that a target must stay off: its edges, lines on it, and what was glued to it
