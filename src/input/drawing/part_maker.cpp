@@ -11,8 +11,8 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
-#include "input/drawing/joining.h"
 #include "parts/contours.h"
+#include "input/drawing/joining.h"
 #include "parts/work.h"
 
 namespace popup::drawing {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "input/drawing/tracing.h"
 #include "parts/flat_parts.h"
+#include "input/drawing/tracing.h"
 #include "parts/work.h"
 #include "popup/diagnostics.h"
 

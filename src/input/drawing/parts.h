@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "input/drawing/tracing.h"
 #include "parts/flat_parts.h"
+#include "input/drawing/tracing.h"
 #include "popup/diagnostics.h"
 
 namespace popup::drawing {

@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "input/drawing/parts.h"
 #include "input/drawing/trace.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/locate.h"
+#include "input/drawing/parts.h"
 
 namespace popup::drawing {
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "base/geometry/regions.h"
-#include "input/drawing/joining.h"
 #include "output/svg.h"
 #include "parts/contours.h"
+#include "input/drawing/joining.h"
 #include "popup/compile.h"
 #include "support/drawings.h"
 #include "support/prints.h"
