@@ -7,7 +7,7 @@
 #include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/locate.h"
-#include "input/drawing/parts.h"
+#include "parts/drawn_parts.h"
 
 namespace popup::drawing {
 

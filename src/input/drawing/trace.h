@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "input/xml/locate.h"
-#include "input/drawing/tracing.h"
+#include "parts/tracing.h"
 #include "popup/diagnostics.h"
 #include "popup/language.h"
 

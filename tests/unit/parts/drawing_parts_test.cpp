@@ -15,7 +15,7 @@
 #include "base/geometry/regions.h"
 #include "output/svg.h"
 #include "parts/contours.h"
-#include "input/drawing/joining.h"
+#include "parts/joining.h"
 #include "popup/compile.h"
 #include "support/drawings.h"
 #include "support/prints.h"

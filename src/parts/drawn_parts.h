@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "parts/flat_parts.h"
-#include "input/drawing/tracing.h"
+#include "parts/tracing.h"
 #include "popup/diagnostics.h"
 
 namespace popup::drawing {

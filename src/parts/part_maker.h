@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "parts/flat_parts.h"
-#include "input/drawing/tracing.h"
+#include "parts/tracing.h"
 #include "parts/work.h"
 #include "popup/diagnostics.h"
 

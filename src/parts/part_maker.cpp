@@ -1,4 +1,4 @@
-#include "input/drawing/part_maker.h"
+#include "parts/part_maker.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "parts/contours.h"
-#include "input/drawing/joining.h"
+#include "parts/joining.h"
 #include "parts/work.h"
 
 namespace popup::drawing {

@@ -1,4 +1,4 @@
-#include "input/drawing/parts.h"
+#include "parts/drawn_parts.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "input/drawing/joining.h"
-#include "input/drawing/part_maker.h"
+#include "parts/joining.h"
+#include "parts/part_maker.h"
 
 namespace popup::drawing {
 namespace {
