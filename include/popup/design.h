@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,19 +12,9 @@
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "popup/geometry.h"
+#include "popup/print.h"
 
 namespace popup {
-
-struct Color {
-    std::uint8_t r = 255;
-    std::uint8_t g = 255;
-    std::uint8_t b = 255;
-    friend bool operator==(const Color&, const Color&) = default;
-};
-// "#rrggbb", lower case.
-std::string to_string(Color color);
-// The colour of "#rrggbb", in either case; nullopt when it is not that.
-std::optional<Color> hex_color(std::string_view text);
 
 // Where a value stands in the source text, in bytes; length 0 and offset npos when it was not written.
 // Only input/ makes and uses these: with them a repair changes the author's numbers and nothing else of the

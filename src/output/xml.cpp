@@ -8,6 +8,7 @@
 
 #include "input/xml/number.h"
 #include "input/xml/path_text.h"
+#include "popup/check.h"
 #include "popup/mechanism.h"
 
 namespace popup {

@@ -493,7 +493,7 @@ TEST(FlatLangCard, NothingIsMadeOfAProgramThatFails) {
     const Reading reading = run("c = popup() print(\"so far\") beak(c) print(\"no more\")", diagnostics);
     EXPECT_EQ(reading.printed, "so far\n");
     EXPECT_FALSE(reading.design);
-    EXPECT_FALSE(reading.parts);
+    EXPECT_FALSE(reading.assembly);
     EXPECT_TRUE(diagnostics.has_errors());
 }
 
