@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "base/diagnostics/allowances.h"
-#include "base/system/crew.h"
 #include "fabrication/kerf.h"
+#include "run/crew.h"
+#include "run/unused_allowances.h"
 
 namespace popup {
 namespace {

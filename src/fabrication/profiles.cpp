@@ -2,6 +2,7 @@
 // the rows.
 #include <algorithm>
 
+#include "base/nth.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
 
@@ -22,7 +23,7 @@ constexpr double kThin = 0.1;
 
 using Pens = std::array<Pen, kOperations.size()>;
 
-Pen& pen_of(Pens& pens, Operation operation) { return pens[static_cast<std::size_t>(operation)]; }
+Pen& pen_of(Pens& pens, Operation operation) { return nth(pens, operation); }
 
 // What is printed. With an empty layer it is left out; a file that begins with such a profile may give it
 // one.

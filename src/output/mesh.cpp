@@ -7,13 +7,12 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {
 
-constexpr double kPerMm = 1.0 / kGridMm;
-constexpr double kArcMm = 0.01;             // how far round ends stray from the circle
 constexpr std::size_t kMostCrossings = 50;  // a line, on average
 
 using Region = std::vector<Polygon>;
@@ -23,7 +22,7 @@ Region widened(const Stroke& stroke) {
     ClipperLib::Path path;
     for (const Vec2 p : stroke.points)
         path.emplace_back(std::llround(p.x * kPerMm), std::llround(p.y * kPerMm));
-    ClipperLib::ClipperOffset offset(2.0, kArcMm * kPerMm);
+    ClipperLib::ClipperOffset offset(2.0, kCurveMm * kPerMm);
     offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etOpenRound);
     ClipperLib::Paths rings;
     offset.Execute(rings, 0.5 * stroke.width_mm * kPerMm);

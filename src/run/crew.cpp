@@ -1,4 +1,4 @@
-#include "base/system/crew.h"
+#include "run/crew.h"
 
 #include <atomic>
 #include <mutex>

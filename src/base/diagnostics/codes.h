@@ -1,4 +1,4 @@
-// The rows of code_table() about inputs that are programs.
+// The rows of code_table() about files that cannot be read or written.
 #pragma once
 
 #include <span>
@@ -8,6 +8,6 @@
 namespace popup {
 
 // Sorted by code.
-std::span<const CodeInfo> program_codes();
+std::span<const CodeInfo> base_codes();
 
 }  // namespace popup

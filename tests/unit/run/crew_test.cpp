@@ -1,5 +1,5 @@
 // Threads that share work, and who is asked before they are started.
-#include "base/system/crew.h"
+#include "run/crew.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/diagnostics/allowances.h"
+#include "run/unused_allowances.h"
 
 #include <vector>
 
