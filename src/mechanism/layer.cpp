@@ -21,54 +21,46 @@ using namespace two_seams;
 
 // Over a mountain fold the farther seam comes as near as the other, where there
 // is paper for certain.
-void make_even(Element &e) {
-  const double p = e.on[A].w;
-  const double q = e.on[E].w;
-  if (!e.site.mountain || p == q)
-    return;
-  const double both = std::min(p, q);
-  e.on[A].w = e.on[B].w = e.on[E].w = e.on[F].w = both;
-  if (std::abs(p - q) <= e.tolerances->rounding_mm)
-    return;
-  e.repaired("seams-uneven",
-             fmt::format("its seams are {} and {} away from the mountain fold, "
-                         "which hold it only at the same "
-                         "distance; both are now {} away",
-                         mm(p), mm(q), mm(both)),
-             "put both seams at the same distance from the fold");
+void make_even(Element& e) {
+    const double p = e.on[A].w;
+    const double q = e.on[E].w;
+    if (!e.site.mountain || p == q) return;
+    const double both = std::min(p, q);
+    e.on[A].w = e.on[B].w = e.on[E].w = e.on[F].w = both;
+    if (std::abs(p - q) <= e.tolerances->rounding_mm) return;
+    e.repaired("seams-uneven",
+               fmt::format("its seams are {} and {} away from the mountain fold, "
+                           "which hold it only at the same "
+                           "distance; both are now {} away",
+                           mm(p), mm(q), mm(both)),
+               "put both seams at the same distance from the fold");
 }
 
 // As wide as the seams are apart, neither less nor more.
-void make_flat(Element &e) {
-  const double wide = width(e);
-  const double wanted = apart(e);
-  set_width(e, wanted);
-  if (std::abs(wide - wanted) <= e.tolerances->rounding_mm)
-    return;
-  e.repaired(
-      "layer-width",
-      fmt::format("the piece is {} wide and its seams on the page are {} "
-                  "apart, where a layer lies "
-                  "flat on the open card; it was made {} wide",
-                  mm(wide), mm(wanted), mm(wanted)),
-      "make the piece as wide as its seams are apart, or make it a tent");
+void make_flat(Element& e) {
+    const double wide = width(e);
+    const double wanted = apart(e);
+    set_width(e, wanted);
+    if (std::abs(wide - wanted) <= e.tolerances->rounding_mm) return;
+    e.repaired("layer-width",
+               fmt::format("the piece is {} wide and its seams on the page are {} "
+                           "apart, where a layer lies "
+                           "flat on the open card; it was made {} wide",
+                           mm(wide), mm(wanted), mm(wanted)),
+               "make the piece as wide as its seams are apart, or make it a tent");
 }
 
-bool constrain(Element &e) {
-  if (!constrain_page(e))
-    return false;
-  make_even(e);
-  if (!constrain_piece(e))
-    return false;
-  make_flat(e);
-  return true;
+bool constrain(Element& e) {
+    if (!constrain_page(e)) return false;
+    make_even(e);
+    if (!constrain_piece(e)) return false;
+    make_flat(e);
+    return true;
 }
 
-void lower(const Element &e, Builder &builder) {
-  two_seams::lower(e, builder, !e.site.mountain);
-}
+void lower(const Element& e, Builder& builder) { two_seams::lower(e, builder, !e.site.mountain); }
 
-} // namespace
+}  // namespace
 
 const ElementRow kLayer = {{.name = "layer",
                             .code = -1,
@@ -88,4 +80,4 @@ const ElementRow kLayer = {{.name = "layer",
                            width,
                            lower};
 
-} // namespace popup
+}  // namespace popup
