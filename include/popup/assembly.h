@@ -31,6 +31,7 @@ struct Plate {
     std::vector<Print> prints = {};  // what is printed on it, and lies on the outline; images are cut to it
     int parent = -1;                 // plate it is hinged to; -1: stands in the world
     Vec2 pivot = {};                 // a point of the hinge line, in this plate's page coordinates
+    Lying lying = Lying::free;       // whether it is glued flat on its parent, and on which side
     // Where it stands, when no joint moves it and that is known: then it is shown in models.
     std::optional<Frame> stands = {};
 };
@@ -85,6 +86,15 @@ struct Glue {
     Place place;  // of the element, for findings about the tab
 };
 
+// A piece that is glued flat on a plate of another, over an area and not by tabs.
+struct GluedArea {
+    int plate = 0, base_plate = 0;
+    std::vector<Polygon> on_base;  // page coordinates of the base plate; at least one, none of them overlap
+    std::string label;             // "3": on the target, and before the piece's name
+    std::string element;
+    Place place;  // of the element
+};
+
 // The openings that a motion goes through, and how it begins.
 struct Sweep {
     double from_deg = 0.0;  // 0: closed
@@ -109,6 +119,7 @@ struct Assembly {
     std::vector<Line> lines;
     std::vector<Hinge> hinges;
     std::vector<Glue> glue;
+    std::vector<GluedArea> glued_areas;
     std::vector<Joint> joints;  // in an order in which each finds its plates placed; none: nothing moves
     Sweep sweep;
     // The plates that are the card: nothing may stick out of them when it is closed. Left to right, those on

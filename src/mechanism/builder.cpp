@@ -99,6 +99,8 @@ int Builder::add_fold(Fold fold) {
     return static_cast<int>(skeleton_.folds.size()) - 1;
 }
 
+void Builder::add_glued_area(GluedArea area) { skeleton_.draft.glued_areas.push_back(std::move(area)); }
+
 void Builder::add_glue(Glue glue) { skeleton_.draft.glue.push_back(std::move(glue)); }
 
 void Builder::add_cut_out(int plate, int fold, Ring path) {
@@ -119,6 +121,7 @@ void Builder::add_joint(Joint joint) {
         Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(one.plate)];
         plate.parent = one.parent;
         plate.pivot = one.pivot;
+        plate.lying = one.lying;
     }
     skeleton_.draft.joints.push_back(std::move(joint));
 }

@@ -87,6 +87,7 @@ class Builder {
     // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
     int add_fold(Fold fold);
     void add_glue(Glue glue);
+    void add_glued_area(GluedArea area);
     // `path` runs from the fold through the plate back to the fold, either way round.
     void add_cut_out(int plate, int fold, Ring path);
     void add_gone(int fold, double lo, double hi, const std::string& by);

@@ -82,6 +82,15 @@ Json json(const Hinge& hinge, const Assembly& assembly) {
             {"glued", hinge.glued}};
 }
 
+Json json(const GluedArea& area, const Assembly& assembly) {
+    return {{"plate", named(assembly.plates, area.plate)},
+            {"base_plate", named(assembly.plates, area.base_plate)},
+            {"on_base", list(area.on_base, [](const Polygon& part) { return json(part); })},
+            {"label", area.label},
+            {"element", area.element},
+            {"place", json(area.place)}};
+}
+
 Json json(const Glue& glue, const Assembly& assembly) {
     return {{"piece_plate", named(assembly.plates, glue.piece_plate)},
             {"base_plate", named(assembly.plates, glue.base_plate)},
@@ -304,17 +313,18 @@ std::string emit_assembly(const Assembly& assembly) {
         const auto name = [&assembly](int plate) { return named(assembly.plates, plate); };
         return Json{{"name", one.name}, {"plates", list(one.plates, name)}};
     };
-    return json_text(
-        {{"file", assembly.file},
-         {"stem", assembly.stem},
-         {"pieces", list(assembly.pieces, piece)},
-         {"plates", list(assembly.plates, member)},
-         {"lines", list(assembly.lines, member)},
-         {"hinges", list(assembly.hinges, member)},
-         {"glue", list(assembly.glue, member)},
-         {"joints", list(assembly.joints, member)},
-         {"sweep", json(assembly.sweep)},
-         {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}});
+    Json whole{{"file", assembly.file},
+               {"stem", assembly.stem},
+               {"pieces", list(assembly.pieces, piece)},
+               {"plates", list(assembly.plates, member)},
+               {"lines", list(assembly.lines, member)},
+               {"hinges", list(assembly.hinges, member)},
+               {"glue", list(assembly.glue, member)},
+               {"joints", list(assembly.joints, member)},
+               {"sweep", json(assembly.sweep)},
+               {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}};
+    if (!assembly.glued_areas.empty()) whole["glued_areas"] = list(assembly.glued_areas, member);
+    return json_text(whole);
 }
 
 std::string emit_motion(const Assembly& assembly, const Motion& motion) {

@@ -26,7 +26,8 @@ namespace popup {
 //  hinges: [{a, b, a_line, b_line, glued}],
 //  glue: [{piece_plate, base_plate, on_piece, on_base, label, fill, element, place}],
 //  joints: [{kind, name, place, and what fields() of the kind in popup/joints.h names}],
-//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates]}
+//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates],
+//  glued_areas where there are any: [{plate, base_plate, on_base: [polygon], label, element, place}]}
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,

@@ -51,6 +51,7 @@ class Unfolder {
         sort_lines();
         for (std::size_t i = 0; i < pieces_.size(); ++i) unfold_plates(i);
         for (const Glue& glue : in_.glue) add_tab(glue);
+        for (const GluedArea& area : in_.glued_areas) add_glued_area(area);
         for (std::size_t i = 0; i < pieces_.size(); ++i) finish(i);
         for (const Plate& plate : in_.plates) out_.plate_names.push_back(plate.name);
         for (Work& work : pieces_) out_.pieces.push_back(std::move(work.piece));
@@ -253,6 +254,31 @@ class Unfolder {
             under.piece.labels.push_back({LabelKind::target, glue.label, on_base.to_page(spot->at),
                                           spot->height, on_base.text_angle()});
         }
+    }
+
+    // Its target is the area itself, with the piece's number where there is most room for it.
+    void add_glued_area(const GluedArea& glued) {
+        constexpr double kLeastText = 1.5;
+        pieces_[at(in_.plates[at(glued.plate)].piece)].tab_label = glued.label;
+        const Plate& base = in_.plates[at(glued.base_plate)];
+        Work& under = pieces_[at(base.piece)];
+        const auto label = [&](const TextSpot& spot) {
+            under.piece.labels.push_back(
+                {LabelKind::target, glued.label, spot.at, spot.height, spot.angle});
+        };
+        bool labelled = false;
+        for (const Polygon& part : glued.on_base) {
+            under.piece.targets.push_back({part.outer, glued.base_plate});
+            Ring obstacle = part.outer;
+            std::reverse(obstacle.begin(), obstacle.end());
+            insert_ring(on_plate(glued.base_plate), obstacle);
+            const auto spot =
+                labelled ? std::nullopt
+                         : place_on_plate(EdgeIndex(edges_of(part), {}), {}, bounds(part.outer), glued.label);
+            if (spot) label(*spot);
+            labelled = labelled || spot;
+        }
+        if (!labelled) label({inner_point(glued.on_base.front(), 0.1).at, kLeastText});
     }
 
     void add_part(const Glue& glue, const SeamFrame& frame, const Ring& part, Work& work) {
