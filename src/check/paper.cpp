@@ -72,6 +72,13 @@ void PaperMap::update(const Skeleton& skeleton) {
         for (const Ring& hole : outlines_.back().holes)
             add_ring(skeleton.plate_page[plate], hole, static_cast<int>(plate));
     }
+    for (; areas_seen_ < skeleton.draft.glued_areas.size(); ++areas_seen_) {
+        const GluedArea& area = skeleton.draft.glued_areas[areas_seen_];
+        const int number = skeleton.plate_page[static_cast<std::size_t>(area.base_plate)];
+        for (const Polygon& part : area.on_base) {
+            for (const Segment& edge : edges_of(part)) add(number, edge, area.base_plate, true);
+        }
+    }
     for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
         const Fold& fold = skeleton.folds[folds_seen_];
         // Only the plates that lost paper or got a seam have changed: those on either side of a new fold.

@@ -1,4 +1,4 @@
-// The paper as it is while elements are put on it: where plates end, what has been cut out, where seams lie.
+// The paper as it is while elements are put on it: where plates end, what has been cut out, where seams and glued areas lie.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class PaperMap {
  public:
     explicit PaperMap(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
-    // Takes in the plates, cut-outs and seams that were added to the skeleton since the last call.
+    // Takes in the plates, cut-outs, seams and glued areas that were added to the skeleton since the last call.
     void update(const Skeleton& skeleton);
 
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
@@ -44,6 +44,7 @@ class PaperMap {
     std::vector<Polygon> outlines_;       // raw, of each plate
     std::vector<std::size_t> cuts_seen_;  // of each plate
     std::size_t folds_seen_ = 0;
+    std::size_t areas_seen_ = 0;
 };
 
 }  // namespace popup
