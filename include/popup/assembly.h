@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/curves.h"
 #include "popup/design.h"
 #include "popup/geometry.h"
 #include "popup/lines.h"
@@ -108,6 +109,7 @@ struct Assembly {
     std::vector<Hinge> hinges;
     std::vector<Glue> glue;
     std::vector<Joint> joints;
+    CurveTable curves;  // that chords of all pieces stand for
 };
 
 struct AssembleOptions {};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/curves.h"
 #include "popup/design.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
@@ -68,6 +69,7 @@ struct StillModel {
 
 struct PartList {
     std::vector<Part> parts;
+    CurveTable curves;                // that chords of all parts stand for
     std::optional<StillModel> model;  // of languages that describe where their parts stand
 };
 

@@ -201,6 +201,20 @@ class Content {
         last = std::move(text);
     }
 
+    void curves(const Subpath& path) {
+        point(path.start);
+        raw("m\n");
+        for (const PathStep& step : path.steps) {
+            if (step.curve) {
+                point(step.control_1);
+                point(step.control_2);
+            }
+            point(step.to);
+            raw(step.curve ? "c\n" : "l\n");
+        }
+        if (path.closed) raw("h\n");
+    }
+
     void shape(const SheetShape& shape) {
         if (shape.filled) {
             look(color(shape.color, 'k'), fill_look_);
@@ -208,6 +222,10 @@ class Content {
             look(stroke_look(shape), stroke_look_);
         }
         for (const Run& run : drawing_.runs_of(shape)) {
+            if (run.steps > 0) {
+                curves(drawing_.path_of(run));
+                continue;
+            }
             const char* command = "m\n";
             for (const Vec2 p : drawing_.points_of(run)) {
                 point(p);

@@ -117,6 +117,7 @@ PatternPiece piece_of(const Part& part) {
 std::optional<Pattern> make_pattern(const PartList& list, const PatternOptions& /*options*/,
                                     Diagnostics& /*diagnostics*/) {
     Pattern pattern;
+    pattern.curves = list.curves;
     pattern.pieces.reserve(list.parts.size());
     for (const Part& part : list.parts) pattern.pieces.push_back(piece_of(part));
     return pattern;

@@ -95,8 +95,11 @@ std::optional<PartList> make_parts(const Tracing& tracing, Diagnostics& diagnost
     for (const TracedText& text : tracing.texts) owners[at(text.owner)].texts.push_back(&text);
     Work work;
     PartList list;
+    list.curves = tracing.curves;
+    std::vector<Segment> moves;
     for (std::size_t i = 0; i < owners.size(); ++i) {
-        std::vector<Part> parts = make_parts_of(tracing, static_cast<int>(i), owners[i], work, diagnostics);
+        std::vector<Part> parts =
+            make_parts_of(tracing, static_cast<int>(i), owners[i], work, moves, diagnostics);
         list.parts.insert(list.parts.end(), std::make_move_iterator(parts.begin()),
                           std::make_move_iterator(parts.end()));
     }
@@ -105,6 +108,7 @@ std::optional<PartList> make_parts(const Tracing& tracing, Diagnostics& diagnost
         tell_empty(tracing, diagnostics);
         return std::nullopt;
     }
+    list.curves.move(moves);
     name_parts(list.parts);
     return list;
 }

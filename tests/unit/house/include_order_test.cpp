@@ -45,9 +45,9 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",  "diagnostics", "geometry", "nest",      "files",  "design",
-        "lines",  "part_list",   "language", "mechanism", "check",  "assembly",
-        "motion", "pattern",     "layout",   "profile",   "output", "compile"};
+        "units",  "diagnostics", "geometry",  "path",     "curves",    "nest",   "files",
+        "design", "lines",       "part_list", "language", "mechanism", "check",  "assembly",
+        "motion", "pattern",     "layout",    "profile",  "output",    "compile"};
     return order;
 }
 
