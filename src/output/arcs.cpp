@@ -10,6 +10,8 @@ namespace {
 constexpr double kArcMm = 1e-3;
 // A flatter arc is told from a line by no one.
 constexpr double kLargestRadius = 1e6;
+// Half a turn, and what rounding adds.
+constexpr double kMostTurn = std::numbers::pi + 1e-3;
 // Arcs drawn in more parts than this remain several.
 constexpr std::size_t kMostParts = 16;
 
@@ -48,7 +50,7 @@ std::optional<double> bulge_of(const std::vector<Vec2>& points) {
         turned += step;
         before = now;
     }
-    if (std::abs(turned) > std::numbers::pi + 1e-6) return std::nullopt;
+    if (std::abs(turned) > kMostTurn) return std::nullopt;
     return std::tan(0.25 * turned);
 }
 

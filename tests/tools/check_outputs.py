@@ -375,14 +375,14 @@ def check_files(run, findings, rendered, closely):
                 findings.notes.add("DXF files: there is no ezdxf")
             else:
                 lines = read_sheets.read_dxf(path)
-                yield from compare_lengths(lines, expected, layers)
+                yield from compare_lengths(lines, expected, layers, more=drawn.get(sheet))
                 if sheet in drawn:
                     yield from compare_points(lines, drawn[sheet], layers, 0.0005)
                 yield from check_dxf_paths(lines, paths, outer)
         elif suffix == ".lbrn2":
             markup.append(path)
             lines = read_sheets.read_lightburn(path)
-            yield from compare_lengths(lines, expected, layers)
+            yield from compare_lengths(lines, expected, layers, more=drawn.get(sheet))
             if sheet in drawn:
                 yield from compare_points(lines, drawn[sheet], layers, 0.0005)
         elif suffix == ".plt":

@@ -194,7 +194,7 @@ def read_lightburn(path):
 
 def lightburn_path(text, order):
     number = r"(-?\d+(?:\.\d+)?)"
-    vertex = f"V{number} {number}c0x(?:1|{number}c0y{number})c1x(?:1|{number}c1y{number})"
+    vertex = f"V{number} {number}c0x(?:{number}c0y{number}|1)c1x(?:{number}c1y{number}|1)"
     if not re.fullmatch(f"(?:{vertex})+", text):
         raise ValueError(f"points that cannot be read: {text[:60]}")
     vertices = [[float(word) if word else None for word in row] for row in re.findall(vertex, text)]
