@@ -1,6 +1,8 @@
 // The Assembly: rigid plates, the lines on them, and how each plate's frame follows from others.
 //
-// The narrow waist. Nothing here or after it knows what a v-fold is.
+// The narrow waist. Nothing here or after it knows what a v-fold is, nor in which language anything was
+// written: designs of cards are lowered to it, drawings and programs of flat parts are read to it. A flat
+// part is a piece whose plates nothing moves, so an assembly of parts has no joints.
 #pragma once
 
 #include <optional>
@@ -8,9 +10,11 @@
 #include <vector>
 
 #include "popup/curves.h"
-#include "popup/design.h"
+#include "popup/diagnostics.h"
 #include "popup/geometry.h"
+#include "popup/joints.h"
 #include "popup/lines.h"
+#include "popup/print.h"
 
 namespace popup {
 
@@ -18,20 +22,37 @@ class CheckedDesign;
 
 // A rigid panel, in the coordinates of its pattern page.
 struct Plate {
-    std::string name;             // "page/left", "bird/right"
-    int piece = 0;                // index into Assembly::pieces
-    Polygon outline;              // what is left of it once all cut-outs are made
-    Ring uncut;                   // its outer ring before any cut-out
-    std::optional<Color> fill;    // none: bare paper
-    std::vector<Stroke> strokes;  // clipped to the plate
-    int parent = -1;              // plate it is hinged to; -1: stands in the world
-    Vec2 pivot;                   // a point of the hinge line, in this plate's page coordinates
+    std::string name;  // "page/left", "bird/right"; unique
+    int piece = 0;     // index into Assembly::pieces
+    Polygon outline;   // what is left of it once all cut-outs are made
+    Ring uncut = {};   // its outer ring before any cut-out; empty where nothing moves
+    // The colour in which all of it is printed, under its prints; none: bare paper. No Area, for it is as
+    // large as the plate whatever is cut out of it.
+    std::optional<Color> fill = {};
+    std::vector<Print> prints = {};  // what is printed on it, and lies on the outline; images are cut to it
+    int parent = -1;                 // plate it is hinged to; -1: stands in the world
+    Vec2 pivot = {};                 // a point of the hinge line, in this plate's page coordinates
+    // Where it stands, when no joint moves it and that is known: then it is shown in models.
+    std::optional<Frame> stands = {};
 };
 
 // What is cut out as one.
+//
+// The plates of a piece share its paper out. Where a source says itself how the paper is cut, as drawings and
+// programs of parts do, it is `paper`; else it is what the plates have together, cut along the lines of kind
+// cut of the assembly.
 struct Piece {
-    std::string name;  // "page", or the element's id
-    std::vector<int> plates;
+    std::string name;  // "page", or the element's id; unique, not empty
+    std::vector<int> plates = {};
+    Place place = {};  // in the source, of pieces that have a place of their own there
+    // What is left when everything is cut, as base/regions.h has it: regions that do not overlap. Every edge
+    // is a cut. A region that lies in a hole of another comes out loose; it belongs to the piece all the
+    // same. Tabs are part of it, and seams the folds of its tabs: such a piece has no Glue.
+    std::vector<Polygon> paper = {};
+    std::vector<std::vector<Vec2>> slits = {};  // of `paper`: cuts besides, open, each of at least two points
+    // What is printed on it, wherever its plates are; over what is printed on these. A piece with texts is
+    // not labelled with its name.
+    std::vector<Print> prints = {};
 };
 
 // A line on a piece. Folds and cuts between two plates name both; a line on an edge names one.
@@ -39,8 +60,11 @@ struct Line {
     LineKind kind = LineKind::cut;
     Segment at;
     int piece = 0;
-    int plate = -1;
+    int plate = -1;  // -1: not known
     int other_plate = -1;
+    // Of a fold: how far it is folded in the finished piece, (0, pi]; where that is known and does not
+    // change.
+    std::optional<double> fold_angle = {};
 };
 
 // Two plates joined along a line: a fold (one page) or a seam (two pages). `a_line` and `b_line` are the same
@@ -62,42 +86,20 @@ struct Glue {
     Place place;  // of the element, for findings about the tab
 };
 
-// Closed set: how frames follow.
-enum class JointKind {
-    drive,      // turns with the opening angle about a line of the world
-    half_turn,  // four-bar whose far sides equal the opposite near ones; the centre is the half turn of the
-                // fold
-    inside,     // four-bar that closes inside the fold (closed dihedral 0°)
-    outside,    // four-bar that closes beyond the fold (closed dihedral 360°)
+// The openings that a motion goes through, and how it begins.
+struct Sweep {
+    double from_deg = 0.0;  // 0: closed
+    double to_deg = 180.0;  // > from_deg
+    // At from_deg all plates lie in one plane, that of the first cover, and come from there as linkages do
+    // that fold flat: distances shrink with the angle.
+    bool closed_flat = true;
 };
 
-// One side of a four-bar linkage: a driving plate, and the element plate hinged to it along the seam.
-// Angled: directions are seen from the apex. Parallel: across the fold.
-struct Bar {
-    int drive = -1;   // driving plate
-    int plate = -1;   // plate this joint places
-    Vec2 fold_at;     // on the driving plate's page: the apex (angled), any point of the fold (parallel)
-    Vec2 fold_dir;    // unit, along the parent fold, into the V
-    Vec2 fold_out;    // unit, perpendicular to fold_dir, from the fold into the driving plate
-    Vec2 seam_at;     // a point of the seam or side fold on the driving plate's page (angled: the apex)
-    Vec2 seam_dir;    // unit, on the driving plate's page: along the seam, away from the apex (parallel:
-                      // fold_dir)
-    Vec2 own_at;      // the same point on the element plate's own page
-    Vec2 own_seam;    // unit, on its own page: along the seam, away from the apex (parallel: along fold_dir)
-    Vec2 own_centre;  // unit, on its own page: along the centre fold, away from the apex (parallel: across,
-                      // from the seam towards the centre fold)
-    double near = 0.0;  // a, b: angle fold–seam (rad); parallel p, q: distance fold–seam (mm). > 0
-    double far = 0.0;   // g, h: angle seam–centre fold; parallel s1, s2: distance
-};
-
-// Places its plates from plates placed before it. Joints stand in an order in which this works.
-struct Joint {
-    JointKind kind = JointKind::drive;
-    bool parallel = false;
-    std::string name;  // the element, or "page"
-    Place place;
-    Bar left,
-        right;  // drive: left.plate, fold_at and fold_dir of the axis, near = -1 or +1: which way it turns
+// Lines in space, drawn by a program to make pieces that stand still: shown in models, never cut.
+struct Trace {
+    std::string name;                      // of its piece; else of its own, unlike those of pieces
+    int piece = -1;                        // the piece that they were drawn for; -1: none
+    std::vector<std::vector<Vec3>> lines;  // mm; each has at least two points
 };
 
 struct Assembly {
@@ -108,9 +110,25 @@ struct Assembly {
     std::vector<Line> lines;
     std::vector<Hinge> hinges;
     std::vector<Glue> glue;
-    std::vector<Joint> joints;
-    CurveTable curves;  // that chords of all pieces stand for
+    std::vector<Joint> joints;  // in an order in which each finds its plates placed; none: nothing moves
+    Sweep sweep;
+    // The plates that are the card: nothing may stick out of them when it is closed. Left to right, those on
+    // the left first; empty: nothing covers it.
+    std::vector<int> covers;
+    std::vector<Trace> traces;  // at most one a piece, in the order of the pieces, then those of none
+    CurveTable curves;          // that chords of all pieces stand for
 };
+
+// Whether any of it moves. What does not has no motion, and stands in models as its plates do.
+inline bool moves(const Assembly& assembly) { return !assembly.joints.empty(); }
+// Whether models can show it: it moves, or it is known where some of it stands.
+inline bool has_model(const Assembly& assembly) {
+    if (moves(assembly) || !assembly.traces.empty()) return true;
+    for (const Plate& plate : assembly.plates) {
+        if (plate.stands) return true;
+    }
+    return false;
+}
 
 struct AssembleOptions {};
 

@@ -25,6 +25,15 @@ struct Source {
 std::optional<Source> read_source(const std::string& name, Diagnostics& diagnostics,
                                   std::size_t limit_bytes = 64u << 20);
 
+// True for "-" and for the other names of standard output.
+bool is_standard_output(const std::string& path);
+
+// True when both names are the same file now, or would be once written.
+bool same_place(const std::string& a, const std::string& b);
+
+// True when writing `output` would replace the file `input`.
+bool overwrites(const std::string& output, const std::string& input);
+
 // A file to be written. "-" is standard output.
 struct PendingFile {
     std::string path;

@@ -21,12 +21,12 @@
 #include "cli/batch/batch_job.h"
 #include "cli/batch/jobserver.h"
 #include "cli/batch/worker_pool.h"
-#include "cli/files/outputs.h"
 #include "cli/options/command_line.h"
 #include "cli/options/value_option.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

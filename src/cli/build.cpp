@@ -167,20 +167,6 @@ void tell_dependencies_of_failure(const Options& options, Build& result) {
     if (!text || !write_all({{path, *text}}, false, diagnostics)) result.status = exit_unusable;
 }
 
-// The names of further sheets and sides are not known before.
-void check_numbered(const Options& options, const std::vector<PendingFile>& files) {
-    const std::vector<std::string>& named = options.build.outputs;
-    for (const PendingFile& file : files) {
-        if (std::find(named.begin(), named.end(), file.path) != named.end()) continue;
-        for (const std::string& input : options.inputs.names) {
-            if (!overwrites(file.path, input)) continue;
-            throw UsageError(
-                fmt::format("{} is an input, and a further sheet would be written over it", input),
-                {"give the output another name"});
-        }
-    }
-}
-
 // What programs have loaded is known only now: it is an input like others.
 void take_in_loaded(const Options& options, Build& result) {
     std::vector<std::string> loaded = loaded_files(result.run);
@@ -191,15 +177,6 @@ void take_in_loaded(const Options& options, Build& result) {
     std::move(loaded.begin(), loaded.end(), std::back_inserter(result.inputs));
     for (const CompiledDesign& one : result.run.compilation.designs) {
         result.missing.insert(result.missing.end(), one.missing_files.begin(), one.missing_files.end());
-    }
-}
-
-// To check them is one thing, but nothing can be built of programs that only define what others call.
-void refuse_libraries(Compilation& compilation) {
-    for (CompiledDesign& one : compilation.designs) {
-        if (one.design || one.parts || one.diagnostics.has_errors()) continue;
-        one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
-            .hint("call them at its end, or load() it from a program that does");
     }
 }
 
@@ -236,31 +213,32 @@ void print_trails(const Options& options, Build& result) {
 }
 
 // From the profile on.
-void compile_and_write(Options& options, const std::vector<PlannedOutput>& planned, Build& result) {
+void compile_and_write(Options& options, const OutputPlan& plan, Build& result) {
     result.profile = load_profile(options);
     if (result.profile && result.profile->diagnostics.has_errors()) {
         result.status = result.profile->readable ? exit_findings : exit_unusable;
         return;
     }
     finish_profile(options);
-    if (planned.empty() && options.build.emit == Emit::trail) {
+    if (plan.outputs.empty() && options.build.emit == Emit::trail) {
         print_trails(options, result);
         return;
     }
-    result.run = run_inputs(options, needed_stage(planned, options.build.emit));
+    result.run = run_inputs(options, needed_stage(plan, options.build.emit));
     take_in_loaded(options, result);
     Compilation& compilation = result.run.compilation;
-    refuse_libraries(compilation);
+    // To check them is one thing, but nothing can be built of programs that only define what others call.
+    refuse_definitions(compilation);
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
-        auto files = make_files(planned, options, compilation);
+        auto files = files_of(plan, options, compilation);
         if (files && !options.print.file.empty()) {
             files->push_back({options.print.file, printed_text(result.run)});
         }
         if (files) add_dependency_file(options, result, *files, compilation.run_diagnostics);
         if (files && !compilation.has_errors()) {
-            check_numbered(options, *files);
-            for (const PendingFile& file : *files) check_loaded(result.run, file.path);
+            Diagnostics told;
+            if (!spares_inputs(plan, *files, compilation, told)) refuse_usage(told);
             if (options.build.before_writing) options.build.before_writing(*files);
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
             if (written) result.files = std::move(*files);
@@ -281,7 +259,7 @@ void compile_and_write(Options& options, const std::vector<PlannedOutput>& plann
 Build build(const Options& given) {
     Options options = given;
     check_motion_options(options);
-    const std::vector<PlannedOutput> planned = plan_outputs(options);
+    const OutputPlan plan = plan_of(options);
     Build result;
     result.inputs = options.inputs.names;
     if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
@@ -293,7 +271,7 @@ Build build(const Options& given) {
             fmt::format("{} is an input; the dependency file does not overwrite it", dependencies),
             {"-MF FILE names another"});
     }
-    compile_and_write(options, planned, result);
+    compile_and_write(options, plan, result);
     if (result.status != exit_done) tell_dependencies_of_failure(options, result);
     return result;
 }

@@ -6,9 +6,9 @@
 
 #include "cli/files/inputs.h"
 #include "cli/files/line_diff.h"
-#include "cli/files/outputs.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/files/outputs.h"
 #include "cli/report.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

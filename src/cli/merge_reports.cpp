@@ -8,9 +8,9 @@
 
 #include "batch/merge.h"
 #include "cli/batch/batch_files.h"
-#include "cli/files/outputs.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

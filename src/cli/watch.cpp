@@ -17,10 +17,10 @@
 #include "base/system/signal_cleanup.h"
 #include "cli/build.h"
 #include "cli/files/file_changes.h"
-#include "cli/files/outputs.h"
 #include "cli/options/command_line.h"
 #include "cli/options/config_file.h"
 #include "cli/report.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

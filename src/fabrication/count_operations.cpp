@@ -1,17 +1,16 @@
 #include "fabrication/count_operations.h"
 
+#include "base/nth.h"
+
 namespace popup {
 
 OperationCounts count_operations(const Layout& layout, const Profile& profile) {
     OperationCounts found{};
-    const auto count = [&found](Operation operation, std::size_t more = 1) {
-        found[static_cast<std::size_t>(operation)] += more;
-    };
+    const auto count = [&found](Operation operation, std::size_t more = 1) { nth(found, operation) += more; };
     for (const Placement& placement : layout.placements) {
         const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
         const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        count(Operation::fill, piece.fills.size());
-        count(Operation::draw, piece.strokes.size());
+        for (const PatternPrint& one : piece.prints) count(operation_of(one.print));
         count(Operation::glue, piece.targets.size());
         count(Operation::label, piece.labels.size());
         for (const PatternLine& line : piece.lines) {

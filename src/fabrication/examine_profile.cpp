@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/nth.h"
 #include "fabrication/count_operations.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
@@ -14,9 +15,7 @@ std::string counted(std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-std::size_t at(const OperationCounts& counts, Operation operation) {
-    return counts[static_cast<std::size_t>(operation)];
-}
+std::size_t at(const OperationCounts& counts, Operation operation) { return nth(counts, operation); }
 
 void examine_left_out(const OperationCounts& counts, const Profile& profile, Diagnostics& diagnostics) {
     std::size_t folds = 0;

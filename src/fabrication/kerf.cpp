@@ -12,6 +12,8 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
+#include "base/nth.h"
 #include "base/text/numbers.h"
 
 namespace popup {
@@ -21,15 +23,12 @@ using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-constexpr double kPerMm = 1e6;    // grid units
-constexpr double kRangeMm = 1e9;  // coordinates beyond are no drawing's
 constexpr double kLeastKerfMm = 1e-4;
 // Corners of the paper longer than this many half kerfs are cut square.
 constexpr double kMitreLimit = 2.0;
 // The same when a path is moved back: it says how sharp a corner of the waste may be that counts as a corner,
 // and not as a notch that is too narrow.
 constexpr double kCornerLimit = 20.0;
-constexpr double kLostMm = 0.01;  // how deep a corner must be buried to be lost
 // Rings whose area is less than this times their length are rounding, or too narrow to be cut.
 constexpr double kThinMm = 1e-5;
 constexpr std::size_t kMostFindings = 20;
@@ -293,7 +292,6 @@ Vec2 image_of_start(const Move& move) {
 
 // Turns the ring so that it starts at the corner nearest to p; of several as near, at the first of a run.
 void start_near(Ring& ring, Vec2 p) {
-    constexpr double kTieMm = 1e-5;
     double best = HUGE_VAL;
     for (const Vec2 q : ring) best = std::min(best, distance(p, q));
     const auto is_near = [&](std::size_t i) { return distance(p, ring[i]) <= best + kTieMm; };
@@ -466,7 +464,7 @@ double least_spacing(const Layout& layout, const KerfWidths& kerf) {
     const double mixed = 0.5 * (outer + active(kerf.inner_mm));
     double least = 0.0;
     for (const Placement& placement : layout.placements) {
-        if (pieces_on[static_cast<std::size_t>(placement.sheet)] < 2) continue;
+        if (nth(pieces_on, placement.sheet) < 2) continue;
         least = std::max(least, outer);
         if (mixed <= least) continue;
         const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;

@@ -2,6 +2,7 @@
 // the rows.
 #include <algorithm>
 
+#include "base/nth.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
 
@@ -22,7 +23,7 @@ constexpr double kThin = 0.1;
 
 using Pens = std::array<Pen, kOperations.size()>;
 
-Pen& pen_of(Pens& pens, Operation operation) { return pens[static_cast<std::size_t>(operation)]; }
+Pen& pen_of(Pens& pens, Operation operation) { return nth(pens, operation); }
 
 // What is printed. With an empty layer it is left out; a file that begins with such a profile may give it
 // one.
@@ -261,6 +262,11 @@ Operation operation_of(const PatternLine& line, const Profile& profile) {
             return Operation::draw;
     }
     broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
+}
+
+Operation operation_of(const Print& print) {
+    if (std::holds_alternative<Stroke>(print)) return Operation::draw;
+    return std::holds_alternative<Text>(print) ? Operation::label : Operation::fill;
 }
 
 Operation operation_of(const Contour& cut, const Profile& profile) {

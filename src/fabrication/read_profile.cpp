@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nth.h"
 #include "base/text/nearest.h"
 #include "base/text/toml_text.h"
 #include "popup/diagnostics.h"
@@ -237,7 +238,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
         std::vector<ProfileReader::Row> rows;
         rows.reserve(kOperations.size());
         for (const Operation operation : kOperations) {
-            Pen& pen = profile.pens[static_cast<std::size_t>(operation)];
+            Pen& pen = nth(profile.pens, operation);
             // What is printed brings its own widths; of any other line no width at all would be no line.
             const bool printed =
                 operation == Operation::fill || operation == Operation::draw || operation == Operation::label;

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
 #include "popup/geometry.h"
 
 namespace popup {
-
-// Lines closer than this, all along, are one. A machine cannot tell them apart, and layouts place pieces to a
-// thousandth.
-inline constexpr double kSharedMm = 0.01;
 
 // What is left of a path.
 struct PathPart {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/geometry/tolerances.h"
+
 namespace popup {
 namespace {
 
@@ -21,8 +23,6 @@ constexpr std::size_t kMostDoors = 64;
 // Neighbours looked at for an exchange, and the longest part of a tour that one turns round.
 constexpr std::size_t kNeighbours = 8;
 constexpr std::size_t kLongestTurn = 1000;
-// Less than this is rounding.
-constexpr double kGainMm = 1e-6;
 
 Vec2 begin_of(const Stop& stop, const Visit& visit) {
     if (stop.closed) return stop.corners[visit.corner];

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/geometry/hull.h"
+#include "base/nth.h"
 #include "layout/leftover.h"
 #include "layout/scale.h"
 #include "layout/turns.h"
@@ -19,8 +20,8 @@ namespace popup {
 Vec2 Placement::apply(Vec2 p) const { return turned(p, angle) + offset; }
 
 std::string Layout::piece_name(const Placement& placement) const {
-    const DesignPattern& design = designs[static_cast<std::size_t>(placement.design)];
-    const std::string& name = design.pattern.pieces[static_cast<std::size_t>(placement.piece)].name;
+    const DesignPattern& design = nth(designs, placement.design);
+    const std::string& name = nth(design.pattern.pieces, placement.piece).name;
     return prefix_names ? design.stem + ":" + name : name;
 }
 
@@ -76,8 +77,7 @@ class Layouter {
 
  private:
     [[nodiscard]] const PatternPiece& piece_of(const PieceSource& source) const {
-        return layout_.designs[static_cast<std::size_t>(source.design)]
-            .pattern.pieces[static_cast<std::size_t>(source.piece)];
+        return nth(nth(layout_.designs, source.design).pattern.pieces, source.piece);
     }
     [[nodiscard]] std::string name_of(const PieceSource& source) const {
         return layout_.piece_name({source.design, source.piece, 0, 0, {}, {}});
@@ -340,7 +340,7 @@ class Layouter {
         job_.items[item].locked =
             NestSpot{lock.sheet, lock.offset - Vec2{options_.margin.mm, options_.margin.mm}, lock.angle};
         // A lock may ask for a turn that the search would not choose: then the piece is of a kind of its own.
-        const NestKind& kind = job_.kinds[static_cast<std::size_t>(job_.items[item].kind)];
+        const NestKind& kind = nth(job_.kinds, job_.items[item].kind);
         if (std::find(kind.turns.begin(), kind.turns.end(), lock.angle) != kind.turns.end()) return true;
         job_.kinds.push_back({kind.outline, {lock.angle}, false});
         job_.items[item].kind = static_cast<int>(job_.kinds.size()) - 1;
@@ -367,7 +367,7 @@ class Layouter {
                 "piece \"{}\" of {:.2f} × {:.2f} mm does not fit on the sheet, of which {} are usable",
                 name_of(source), piece.bounds.width(), piece.bounds.height(), sheets));
         finding.about(piece.name);
-        finding.file = layout_.designs[static_cast<std::size_t>(source.design)].file;
+        finding.file = nth(layout_.designs, source.design).file;
         for (const Paper& paper : paper_table()) {
             if (!in_bed({paper.width_mm, paper.height_mm, -1})) continue;
             if (takes({paper.height_mm, paper.width_mm, -1}, source) ||
@@ -446,7 +446,7 @@ class Layouter {
 
     [[nodiscard]] std::string design_name(const NestRefusal& refusal) const {
         const PieceSource& source = source_of(refusal.items.front());
-        return fmt::format("\"{}\"", layout_.designs[static_cast<std::size_t>(source.design)].stem);
+        return fmt::format("\"{}\"", nth(layout_.designs, source.design).stem);
     }
 
     void take(const NestPlan& plan) {
@@ -454,7 +454,7 @@ class Layouter {
         std::vector<double> areas;
         for (const PieceSource& source : sources_) areas.push_back(area(piece_of(source).silhouette));
         for (std::size_t s = 0; s < plan.sheets.size(); ++s) {
-            const SheetRow& row = rows_[static_cast<std::size_t>(plan.sheets[s])];
+            const SheetRow& row = nth(rows_, plan.sheets[s]);
             layout_.sheets.push_back({row.width, row.height, 0.0, plan.used[s]});
         }
         std::vector<std::vector<GridRegion>> last;
@@ -462,16 +462,15 @@ class Layouter {
             const NestSpot& spot = plan.spots[i];
             const std::size_t number = i % sources_.size();
             const PieceSource& source = sources_[number];
-            LayoutSheet& sheet = layout_.sheets[static_cast<std::size_t>(spot.sheet)];
-            const SheetArea& usable =
-                areas_[static_cast<std::size_t>(plan.sheets[static_cast<std::size_t>(spot.sheet)])];
+            LayoutSheet& sheet = nth(layout_.sheets, spot.sheet);
+            const SheetArea& usable = nth(areas_, nth(plan.sheets, spot.sheet));
             sheet.utilisation += areas[number] / (usable.width * usable.height);
             layout_.placements.push_back({source.design, source.piece, static_cast<int>(i / sources_.size()),
                                           spot.sheet, spot.offset + Vec2{margin, margin}, spot.angle});
             if (static_cast<std::size_t>(spot.sheet) + 1 == plan.sheets.size())
                 last.push_back(placed(turned_outline(piece_of(source).silhouette, spot.angle), spot.offset));
         }
-        const SheetArea& usable = areas_[static_cast<std::size_t>(plan.sheets.back())];
+        const SheetArea& usable = nth(areas_, plan.sheets.back());
         const Box free = largest_free(last, usable, options_.spacing.mm);
         layout_.leftover = free;
         if (!free.empty()) {

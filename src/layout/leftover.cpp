@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nth.h"
+
 namespace popup {
 namespace {
 
@@ -82,7 +84,7 @@ class Cells {
             for (int column = 0; column <= columns_; ++column) {
                 int height = 0;
                 if (column < columns_) {
-                    int& h = heights[static_cast<std::size_t>(column)];
+                    int& h = nth(heights, column);
                     h = at(row, column) != 0 ? 0 : h + 1;
                     height = h;
                 }
@@ -105,17 +107,18 @@ class Cells {
     }
 
  private:
-    [[nodiscard]] char at(int row, int column) const {
-        return taken_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(column)];
+    // Where the cell stands in taken_.
+    [[nodiscard]] std::size_t cell(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
     }
+    [[nodiscard]] char at(int row, int column) const { return taken_[cell(row, column)]; }
     // Every cell that the open range touches.
     void take(int row, double from, double to) {
         const int first = std::max(0, static_cast<int>(std::floor(from / size_)));
         const int last = std::min(columns_ - 1, static_cast<int>(std::ceil(to / size_)) - 1);
         for (int column = first; column <= last; ++column) {
-            taken_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                   static_cast<std::size_t>(column)] = 1;
+            taken_[cell(row, column)] = 1;
         }
     }
 

@@ -40,7 +40,7 @@ std::optional<SheetChoice> parse_sheet(std::string_view text) {
         if (same_word(text, paper.name))
             return SheetChoice{std::string(paper.name), paper.width_mm, paper.height_mm};
     }
-    constexpr double kLongestMm = 1e6;
+    constexpr double kLongestSideMm = 1e6;
     SheetChoice choice{"", 0.0, 0.0};
     if (!take_number(text, choice.width_mm)) return std::nullopt;
     if (text.empty() || (text[0] != 'x' && text[0] != 'X')) return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<SheetChoice> parse_sheet(std::string_view text) {
     }
     choice.width_mm *= unit;
     choice.height_mm *= unit;
-    if (choice.width_mm > kLongestMm || choice.height_mm > kLongestMm) return std::nullopt;
+    if (choice.width_mm > kLongestSideMm || choice.height_mm > kLongestSideMm) return std::nullopt;
     return choice;
 }
 

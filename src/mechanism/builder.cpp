@@ -45,16 +45,9 @@ void Builder::add_base_page(double width_mm, double height_mm, std::optional<Col
     gutter.owner = "page";
     add_fold(std::move(gutter));
 
-    for (const auto& [plate, turn] : {std::pair{left_plate, -1.0}, std::pair{right_plate, 1.0}}) {
-        Joint drive;
-        drive.kind = JointKind::drive;
-        drive.name = "page";
-        drive.left.plate = plate;
-        drive.left.fold_at = {0, -h};
-        drive.left.fold_dir = {0, 1};
-        drive.left.near = turn;
-        add_joint(std::move(drive));
-        skeleton_.draft.plates[static_cast<std::size_t>(plate)].pivot = {0, -h};
+    for (const auto& [plate, turns] : {std::pair{left_plate, -1}, std::pair{right_plate, 1}}) {
+        add_joint({"page", {}, Drive{plate, {0, -h}, {0, 1}, turns}});
+        skeleton_.draft.covers.push_back(plate);
     }
 }
 
@@ -76,6 +69,22 @@ int Builder::add_plate(const std::string& name, int piece, int page, Ring outlin
     skeleton_.draft.pieces[static_cast<std::size_t>(piece)].plates.push_back(index);
     skeleton_.plate_page.push_back(page);
     skeleton_.cut_outs.emplace_back();
+    return index;
+}
+
+int Builder::add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
+                           std::optional<Color> fill) {
+    const int index = add_plate(name, piece, page, std::move(outline.outer), fill);
+    Polygon& made = skeleton_.draft.plates[static_cast<std::size_t>(index)].outline;
+    made.holes = std::move(outline.holes);
+    const auto cut_round = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) add_cut(piece, {ring[i], ring[(i + 1) % ring.size()]});
+    };
+    cut_round(made.outer);
+    for (Ring& hole : made.holes) {
+        if (signed_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
+        cut_round(hole);
+    }
     return index;
 }
 
@@ -106,11 +115,10 @@ void Builder::add_gone(int fold, double lo, double hi, const std::string& by) {
 }
 
 void Builder::add_joint(Joint joint) {
-    for (const Bar* bar : {&joint.left, &joint.right}) {
-        if (bar->plate < 0 || joint.kind == JointKind::drive) continue;
-        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(bar->plate)];
-        plate.parent = bar->drive;
-        plate.pivot = bar->own_at;
+    for (const PlacedPlate& one : plates_of(joint).places) {
+        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(one.plate)];
+        plate.parent = one.parent;
+        plate.pivot = one.pivot;
     }
     skeleton_.draft.joints.push_back(std::move(joint));
 }

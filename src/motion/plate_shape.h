@@ -5,16 +5,14 @@
 #include <vector>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
 #include "popup/assembly.h"
 
 namespace popup {
 
-// What two plates have in common only touches where it lies nearer than this to an edge of either, or where
-// they reach less far than kFirmMm through each other round it (Crossing::firmness_mm).
-inline constexpr double kTouchMm = 0.01;
+// What two plates have in common only touches where it lies nearer than kTouchMm to an edge of either, or
+// where they reach less far than this through each other round it (Crossing::firmness_mm).
 inline constexpr double kFirmMm = 0.0025;
-// Distances that are nought by construction are less than this.
-inline constexpr double kRoundingMm = 1e-9;
 
 using Triangle2 = std::array<Vec2, 3>;
 using Triangle3 = std::array<Vec3, 3>;

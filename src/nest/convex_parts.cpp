@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/geometry/triangulate.h"
+#include "base/nth.h"
 
 namespace popup {
 namespace {
@@ -95,8 +96,8 @@ class Joiner {
         const auto [left, at_left] = find(a, b);
         const auto [right, at_right] = find(b, a);
         if (left < 0 || right < 0 || left == right) return;
-        GridRing& one = parts_[static_cast<std::size_t>(left)];
-        GridRing& other = parts_[static_cast<std::size_t>(right)];
+        GridRing& one = nth(parts_, left);
+        GridRing& other = nth(parts_, right);
         // Round `one` from b to a, then round `other` from a to b, ends left out.
         GridRing joined;
         for (std::size_t i = 0; i < one.size(); ++i) joined.push_back(one[(at_left + 1 + i) % one.size()]);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/nth.h"
+
 namespace popup {
 namespace {
 
@@ -87,8 +89,8 @@ bool ExactShapes::apart(int a, GridPoint at_a, int b, GridPoint at_b, GridLength
                one.y1 + at_a.y + spacing <= other.y0 + at_b.y ||
                other.y1 + at_b.y + spacing <= one.y0 + at_a.y;
     };
-    const Exact& one = shapes_[static_cast<std::size_t>(a)];
-    const Exact& other = shapes_[static_cast<std::size_t>(b)];
+    const Exact& one = nth(shapes_, a);
+    const Exact& other = nth(shapes_, b);
     if (clear(one.box, other.box)) return true;
     for (const Part& p : one.parts) {
         for (const Part& q : other.parts) {
@@ -128,8 +130,8 @@ std::optional<std::pair<int, int>> ExactShapes::first_conflict(const std::vector
             const Extent& f = extents[k];
             if (f.sheet != e.sheet || f.x0 >= e.x1 + spacing) break;
             if (f.y0 >= e.y1 + spacing || e.y0 >= f.y1 + spacing) continue;
-            const ExactPlace& a = places[static_cast<std::size_t>(e.item)];
-            const ExactPlace& b = places[static_cast<std::size_t>(f.item)];
+            const ExactPlace& a = nth(places, e.item);
+            const ExactPlace& b = nth(places, f.item);
             if (apart(a.shape, a.at, b.shape, b.at, spacing)) continue;
             const std::pair<int, int> found = std::minmax(e.item, f.item);
             if (!first || found < *first) first = found;

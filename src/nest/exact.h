@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nth.h"
 #include "nest/grid.h"
 #include "nest/shapes.h"
 
@@ -28,9 +29,7 @@ class ExactShapes {
     // The first two places, by index, that are not apart; nullopt when all are.
     [[nodiscard]] std::optional<std::pair<int, int>> first_conflict(const std::vector<ExactPlace>& places,
                                                                     GridLength spacing) const;
-    [[nodiscard]] const GridBox& bounds(int shape) const {
-        return shapes_[static_cast<std::size_t>(shape)].box;
-    }
+    [[nodiscard]] const GridBox& bounds(int shape) const { return nth(shapes_, shape).box; }
 
  private:
     struct Part {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "base/nth.h"
 #include "nest/search.h"
 #include "popup/diagnostics.h"
 
@@ -56,7 +57,7 @@ class Batches {
                 // Later on a piece may be too large for the sheets that are left only.
                 if (!plan_.sheets.empty() && result.refusal->reason == NestRefusal::Reason::too_large)
                     result.refusal->reason = NestRefusal::Reason::stock_used_up;
-                for (int& item : result.refusal->items) item = items[static_cast<std::size_t>(item)];
+                for (int& item : result.refusal->items) item = nth(items, item);
                 return result;
             }
             items = take(*result.plan, items, is_final);
@@ -79,10 +80,10 @@ class Batches {
         job.use_holes = job_.use_holes;
         std::map<int, int> kinds;
         for (const int number : items) {
-            NestItem item = job_.items[static_cast<std::size_t>(number)];
+            NestItem item = nth(job_.items, number);
             const auto [known, is_new] = kinds.emplace(item.kind, static_cast<int>(job.kinds.size()));
             if (is_new) {
-                job.kinds.push_back(job_.kinds[static_cast<std::size_t>(item.kind)]);
+                job.kinds.push_back(nth(job_.kinds, item.kind));
                 const auto turn = turns_.find(item.kind);
                 if (turn != turns_.end()) job.kinds.back().turns = {turn->second};
             }
@@ -104,15 +105,15 @@ class Batches {
                 continue;
             }
             spot.sheet += before;
-            plan_.spots[static_cast<std::size_t>(items[i])] = spot;
-            const int kind = job_.items[static_cast<std::size_t>(items[i])].kind;
-            if (job_.kinds[static_cast<std::size_t>(kind)].one_turn) turns_[kind] = spot.angle;
+            nth(plan_.spots, items[i]) = spot;
+            const int kind = nth(job_.items, items[i]).kind;
+            if (nth(job_.kinds, kind).one_turn) turns_[kind] = spot.angle;
         }
         for (int s = 0; s < kept; ++s) {
-            const int row = plan.sheets[static_cast<std::size_t>(s)];
+            const int row = nth(plan.sheets, s);
             plan_.sheets.push_back(row);
-            plan_.used.push_back(plan.used[static_cast<std::size_t>(s)]);
-            int& count = left_[static_cast<std::size_t>(row)].count;
+            plan_.used.push_back(nth(plan.used, s));
+            int& count = nth(left_, row).count;
             if (count > 0) --count;
         }
         return carried;

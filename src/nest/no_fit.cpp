@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nth.h"
+
 namespace popup {
 void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result) {
     result.parts.clear();
@@ -86,7 +88,7 @@ NoFitTable::~NoFitTable() {
 }
 
 void NoFitTable::make(int a, int b, NoFit& result) const {
-    make_no_fit(shapes_[static_cast<std::size_t>(a)], shapes_[static_cast<std::size_t>(b)], slack_, result);
+    make_no_fit(nth(shapes_, a), nth(shapes_, b), slack_, result);
 }
 
 const NoFit& NoFitTable::keep(int a, int b) {

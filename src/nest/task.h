@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/nth.h"
 #include "nest/board.h"
 #include "nest/exact.h"
 #include "nest/separate.h"
@@ -34,7 +35,7 @@ struct NestTask {
     // Whether the shape fits on a sheet of this row.
     [[nodiscard]] bool fits(int shape, int row) const;
     [[nodiscard]] bool lies_in(const Stand& stand, int row) const;
-    [[nodiscard]] bool is_locked(int item) const { return locks[static_cast<std::size_t>(item)].shape >= 0; }
+    [[nodiscard]] bool is_locked(int item) const { return nth(locks, item).shape >= 0; }
 };
 
 // A layout as the search passes it on. The last sheet is the one that is kept short.

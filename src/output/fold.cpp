@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kDecimals = 6;
 constexpr double kPieceGapMm = 10.0;
-constexpr double kFlatMm = 2e-6;       // by so much a corner may point inwards and its face be convex
+constexpr double kConvexMm = 2e-6;     // by so much a corner may point inwards and its face be convex
 constexpr double kNearFlatDeg = 1e-3;  // this near to 0° or 180° rounding may turn the sign of a fold angle
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();
 constexpr double kBytesPerVertex = 48.0;  // of a folded frame, its share of the fold angles with it
@@ -51,7 +51,7 @@ bool all_convex(const FoldMesh& mesh) {
         const int b = mesh.next(static_cast<int>(i));
         const Vec2 in = mesh.place(b) - mesh.place(static_cast<int>(i));
         const Vec2 out = mesh.place(mesh.next(b)) - mesh.place(b);
-        if (cross(in, out) < -kFlatMm * std::max(length(in), length(out))) return false;
+        if (cross(in, out) < -kConvexMm * std::max(length(in), length(out))) return false;
     }
     return true;
 }

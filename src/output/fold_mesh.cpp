@@ -9,12 +9,11 @@
 
 #include "base/geometry/cells.h"
 #include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {
-
-constexpr double kSameMm = 2e-6;  // points this near are one; others stay apart when they are rounded
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
@@ -32,7 +31,7 @@ class PointTable {
                 if (found == cells_.end()) continue;
                 for (const int i : found->second) {
                     const double d = distance(points_[at(i)], p);
-                    if (d <= kSameMm && (best < 0 || d < distance(points_[at(best)], p))) best = i;
+                    if (d <= kSameVertexMm && (best < 0 || d < distance(points_[at(best)], p))) best = i;
                 }
             }
         }
@@ -44,8 +43,8 @@ class PointTable {
 
  private:
     static PlaneCell cell_of(Vec2 p) {
-        return {static_cast<std::int64_t>(std::floor(p.x / kSameMm)),
-                static_cast<std::int64_t>(std::floor(p.y / kSameMm))};
+        return {static_cast<std::int64_t>(std::floor(p.x / kSameVertexMm)),
+                static_cast<std::int64_t>(std::floor(p.y / kSameVertexMm))};
     }
 
     std::vector<Vec2>& points_;
@@ -173,7 +172,7 @@ class MeshBuilder {
         Box box;
         box.extend(s.a);
         box.extend(s.b);
-        const Vec2 margin{kSameMm, kSameMm};
+        const Vec2 margin{kSameVertexMm, kSameVertexMm};
         std::vector<int> found;
         index_of(plate).query({box.min - margin, box.max + margin}, found);
         for (int& side : found) side += sides_of_[at(plate)].first;
@@ -194,13 +193,13 @@ class MeshBuilder {
         std::sort(letters.begin(), letters.end());
         for (const Hinge& hinge : in_.hinges) {
             const double size = distance(hinge.a_line.a, hinge.a_line.b);
-            if (hinge.glued || size <= kSameMm) continue;
+            if (hinge.glued || size <= kSameVertexMm) continue;
             const Vec2 direction = unit(hinge.a_line.b - hinge.a_line.a);
             const auto along = [&](int p) { return dot(direction, mesh_.points[at(p)] - hinge.a_line.a); };
             const auto on_line = [&](int side) {
                 for (const int p : {from(side), to(side)}) {
                     const double off = cross(direction, mesh_.points[at(p)] - hinge.a_line.a);
-                    if (std::abs(off) > kSameMm) return false;
+                    if (std::abs(off) > kSameVertexMm) return false;
                 }
                 return true;
             };
@@ -252,7 +251,7 @@ class MeshBuilder {
                     const int number = from(corner);
                     // A corner of the very triangle would fold it onto itself.
                     if (number == from(first) || number == from(first + 1) || number == from(first + 2) ||
-                        distance(p, s) > kSameMm) {
+                        distance(p, s) > kSameVertexMm) {
                         continue;
                     }
                     splits_.push_back({side, dot(unit(s.b - s.a), p - s.a), number});

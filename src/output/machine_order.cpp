@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "base/geometry/tolerances.h"
 #include "fabrication/shared_lines.h"
 #include "fabrication/tour.h"
 
@@ -18,9 +19,6 @@ namespace {
 namespace bgi = boost::geometry::index;
 using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
 using BoostBox = boost::geometry::model::box<BoostPoint>;
-
-// Points closer than this are one: machines stutter over very short segments.
-constexpr double kTinyMm = 0.02;
 
 // Operations of one rank may follow each other in any order: folds that one pen draws.
 Operation rank_of(const Profile& profile, Operation operation) {

@@ -5,14 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "base/geometry/tolerances.h"
 #include "parts/work.h"
 #include "popup/geometry.h"
 
 namespace popup {
 
-// What lies this deep in another thing, in mm, is not just the rounding of a drawing.
-inline constexpr double kDeepMm = 0.01;
-// True of regions in which there is room for a disc of this radius.
+// True of regions in which there is room for a disc of the radius kDeepMm.
 bool is_deep(const std::vector<Polygon>& regions);
 
 struct ClosedContour {

@@ -16,8 +16,8 @@ Box box_around(const Segment& s) {
     Box box;
     box.extend(s.a);
     box.extend(s.b);
-    box.min = box.min - Vec2{kSameMm, kSameMm};
-    box.max = box.max + Vec2{kSameMm, kSameMm};
+    box.min = box.min - Vec2{kSameLineMm, kSameLineMm};
+    box.max = box.max + Vec2{kSameLineMm, kSameLineMm};
     return box;
 }
 
@@ -29,8 +29,8 @@ struct Span {
 
 bool in_line(const Segment& line, const Segment& other, Span& span) {
     const Vec2 along = unit(line.b - line.a);
-    if (std::abs(cross(along, other.a - line.a)) > kSameMm ||
-        std::abs(cross(along, other.b - line.a)) > kSameMm) {
+    if (std::abs(cross(along, other.a - line.a)) > kSameLineMm ||
+        std::abs(cross(along, other.b - line.a)) > kSameLineMm) {
         return false;
     }
     span = {dot(along, other.a - line.a), dot(along, other.b - line.a), other.a, other.b};
@@ -46,7 +46,7 @@ std::vector<Segment> segments_of(const std::vector<TaggedSegment>& tagged) {
 }
 
 void drop_short(std::vector<TaggedSegment>& segments) {
-    std::erase_if(segments, [](const TaggedSegment& s) { return distance(s.at.a, s.at.b) <= kSameMm; });
+    std::erase_if(segments, [](const TaggedSegment& s) { return distance(s.at.a, s.at.b) <= kSameLineMm; });
 }
 
 }  // namespace
@@ -79,9 +79,9 @@ std::vector<TaggedSegment> merged(std::vector<TaggedSegment> segments) {
                 if (!in_line(mine.at, segments[other].at, span)) continue;
                 const double mine_to = distance(mine.at.a, mine.at.b);
                 const double gap = std::max(span.from - mine_to, -span.to);
-                if (gap > kSameMm || (gap >= -kSameMm && segments[other].tag != mine.tag)) continue;
-                if (span.from < -kSameMm) mine.at.a = span.at_from;
-                if (span.to > mine_to + kSameMm) mine.at.b = span.at_to;
+                if (gap > kSameLineMm || (gap >= -kSameLineMm && segments[other].tag != mine.tag)) continue;
+                if (span.from < -kSameLineMm) mine.at.a = span.at_from;
+                if (span.to > mine_to + kSameLineMm) mine.at.b = span.at_to;
                 index.remove(j);
                 alive[other] = 0;
                 grown = true;
@@ -102,25 +102,25 @@ std::vector<TaggedSegment> without(std::vector<TaggedSegment> segments, std::spa
     std::vector<char> alive(segments.size(), 1);
     std::vector<int> found;
     const auto keep = [&](Vec2 a, Vec2 b, int tag) {
-        if (distance(a, b) <= kSameMm) return;
+        if (distance(a, b) <= kSameLineMm) return;
         segments.push_back({{a, b}, tag});
         alive.push_back(1);
         index.insert({a, b}, false);
     };
     for (const Segment& hole : taken) {
-        if (distance(hole.a, hole.b) <= kSameMm) continue;
+        if (distance(hole.a, hole.b) <= kSameLineMm) continue;
         index.query(box_around(hole), found);
         for (const int i : found) {
             const auto number = static_cast<std::size_t>(i);
             const TaggedSegment old = segments[number];
             Span span{};  // of the hole along the segment
             if (!in_line(old.at, hole, span)) continue;
-            if (std::min(span.to, distance(old.at.a, old.at.b)) - std::max(span.from, 0.0) <= kSameMm)
+            if (std::min(span.to, distance(old.at.a, old.at.b)) - std::max(span.from, 0.0) <= kSameLineMm)
                 continue;
             index.remove(i);
             alive[number] = 0;
-            if (span.from > kSameMm) keep(old.at.a, span.at_from, old.tag);
-            if (span.to < distance(old.at.a, old.at.b) - kSameMm) keep(span.at_to, old.at.b, old.tag);
+            if (span.from > kSameLineMm) keep(old.at.a, span.at_from, old.tag);
+            if (span.to < distance(old.at.a, old.at.b) - kSameLineMm) keep(span.at_to, old.at.b, old.tag);
         }
     }
     std::vector<TaggedSegment> result;
@@ -132,7 +132,7 @@ std::vector<TaggedSegment> without(std::vector<TaggedSegment> segments, std::spa
 
 namespace {
 
-// Numbers points so that those within kSameMm get the same number (a little further, in the same cell).
+// Numbers points so that those within kSameLineMm get the same number (a little further, in the same cell).
 class Nodes {
  public:
     explicit Nodes(std::size_t expected) { cells_.reserve(expected); }
@@ -144,7 +144,7 @@ class Nodes {
                 const auto it = cells_.find({home.x + dx, home.y + dy});
                 if (it == cells_.end()) continue;
                 const bool same_cell = dx == 0 && dy == 0;
-                if (same_cell || distance(points[static_cast<std::size_t>(it->second)], p) <= kSameMm) {
+                if (same_cell || distance(points[static_cast<std::size_t>(it->second)], p) <= kSameLineMm) {
                     return it->second;
                 }
             }
@@ -157,7 +157,9 @@ class Nodes {
     std::vector<Vec2> points;
 
  private:
-    static PlaneCell cell(Vec2 p) { return {std::llround(p.x / kSameMm), std::llround(p.y / kSameMm)}; }
+    static PlaneCell cell(Vec2 p) {
+        return {std::llround(p.x / kSameLineMm), std::llround(p.y / kSameLineMm)};
+    }
 
     std::unordered_map<PlaneCell, int, PlaneCellHash> cells_;
 };
@@ -279,7 +281,7 @@ void put_in_order(std::vector<Contour>& contours) {
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const std::vector<Vec2>& points = contours[i].points;
         const Vec2 probe =
-            contours[i].closed ? points[0] - Vec2{kSameMm, 0.0} : lerp(points[0], points[1], 0.5);
+            contours[i].closed ? points[0] - Vec2{kSameLineMm, 0.0} : lerp(points[0], points[1], 0.5);
         const int depth = index.winding(probe);
         contours[i].depth = depth;
         ranked.push_back({depth, points[0], i});

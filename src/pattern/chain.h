@@ -4,13 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "base/geometry/tolerances.h"
 #include "popup/geometry.h"
 #include "popup/pattern.h"
 
 namespace popup {
-
-// Points and lines closer than this are the same, in mm: far above rounding, far below any blade.
-inline constexpr double kSameMm = 1e-5;
 
 // A segment and whose it is: any number; only equality counts.
 struct TaggedSegment {
@@ -20,7 +18,7 @@ struct TaggedSegment {
 
 // The same set of points with every part of it once: doubled segments and overlapping collinear ones become
 // one, which keeps the tag of the longest. Segments that only meet end to end and in line become one if their
-// tags are equal. Keeps the order of what remains. Segments shorter than kSameMm are dropped. Cost: near
+// tags are equal. Keeps the order of what remains. Segments shorter than kSameLineMm are dropped. Cost: near
 // linear.
 std::vector<TaggedSegment> merged(std::vector<TaggedSegment> segments);
 

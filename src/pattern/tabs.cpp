@@ -6,15 +6,12 @@
 
 #include "base/geometry/hull.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
 namespace {
 
-// Seam ends and obstacles that are to start there coincide to within this.
-constexpr double kTouchMm = 1e-3;
-// Corners closer than this to a straight line are no corners.
-constexpr double kTidyMm = 1e-4;
 // Nothing thinner than this is left of a tab, and no part that holds nothing: one that stands on less than
 // this much of seam, or is less deep.
 constexpr double kSliverMm = 0.5;
@@ -28,7 +25,7 @@ constexpr double kWedge = 10.0 * std::numbers::pi / 180.0;
 
 // The part of a segment above the seam line; false when there is none.
 bool above_seam(Segment& s) {
-    if (std::max(s.a.y, s.b.y) <= kTouchMm) return false;
+    if (std::max(s.a.y, s.b.y) <= kSeamEndMm) return false;
     if (s.a.y < 0.0) s.a = lerp(s.a, s.b, s.a.y / (s.a.y - s.b.y));
     if (s.b.y < 0.0) s.b = lerp(s.b, s.a, s.b.y / (s.b.y - s.a.y));
     return true;
@@ -43,7 +40,7 @@ Polygon shadow(std::vector<Vec2> points, double reach) {
 
 Polygon band_shadow(const Segment& s, double gap, double reach) {
     const double size = distance(s.a, s.b);
-    const Vec2 along = size > kTouchMm ? gap * unit(s.b - s.a) : Vec2{gap, 0.0};
+    const Vec2 along = size > kSeamEndMm ? gap * unit(s.b - s.a) : Vec2{gap, 0.0};
     const Vec2 across = left_of(along);
     return shadow({s.a - along + across, s.a - along - across, s.b + along + across, s.b + along - across},
                   reach);
@@ -61,8 +58,8 @@ Polygon wedge_shadow(Vec2 corner, Vec2 end, double inwards, double gap, double r
 Polygon piece_shadow(const Segment& s, double seam_length, double gap, double reach) {
     for (const Vec2 corner : {Vec2{0.0, 0.0}, Vec2{seam_length, 0.0}}) {
         const double inwards = corner.x == 0.0 ? 1.0 : -1.0;
-        if (distance(s.a, corner) <= kTouchMm) return wedge_shadow(corner, s.b, inwards, gap, reach);
-        if (distance(s.b, corner) <= kTouchMm) return wedge_shadow(corner, s.a, inwards, gap, reach);
+        if (distance(s.a, corner) <= kSeamEndMm) return wedge_shadow(corner, s.b, inwards, gap, reach);
+        if (distance(s.b, corner) <= kSeamEndMm) return wedge_shadow(corner, s.a, inwards, gap, reach);
     }
     return band_shadow(s, gap, reach);
 }
@@ -97,9 +94,9 @@ std::vector<Polygon> without_slivers(const std::vector<Polygon>& parts) {
 // Rounding away from the seam and its ends is taken back.
 Ring snapped(Ring ring, double seam_length) {
     for (Vec2& p : ring) {
-        if (std::abs(p.y) <= kTouchMm) p.y = 0.0;
-        if (p.y == 0.0 && std::abs(p.x) <= kTouchMm) p.x = 0.0;
-        if (p.y == 0.0 && std::abs(p.x - seam_length) <= kTouchMm) p.x = seam_length;
+        if (std::abs(p.y) <= kSeamEndMm) p.y = 0.0;
+        if (p.y == 0.0 && std::abs(p.x) <= kSeamEndMm) p.x = 0.0;
+        if (p.y == 0.0 && std::abs(p.x - seam_length) <= kSeamEndMm) p.x = seam_length;
     }
     return tidied(ring, kTidyMm);
 }

@@ -5,6 +5,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/tolerances.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
@@ -14,14 +15,8 @@ using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-constexpr double kPerMm = 1e6;
-constexpr double kRangeMm = 1e9;
-// Offsets draw an arc so that no point is further than this from the circle.
-constexpr double kArcMm = 0.01;
 // The cosecant of half the sharpest angle that keeps its corner.
 constexpr double kMitreLimit = 4.0;
-// How far off an edge a line still counts as lying on it.
-constexpr double kOnEdgeMm = 2.0 * kGridMm;
 
 IntPoint to_int(Vec2 p) {
     POPUP_INVARIANT(std::abs(p.x) <= kRangeMm && std::abs(p.y) <= kRangeMm);
@@ -191,7 +186,7 @@ std::vector<Polygon> offset(const std::vector<Polygon>& regions, double delta, C
     // One outline first: overlapping rings would each be offset on their own.
     const Paths united = run(ClipperLib::ctUnion, regions, {});
     if (united.empty()) return {};
-    ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcMm * kPerMm);
+    ClipperLib::ClipperOffset offsetter(kMitreLimit, kCurveMm * kPerMm);
     offsetter.AddPaths(united, corners == Corners::sharp ? ClipperLib::jtMiter : ClipperLib::jtRound,
                        ClipperLib::etClosedPolygon);
     Paths result;
@@ -228,8 +223,8 @@ class LineCutter {
         Box box;
         box.extend(a);
         box.extend(b);
-        box.min = box.min - Vec2{kOnEdgeMm, kOnEdgeMm};
-        box.max = box.max + Vec2{kOnEdgeMm, kOnEdgeMm};
+        box.min = box.min - Vec2{kOnGridLineMm, kOnGridLineMm};
+        box.max = box.max + Vec2{kOnGridLineMm, kOnGridLineMm};
         edges_.query(box, found_);
         const Vec2 along = b - a;
         const double squared = dot(along, along);
@@ -244,7 +239,7 @@ class LineCutter {
             }
             for (const Vec2 end : {edge.a, edge.b}) {
                 const double t = dot(end - a, along) / squared;
-                if (t > 0.0 && t < 1.0 && distance(end, Segment{a, b}) <= kOnEdgeMm) at_.push_back(t);
+                if (t > 0.0 && t < 1.0 && distance(end, Segment{a, b}) <= kOnGridLineMm) at_.push_back(t);
             }
         }
         std::sort(at_.begin(), at_.end());
@@ -256,7 +251,7 @@ class LineCutter {
         const auto point = [&](double t) { return t == 0.0 ? a : t == 1.0 ? b : lerp(a, b, t); };
         for (std::size_t i = 0; i + 1 < at_.size(); ++i) {
             const Vec2 middle = lerp(a, b, 0.5 * (at_[i] + at_[i + 1]));
-            if (edges_.winding(middle) <= 0 && edges_.clearance(middle, kOnEdgeMm) >= kOnEdgeMm) {
+            if (edges_.winding(middle) <= 0 && edges_.clearance(middle, kOnGridLineMm) >= kOnGridLineMm) {
                 open = false;
                 continue;
             }

@@ -11,12 +11,11 @@
 #include <span>
 #include <vector>
 
+#include "base/geometry/tolerances.h"
 #include "popup/geometry.h"
 
 namespace popup {
 
-// The grid, in mm.
-inline constexpr double kGridMm = 1e-6;
 // p rounded to the grid, never -0.
 Vec2 on_grid(Vec2 p);
 

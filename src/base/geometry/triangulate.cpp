@@ -13,12 +13,11 @@
 #include <type_traits>
 
 #include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 
 namespace popup {
 namespace {
 
-// A part smaller than this on which GEOS fails is left out: it is below every tolerance.
-constexpr double kSpeckMm = 1e-5;
 // Share of the area by which triangles may miss their polygon, for rounding.
 constexpr double kAreaError = 1e-9;
 

@@ -17,10 +17,10 @@
 
 #include "base/diagnostics/render_diagnostics.h"
 #include "cli/build.h"
-#include "cli/files/outputs.h"
 #include "cli/options/command_line.h"
 #include "cli/options/config_file.h"
 #include "cli/options/dependency_options.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 namespace {

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/nth.h"
 #include "cli/batch/jobserver.h"
 #include "cli/files/tree_walk.h"
 #include "cli/options/config_file.h"
@@ -214,10 +215,10 @@ std::vector<FileFindings> Run::findings() const {
         if (i == order.size()) break;
         const int index = order[i];
         if (index < 0) {
-            const Apart& one = apart[static_cast<std::size_t>(-1 - index)];
+            const Apart& one = nth(apart, -1 - index);
             all.push_back({&one.diagnostics, one.text});
         } else {
-            const CompiledDesign& one = compilation.designs[static_cast<std::size_t>(index)];
+            const CompiledDesign& one = nth(compilation.designs, index);
             all.push_back({&one.diagnostics, one.source.text});
         }
     }

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/nth.h"
+
 namespace popup {
 namespace {
 
@@ -70,16 +72,14 @@ class Comparer {
         gap.b1 = rest.b1;
         search(gap);
     }
-    [[nodiscard]] bool removed(Index i) const { return removed_[static_cast<std::size_t>(i)]; }
-    [[nodiscard]] bool added(Index i) const { return added_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] bool removed(Index i) const { return nth(removed_, i); }
+    [[nodiscard]] bool added(Index i) const { return nth(added_, i); }
 
  private:
-    [[nodiscard]] bool same(Index i, Index j) const {
-        return a_[static_cast<std::size_t>(i)] == b_[static_cast<std::size_t>(j)];
-    }
+    [[nodiscard]] bool same(Index i, Index j) const { return nth(a_, i) == nth(b_, j); }
     void keep(Index i, Index j) {
-        removed_[static_cast<std::size_t>(i)] = false;
-        added_[static_cast<std::size_t>(j)] = false;
+        nth(removed_, i) = false;
+        nth(added_, j) = false;
     }
 
     // Keeps the common lines at both ends and returns what lies between them.
@@ -100,10 +100,10 @@ class Comparer {
             Index at_b = 0;
         };
         std::vector<Count> counts(static_cast<std::size_t>(kinds));
-        const auto count = [&](int line) -> Count& { return counts[static_cast<std::size_t>(line)]; };
-        for (Index i = gap.a0; i < gap.a1; ++i) ++count(a_[static_cast<std::size_t>(i)]).in_a;
+        const auto count = [&](int line) -> Count& { return nth(counts, line); };
+        for (Index i = gap.a0; i < gap.a1; ++i) ++count(nth(a_, i)).in_a;
         for (Index j = gap.b0; j < gap.b1; ++j) {
-            Count& entry = count(b_[static_cast<std::size_t>(j)]);
+            Count& entry = count(nth(b_, j));
             ++entry.in_b;
             entry.at_b = j;
         }
@@ -114,11 +114,11 @@ class Comparer {
         std::vector<Link> links;
         std::vector<Index> piles;  // of each length, the run that ends earliest
         for (Index i = gap.a0; i < gap.a1; ++i) {
-            const Count& entry = count(a_[static_cast<std::size_t>(i)]);
+            const Count& entry = count(nth(a_, i));
             if (entry.in_a != 1 || entry.in_b != 1) continue;
-            const auto pile = std::lower_bound(
-                piles.begin(), piles.end(), entry.at_b,
-                [&links](Index link, Index b) { return links[static_cast<std::size_t>(link)].b < b; });
+            const auto pile =
+                std::lower_bound(piles.begin(), piles.end(), entry.at_b,
+                                 [&links](Index link, Index b) { return nth(links, link).b < b; });
             links.push_back({i, entry.at_b, pile == piles.begin() ? -1 : *(pile - 1)});
             const Index made = static_cast<Index>(links.size()) - 1;
             if (pile == piles.end()) {
@@ -129,7 +129,7 @@ class Comparer {
         }
         std::vector<std::pair<Index, Index>> result;
         for (Index link = piles.empty() ? -1 : piles.back(); link >= 0;) {
-            const Link& at = links[static_cast<std::size_t>(link)];
+            const Link& at = nth(links, link);
             result.emplace_back(at.a, at.b);
             link = at.previous;
         }
@@ -168,10 +168,8 @@ class Comparer {
         Index x = gap.a1 - gap.a0;
         Index y = gap.b1 - gap.b0;
         for (; d >= 0; --d) {
-            const std::vector<Index>& reach = rounds[static_cast<std::size_t>(d)];
-            const auto before = [&](Index diagonal) {
-                return reach[static_cast<std::size_t>(diagonal + d + 1)];
-            };
+            const std::vector<Index>& reach = nth(rounds, d);
+            const auto before = [&](Index diagonal) { return nth(reach, diagonal + d + 1); };
             const Index k = x - y;
             const bool down = k == -d || (k != d && before(k - 1) < before(k + 1));
             const Index from_k = down ? k + 1 : k - 1;
@@ -229,7 +227,7 @@ std::string unified_diff(std::string_view name, std::string_view before, std::st
         hunk.clear();
         hunk_a = i - lead;
         hunk_b = j - lead;
-        for (Index line = hunk_a; line < i; ++line) append_line(hunk, ' ', a[static_cast<std::size_t>(line)]);
+        for (Index line = hunk_a; line < i; ++line) append_line(hunk, ' ', nth(a, line));
         open = true;
     };
     const auto finish = [&] {
@@ -239,11 +237,11 @@ std::string unified_diff(std::string_view name, std::string_view before, std::st
     while (i < n || j < m) {
         if (i < n && compared.removed(i)) {
             begin();
-            append_line(hunk, '-', a[static_cast<std::size_t>(i++)]);
+            append_line(hunk, '-', nth(a, i++));
             unchanged = 0;
         } else if (j < m && compared.added(j)) {
             begin();
-            append_line(hunk, '+', b[static_cast<std::size_t>(j++)]);
+            append_line(hunk, '+', nth(b, j++));
             unchanged = 0;
         } else {
             if (open && unchanged == kContext) {
@@ -259,7 +257,7 @@ std::string unified_diff(std::string_view name, std::string_view before, std::st
                     finish();
                 }
             }
-            if (open) append_line(hunk, ' ', a[static_cast<std::size_t>(i)]);
+            if (open) append_line(hunk, ' ', nth(a, i));
             ++unchanged;
             ++i;
             ++j;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cli/files/outputs.h"
 #include "cli/options/value_option.h"
+#include "popup/files.h"
 
 namespace popup::cli {
 

@@ -96,8 +96,8 @@ std::optional<PieceRule> parse_lock_rule(std::string_view text) {
     const std::optional<Length> x = parse_length(parts[0]);
     const std::optional<Length> y = parse_length(parts[1]);
     const std::optional<double> turn = parts.size() == 3 ? parse_number(parts[2]) : 0.0;
-    constexpr double kFurthestMm = 1e6;
-    if (!x || !y || !turn || std::abs(x->mm) > kFurthestMm || std::abs(y->mm) > kFurthestMm ||
+    constexpr double kFurthestLockMm = 1e6;
+    if (!x || !y || !turn || std::abs(x->mm) > kFurthestLockMm || std::abs(y->mm) > kFurthestLockMm ||
         std::abs(*turn) > 360.0) {
         return std::nullopt;
     }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/nth.h"
 #include "cli/options/value_option.h"
 #include "popup/files.h"
+#include "popup/write.h"
 
 namespace popup::cli {
 namespace {
@@ -46,7 +48,7 @@ bool with_pens(Profile& profile, std::string_view name, Use use) {
         const bool group = (name == "fold" && is_fold(operation)) ||
                            (name == "cut" && (is_cut(operation) || operation == Operation::perforation));
         if (!group && (is_printed(operation) || name != to_string(operation))) continue;
-        use(profile.pens[static_cast<std::size_t>(operation)]);
+        use(nth(profile.pens, operation));
         any = true;
     }
     return any;
@@ -65,7 +67,7 @@ void apply_kerf(Profile& profile, std::string_view text) {
     bool known = false;
     for (const Operation cut : {Operation::inner_cut, Operation::outer_cut}) {
         if (!name.empty() && name != to_string(cut)) continue;
-        profile.pens[static_cast<std::size_t>(cut)].kerf_mm = kerf;
+        nth(profile.pens, cut).kerf_mm = kerf;
         known = true;
     }
     if (known) return;
@@ -179,19 +181,17 @@ void finish_profile(Options& options) {
     profile.marks = options.build.marks.value_or(profile.marks);
     for (const std::string& text : options.build.kerfs) apply_kerf(profile, text);
     for (const std::string& text : options.build.speeds) apply_speed(profile, text);
-    options.compile.layout.bed = {profile.bed_width_mm, profile.bed_height_mm};
 
     const double need = margin_needed(options.compile.output);
-    Length& margin = options.compile.layout.margin;
-    if (margin.mm >= need) return;
-    if (options.margin_given) {
+    const Length margin = options.compile.layout.margin;
+    if (options.margin_given && margin.mm < need) {
         throw UsageError(
             fmt::format("a margin of {} mm has no room for {}, which {} {} mm", margin.mm,
                         clear_of(profile.marks) == need ? "the registration marks" : "the bar of --reference",
                         clear_of(profile.marks) == need ? "need" : "needs", need),
             {fmt::format("leave --margin away, or make it {} mm", need)});
     }
-    margin = Length::millimetres(need);
+    fit_layout(options.compile);
 }
 
 }  // namespace popup::cli

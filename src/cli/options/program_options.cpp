@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
+#include "base/nth.h"
 #include "cli/files/inputs.h"
 #include "cli/files/outputs.h"
 #include "cli/options/value_option.h"
@@ -57,10 +58,10 @@ template <typename Use>
 void each_input(const Run& run, Use use) {
     for (const int index : run.order) {
         if (index < 0) {
-            const Run::Apart& one = run.apart[static_cast<std::size_t>(-1 - index)];
+            const Run::Apart& one = nth(run.apart, -1 - index);
             use(one.diagnostics.file(), one.printed, one.loaded);
         } else {
-            const CompiledDesign& one = run.compilation.designs[static_cast<std::size_t>(index)];
+            const CompiledDesign& one = nth(run.compilation.designs, index);
             use(one.source.name, one.printed, one.further_files);
         }
     }
@@ -150,11 +151,8 @@ bool write_printed(const Options& options, const Run& run, Diagnostics& diagnost
 
 void check_loaded(const Run& run, const std::string& output) {
     if (output.empty()) return;
-    for (const std::string& file : loaded_files(run)) {
-        if (!overwrites(output, file)) continue;
-        throw UsageError(fmt::format("{} is loaded by a program of this run, and is not overwritten", file),
-                         {"give the output another name"});
-    }
+    Diagnostics told;
+    if (!spares_loaded(output, loaded_files(run), told)) refuse_usage(told);
 }
 
 std::vector<std::string> loaded_files(const Run& run) {

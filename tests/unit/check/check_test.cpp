@@ -223,7 +223,7 @@ TEST(Check, OneWrongTentSeamEndMovesAlone) {
 TEST(Check, SwappedSidesAreExchangedAndColoursStay) {
     Design design = card();
     Structure& step = add(design, "step", {{40, -30}, {40, 30}, {-30, -30}, {-30, 30}});
-    step.left = Color{1, 2, 3};
+    step.argument(0).value = Color{1, 2, 3};
     const Checked result = run(design);
     EXPECT_EQ(codes(result.diagnostics), Codes{"sides-exchanged"});
     EXPECT_EQ(result.point(0, 0), (Vec2{-30, -30}));
@@ -307,9 +307,13 @@ TEST(Check, OfFoldsOnOneLineTheOneThatIsStillThereCounts) {
     ASSERT_TRUE(result.design) << findings(result.diagnostics);
     EXPECT_FALSE(result.diagnostics.has_findings()) << findings(result.diagnostics);
     const auto& joints = result.design->skeleton().draft.joints;
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[3].left.drive)].name,
+    EXPECT_EQ(result.design->skeleton()
+                  .draft.plates[static_cast<std::size_t>(std::get<FourBar>(joints[3].how).left.drive)]
+                  .name,
               "e1/left");
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[4].left.drive)].name,
+    EXPECT_EQ(result.design->skeleton()
+                  .draft.plates[static_cast<std::size_t>(std::get<FourBar>(joints[4].how).left.drive)]
+                  .name,
               "page/left");
 }
 

@@ -1,0 +1,90 @@
+#include "mechanism/codes.h"
+
+#include <array>
+
+namespace popup {
+namespace {
+
+constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
+    {"apex-off-fold", Severity::warning, "an apex lies beside its parent fold",
+     "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the "
+     "fold the element stands on: only then do its sides stay the same length while the card moves. The "
+     "apex was moved onto the fold, the shortest way. Choose it on the fold to begin with."},
+    {"degenerate", Severity::error, "an element is too small to fold",
+     "A seam, side fold or width is under 1 mm, or an angle under 1°. No paper folds that small, and small "
+     "errors of the knife would decide how it moves. Give the element room; where a point lies on the "
+     "wrong side of the fold, move it over. With `popupc fix --drop` such elements are taken out instead."},
+    {"does-not-fit", Severity::warning, "an element is larger than the paper it stands on",
+     "Each half of a cut element must lie wholly in its own plane, with 1 mm of paper left around it and "
+     "no earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "
+     "pulled towards its fold, or shortened along it, until it fits. Where even the smallest form finds no "
+     "room it is an error. Make the element smaller or move it."},
+    {"fold-too-short", Severity::error, "an element's apex lies beyond the end of its fold",
+     "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
+     "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
+     "longer."},
+    {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
+     "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
+     "apart. A "
+     "narrower one stops the card from opening, and a wider one is a tent. The piece was widened or narrowed "
+     "alike on both sides."},
+    {"not-parallel", Severity::warning, "a side fold or seam does not run along its parent fold",
+     "The folds of a step and the seams of a tent must be parallel to the fold they stand on, and the two "
+     "seams of a tent's piece to each other; otherwise the plates would have to bend. Each line was turned "
+     "about its midpoint, its length kept."},
+    {"opening-too-wide", Severity::warning, "an angled element opens too far",
+     "The sides of a beak or angled step may open by at most 175° about the apex, and the V of a v-fold by "
+     "at most 170°: beyond that the element hardly leaves the page, and its solution is lost when the card "
+     "lies open. Both sides were turned in alike."},
+    {"outline-crosses", Severity::error, "an outline crosses itself",
+     "The points of an element, in the order of its type, do not go round a piece of paper: two edges "
+     "cross where the message says, so there is no telling which side of them is paper. Usually two points "
+     "are exchanged; the manual page popup(5) gives the order for each type."},
+    {"piece-mirrored", Severity::warning, "an extra piece was drawn from the back",
+     "Pieces are drawn with their printed side up. This one runs the wrong way round (a v-fold's G E H J I "
+     "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands "
+     "and is drawn on its page."},
+    {"piece-too-narrow", Severity::warning, "a v-fold's piece is too narrow for its V",
+     "The angles of the piece at E must be at least 10° more than those of the V on the page, or the piece "
+     "stays flat on the page and blocks the card from opening. The piece was widened alike on both sides, "
+     "which leaves its seams as they are."},
+    {"piece-too-wide", Severity::warning, "a v-fold's piece is too wide for its V",
+     "The angles of the piece and of the V must not exceed 350° together. At 360° all of the paper round "
+     "the apex lies in one plane before the card is open, and the card stops there. The piece was narrowed "
+     "alike on both sides."},
+    {"points-reordered", Severity::warning, "the points of an angled step were given outside in",
+     "The points of an angled step are written with the one nearer to the apex first on each side: B "
+     "before C, G before F. Here both pairs stood the other way round, which describes the same cuts; they "
+     "were exchanged in the checked design, and fix writes them in order."},
+    {"seam-length", Severity::warning, "the seams of a piece do not match those on the page",
+     "What is glued together must be the same length, end for end. The page's seams rule, since other "
+     "elements may stand on them; the ends of the piece's seams were moved along their lines until they "
+     "fit. Draw both seams equally long."},
+    {"seams-uneven", Severity::warning, "seams that must be at the same distance from the fold are not",
+     "A layer is wrapped round a mountain fold and must not slide on it, which it does not where both seams "
+     "are "
+     "at the same distance from the fold. The farther seam was moved to the nearer one's distance, and the "
+     "piece "
+     "narrowed with it."},
+    {"should-be-step", Severity::error, "an angled step has parallel sides",
+     "The side folds of an angled step meet in an apex on the parent fold. Here they are parallel to it, "
+     "or meet further away than 20 page heights, so that rounding would decide where. An element with "
+     "parallel side folds is a step."},
+    {"sides-do-not-meet", Severity::warning, "the sides of an angled step meet the fold in two points",
+     "All folds of an angled step run through one apex on the parent fold. The apex was put halfway "
+     "between the two crossings, and the inner points moved onto the lines from it to the outer points, "
+     "which stay."},
+    {"tent-too-narrow", Severity::warning, "a tent's piece is narrower than its seams are apart",
+     "The piece of a tent must be at least as wide as the distance between its two seams on the open page, "
+     "or it stops the card from opening. It was widened alike on both sides, to lie flat on the open page."},
+    {"wrong-form", Severity::warning, "an element's form does not match its fold",
+     "Inverted steps, beaks and angled steps are those that stand on mountain folds. A v-fold's V opens "
+     "towards the end of its parent fold, an inverted one's towards its begin. The type was corrected; no "
+     "point moved."},
+});
+
+}  // namespace
+
+std::span<const CodeInfo> mechanism_codes() { return kMechanismCodes; }
+
+}  // namespace popup

@@ -1,0 +1,66 @@
+#include "motion/codes.h"
+
+#include <array>
+
+namespace popup {
+namespace {
+
+constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
+    {"clearance-low", Severity::warning, "two plates come closer than was asked for",
+     "With --clearance LENGTH the examination names plates that come closer to each other than that length "
+     "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are "
+     "only brought together by folding flat, below 45°. The message gives the smallest distance, and the "
+     "angle where it is reached. Real paper is thick, bends, and is cut and glued a little off, so that "
+     "such plates may rub or catch. Move the elements further apart, make one of them smaller, or ask for "
+     "less."},
+    {"collision", Severity::warning, "two plates go through each other",
+     "At some opening angle two plates would need the same room. This is looked for at every angle between "
+     "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
+     "cross where a common point of both lies more than 0.01 mm inside the edges of both, and the paper "
+     "round it stands out of the other plate on either side; plates that only touch, along folds, seams, "
+     "corners and edges or flat on one another, do not. The message gives the first and last angle, and "
+     "how far one goes through the other. Real paper would bend, catch or tear there. Move one of the "
+     "elements as the hint says, or make one of them smaller."},
+    {"jumps", Severity::error, "an element jumps while the card opens",
+     "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: "
+     "the linkage passes from one of its two solutions to the other, its mirror image, or is so close to "
+     "locking that a hair's breadth decides. This is looked for all the way from closed to open, not only "
+     "at the angles that --angles names. Give it more room: a wider piece, a narrower V, less extreme "
+     "angles."},
+    {"layer-order", Severity::warning, "the plates of the closed card cannot lie on one another",
+     "In the closed card all plates lie in layers between the left cover and the right one. Here there is "
+     "no order in which all of them can lie: one lies partly under and partly over another, or several "
+     "each lie below the next and the last below the first; the message names them. Paper would have to be "
+     "woven, and the card bulges or does not close. Make one of the plates smaller, so that it no longer "
+     "reaches over the next, or move its element."},
+    {"locks", Severity::error, "an element's linkage cannot reach an angle",
+     "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
+     "of piece and page together exceed 360°), so that the card stops before it is open. This is looked "
+     "for all the way from closed to open, not only at the angles that --angles names; the message gives "
+     "one that cannot be reached. Widen the piece, or bring its seams closer to the fold."},
+    {"not-flat", Severity::error, "a plate is not flat when the card is closed",
+     "At the closed card every plate must lie in one plane, or the card does not shut. An element of this "
+     "design does not fold flat; usually its angles were taken as they are because a repair was not "
+     "allowed."},
+    {"protrusion", Severity::warning, "a plate sticks out of the closed card",
+     "When the card is closed, every plate should lie between its covers. This one reaches over their "
+     "edge: the message says how far, and on which side. It will be seen there before the card is opened, "
+     "and bent and torn in its envelope. Make the plate smaller by as much, or move the element away from "
+     "that edge. Where it is meant, --allow protrusion accepts it."},
+    {"seam-open", Severity::error, "a fold or seam comes apart while the card opens",
+     "At one of the sampled angles two plates that share a line no longer meet along it. Paper cannot do "
+     "that: the geometry is so extreme that rounding decides. Make the angles and widths of the element "
+     "larger."},
+    {"undecided", Severity::remark, "it is not decided whether two plates cross",
+     "The examination divides the range of angles until it can prove that two plates are clear of each "
+     "other, or finds where they cross. Between the angles in the message it could do neither within the "
+     "work allowed, mostly because the plates graze each other there by less than can be told apart. "
+     "Nothing is claimed of these two plates at these angles. Look at them in the model, or move one of "
+     "them by a tenth of a millimetre and check again."},
+});
+
+}  // namespace
+
+std::span<const CodeInfo> motion_codes() { return kMotionCodes; }
+
+}  // namespace popup

@@ -1,0 +1,56 @@
+#include "output/codes.h"
+
+#include <array>
+
+namespace popup {
+namespace {
+
+constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
+    {"font-missing", Severity::error, "the font of the labels cannot be read",
+     "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu "
+     "Sans, so that sheets look the same on every machine. The file named in the message is not there, may "
+     "not be read, or is no font. Nothing has been written. Install the font where the message says (on "
+     "Debian the package fonts-dejavu-core brings it), or write SVG, which only names the font."},
+    {"model-coarse", Severity::warning, "the model's animation has fewer keys than it needs",
+     "Between two keys of the animation a viewer turns every plate on its own, and keys are added until no "
+     "fold visibly opens on the way. Here the file would have grown beyond half a gigabyte first. The "
+     "model is right at every key and a little open between some. Write fewer designs into one model; "
+     "pages many metres wide also cause this, so check the document's units."},
+    {"model-too-large", Severity::error, "the model has more data than its file format holds",
+     "Every plate has a turn at every key of the animation, and together with the shapes they must stay "
+     "below two gigabytes. Ask for fewer angles or fewer keys a second, or write the designs into several "
+     "models."},
+    {"pdf-failed", Severity::error, "the PDF library gave up",
+     "The library that makes PDF documents reported the error in the message, for example that memory ran "
+     "out or that the font of the labels is damaged. Nothing has been written. Reinstall the font, or "
+     "write SVG instead and print that; both show the same drawing."},
+    {"pdf-page-size", Severity::error, "a sheet is larger than a PDF page can be",
+     "A page of a PDF has at most 14400 points a side, which is 5080 mm; programs that read PDF refuse or "
+     "shrink larger ones, and a sheet that is shrunk is useless. Choose a smaller sheet with --sheet, so "
+     "that the pieces are spread over several pages, or write SVG, which has no such limit."},
+    {"picture-failed", Severity::error, "a picture could not be made",
+     "The library that makes pictures gave up: there was no memory for so many pixels. Choose a smaller "
+     "--dpi or a smaller --sheet, or write a format that is not made of pixels, such as SVG or PDF."},
+    {"picture-too-large", Severity::error, "a sheet has too many pixels",
+     "A picture has at most 32767 pixels on a side and 300 million in all, which is what the libraries "
+     "that make it take without gigabytes of memory. Choose a smaller --dpi, or a smaller --sheet."},
+    {"plotter-range", Severity::remark, "a sheet is larger than what old plotters count to",
+     "HP-GL counts in units of 0.025 mm, and the plotters it was made for count no further than 32767, "
+     "which is 819 mm. Most machines of today take larger numbers; one that does not stops there, or draws "
+     "in the wrong place. Plot the sheet once with the pen or the knife up, or choose a smaller sheet with "
+     "--sheet."},
+    {"prints-left-out", Severity::remark, "the machine profile leaves out what was asked for",
+     "Profiles of lasers and cutters leave out what is printed, so that no machine burns it: registration "
+     "marks, the bar to measure, and all that is on printed backs. --print-and-cut writes it to files of "
+     "its own, which are for a printer; a profile of your own can give the pens of what is printed a layer."},
+    {"reference-too-long", Severity::error, "the bar to measure does not fit on the sheet",
+     "--reference draws a bar of a known length below the pieces, with its figure beside it and clear of "
+     "registration marks. The sheet is too narrow for a bar of this length. Ask for a shorter one, or "
+     "choose a wider --sheet."},
+});
+
+}  // namespace
+
+std::span<const CodeInfo> output_codes() { return kOutputCodes; }
+
+}  // namespace popup

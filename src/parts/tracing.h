@@ -1,0 +1,73 @@
+// A drawing as flat lines in millimetres, before it is known which of them make a part.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "popup/curves.h"
+#include "popup/diagnostics.h"
+#include "popup/geometry.h"
+#include "popup/print.h"
+
+namespace popup::drawing {
+
+// What a line was drawn for.
+enum class Use {
+    cut,
+    mountain,
+    valley,
+    seam,
+    shape,  // the outline of a fill without a stroke: a cut only where a drawing has no others
+    print,
+};
+
+// An element that drew something.
+struct TracedElement {
+    std::string name;   // its id or label; may be empty
+    std::string group;  // the id of the group it stands in; may be empty
+    Place place;
+};
+
+struct TracedLine {
+    std::vector<Vec2> points;  // at least two, on the grid, no point twice in a row
+    bool closed = false;
+    Use use = Use::cut;
+    int element = 0;  // index into Tracing::elements
+    int owner = 0;    // index into Tracing::owners
+    Color color;      // of what is printed, and the width
+    double width_mm = 0.0;
+};
+
+// An area that is painted, by all subpaths of a path together.
+struct TracedFill {
+    std::vector<Ring> rings;
+    bool even_odd = false;
+    bool without_stroke = false;
+    Color color;
+    int element = 0;
+    int owner = 0;
+};
+
+struct TracedText {
+    Text text;
+    int owner = 0;
+};
+
+// Whose a line is: 0 when only its place can tell, else a piece of a sheet that this program made.
+struct TracedOwner {
+    std::string name;
+    Place place;
+};
+
+struct Tracing {
+    std::vector<TracedElement> elements;
+    std::vector<TracedOwner> owners{{}};
+    std::vector<TracedLine> lines;
+    std::vector<TracedFill> fills;
+    std::vector<TracedText> texts;
+    CurveTable curves;  // of all lines and fills
+    int invisible = 0;  // shapes with neither stroke nor fill
+    Vec2 page;          // size of the drawing, mm; 0 when it is not said
+};
+
+}  // namespace popup::drawing

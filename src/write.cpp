@@ -1,0 +1,329 @@
+#include "popup/write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace popup {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+Diagnostic& refuse(Diagnostics& diagnostics, std::string message) {
+    return diagnostics.error("unwritable-output", {}, std::move(message));
+}
+
+const Format* format_of(const std::string& path, const std::string& otherwise, Diagnostics& diagnostics) {
+    if (path != "-") {
+        if (const Format* format = find_format(path)) return format;
+    }
+    if (!otherwise.empty()) {
+        if (const Format* format = find_format(otherwise)) return format;
+    }
+    std::vector<std::string_view> names;
+    for (const Format& row : format_table()) names.push_back(row.suffix);
+    const std::string formats = fmt::format("formats: {}", fmt::join(names, " "));
+    if (path == "-") {
+        refuse(diagnostics, "the format of standard output is not known")
+            .hint("name it with --to FORMAT")
+            .hint(formats);
+    } else {
+        refuse(diagnostics, fmt::format("{}: the suffix names no format", path)).hint(formats);
+    }
+    return nullptr;
+}
+
+bool choose_formats(const OutputRequest& request, OutputPlan& plan, Diagnostics& diagnostics) {
+    for (const std::string& path : request.outputs) {
+        if (path.empty()) {
+            refuse(diagnostics, "an output has no name");
+            return false;
+        }
+        const Format* format = format_of(path, request.format, diagnostics);
+        if (format == nullptr) return false;
+        plan.outputs.push_back({path, format});
+        if (std::holds_alternative<DocumentWriter>(format->write) && request.inputs.size() > 1) {
+            refuse(diagnostics,
+                   fmt::format("{} is one document, and there are {} inputs", path, request.inputs.size()))
+                .hint("build each on its own, or use \"popupc fix --in-place\"");
+            return false;
+        }
+    }
+    return true;
+}
+
+bool share_standard_output(const OutputRequest& request, Diagnostics& diagnostics) {
+    std::vector<std::string> users = request.streams;
+    for (const std::string& path : request.outputs) {
+        if (is_standard_output(path)) users.push_back("-o " + path);
+    }
+    for (const OutputRequest::Other& other : request.others) {
+        if (!other.name.empty() && is_standard_output(other.path)) users.push_back(other.name);
+    }
+    if (users.size() <= 1) return true;
+    refuse(diagnostics, fmt::format("standard output has more than one user: {}", fmt::join(users, ", ")))
+        .hint("--diagnostics FILE and -o FILE take files");
+    return false;
+}
+
+bool are_files_of_their_own(const OutputRequest& request, Diagnostics& diagnostics) {
+    std::vector<std::string> written = request.outputs;
+    for (const OutputRequest::Other& other : request.others) written.push_back(other.path);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!same_place(written[i], written[j])) continue;
+            refuse(diagnostics, written[i] == written[j]
+                                    ? fmt::format("{} is named twice as an output", written[i])
+                                    : fmt::format("{} and {} are the same output", written[j], written[i]));
+            return false;
+        }
+        for (const std::string& input : request.inputs) {
+            if (!overwrites(written[i], input)) continue;
+            refuse(diagnostics, fmt::format("{} is an input; a build does not overwrite it", written[i]))
+                .hint("to write the repaired document over the old one use \"popupc fix --in-place\"");
+            return false;
+        }
+    }
+    return true;
+}
+
+// Parts that do not move have sheets and a report; also a model, where their language says how they stand.
+bool can_be_made_of_parts(const std::string& input, bool has_model, const OutputPlan& plan,
+                          Diagnostics& diagnostics) {
+    for (const PlannedOutput& output : plan.outputs) {
+        std::string_view lacking;
+        if (std::holds_alternative<SceneWriter>(output.format->write)) {
+            if (!output.format->takes_stills) lacking = "motion";
+            if (!has_model) lacking = "moving model";
+        }
+        if (std::holds_alternative<DocumentWriter>(output.format->write)) lacking = "popup document";
+        if (lacking.empty()) continue;
+        refuse(diagnostics, fmt::format("{}: this describes flat parts, and has no {} for {}", input, lacking,
+                                        output.path))
+            .hint(outputs_of_parts(has_model));
+        return false;
+    }
+    return true;
+}
+
+std::vector<SceneCard> scene_of(const Compilation& run) {
+    std::vector<SceneCard> cards;
+    const bool several = run.designs.size() > 1;
+    for (const CompiledDesign& one : run.designs) {
+        SceneCard& card = cards.emplace_back();
+        if (several) card.prefix = one.stem + ":";
+        card.assembly = &*one.assembly;
+        if (one.motion) card.motion = &*one.motion;
+    }
+    return cards;
+}
+
+// The files of one output.
+std::optional<std::vector<SheetFile>> write_format(const Format& format, const OutputOptions& options,
+                                                   Compilation& run) {
+    Diagnostics& diagnostics = run.run_diagnostics;
+    const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<SheetFile>> {
+        if (!bytes) return std::nullopt;
+        std::vector<SheetFile> all;
+        all.push_back({"", std::move(*bytes)});
+        return all;
+    };
+    return std::visit(
+        Overloaded{
+            [&](SheetWriter write) { return write(*run.layout, options, diagnostics); },
+            [&](SceneWriter write) { return single(write(scene_of(run), options, diagnostics)); },
+            [&](DocumentWriter write) {
+                return single(write(*run.designs.front().checked, options, diagnostics));
+            },
+            [&](ReportWriter write) { return single(write(run, options, diagnostics)); },
+        },
+        format.write);
+}
+
+// What the profile and the sheets have to say to each other, and to the formats of sheets, each once.
+void examine_sheets(const OutputPlan& plan, const OutputOptions& options, Compilation& run) {
+    std::vector<const Format*> formats;
+    for (const PlannedOutput& output : plan.outputs) {
+        if (!std::holds_alternative<SheetWriter>(output.format->write)) continue;
+        if (std::find(formats.begin(), formats.end(), output.format) == formats.end())
+            formats.push_back(output.format);
+    }
+    if (formats.empty()) return;
+    examine_profile(*run.layout, options.profile, options.score_side, run.run_diagnostics);
+    examine_prints(options, run.run_diagnostics);
+    for (const Format* format : formats) {
+        examine_format(format->suffix, options.profile, run.run_diagnostics);
+    }
+}
+
+// "card.svg", "-2" → "card-2.svg".
+std::string suffixed(const PlannedOutput& output, const std::string& suffix) {
+    const std::string& path = output.path;
+    std::size_t stem = path.size();
+    const std::size_t length = output.format->suffix.size();
+    if (find_format(path) == output.format && stem > length) stem -= length;
+    return path.substr(0, stem) + suffix + path.substr(stem);
+}
+
+// Reports come last: they name every other file of the run.
+std::vector<PlannedOutput> in_order_of_making(const OutputPlan& plan) {
+    std::vector<PlannedOutput> outputs = plan.outputs;
+    std::stable_partition(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+        return !std::holds_alternative<ReportWriter>(output.format->write);
+    });
+    return outputs;
+}
+
+}  // namespace
+
+void fit_layout(CompileOptions& options) {
+    const Profile& profile = options.output.profile;
+    options.layout.bed = {profile.bed_width_mm, profile.bed_height_mm};
+    Length& margin = options.layout.margin;
+    margin = Length::millimetres(std::max(margin.mm, margin_needed(options.output)));
+}
+
+std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics& diagnostics) {
+    OutputPlan plan;
+    plan.inputs = request.inputs;
+    if (!choose_formats(request, plan, diagnostics) || !share_standard_output(request, diagnostics) ||
+        !are_files_of_their_own(request, diagnostics)) {
+        return std::nullopt;
+    }
+    for (const std::string& name : request.inputs) {
+        const Language* language = find_language(Source{name, {}}, request.language);
+        if (name == "-" || language == nullptr || !language->only_parts) continue;
+        if (!can_be_made_of_parts(name, false, plan, diagnostics)) return std::nullopt;
+    }
+    return plan;
+}
+
+bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics) {
+    return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
+        return !one.assembly || moves(*one.assembly) ||
+               can_be_made_of_parts(one.source.name, has_model(*one.assembly), plan, diagnostics);
+    });
+}
+
+std::string outputs_of_parts(bool has_model) {
+    return fmt::format(
+        "of flat parts there are sheets (.svg, .pdf), {}the report (.json), and --emit pattern or layout",
+        has_model ? "the still model (.glb, .gltf), " : "");
+}
+
+void refuse_definitions(Compilation& run) {
+    for (CompiledDesign& one : run.designs) {
+        if (one.design || one.assembly || one.diagnostics.has_errors()) continue;
+        one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
+            .hint("call them at its end, or load() it from a program that does");
+    }
+}
+
+std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const OutputOptions& options,
+                                                   Compilation& run) {
+    refuse_definitions(run);
+    if (run.has_errors() || !can_be_made(plan, run, run.run_diagnostics)) return std::nullopt;
+    if (!run.layout && !plan.outputs.empty()) {
+        refuse(run.run_diagnostics, "there are no sheets: nothing was compiled, or not as far as the layout");
+        return std::nullopt;
+    }
+    examine_sheets(plan, options, run);
+    std::vector<PendingFile> files;
+    bool good = true;
+    OutputOptions writing = options;
+    for (const PlannedOutput& output : in_order_of_making(plan)) {
+        auto parts = write_format(*output.format, writing, run);
+        if (!parts) {
+            // A writer that fails must have said why: no result is ever silently missing.
+            POPUP_INVARIANT(run.run_diagnostics.has_errors());
+            good = false;
+            continue;
+        }
+        if (parts->size() > 1 && is_standard_output(output.path)) {
+            refuse(
+                run.run_diagnostics,
+                fmt::format("standard output takes one file, and the sheets, their sides and parts make {}",
+                            parts->size()))
+                .hint(
+                    "write to a file, choose a larger --sheet, or a format that holds several sheets (--to "
+                    "pdf)");
+            good = false;
+            continue;
+        }
+        for (SheetFile& part : *parts) {
+            files.push_back({suffixed(output, part.suffix), std::move(part.bytes)});
+            // By name only: the report must not depend on the directory.
+            const std::string& path = files.back().path;
+            if (!is_standard_output(path)) writing.files.push_back(path.substr(path.rfind('/') + 1));
+        }
+    }
+    if (!good) return std::nullopt;
+    return files;
+}
+
+bool spares_inputs(const OutputPlan& plan, const std::vector<PendingFile>& files, const Compilation& run,
+                   Diagnostics& diagnostics) {
+    for (const PendingFile& file : files) {
+        // What the plan names has been looked at.
+        if (std::any_of(plan.outputs.begin(), plan.outputs.end(),
+                        [&file](const PlannedOutput& output) { return output.path == file.path; })) {
+            continue;
+        }
+        for (const std::string& input : plan.inputs) {
+            if (!overwrites(file.path, input)) continue;
+            refuse(diagnostics,
+                   fmt::format("{} is an input, and a further sheet would be written over it", input))
+                .hint("give the output another name");
+            return false;
+        }
+    }
+    for (const PendingFile& file : files) {
+        for (const CompiledDesign& one : run.designs) {
+            if (!spares_loaded(file.path, one.further_files, diagnostics)) return false;
+        }
+    }
+    return true;
+}
+
+bool spares_loaded(const std::string& output, const std::vector<std::string>& loaded,
+                   Diagnostics& diagnostics) {
+    for (const std::string& file : loaded) {
+        if (!overwrites(output, file)) continue;
+        refuse(diagnostics,
+               fmt::format("{} is loaded by a program of this run, and is not overwritten", file))
+            .hint("give the output another name");
+        return false;
+    }
+    return true;
+}
+
+std::optional<std::vector<std::string>> write_files(const OutputPlan& plan, const OutputOptions& options,
+                                                    Compilation& run, bool keep_identical) {
+    const auto files = make_files(plan, options, run);
+    if (!files || !spares_inputs(plan, *files, run, run.run_diagnostics) ||
+        !write_all(*files, keep_identical, run.run_diagnostics)) {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    names.reserve(files->size());
+    for (const PendingFile& file : *files) names.push_back(file.path);
+    return names;
+}
+
+bool output_refused(const Diagnostics& diagnostics) {
+    const std::vector<Diagnostic> all = diagnostics.sorted();
+    return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
+        return one.code == "unwritable-output" || one.code == "font-missing" || one.code == "pdf-failed" ||
+               one.code == "pdf-page-size" || one.code == "model-too-large" || one.code == "picture-failed" ||
+               one.code == "picture-too-large";
+    });
+}
+
+}  // namespace popup

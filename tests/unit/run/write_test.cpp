@@ -1,0 +1,100 @@
+// The files of a run, as a user of the library plans and writes them.
+#include "popup/write.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+namespace popup {
+namespace {
+
+Compilation compiled(const std::string& name) {
+    const Source source{name, test::read_file(std::string(POPUP_SOURCE_DIR) + "/samples/bird.xml")};
+    return compile({source}, {}, {});
+}
+
+// The one error that keeps a plan from being made.
+Diagnostic refused(const OutputRequest& request) {
+    Diagnostics told;
+    EXPECT_FALSE(plan_outputs(request, told));
+    const std::vector<Diagnostic> all = told.sorted();
+    EXPECT_EQ(all.size(), 1U);
+    return all.empty() ? Diagnostic{} : all.front();
+}
+
+TEST(PlanOutputs, RefusesWhatCannotBeWrittenTogether) {
+    const std::string input = std::string(POPUP_SOURCE_DIR) + "/samples/bird.xml";
+    EXPECT_EQ(refused({.outputs = {""}}).message, "an output has no name");
+    EXPECT_EQ(refused({.outputs = {"a.nothing"}}).message, "a.nothing: the suffix names no format");
+    EXPECT_EQ(refused({.outputs = {"-"}}).message, "the format of standard output is not known");
+    EXPECT_EQ(refused({.outputs = {"a.svg", "./a.svg"}}).message, "a.svg and ./a.svg are the same output");
+    EXPECT_EQ(refused({.outputs = {"a.svg"}, .others = {{"a.svg", {}}}}).message,
+              "a.svg is named twice as an output");
+    EXPECT_EQ(refused({.outputs = {"-"}, .format = "svg", .streams = {"the log"}}).message,
+              "standard output has more than one user: the log, -o -");
+    EXPECT_EQ(refused({.outputs = {"a.xml"}, .inputs = {"b.xml", "c.xml"}}).message,
+              "a.xml is one document, and there are 2 inputs");
+    EXPECT_EQ(refused({.outputs = {input}, .inputs = {input}}).message,
+              input + " is an input; a build does not overwrite it");
+    EXPECT_EQ(refused({.outputs = {"a.glb"}, .inputs = {"parts.svg"}}).message,
+              "parts.svg: this describes flat parts, and has no moving model for a.glb");
+    EXPECT_EQ(refused({.outputs = {"a.nothing"}}).code, "unwritable-output");
+}
+
+TEST(PlanOutputs, FindsTheFormatOfEachOutput) {
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {"a.SVG", "b.glb", "-"}, .format = "pdf"}, told);
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->outputs.size(), 3U);
+    EXPECT_EQ(plan->outputs[0].format->suffix, ".svg");
+    EXPECT_EQ(plan->outputs[1].format->suffix, ".glb");
+    EXPECT_EQ(plan->outputs[2].format->suffix, ".pdf");
+}
+
+TEST(WriteFiles, WritesAllOfThemOrNone) {
+    const test::ScratchDirectory scratch;
+    const std::string svg = scratch / "bird.svg";
+    const std::string lost = scratch / "no-such-folder/bird.pdf";
+    Diagnostics told;
+    Compilation run = compiled("bird.xml");
+    const auto plan = plan_outputs({.outputs = {svg, lost}}, told);
+    ASSERT_TRUE(plan);
+    EXPECT_FALSE(write_files(*plan, {}, run));
+    EXPECT_TRUE(output_refused(run.run_diagnostics));
+    EXPECT_FALSE(std::filesystem::exists(svg));
+
+    run = compiled("bird.xml");
+    const auto good = plan_outputs({.outputs = {svg}}, told);
+    EXPECT_EQ(write_files(*good, {}, run), std::vector<std::string>{svg});
+    EXPECT_TRUE(std::filesystem::exists(svg));
+}
+
+TEST(WriteFiles, WantsARunThatWentAsFarAsTheSheets) {
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {"a.svg"}}, told);
+    ASSERT_TRUE(plan);
+    Compilation nothing = compile({}, {}, {});
+    EXPECT_FALSE(make_files(*plan, {}, nothing));
+    EXPECT_TRUE(output_refused(nothing.run_diagnostics));
+}
+
+TEST(WriteFiles, SparesInputsFromFurtherSheets) {
+    const test::ScratchDirectory scratch;
+    const std::string input = scratch / "card-2.svg";
+    test::write_file(input, "an input");
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {scratch / "card.svg"}, .inputs = {input}}, told);
+    ASSERT_TRUE(plan);
+    const Compilation run;
+    EXPECT_TRUE(spares_inputs(*plan, {{scratch / "card.svg", "", false}}, run, told));
+    EXPECT_FALSE(spares_inputs(*plan, {{input, "", false}}, run, told));
+    EXPECT_EQ(told.sorted().front().message,
+              input + " is an input, and a further sheet would be written over it");
+}
+
+}  // namespace
+}  // namespace popup
