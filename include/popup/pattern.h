@@ -69,6 +69,7 @@ struct PatternPiece {
 struct Pattern {
     std::vector<std::string> plate_names;
     std::vector<PatternPiece> pieces;
+    CurveTable curves;  // that chords of all pieces stand for
 };
 
 struct PatternOptions {

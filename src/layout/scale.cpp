@@ -33,6 +33,7 @@ void scale(Image& image, double by) {
 }  // namespace
 
 void scale_pattern(Pattern& pattern, double by) {
+    pattern.curves.scale(by);
     for (PatternPiece& piece : pattern.pieces) {
         for (Contour& cut : piece.cuts) scale(cut.points, by);
         for (PatternLine& line : piece.lines) line.at = {by * line.at.a, by * line.at.b};

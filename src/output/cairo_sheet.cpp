@@ -74,9 +74,27 @@ class Painter {
  private:
     void color(Color c) { cairo_set_source_rgb(cairo_, c.r / 255.0, c.g / 255.0, c.b / 255.0); }
 
+    void curves(const Subpath& path) {
+        const double height = drawing_.height_mm;
+        cairo_move_to(cairo_, path.start.x, height - path.start.y);
+        for (const PathStep& step : path.steps) {
+            if (step.curve) {
+                cairo_curve_to(cairo_, step.control_1.x, height - step.control_1.y, step.control_2.x,
+                               height - step.control_2.y, step.to.x, height - step.to.y);
+            } else {
+                cairo_line_to(cairo_, step.to.x, height - step.to.y);
+            }
+        }
+        if (path.closed) cairo_close_path(cairo_);
+    }
+
     void trace(const SheetShape& shape) {
         for (const Run& run : drawing_.runs_of(shape)) {
             cairo_new_sub_path(cairo_);
+            if (run.steps > 0) {
+                curves(drawing_.path_of(run));
+                continue;
+            }
             for (const Vec2 p : drawing_.points_of(run)) {
                 cairo_line_to(cairo_, p.x, drawing_.height_mm - p.y);
             }

@@ -11,6 +11,7 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/text/numbers.h"
 #include "base/text/utf8.h"
+#include "output/arcs.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -121,6 +122,11 @@ class DxfText {
         std::string text = number_text(value, kDecimals);
         if (text.find('.') == std::string::npos) text += ".0";
         group(code, std::string_view(text));
+    }
+    // A bulge counts for the more the longer its chord is.
+    void bulge(double value) {
+        constexpr int kBulgeDecimals = 9;
+        group(42, std::string_view(number_text(value, kBulgeDecimals)));
     }
     void handle(int code, unsigned value) { fmt::format_to(fmt::appender(out_), "{}\n{:X}\n", code, value); }
     // Groups code, code + 10 and code + 20.
@@ -287,6 +293,7 @@ class DxfText {
     }
 
     void path(const SheetShape& shape, const Run& run) {
+        if (run.steps > 0) return curves(shape, drawing_.path_of(run));
         const std::span<const Vec2> points = drawing_.points_of(run);
         if (points.size() == 2 && !run.closed) {
             begin_entity("LINE", shape.operation, shape.color);
@@ -303,6 +310,52 @@ class DxfText {
             group(10, p.x);
             group(20, p.y);
         }
+    }
+
+    void curves(const SheetShape& shape, const Subpath& path) {
+        const auto arcs = as_arcs(path);
+        if (!arcs) return spline(shape, path);
+        begin_entity("LWPOLYLINE", shape.operation, shape.color);
+        group(100, "AcDbPolyline");
+        group(90, arcs->size());
+        group(70, path.closed ? 1 : 0);
+        for (const ArcCorner& corner : *arcs) {
+            group(10, corner.at.x);
+            group(20, corner.at.y);
+            if (corner.bulge != 0.0) bulge(corner.bulge);
+        }
+    }
+
+    // One spline of third degree: each curve, and each line as a curve with its controls on it, is a span
+    // between knots of multiplicity three. The flag for closed splines is left out, for those that read it
+    // take the knots for periodic ones; a closed path ends where it begins.
+    void spline(const SheetShape& shape, const Subpath& path) {
+        std::vector<Vec2> controls{path.start};
+        const auto line = [&controls](Vec2 to) {
+            const Vec2 from = controls.back();
+            controls.insert(controls.end(), {lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to});
+        };
+        for (const PathStep& step : path.steps) {
+            if (step.curve) {
+                controls.insert(controls.end(), {step.control_1, step.control_2, step.to});
+            } else {
+                line(step.to);
+            }
+        }
+        if (path.closed && controls.back() != path.start) line(path.start);
+        const std::size_t spans = controls.size() / 3;
+        begin_entity("SPLINE", shape.operation, shape.color);
+        group(100, "AcDbSpline");
+        group(70, 8);  // planar
+        group(71, 3);
+        group(72, controls.size() + 4);
+        group(73, controls.size());
+        group(74, 0);
+        for (std::size_t knot = 0; knot <= spans; ++knot) {
+            const int times = knot == 0 || knot == spans ? 4 : 3;
+            for (int i = 0; i < times; ++i) group(40, static_cast<double>(knot));
+        }
+        for (const Vec2 p : controls) point(10, p);
     }
 
     void label(const SheetText& text) {

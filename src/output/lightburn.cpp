@@ -181,7 +181,13 @@ class Project {
         for (const SheetShape& one : drawing_.shapes_of(layer)) {
             const int index = index_of(one.operation);
             if (index < 0) continue;
-            for (const Run& run : drawing_.runs_of(one)) path(index, drawing_.points_of(run), run.closed);
+            for (const Run& run : drawing_.runs_of(one)) {
+                if (run.steps > 0) {
+                    curves(index, drawing_.path_of(run));
+                } else {
+                    path(index, drawing_.points_of(run), run.closed);
+                }
+            }
         }
     }
 
@@ -198,6 +204,59 @@ class Project {
             if (i > 0 && !closed) fmt::format_to(fmt::appender(lines), "L{} {}", i - 1, i);
         }
         if (closed) lines.append(std::string_view("LineClosed"));
+        shape(index, fmt::to_string(vertices), fmt::to_string(lines));
+    }
+
+    // A curve that ends where it begins needs a second vertex.
+    static void halve(Subpath& path) {
+        const PathStep& step = path.steps[0];
+        const Cubic whole{path.start, step.control_1, step.control_2, step.to};
+        const Cubic first = whole.part(0.0, 0.5);
+        const Cubic second = whole.part(0.5, 1.0);
+        path.steps = {{first.to, true, first.control_1, first.control_2},
+                      {step.to, true, second.control_1, second.control_2}};
+    }
+
+    // A vertex holds the control point of the curve that leaves it as c0, and of the one that ends there as
+    // c1; "c0x1" and "c1x1" say that there is none.
+    void curves(int index, Subpath path) {
+        if (path.steps.size() == 1 && path.steps[0].to == path.start) halve(path);
+        std::vector<Vec2> ends{path.start};
+        for (const PathStep& step : path.steps) ends.push_back(step.to);
+        // A curve that ends where the path begins ends at its first vertex.
+        const bool round = path.closed && ends.back() == ends.front();
+        if (round) ends.pop_back();
+        const std::size_t count = ends.size();
+        std::vector<const PathStep*> into(count, nullptr);
+        std::vector<const PathStep*> out_of(count, nullptr);
+        std::string primitives;
+        for (std::size_t i = 0; i < path.steps.size(); ++i) {
+            const PathStep& step = path.steps[i];
+            const std::size_t to = (i + 1) % count;
+            if (step.curve) out_of[i] = into[to] = &step;
+            primitives += fmt::format("{}{} {}", step.curve ? 'B' : 'L', i, to);
+        }
+        if (path.closed && !round) primitives += fmt::format("L{} 0", count - 1);
+        fmt::memory_buffer vertices;
+        const auto control = [&vertices](char number, bool is, Vec2 p) {
+            vertices.append(std::string_view{number == '0' ? "c0x" : "c1x"});
+            if (!is) return vertices.push_back('1');
+            append_number(vertices, p.x, kDecimals);
+            vertices.append(std::string_view{number == '0' ? "c0y" : "c1y"});
+            append_number(vertices, p.y, kDecimals);
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            vertices.push_back('V');
+            append_number(vertices, ends[i].x, kDecimals);
+            vertices.push_back(' ');
+            append_number(vertices, ends[i].y, kDecimals);
+            control('0', out_of[i] != nullptr, out_of[i] == nullptr ? Vec2{} : out_of[i]->control_1);
+            control('1', into[i] != nullptr, into[i] == nullptr ? Vec2{} : into[i]->control_2);
+        }
+        shape(index, fmt::to_string(vertices), primitives);
+    }
+
+    void shape(int index, const std::string& vertices, const std::string& primitives) {
         xml_.OpenElement("Shape");
         xml_.PushAttribute("Type", "Path");
         xml_.PushAttribute("CutIndex", index);
@@ -205,8 +264,8 @@ class Project {
         xml_.PushAttribute("PrimID", number_);
         ++number_;
         text("XForm", "1 0 0 1 0 0");
-        text("VertList", fmt::to_string(vertices));
-        text("PrimList", fmt::to_string(lines));
+        text("VertList", vertices);
+        text("PrimList", primitives);
         xml_.CloseElement();
     }
     void text(const char* name, const std::string& text) {

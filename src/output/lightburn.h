@@ -24,9 +24,9 @@ namespace popup {
 // never sends to the machine; areas of colour are left out. Folds are whole lines, whatever is dashed for the
 // eye.
 //
-// Shapes are paths of straight lines, one a run, in the order of the drawing (sheet_drawing.h). LightBurn
-// keeps to the order of layers; within a layer its own optimization settings decide. Errors: those of
-// views_of(). Cost: linear in lines.
+// Shapes are paths of lines and Bézier curves, one a run, in the order of the drawing (sheet_drawing.h).
+// LightBurn keeps to the order of layers; within a layer its own optimization settings decide. Errors: those
+// of views_of(). Cost: linear in lines.
 //
 // LightBurn publishes its palette, but no description of the format: this is what projects that it wrote, and
 // programs that read them, have in common. Each shape has a VertID and a PrimID of its own, since LightBurn

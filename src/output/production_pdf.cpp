@@ -215,8 +215,26 @@ class Content {
         last = std::move(text);
     }
 
+    void curves(const Subpath& path) {
+        point(path.start);
+        raw("m\n");
+        for (const PathStep& step : path.steps) {
+            if (step.curve) {
+                point(step.control_1);
+                point(step.control_2);
+            }
+            point(step.to);
+            raw(step.curve ? "c\n" : "l\n");
+        }
+        if (path.closed) raw("h\n");
+    }
+
     void outline(const SheetShape& shape) {
         for (const Run& run : drawing_.runs_of(shape)) {
+            if (run.steps > 0) {
+                curves(drawing_.path_of(run));
+                continue;
+            }
             const char* command = "m\n";
             for (const Vec2 p : drawing_.points_of(run)) {
                 point(p);

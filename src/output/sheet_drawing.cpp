@@ -10,6 +10,8 @@
 #include "base/text/numbers.h"
 #include "fabrication/marks.h"
 #include "output/machine_order.h"
+#include "output/sheet_carrier.h"
+#include "output/sheet_curves.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
@@ -32,32 +34,9 @@ double upright(double angle) {
     return turned;
 }
 
-// Where points and texts of a piece, or of the sheet itself, lie in a view.
-class Carrier {
- public:
-    Carrier(const Placement& placement, const SheetDrawing& drawing, bool back)
-        : back_(back),
-          width_(drawing.width_mm),
-          offset_(placement.offset),
-          angle_(placement.angle.rad()),
-          x_(placement.apply({1, 0}) - placement.offset),
-          y_(placement.apply({0, 1}) - placement.offset) {}
-
-    [[nodiscard]] Vec2 at(Vec2 p) const {
-        const Vec2 q = offset_ + p.x * x_ + p.y * y_;
-        return back_ ? Vec2{width_ - q.x, q.y} : q;
-    }
-    [[nodiscard]] double turned(double angle) const {
-        return upright(back_ ? std::numbers::pi - angle - angle_ : angle + angle_);
-    }
-
- private:
-    bool back_;
-    double width_;
-    Vec2 offset_;
-    double angle_;
-    Vec2 x_, y_;
-};
+double turned(const Carrier& carrier, double angle) {
+    return upright(carrier.back() ? std::numbers::pi - angle - carrier.angle() : angle + carrier.angle());
+}
 
 class Drawer {
  public:
@@ -74,7 +53,7 @@ class Drawer {
         if (layout_.prefix_names) drawn.prefix = drawn.design + ":";
         drawn.copy = placement.copy;
         drawn.plate_names = design.pattern.plate_names;
-        carrier_ = Carrier(placement, drawing_, view_.back);
+        carrier_ = Carrier(placement, drawing_.width_mm, view_.back);
         for (const Operation operation : kOperations) {
             if (is_shown(operation, options_, view_)) draw(piece, operation);
         }
@@ -83,7 +62,7 @@ class Drawer {
     void sheet() {
         if (!is_shown(Operation::registration, options_, view_)) return;
         number_ = -1;
-        carrier_ = Carrier(Placement{}, drawing_, view_.back);
+        carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
         const auto marks = [this](const std::vector<SheetMark>& all) {
             for (const SheetMark& mark : all) {
                 begin(Operation::registration, -1);
@@ -140,7 +119,8 @@ class Drawer {
     }
 
     void text(const std::string& written, Vec2 at, double cap_mm, double angle, Operation operation) {
-        SheetText text{visible(written), carrier_.at(at), cap_mm, carrier_.turned(angle), operation, number_};
+        SheetText text{visible(written),        carrier_.at(at), cap_mm,
+                       turned(carrier_, angle), operation,       number_};
         if (!drawing_.profile.outlined_text) {
             drawing_.texts.push_back(std::move(text));
             return;
@@ -240,7 +220,7 @@ class Drawer {
     const Layout& layout_;
     const OutputOptions& options_;
     const SheetView& view_;
-    Carrier carrier_{Placement{}, drawing_, false};
+    Carrier carrier_{Placement{}, 0.0, false};
     int number_ = -1;
 };
 
@@ -330,6 +310,22 @@ std::span<const Vec2> SheetDrawing::points_of(const Run& run) const {
     return std::span(points).subspan(run.first, run.count);
 }
 
+Subpath SheetDrawing::path_of(const Run& run) const {
+    const std::span<const Vec2> points = points_of(run);
+    if (points.empty()) return {};
+    Subpath path;
+    path.closed = run.closed;
+    path.start = points[run.start];
+    if (run.steps > 0) {
+        const auto own = std::span(steps).subspan(run.first_step, run.steps);
+        path.steps.assign(own.begin(), own.end());
+        return path;
+    }
+    path.steps.reserve(points.size() - 1);
+    for (const Vec2 p : points.subspan(1)) path.steps.push_back({p, false, {}, {}});
+    return path;
+}
+
 double SheetDrawing::length_of(const SheetShape& shape) const {
     double sum = 0.0;
     for (const Run& run : runs_of(shape)) {
@@ -353,12 +349,13 @@ SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, cons
         return std::partition_point(layout.placements.begin(), layout.placements.end(),
                                     [number](const Placement& p) { return p.sheet < number; });
     };
-    const auto last = first_on(view.sheet + 1);
+    const std::span<const Placement> placements(first_on(view.sheet), first_on(view.sheet + 1));
     Drawer drawer(drawing, layout, options, view);
-    for (auto it = first_on(view.sheet); it != last; ++it) drawer.piece(*it);
+    for (const Placement& placement : placements) drawer.piece(placement);
     drawer.sheet();
     if (drawing.profile.machine_order) put_in_machine_order(drawing);
     put_in_layers(drawing, options, view);
+    restore_curves(drawing, layout, placements, view.back);
     return drawing;
 }
 

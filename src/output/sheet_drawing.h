@@ -30,11 +30,15 @@ struct Dashes {
 };
 Dashes fitted_dashes(Operation fold, double length_mm);
 
-// Points [first, first + count) of SheetDrawing::points.
+// Points [first, first + count) of SheetDrawing::points. Where curves are known, the same again as steps
+// [first_step, first_step + steps) of SheetDrawing::steps, from point `start` of its own on.
 struct Run {
     std::size_t first = 0;
     std::size_t count = 0;
     bool closed = false;
+    std::size_t start = 0;
+    std::size_t first_step = 0;
+    std::size_t steps = 0;  // 0: all is straight
 };
 
 // One path: a line, a contour, a line of perforations, or an area with its holes (even-odd).
@@ -98,11 +102,15 @@ struct SheetDrawing {
     std::vector<SheetImage> images;
     std::vector<Run> runs;
     std::vector<Vec2> points;
+    std::vector<PathStep> steps;
 
     [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetLayer& layer) const;
     [[nodiscard]] std::span<const SheetText> texts_of(const SheetLayer& layer) const;
     [[nodiscard]] std::span<const Run> runs_of(const SheetShape& shape) const;
     [[nodiscard]] std::span<const Vec2> points_of(const Run& run) const;
+    // The run with its curves, for writers that have them; else its points. A closed one has no step for a
+    // line that ends at its start.
+    [[nodiscard]] Subpath path_of(const Run& run) const;
     // Of a shape's lines, for its dashes.
     [[nodiscard]] double length_of(const SheetShape& shape) const;
 };
@@ -130,9 +138,9 @@ std::vector<std::span<const SheetView>> parts_of(std::span<const SheetView> view
 // profile wants machine order, cuts stand by their depth on the sheet (a piece in another's hole comes before
 // the hole), lines that pieces share are drawn once, points closer to each other than 0.02 mm are one, and
 // within a kind of line the way between lines is short (fabrication/tour.h), from the lower left corner on;
-// else all stands piece by piece. Placements must be ordered by sheet, as lay_out() leaves them. The drawing
-// refers to the layout and the options and must not outlive them. Cost: near linear in what lies on the
-// sheet.
+// else all stands piece by piece. Curves that chords stand for are drawn last, and change no point.
+// Placements must be ordered by sheet, as lay_out() leaves them. The drawing refers to the layout and the
+// options and must not outlive them. Cost: near linear in what lies on the sheet.
 SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, const SheetView& view);
 
 // A file for each view that the options ask for, of the bytes that `write` makes of its drawing; where it

@@ -42,6 +42,7 @@ class SvgText {
     void shape(const SheetShape& shape);
     void paint(const SheetShape& shape);
     void geometry(const SheetShape& shape);
+    void curves(const Subpath& path);
     void text(const SheetText& text);
     void image(const SheetShape& shape);
     std::string fresh_id(const std::string& wanted);
@@ -91,9 +92,29 @@ void SvgText::point(Vec2 p) {
     number(drawing_.height_mm - p.y);
 }
 
+void SvgText::curves(const Subpath& path) {
+    out_.push_back('M');
+    point(path.start);
+    for (const PathStep& step : path.steps) {
+        out_.push_back(step.curve ? 'C' : 'L');
+        if (step.curve) {
+            point(step.control_1);
+            out_.push_back(' ');
+            point(step.control_2);
+            out_.push_back(' ');
+        }
+        point(step.to);
+    }
+    if (path.closed) out_.push_back('Z');
+}
+
 void SvgText::geometry(const SheetShape& shape) {
     raw("d=\"");
     for (const Run& run : drawing_.runs_of(shape)) {
+        if (run.steps > 0) {
+            curves(drawing_.path_of(run));
+            continue;
+        }
         char command = 'M';
         for (const Vec2 p : drawing_.points_of(run)) {
             out_.push_back(command);

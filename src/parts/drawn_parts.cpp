@@ -95,9 +95,11 @@ std::optional<FlatParts> make_parts(const Tracing& tracing, Diagnostics& diagnos
     for (const TracedText& text : tracing.texts) owners[at(text.owner)].texts.push_back(&text);
     Work work;
     FlatParts list;
+    list.curves = tracing.curves;
+    std::vector<Segment> moves;
     for (std::size_t i = 0; i < owners.size(); ++i) {
         std::vector<FlatPart> parts =
-            make_parts_of(tracing, static_cast<int>(i), owners[i], work, diagnostics);
+            make_parts_of(tracing, static_cast<int>(i), owners[i], work, moves, diagnostics);
         list.parts.insert(list.parts.end(), std::make_move_iterator(parts.begin()),
                           std::make_move_iterator(parts.end()));
     }
@@ -106,6 +108,7 @@ std::optional<FlatParts> make_parts(const Tracing& tracing, Diagnostics& diagnos
         tell_empty(tracing, diagnostics);
         return std::nullopt;
     }
+    list.curves.move(moves);
     name_parts(list.parts);
     return list;
 }

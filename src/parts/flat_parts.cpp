@@ -57,6 +57,7 @@ Assembly assembly_of(FlatParts parts) {
         add_prints(std::move(part.texts), piece);
     }
     for (Trace& trace : parts.traces) assembly.traces.push_back(std::move(trace));
+    assembly.curves = std::move(parts.curves);
     return assembly;
 }
 

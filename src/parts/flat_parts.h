@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "popup/assembly.h"
+#include "popup/curves.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
 #include "popup/lines.h"
@@ -50,6 +51,7 @@ struct FlatPart {
 struct FlatParts {
     std::vector<FlatPart> parts;  // at least one
     std::vector<Trace> traces;    // those of no part
+    CurveTable curves;            // that chords of all parts stand for
 };
 
 // A piece of each part, in their order, that nothing moves. Its plates are its faces, which stand; where

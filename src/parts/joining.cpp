@@ -254,9 +254,11 @@ class Joiner {
             const std::size_t first_end = 2 * at(step.line) + (step.back ? 1U : 0U);
             const std::size_t count = line.points.size();
             for (std::size_t i = 0; i < count; ++i) {
-                Vec2 p = line.points[step.back ? count - 1 - i : i];
+                const Vec2 drawn = line.points[step.back ? count - 1 - i : i];
+                Vec2 p = drawn;
                 if (i == 0) p = spots_.middle(spot(first_end));
                 if (i + 1 == count) p = spots_.middle(spot(first_end ^ 1U));
+                if (p != drawn) out_.moves.push_back({drawn, p});
                 add(p);
             }
         }

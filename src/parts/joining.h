@@ -24,6 +24,7 @@ struct JoinedLine {
 
 struct Joined {
     std::vector<JoinedLine> lines;  // in the order of their first element
+    std::vector<Segment> moves;     // of ends: from where they were to where they are joined
     std::vector<int> doubled;       // elements of lines that were left out, for another is the same
 };
 

@@ -56,8 +56,9 @@ struct LooseLine {
 // The parts of one owner: of all that has none, or of one piece of a sheet.
 class PartMaker {
  public:
-    PartMaker(const Tracing& tracing, int owner, Work& work, Diagnostics& diagnostics)
-        : in_(tracing), owner_(owner), work_(work), diagnostics_(diagnostics) {}
+    PartMaker(const Tracing& tracing, int owner, Work& work, std::vector<Segment>& moves,
+              Diagnostics& diagnostics)
+        : in_(tracing), owner_(owner), work_(work), moves_(moves), diagnostics_(diagnostics) {}
 
     void add(const TracedLine& line) {
         switch (line.use) {
@@ -139,6 +140,7 @@ class PartMaker {
                 loose_.push_back({std::move(line.points), LineKind::cut, line.elements.front()});
             }
         }
+        moves_.insert(moves_.end(), joined.moves.begin(), joined.moves.end());
         doubled_.insert(joined.doubled.begin(), joined.doubled.end());
     }
 
@@ -521,6 +523,7 @@ class PartMaker {
     const Tracing& in_;
     int owner_;
     Work& work_;
+    std::vector<Segment>& moves_;
     Diagnostics& diagnostics_;
     std::vector<OpenLine> open_;
     std::vector<ClosedLine> closed_;
@@ -542,8 +545,8 @@ class PartMaker {
 }  // namespace
 
 std::vector<FlatPart> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
-                                    Diagnostics& diagnostics) {
-    PartMaker maker(tracing, owner, work, diagnostics);
+                                    std::vector<Segment>& moves, Diagnostics& diagnostics) {
+    PartMaker maker(tracing, owner, work, moves, diagnostics);
     for (const TracedLine* line : owned.lines) maker.add(*line);
     for (const TracedFill* fill : owned.fills) maker.add(*fill);
     for (const TracedText* text : owned.texts) maker.add(*text);

@@ -17,8 +17,9 @@ struct OwnedLines {
 };
 
 // Every outermost contour of these lines, with what lies in it. Names may be missing or equal. Empty when
-// there is no contour, or after an error.
+// there is no contour, or after an error. `moves` is given the ends of lines that joining moved, from where
+// they were to where they are.
 std::vector<FlatPart> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
-                                    Diagnostics& diagnostics);
+                                    std::vector<Segment>& moves, Diagnostics& diagnostics);
 
 }  // namespace popup::drawing

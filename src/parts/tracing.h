@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/curves.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
 #include "popup/print.h"
@@ -64,6 +65,7 @@ struct Tracing {
     std::vector<TracedLine> lines;
     std::vector<TracedFill> fills;
     std::vector<TracedText> texts;
+    CurveTable curves;  // of all lines and fills
     int invisible = 0;  // shapes with neither stroke nor fill
     Vec2 page;          // size of the drawing, mm; 0 when it is not said
 };

@@ -55,6 +55,7 @@ class Unfolder {
         for (std::size_t i = 0; i < pieces_.size(); ++i) finish(i);
         for (const Plate& plate : in_.plates) out_.plate_names.push_back(plate.name);
         for (Work& work : pieces_) out_.pieces.push_back(std::move(work.piece));
+        out_.curves = in_.curves;
         return std::move(out_);
     }
 

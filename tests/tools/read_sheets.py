@@ -1,5 +1,7 @@
 # Readers of sheets that know nothing of popupc: files in, lines or pixels out. A path is (points, closed), points are
-# in mm with y up. What cannot be read, or is not what a reader of another's would take, is a ValueError. For tests.
+# in mm with y up; curves are points close to each other, see Points. What cannot be read, or is not what a reader of
+# another's would take, is a ValueError. For tests.
+import math
 import re
 import struct
 import xml.etree.ElementTree as ElementTree
@@ -15,8 +17,40 @@ SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 
+class Points(list):
+    """Points of a path; `curves` says how many curves of at most 30 degrees, or cubics, they are of."""
+    curves = 0
+
+    def cubic(self, one, two, end):
+        start, self.curves = self[-1], self.curves + 1
+        bend = max(math.dist((start[0] + two[0], start[1] + two[1]), (2 * one[0], 2 * one[1])),
+                   math.dist((one[0] + end[0], one[1] + end[1]), (2 * two[0], 2 * two[1])))
+        count = max(2, math.ceil(math.sqrt(0.75 * bend / 1e-4)))
+        for i in range(1, count + 1):
+            t = i / count
+            a, b, c, d = (1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3
+            self.append(tuple(a * p + b * q + c * r + d * s for p, q, r, s in zip(start, one, two, end)))
+
+    def arc(self, end, bulge):
+        if bulge == 0:
+            self.append(end)
+            return
+        start, angle = self[-1], 4 * math.atan(bulge)
+        self.curves += math.ceil(abs(angle) / math.radians(30) - 1e-6)
+        middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+        away = 0.5 / math.tan(angle / 2)
+        centre = (middle[0] - away * (end[1] - start[1]), middle[1] + away * (end[0] - start[0]))
+        radius = math.dist(start, centre)
+        count = max(2, math.ceil(abs(angle) * math.sqrt(radius / 8e-4)))
+        first = math.atan2(start[1] - centre[1], start[0] - centre[0])
+        for i in range(1, count):
+            turn = first + angle * i / count
+            self.append((centre[0] + radius * math.cos(turn), centre[1] + radius * math.sin(turn)))
+        self.append(end)
+
+
 def svg_path(text):
-    """The paths of straight lines in an SVG path's data."""
+    """The paths of straight lines and cubic curves in an SVG path's data."""
     words = re.findall(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", text)
     if re.sub(r"[\s,]", "", text) != "".join(words):
         raise ValueError(f"path data that cannot be read: {text[:60]}")
@@ -28,6 +62,11 @@ def svg_path(text):
             paths[-1] = (paths[-1][0], True)
             at, command = start, None
             continue
+        if command == "C":
+            numbers = [float(word) for word in words[i:i + 6]]
+            paths[-1][0].cubic(*zip(numbers[::2], numbers[1::2]))
+            at, i = paths[-1][0][-1], i + 6
+            continue
         if command is None or command not in "MmLlHhVv":
             raise ValueError(f"path command {command}")
         base = at if command.islower() else (0.0, 0.0)
@@ -38,10 +77,10 @@ def svg_path(text):
         else:
             at, i = (base[0] + float(words[i]), base[1] + float(words[i + 1])), i + 2
         if command in "Mm":
-            paths.append(([at], False))
+            paths.append((Points([at]), False))
             start, command = at, "l" if command == "m" else "L"
         elif not paths or paths[-1][1]:
-            paths.append(([start, at], False))
+            paths.append((Points([start, at]), False))
         else:
             paths[-1][0].append(at)
     return paths
@@ -69,7 +108,9 @@ def read_svg(path, layers):
                 raise ValueError(f"layer {name}: a transform, which this reader does not know")
             if element.tag == SVG + "path":
                 for points, closed in svg_path(element.get("d")):
-                    lines.setdefault(name, []).append(([(x, size[1] - y) for x, y in points], closed))
+                    turned = Points((x, size[1] - y) for x, y in points)
+                    turned.curves = points.curves
+                    lines.setdefault(name, []).append((turned, closed))
             elif element.tag != SVG + "g":
                 raise ValueError(f"layer {name}: a {element.tag}, which this reader does not know")
     layered = sum(1 for group in root.iter(SVG + "g") if group.get(INKSCAPE + "groupmode") == "layer"
@@ -77,6 +118,30 @@ def read_svg(path, layers):
     if layered != sum(1 for _ in root.iter(SVG + "path")):
         raise ValueError("a path outside of all layers, or in two")
     return size, lines, names
+
+
+def dxf_polyline(entity):
+    rows = entity.get_points("xyb")
+    points = Points([rows[0][:2]])
+    for row, end in zip(rows, rows[1:] + (rows[:1] if entity.closed else [])):
+        points.arc(end[:2], row[2])
+    if entity.closed:
+        points.pop()  # the start
+    return points
+
+
+def dxf_spline(entity):
+    """A spline of third degree that is Bezier curves, one after the other: closed where it ends at its start."""
+    controls, knots = [tuple(point)[:2] for point in entity.control_points], list(entity.knots)
+    spans = (len(controls) - 1) // 3
+    if entity.dxf.degree != 3 or len(controls) != 3 * spans + 1 or len(entity.weights) > 0 or \
+            knots != [0] + [k for k in range(spans + 1) for _ in range(3)] + [spans]:
+        raise ValueError("a spline that is not a row of Bezier curves")
+    points = Points([controls[0]])
+    for i in range(spans):
+        points.cubic(*controls[3 * i + 1:3 * i + 4])
+    closed = points[0] == points[-1]
+    return points, closed
 
 
 def read_dxf(path):
@@ -93,12 +158,14 @@ def read_dxf(path):
             raise ValueError(f"an entity is on layer {layer}, which is not in the table of layers")
         if kind == "LINE":
             path = [tuple(entity.dxf.start)[:2], tuple(entity.dxf.end)[:2]], False
-        elif kind == "LWPOLYLINE" and not entity.has_arc:
-            path = [tuple(point) for point in entity.get_points("xy")], bool(entity.closed)
+        elif kind == "LWPOLYLINE":
+            path = dxf_polyline(entity), bool(entity.closed)
+        elif kind == "SPLINE":
+            path = dxf_spline(entity)
         elif kind == "TEXT":
             continue
         else:
-            raise ValueError(f"layer {layer}: a {kind}, which is none of LINE, LWPOLYLINE and TEXT")
+            raise ValueError(f"layer {layer}: a {kind}, which is none of LINE, LWPOLYLINE, SPLINE and TEXT")
         lines.setdefault(layer, []).append(path)
     return lines
 
@@ -119,16 +186,40 @@ def read_lightburn(path):
         if shape.get("CutIndex") not in names:
             raise ValueError(f"a shape has cut setting {shape.get('CutIndex')}, which there is not")
         text, order = shape.find("VertList").text, shape.find("PrimList").text
-        points = [(float(x), float(y)) for x, y in re.findall(r"V(\S+) (\S+?)c0x1c1x1", text)]
-        if "".join(f"V{x} {y}c0x1c1x1" for x, y in re.findall(r"V(\S+) (\S+?)c0x1c1x1", text)) != text:
-            raise ValueError(f"points that cannot be read: {text[:60]}")
-        open_run = "".join(f"L{i} {i + 1}" for i in range(len(points) - 1))
-        if order not in ("LineClosed", "LineOpen", open_run) or len(points) < 2:
-            raise ValueError(f"{len(points)} points, joined by: {order[:60]}")
-        name = names[shape.get("CutIndex")]
+        name, path = names[shape.get("CutIndex")], lightburn_path(text, order)
         if name is not None:
-            lines.setdefault(name, []).append((points, order == "LineClosed"))
+            lines.setdefault(name, []).append(path)
     return lines
+
+
+def lightburn_path(text, order):
+    number = r"(-?\d+(?:\.\d+)?)"
+    vertex = f"V{number} {number}c0x(?:{number}c0y{number}|1)c1x(?:{number}c1y{number}|1)"
+    if not re.fullmatch(f"(?:{vertex})+", text):
+        raise ValueError(f"points that cannot be read: {text[:60]}")
+    vertices = [[float(word) if word else None for word in row] for row in re.findall(vertex, text)]
+    corners = [tuple(row[:2]) for row in vertices]
+    open_run = "".join(f"L{i} {i + 1}" for i in range(len(corners) - 1))
+    if len(corners) < 2:
+        raise ValueError("a path of one point")
+    if order in ("LineClosed", "LineOpen", open_run):
+        return Points(corners), order == "LineClosed"
+    steps = [(kind, int(a), int(b)) for kind, a, b in re.findall(r"([LB])(\d+) (\d+)", order)]
+    if "".join(f"{kind}{a} {b}" for kind, a, b in steps) != order or \
+            any(a != i or b != (i + 1) % len(corners) for i, (_, a, b) in enumerate(steps)) or \
+            len(steps) not in (len(corners), len(corners) - 1):
+        raise ValueError(f"{len(corners)} points, joined by: {order[:60]}")
+    points, closed = Points(corners[:1]), len(steps) == len(corners)
+    for kind, a, b in steps:
+        if kind == "L":
+            points.append(corners[b])
+        elif None in vertices[a][2:4] or None in vertices[b][4:6]:
+            raise ValueError(f"a curve from point {a} without its control points")
+        else:
+            points.cubic(tuple(vertices[a][2:4]), tuple(vertices[b][4:6]), corners[b])
+    if closed:
+        points.pop()  # the start
+    return points, closed
 
 
 def read_hpgl(path):

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "input/drawing/numbers.h"
+#include "base/text/number_scanner.h"
 #include "input/drawing/size.h"
 #include "input/text.h"
 

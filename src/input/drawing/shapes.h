@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "input/drawing/path.h"
 #include "input/xml/tree.h"
+#include "popup/path.h"
 
 namespace popup::drawing {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "input/drawing/numbers.h"
+#include "base/text/number_scanner.h"
 #include "input/text.h"
 
 namespace popup::drawing {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/number_scanner.h"
 #include "input/color.h"
-#include "input/drawing/numbers.h"
 #include "input/drawing/size.h"
 #include "input/text.h"
 

@@ -11,7 +11,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "input/drawing/path.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
 #include "input/drawing/style.h"
@@ -74,6 +73,7 @@ class Tracer {
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(strict_, diagnostics_);
         if (diagnostics_.has_errors()) return std::nullopt;
+        out_.curves = CurveTable(flat_.curves);
         return std::move(out_);
     }
 
@@ -423,8 +423,8 @@ class Tracer {
         if (!style.visible) return tally_.hidden(place);
         Path path;
         if (const auto problem = make_shape(tag, attributes, context.view, path)) return tell(*problem);
-        std::vector<Polyline> lines;
-        switch (flatten(path, context.to_mm, points_, lines)) {
+        flat_.lines.clear();
+        switch (flatten(path.mapped(context.to_mm), flat_)) {
             case FlatteningFault::none:
                 break;
             case FlatteningFault::too_far:
@@ -435,11 +435,12 @@ class Tracer {
                 return;
             case FlatteningFault::too_many:
                 diagnostics_.error("document-too-large", place,
-                                   fmt::format("the drawing has more than {} points", kPointsLimit));
+                                   fmt::format("the drawing has more than {} points", kFlatPointsLimit));
                 stopped_ = true;
                 return;
         }
-        if (lines.empty()) return;
+        if (flat_.lines.empty()) return;
+        std::vector<Polyline> lines = std::exchange(flat_.lines, {});
         out_.elements.push_back(
             {context.instance >= 0 ? name_at(context.instance) : short_name(name_of(attributes)),
              name_at(context.group), place});
@@ -565,7 +566,7 @@ class Tracer {
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
     Tally tally_;
-    std::size_t points_ = 0;
+    Flattened flat_;  // the lines of the shape at hand, the curves of all
     int exact_places_ = 0;
     bool stopped_ = false;
     Tracing out_;

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-#include "input/drawing/numbers.h"
+#include "base/text/number_scanner.h"
 
 namespace popup::drawing {
 namespace {

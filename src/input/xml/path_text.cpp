@@ -6,9 +6,10 @@
 #include <array>
 
 #include "base/geometry/regions.h"
-#include "input/drawing/path.h"
+#include "input/drawing/transform.h"
 #include "input/text.h"
 #include "input/xml/number.h"
+#include "popup/path.h"
 
 namespace popup::xml {
 namespace {
@@ -31,26 +32,25 @@ std::string ring_text(const Ring& ring, Unit unit) {
 std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath& path) {
     path = {};
     path.text = text;
-    drawing::Path drawn;
-    if (const auto fault = drawing::parse_path(text, drawn)) {
-        if (fault->too_long)
-            return PathRefusal{fmt::format("has more than {} steps", drawing::kStepsLimit), true};
+    Path drawn;
+    if (const auto fault = parse_path(text, drawn)) {
+        if (fault->too_long) return PathRefusal{fmt::format("has more than {} steps", kStepsLimit), true};
         const std::string_view rest = text.substr(std::min(fault->at, text.size()));
         return PathRefusal{rest.empty() ? std::string("ends where a number is missing")
                                         : fmt::format("cannot be read at \"{}\"", shown(rest))};
     }
-    std::size_t points = 0;
-    std::vector<drawing::Polyline> lines;
-    switch (drawing::flatten(drawn, {unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0}, points, lines)) {
-        case drawing::FlatteningFault::none:
+    Flattened flat;
+    const drawing::Affine to_mm{unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0};
+    switch (flatten(drawn.mapped(to_mm), flat)) {
+        case FlatteningFault::none:
             break;
-        case drawing::FlatteningFault::too_far:
-            return PathRefusal{fmt::format("leads further out than {} mm", format_number(drawing::kReachMm))};
-        case drawing::FlatteningFault::too_many:
-            return PathRefusal{fmt::format("has more than {} points", drawing::kPointsLimit), true};
+        case FlatteningFault::too_far:
+            return PathRefusal{fmt::format("leads further out than {} mm", format_number(kReachMm))};
+        case FlatteningFault::too_many:
+            return PathRefusal{fmt::format("has more than {} points", kFlatPointsLimit), true};
     }
     std::vector<Ring> rings;
-    for (drawing::Polyline& line : lines) rings.push_back(std::move(line.points));
+    for (Polyline& line : flat.lines) rings.push_back(std::move(line.points));
     path.areas = filled(rings, FillRule::even_odd);
     if (area(path.areas) < kLeastArea) {
         path.areas.clear();
@@ -71,14 +71,14 @@ std::string path_text(const DrawnPath& path, Unit unit) {
     }
     const std::array<double, 6>& m = path.placed;
     if (m == std::array<double, 6>{1, 0, 0, 1, 0, 0}) return path.text;
-    drawing::Path drawn;
-    const bool readable = !drawing::parse_path(path.text, drawn);
+    Path drawn;
+    const bool readable = !parse_path(path.text, drawn);
     POPUP_INVARIANT(readable);
     const drawing::Affine moved =
         drawing::Affine{m[0], m[1], m[2], m[3], m[4], m[5]}.after({unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0});
-    for (const drawing::Subpath& subpath : drawn.subpaths()) {
+    for (const Subpath& subpath : drawn.subpaths()) {
         append("M " + point_text(moved(subpath.start), unit));
-        for (const drawing::PathStep& step : subpath.steps) {
+        for (const PathStep& step : subpath.steps) {
             std::string where = point_text(moved(step.to), unit);
             if (step.curve) {
                 where = point_text(moved(step.control_1), unit) + " " +

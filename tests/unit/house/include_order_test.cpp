@@ -52,9 +52,9 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",  "diagnostics", "geometry", "nest",    "files",    "print",     "image",
-        "lines",  "joints",      "assembly", "design",  "language", "mechanism", "check",
-        "motion", "pattern",     "layout",   "profile", "output",   "compile",   "write"};
+        "units",  "diagnostics", "geometry", "path",     "curves", "nest",     "files",     "print",
+        "image",  "lines",       "joints",   "assembly", "design", "language", "mechanism", "check",
+        "motion", "pattern",     "layout",   "profile",  "output", "compile",  "write"};
     return order;
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "input/drawing/path.h"
 #include "input/drawing/read.h"
 #include "input/drawing/style.h"
 #include "input/drawing/transform.h"
+#include "popup/path.h"
 #include "popup/profile.h"
 #include "support/drawings.h"
 
@@ -131,16 +131,15 @@ TEST(Drawing, ArcsTakeTheSideTheirFlagsSay) {
 
 TEST(Drawing, ChordsStrayFromCurvesByNoMoreThanTheTolerance) {
     for (const double radius : {0.5, 5.0, 50.0, 500.0}) {
-        drawing::Path path;
+        Path path;
         path.move({radius, 0.0});
         path.arc(radius, radius, 0.0, true, true, {0.0, -radius});
-        std::size_t points = 0;
-        std::vector<drawing::Polyline> lines;
-        ASSERT_EQ(flatten(path, {}, points, lines), drawing::FlatteningFault::none);
-        const std::vector<Vec2>& arc = lines.at(0).points;
+        Flattened flat;
+        ASSERT_EQ(flatten(path, flat), FlatteningFault::none);
+        const std::vector<Vec2>& arc = flat.lines.at(0).points;
         for (std::size_t i = 1; i < arc.size(); ++i) {
             EXPECT_NEAR(length(arc[i]), radius, 1e-5 + 1e-6 * radius);
-            EXPECT_LE(radius - length(lerp(arc[i - 1], arc[i], 0.5)), drawing::kFlatMm + 1e-5);
+            EXPECT_LE(radius - length(lerp(arc[i - 1], arc[i], 0.5)), kFlatMm + 1e-5);
         }
     }
 }

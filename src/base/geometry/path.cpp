@@ -1,4 +1,4 @@
-#include "input/drawing/path.h"
+#include "popup/path.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "base/geometry/regions.h"
-#include "input/drawing/numbers.h"
+#include "base/text/number_scanner.h"
 
-namespace popup::drawing {
+namespace popup {
 
 PathStep& Path::step(Vec2 to) {
     if (moved_) {
@@ -219,12 +219,90 @@ class PathParser {
 bool near_enough(Vec2 p) { return std::abs(p.x) <= kReachMm && std::abs(p.y) <= kReachMm; }
 
 // How many chords keep a cubic within the tolerance: its second differences bound how it bends.
-double chords_for(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3) {
-    const double bend = std::max(length(p0 - 2.0 * p1 + p2), length(p1 - 2.0 * p2 + p3));
+double chords_for(const Cubic& c) {
+    const double bend = std::max(length(c.from - 2.0 * c.control_1 + c.control_2),
+                                 length(c.control_1 - 2.0 * c.control_2 + c.to));
     return std::max(1.0, std::ceil(std::sqrt(0.75 * bend / kFlatMm) - 1e-9));
 }
 
+bool is_straight(const Cubic& c) {
+    const Segment chord{c.from, c.to};
+    return distance(c.control_1, chord) <= kStraightMm && distance(c.control_2, chord) <= kStraightMm;
+}
+
+// Makes one subpath a polygon.
+class Flattener {
+ public:
+    Flattener(const Subpath& subpath, Flattened& into) : subpath_(subpath), into_(into) {}
+
+    FlatteningFault run() {
+        if (!near_enough(subpath_.start)) return FlatteningFault::too_far;
+        line_.points.push_back(on_grid(subpath_.start));
+        Vec2 at = subpath_.start;
+        for (const PathStep& step : subpath_.steps) {
+            if (!near_enough(step.to)) return FlatteningFault::too_far;
+            if (step.curve) {
+                if (!near_enough(step.control_1) || !near_enough(step.control_2)) {
+                    return FlatteningFault::too_far;
+                }
+                curve({at, step.control_1, step.control_2, step.to});
+            } else {
+                add(step.to);
+            }
+            at = step.to;
+            if (into_.points > kFlatPointsLimit) return FlatteningFault::too_many;
+        }
+        ++into_.points;
+        line_.closed = subpath_.closed;
+        std::vector<Vec2>& points = line_.points;
+        if (line_.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
+        if (points.size() >= 2) into_.lines.push_back(std::move(line_));
+        return FlatteningFault::none;
+    }
+
+ private:
+    void add(Vec2 p) {
+        const Vec2 rounded = on_grid(p);
+        if (rounded == line_.points.back()) return;
+        line_.points.push_back(rounded);
+        ++into_.points;
+    }
+
+    void curve(const Cubic& cubic) {
+        const double chords = chords_for(cubic);
+        const bool known = !is_straight(cubic);
+        if (known) into_.curves.push_back({cubic, {{line_.points.back(), 0.0}}});
+        for (double i = 1.0; i <= chords; ++i) {
+            const double t = i / chords;
+            add(i == chords ? cubic.to : cubic.at(t));
+            if (known) into_.curves.back().corners.push_back({line_.points.back(), t});
+        }
+    }
+
+    const Subpath& subpath_;
+    Flattened& into_;
+    Polyline line_;
+};
+
 }  // namespace
+
+Vec2 Cubic::at(double t) const {
+    const Vec2 ab = lerp(from, control_1, t);
+    const Vec2 bc = lerp(control_1, control_2, t);
+    const Vec2 cd = lerp(control_2, to, t);
+    return lerp(lerp(ab, bc, t), lerp(bc, cd, t), t);
+}
+
+Cubic Cubic::part(double t0, double t1) const {
+    // The curve's blossom: each of three steps of de Casteljau's with a parameter of its own.
+    const auto blossom = [this](double a, double b, double c) {
+        const Vec2 ab = lerp(from, control_1, a);
+        const Vec2 bc = lerp(control_1, control_2, a);
+        const Vec2 cd = lerp(control_2, to, a);
+        return lerp(lerp(ab, bc, b), lerp(bc, cd, b), c);
+    };
+    return {at(t0), blossom(t0, t0, t1), blossom(t0, t1, t1), at(t1)};
+}
 
 std::optional<PathFault> parse_path(std::string_view text, Path& path) {
     const std::size_t last = text.find_last_not_of(" \t\r\n");
@@ -232,47 +310,12 @@ std::optional<PathFault> parse_path(std::string_view text, Path& path) {
     return PathParser(text, path).run();
 }
 
-FlatteningFault flatten(const Path& path, const Affine& to_mm, std::size_t& points,
-                        std::vector<Polyline>& lines) {
+FlatteningFault flatten(const Path& path, Flattened& into) {
     for (const Subpath& subpath : path.subpaths()) {
-        Polyline line;
-        line.closed = subpath.closed;
-        Vec2 at = to_mm(subpath.start);
-        if (!near_enough(at)) return FlatteningFault::too_far;
-        line.points.push_back(on_grid(at));
-        const auto add = [&](Vec2 p) {
-            const Vec2 rounded = on_grid(p);
-            if (rounded == line.points.back()) return;
-            line.points.push_back(rounded);
-            ++points;
-        };
-        for (const PathStep& step : subpath.steps) {
-            const Vec2 to = to_mm(step.to);
-            if (!near_enough(to)) return FlatteningFault::too_far;
-            if (step.curve) {
-                const Vec2 c1 = to_mm(step.control_1);
-                const Vec2 c2 = to_mm(step.control_2);
-                if (!near_enough(c1) || !near_enough(c2)) return FlatteningFault::too_far;
-                const double chords = chords_for(at, c1, c2, to);
-                for (double i = 1.0; i < chords; ++i) {
-                    const double t = i / chords;
-                    const Vec2 ab = lerp(at, c1, t);
-                    const Vec2 bc = lerp(c1, c2, t);
-                    const Vec2 cd = lerp(c2, to, t);
-                    add(lerp(lerp(ab, bc, t), lerp(bc, cd, t), t));
-                }
-            }
-            add(to);
-            at = to;
-            if (points > kPointsLimit) return FlatteningFault::too_many;
-        }
-        ++points;
-        if (line.closed && line.points.size() > 1 && line.points.back() == line.points.front()) {
-            line.points.pop_back();
-        }
-        if (line.points.size() >= 2) lines.push_back(std::move(line));
+        const FlatteningFault fault = Flattener(subpath, into).run();
+        if (fault != FlatteningFault::none) return fault;
     }
     return FlatteningFault::none;
 }
 
-}  // namespace popup::drawing
+}  // namespace popup

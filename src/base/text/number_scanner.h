@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace popup::drawing {
+namespace popup {
 
 // Takes numbers off a text, one after the other.
 class NumberScanner {
@@ -34,4 +34,4 @@ class NumberScanner {
 // All of `text` as numbers between blanks or commas; nullopt when there is anything else in it.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
-}  // namespace popup::drawing
+}  // namespace popup
