@@ -9,6 +9,7 @@
 
 #include "popup/design.h"
 #include "popup/geometry.h"
+#include "popup/joints.h"
 #include "popup/lines.h"
 
 namespace popup {
@@ -61,42 +62,13 @@ struct Glue {
     Place place;  // of the element, for findings about the tab
 };
 
-// Closed set: how frames follow.
-enum class JointKind {
-    drive,      // turns with the opening angle about a line of the world
-    half_turn,  // four-bar whose far sides equal the opposite near ones; the centre is the half turn of the
-                // fold
-    inside,     // four-bar that closes inside the fold (closed dihedral 0°)
-    outside,    // four-bar that closes beyond the fold (closed dihedral 360°)
-};
-
-// One side of a four-bar linkage: a driving plate, and the element plate hinged to it along the seam.
-// Angled: directions are seen from the apex. Parallel: across the fold.
-struct Bar {
-    int drive = -1;   // driving plate
-    int plate = -1;   // plate this joint places
-    Vec2 fold_at;     // on the driving plate's page: the apex (angled), any point of the fold (parallel)
-    Vec2 fold_dir;    // unit, along the parent fold, into the V
-    Vec2 fold_out;    // unit, perpendicular to fold_dir, from the fold into the driving plate
-    Vec2 seam_at;     // a point of the seam or side fold on the driving plate's page (angled: the apex)
-    Vec2 seam_dir;    // unit, on the driving plate's page: along the seam, away from the apex (parallel:
-                      // fold_dir)
-    Vec2 own_at;      // the same point on the element plate's own page
-    Vec2 own_seam;    // unit, on its own page: along the seam, away from the apex (parallel: along fold_dir)
-    Vec2 own_centre;  // unit, on its own page: along the centre fold, away from the apex (parallel: across,
-                      // from the seam towards the centre fold)
-    double near = 0.0;  // a, b: angle fold–seam (rad); parallel p, q: distance fold–seam (mm). > 0
-    double far = 0.0;   // g, h: angle seam–centre fold; parallel s1, s2: distance
-};
-
-// Places its plates from plates placed before it. Joints stand in an order in which this works.
-struct Joint {
-    JointKind kind = JointKind::drive;
-    bool parallel = false;
-    std::string name;  // the element, or "page"
-    Place place;
-    Bar left,
-        right;  // drive: left.plate, fold_at and fold_dir of the axis, near = -1 or +1: which way it turns
+// The openings that a motion goes through, and how it begins.
+struct Sweep {
+    double from_deg = 0.0;  // 0: closed
+    double to_deg = 180.0;  // > from_deg
+    // At from_deg all plates lie in one plane, that of the first cover, and come from there as linkages do
+    // that fold flat: distances shrink with the angle.
+    bool closed_flat = true;
 };
 
 struct Assembly {
@@ -107,7 +79,11 @@ struct Assembly {
     std::vector<Line> lines;
     std::vector<Hinge> hinges;
     std::vector<Glue> glue;
-    std::vector<Joint> joints;
+    std::vector<Joint> joints;  // in an order in which each finds its plates placed
+    Sweep sweep;
+    // The plates that are the card: nothing may stick out of them when it is closed. Left to right, those on
+    // the left first; empty: nothing covers it.
+    std::vector<int> covers;
 };
 
 struct AssembleOptions {};

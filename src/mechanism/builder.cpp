@@ -45,16 +45,9 @@ void Builder::add_base_page(double width_mm, double height_mm, std::optional<Col
     gutter.owner = "page";
     add_fold(std::move(gutter));
 
-    for (const auto& [plate, turn] : {std::pair{left_plate, -1.0}, std::pair{right_plate, 1.0}}) {
-        Joint drive;
-        drive.kind = JointKind::drive;
-        drive.name = "page";
-        drive.left.plate = plate;
-        drive.left.fold_at = {0, -h};
-        drive.left.fold_dir = {0, 1};
-        drive.left.near = turn;
-        add_joint(std::move(drive));
-        skeleton_.draft.plates[static_cast<std::size_t>(plate)].pivot = {0, -h};
+    for (const auto& [plate, turns] : {std::pair{left_plate, -1}, std::pair{right_plate, 1}}) {
+        add_joint({"page", {}, Drive{plate, {0, -h}, {0, 1}, turns}});
+        skeleton_.draft.covers.push_back(plate);
     }
 }
 
@@ -106,11 +99,10 @@ void Builder::add_gone(int fold, double lo, double hi, const std::string& by) {
 }
 
 void Builder::add_joint(Joint joint) {
-    for (const Bar* bar : {&joint.left, &joint.right}) {
-        if (bar->plate < 0 || joint.kind == JointKind::drive) continue;
-        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(bar->plate)];
-        plate.parent = bar->drive;
-        plate.pivot = bar->own_at;
+    for (const PlacedPlate& one : plates_of(joint).places) {
+        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(one.plate)];
+        plate.parent = one.parent;
+        plate.pivot = one.pivot;
     }
     skeleton_.draft.joints.push_back(std::move(joint));
 }

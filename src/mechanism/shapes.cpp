@@ -269,16 +269,10 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     fold(kCentreFold, left, right);
     fold(kRightFold, right, site.right_plate);
 
-    Joint joint;
-    joint.kind = JointKind::half_turn;
-    joint.parallel = shape.parallel;
-    joint.name = id;
-    joint.place = element.paint.place;
-    joint.left = shape.left_bar;
-    joint.right = shape.right_bar;
-    joint.left.plate = left;
-    joint.right.plate = right;
-    builder.add_joint(std::move(joint));
+    FourBar bars{Closing::half_turn, shape.parallel, shape.left_bar, shape.right_bar};
+    bars.left.plate = left;
+    bars.right.plate = right;
+    builder.add_joint({id, element.paint.place, bars});
 }
 
 void lower_glued(const Element& element, Builder& builder, const FoldLines& folds, GluedShape shape) {
@@ -308,16 +302,11 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     builder.add_glue({right, site.right_plate, turned(r.on_left), turned(r.on_right), element.label + "R",
                       element.paint.right_tab, id, element.paint.place});
 
-    Joint joint;
-    joint.kind = site.mountain ? JointKind::outside : JointKind::inside;
-    joint.parallel = shape.parallel;
-    joint.name = id;
-    joint.place = element.paint.place;
-    joint.left = shape.left_bar;
-    joint.right = shape.right_bar;
-    joint.left.plate = left;
-    joint.right.plate = right;
-    builder.add_joint(std::move(joint));
+    FourBar bars{site.mountain ? Closing::outside : Closing::inside, shape.parallel, shape.left_bar,
+                 shape.right_bar};
+    bars.left.plate = left;
+    bars.right.plate = right;
+    builder.add_joint({id, element.paint.place, bars});
 }
 
 }  // namespace popup

@@ -39,18 +39,19 @@ std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
 
 }  // namespace
 
-std::vector<double> cell_ends() {
+std::vector<double> cell_ends(const Sweep& sweep) {
     std::vector<double> ends;
-    double at = 180.0;
-    while (at > kHalvedBelowDeg) {
-        ends.push_back(at);
-        at -= kWidestDeg;
+    double above = sweep.to_deg - sweep.from_deg;  // the beginning
+    const double halved_below = sweep.closed_flat ? kHalvedBelowDeg : 0.0;
+    while (above > halved_below) {
+        ends.push_back(sweep.from_deg + above);
+        above -= kWidestDeg;
     }
-    while (at > kLeastOpeningDeg) {
-        ends.push_back(at);
-        at *= 0.5;
+    while (sweep.closed_flat && above > kLeastOpeningDeg) {
+        ends.push_back(sweep.from_deg + above);
+        above *= 0.5;
     }
-    ends.push_back(kLeastOpeningDeg);
+    ends.push_back(least_opening(sweep));
     std::reverse(ends.begin(), ends.end());
     return ends;
 }

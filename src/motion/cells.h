@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "motion/pair_search.h"
+#include "motion/sweep.h"
 
 namespace popup {
 
-// The smallest opening angle looked at. A card of 100 mm is open by less than 0.02 mm there.
-inline constexpr double kLeastOpeningDeg = 0.01;
-
-// Ends of the ranges, from kLeastOpeningDeg to 180. Distances are as the angle is near 0°, so each range
-// there is as wide as what lies below it.
-std::vector<double> cell_ends();
+// Ends of the ranges, from the least opening to the end of the sweep. Near a flat closed state distances are
+// as the angle to it, so each range there is as wide as what lies below it.
+std::vector<double> cell_ends(const Sweep& sweep);
 
 // Places everything; false when a linkage does not reach one of the three angles.
 bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, double to, Cell& cell);

@@ -21,9 +21,25 @@ constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest a
 constexpr double kAreaMm2 = 1e-6;
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 
-// The closed card seen from the side: x away from the gutter, y along it.
-Vec2 flat(Vec3 p) { return {p.z, p.y}; }
-Vec3 in_world(Vec2 p) { return {0.0, p.y, p.x}; }
+// The closed card seen from the side: x away from the gutter, y along it; `up` from the left cover to the
+// right one.
+struct ClosedPlane {
+    Vec3 origin, x, y, up;
+
+    [[nodiscard]] Vec2 flat(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
+    [[nodiscard]] Vec3 direction(Vec2 d) const { return d.x * x + d.y * y; }
+    [[nodiscard]] Vec3 in_world(Vec2 p) const { return origin + direction(p); }
+};
+
+// The plane of the first cover at the beginning of the sweep.
+ClosedPlane closed_plane(const Assembly& assembly) {
+    std::vector<Frame> frames(assembly.plates.size());
+    if (!place(assembly, Angle::degrees(assembly.sweep.from_deg), frames)) return {};
+    const auto first = static_cast<std::size_t>(assembly.covers.at(0));
+    const Vec3 up = frames[first].normal();
+    const Vec3 y = frames[first].axes[1];
+    return {frames[first].origin, cross(up, y), y, up};
+}
 
 Vec2 nearest_on(const std::vector<Segment>& edges, Vec2 p) {
     Vec2 best = p;
@@ -40,18 +56,17 @@ Vec2 nearest_on(const std::vector<Segment>& edges, Vec2 p) {
     return best;
 }
 
-std::vector<Protrusion> protrusions(const Assembly& assembly) {
+std::vector<Protrusion> protrusions(const Assembly& assembly, const ClosedPlane& plane) {
     std::vector<Frame> frames(assembly.plates.size());
-    if (!place(assembly, Angle{}, frames)) return {};
+    if (!place(assembly, Angle::degrees(assembly.sweep.from_deg), frames)) return {};
     const auto flattened = [&](std::size_t plate, const Ring& ring) {
         Ring result;
-        for (const Vec2 p : ring) result.push_back(flat(frames[plate].point(p)));
+        for (const Vec2 p : ring) result.push_back(plane.flat(frames[plate].point(p)));
         return result;
     };
     std::vector<Polygon> covers;
-    for (const Joint& joint : assembly.joints) {
-        if (joint.kind != JointKind::drive) continue;
-        const auto plate = static_cast<std::size_t>(joint.left.plate);
+    for (const int number : assembly.covers) {
+        const auto plate = static_cast<std::size_t>(number);
         const Plate& cover = assembly.plates[plate];
         covers.push_back({flattened(plate, cover.uncut.empty() ? cover.outline.outer : cover.uncut), {}});
     }
@@ -85,8 +100,8 @@ std::vector<Protrusion> protrusions(const Assembly& assembly) {
                 const double by = distance(p, edge);
                 if (by <= most.by_mm) continue;
                 most.by_mm = by;
-                most.direction = in_world((1.0 / by) * (p - edge));
-                most.point = in_world(p);
+                most.direction = plane.direction((1.0 / by) * (p - edge));
+                most.point = plane.in_world(p);
                 const Vec3 from_origin = most.point - frame.origin;
                 most.corner = {dot(frame.axes[0], from_origin), dot(frame.axes[1], from_origin)};
             }
@@ -122,13 +137,13 @@ struct Overlap {
 
 class Layers {
  public:
-    Layers(const Assembly& assembly, std::span<const PlateShape> shapes)
-        : shapes_(shapes), frames_(assembly.plates.size()) {
-        if (!place(assembly, Angle::degrees(kLeastOpeningDeg), frames_)) return;
+    Layers(const Assembly& assembly, std::span<const PlateShape> shapes, const ClosedPlane& plane)
+        : shapes_(shapes), plane_(plane), frames_(assembly.plates.size()) {
+        if (!place(assembly, Angle::degrees(least_opening(assembly.sweep)), frames_)) return;
         std::vector<Segment> diagonals;  // of the plates' boxes
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             Box box;
-            for (const Vec2 p : shapes[i].hull) box.extend(flat(frames_[i].point(p)));
+            for (const Vec2 p : shapes[i].hull) box.extend(plane_.flat(frames_[i].point(p)));
             if (box.empty()) box.extend({});
             diagonals.push_back({box.min, box.max});
         }
@@ -137,6 +152,7 @@ class Layers {
     }
 
     [[nodiscard]] const std::vector<Overlap>& overlaps() const { return overlaps_; }
+    [[nodiscard]] std::span<const Frame> frames() const { return frames_; }
     [[nodiscard]] int most() const { return most_; }
     [[nodiscard]] Vec2 thickest() const { return thickest_; }
 
@@ -145,12 +161,16 @@ class Layers {
     [[nodiscard]] double height(int plate, Vec2 p) const {
         const Frame& frame = frames_[static_cast<std::size_t>(plate)];
         const Vec3 n = frame.normal();
-        return (dot(n, frame.origin) - n.y * p.y - n.z * p.x) / n.x;
+        return (dot(n, frame.origin - plane_.origin) - dot(n, plane_.y) * p.y - dot(n, plane_.x) * p.x) /
+               dot(n, plane_.up);
     }
+
+    [[nodiscard]] Vec3 over(Vec2 p, double height) const { return plane_.in_world(p) + height * plane_.up; }
 
     // A triangle of a plate, seen from the side, counter-clockwise.
     [[nodiscard]] Triangle2 seen(const Triangle2& t, const Frame& frame) const {
-        Triangle2 result{flat(frame.point(t[0])), flat(frame.point(t[1])), flat(frame.point(t[2]))};
+        Triangle2 result{plane_.flat(frame.point(t[0])), plane_.flat(frame.point(t[1])),
+                         plane_.flat(frame.point(t[2]))};
         if (cross(result[1] - result[0], result[2] - result[0]) < 0.0) std::swap(result[1], result[2]);
         return result;
     }
@@ -253,7 +273,7 @@ class Layers {
 
     [[nodiscard]] bool by_outline(int plate, Vec2 p) const {
         const auto i = static_cast<std::size_t>(plate);
-        const Vec2 there = on_page(frames_[i], {height(plate, p), p.y, p.x});
+        const Vec2 there = on_page(frames_[i], over(p, height(plate, p)));
         return shapes_[i].to_edge(there, 3.0 * kTouchMm) < 3.0 * kTouchMm;
     }
 
@@ -262,7 +282,7 @@ class Layers {
         int layers = 0;
         for (const int plate : here_) {
             const auto i = static_cast<std::size_t>(plate);
-            if (shapes_[i].covers(on_page(frames_[i], {height(plate, p), p.y, p.x}))) ++layers;
+            if (shapes_[i].covers(on_page(frames_[i], over(p, height(plate, p))))) ++layers;
         }
         if (layers <= most_) return;
         most_ = layers;
@@ -270,6 +290,7 @@ class Layers {
     }
 
     std::span<const PlateShape> shapes_;
+    ClosedPlane plane_;
     std::vector<Frame> frames_;
     EdgeIndex boxes_;
     std::vector<int> here_, found_;
@@ -281,13 +302,52 @@ class Layers {
     Vec2 thickest_;
 };
 
+// Plates that are glued flat on one another have one height. How they were glued says which lies over which:
+// those on a front further up the later they were glued, those on a back further down.
+class GluedFlat {
+ public:
+    GluedFlat(const Assembly& assembly, std::span<const Frame> frames, const ClosedPlane& plane) {
+        const std::size_t plates = assembly.plates.size();
+        body_.resize(plates);
+        for (std::size_t i = 0; i < plates; ++i) body_[i] = static_cast<int>(i);
+        lift_.assign(plates, 0.0);
+        for (const Frame& frame : frames) front_.push_back(dot(frame.normal(), plane.up) < 0.0 ? -1.0 : 1.0);
+        double glued = 0.0;
+        for (const Joint& joint : assembly.joints) {
+            for (const PlacedPlate& one : plates_of(joint).places) {
+                if (one.lying == Lying::free) continue;
+                const auto plate = static_cast<std::size_t>(one.plate);
+                const auto parent = static_cast<std::size_t>(one.parent);
+                body_[plate] = body_[parent];
+                const double way = one.lying == Lying::on_front ? front_[parent] : -front_[parent];
+                // On the glued side of a plate there is only the room up to what that is glued to.
+                const bool outwards = way * lift_[parent] >= 0.0;
+                lift_[plate] = outwards ? way * ++glued : lift_[parent] + 0.5 * way;
+            }
+        }
+    }
+    // Of b over a, in no unit; 0: they are not of one body.
+    [[nodiscard]] double height(int a, int b) const {
+        const auto i = static_cast<std::size_t>(a);
+        const auto k = static_cast<std::size_t>(b);
+        return body_[i] == body_[k] ? lift_[k] - lift_[i] : 0.0;
+    }
+
+ private:
+    std::vector<int> body_;      // of each plate: the one that all of them lie on
+    std::vector<double> lift_;   // over that one
+    std::vector<double> front_;  // +1: the plate's front is its upper side
+};
+
 // Orders the plates, those below first and else by number; when that is impossible, names a cycle.
-void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, ClosedCard& card) {
+void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, const GluedFlat& glued,
+                  ClosedCard& card) {
     std::vector<std::vector<int>> above(plates);
     std::vector<std::vector<int>> below(plates);
     for (const Overlap& one : overlaps) {
-        const bool b_over_a = one.most > kHeightMm;
-        const bool a_over_b = one.least < -kHeightMm;
+        const double flat = glued.height(one.a, one.b);
+        const bool b_over_a = one.most > kHeightMm || flat > 0.0;
+        const bool a_over_b = one.least < -kHeightMm || flat < 0.0;
         if (b_over_a && a_over_b) {
             card.cycle = {one.a, one.b};
             return;
@@ -341,12 +401,14 @@ void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, Clos
 ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
                        std::optional<double> paper_mm) {
     ClosedCard card;
-    card.protrusions = protrusions(assembly);
-    const Layers layers(assembly, shapes);
+    const ClosedPlane plane = closed_plane(assembly);
+    card.protrusions = protrusions(assembly, plane);
+    const Layers layers(assembly, shapes, plane);
     card.max_layers = layers.most();
-    card.thickest = in_world(layers.thickest());
+    card.thickest = plane.in_world(layers.thickest());
     if (card.max_layers == 0) return card;
-    put_in_order(assembly.plates.size(), layers.overlaps(), card);
+    put_in_order(assembly.plates.size(), layers.overlaps(), GluedFlat(assembly, layers.frames(), plane),
+                 card);
     if (paper_mm) card.thickness_mm = card.max_layers * *paper_mm;
     return card;
 }

@@ -9,10 +9,11 @@
 
 namespace popup {
 
-// Protrusion is judged at 0°, against the paper of the plates that stand in the world before anything was cut
-// from them, and counts from 0.02 mm. The layers are told apart at kLeastOpeningDeg, where plates that lie on
-// one another at 0° stand apart and have not moved. Precondition: the linkages reach both angles. Shapes by
-// plate. Cost: n log n in triangles, and in pairs of plates that lie over one another.
+// Protrusion is judged at the beginning of the sweep, against the covers before anything was cut from them,
+// and counts from 0.02 mm. The layers are told apart at the least opening, where plates that lie on one
+// another in the closed card stand apart and have not moved. Preconditions: the assembly has covers and
+// closes flat; the joints reach both angles. Shapes by plate. Cost: n log n in triangles, and in pairs of
+// plates that lie over one another.
 ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
                        std::optional<double> paper_mm);
 

@@ -136,7 +136,7 @@ struct Pair {
             const Vec3 p = there.crossing->point;
             found.point = there.a.point({p.x, p.y});
         }
-        found.from_deg = from <= kLeastOpeningDeg ? 0.0 : rounded_deg(from);
+        found.from_deg = from <= least_opening(search.sweep()) ? search.sweep().from_deg : rounded_deg(from);
         found.to_deg = rounded_deg(to);
         found.deepest_deg = rounded_deg(found.deepest_deg);
         return found;
@@ -185,7 +185,9 @@ struct Pair {
 
     // Whether plates that touch from … to have changed sides.
     [[nodiscard]] std::optional<Contact> passing(double from, double to) const {
-        if (from <= kLeastOpeningDeg || to >= 180.0) return std::nullopt;
+        const double first = least_opening(search.sweep());
+        const double last = search.sweep().to_deg;
+        if (from <= first || to >= last) return std::nullopt;
         // Only plates that are nearly parallel do that without crossing along a line.
         const auto at = search.at(a, b, 0.5 * (from + to));
         if (sine_between(at.b_in_a) > kNearlyParallel) return std::nullopt;
@@ -198,8 +200,8 @@ struct Pair {
         double low = from;
         double high = to;
         for (const double aside : kAsideDegs) {
-            if (before == 0) before = side(low = std::max(from - aside, kLeastOpeningDeg), of_a, of_b);
-            if (after == 0) after = side(high = std::min(to + aside, 180.0), of_a, of_b);
+            if (before == 0) before = side(low = std::max(from - aside, first), of_a, of_b);
+            if (after == 0) after = side(high = std::min(to + aside, last), of_a, of_b);
         }
         if (before * after >= 0) return std::nullopt;
         while (high - low > kPreciseDeg) {
@@ -222,9 +224,9 @@ struct Pair {
 void find_contacts(int a, int b, std::span<const ContactRange> stretches, PairSearch& search,
                    Contacts& result) {
     const Pair pair{a, b, search};
-    double limit = kLeastOpeningDeg;    // where the contact before this one ends
-    double begin = kLeastOpeningDeg;    // and where it began
-    std::optional<std::size_t> before;  // and where it stands in the result
+    double limit = least_opening(search.sweep());  // where the contact before this one ends
+    double begin = limit;                          // and where it began
+    std::optional<std::size_t> before;             // and where it stands in the result
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t end = i + 1;
         while (end < stretches.size() && stretches[end].from == stretches[end - 1].to) ++end;
@@ -244,7 +246,8 @@ void find_contacts(int a, int b, std::span<const ContactRange> stretches, PairSe
             const auto start = [&](double end, double middle) { return pair.meet(end) ? end : middle; };
             const double from =
                 pair.end_of_contact(start(first->from, 0.5 * (first->from + first->to)), limit);
-            const double to = pair.end_of_contact(start(last->to, 0.5 * (last->from + last->to)), 180.0);
+            const double to =
+                pair.end_of_contact(start(last->to, 0.5 * (last->from + last->to)), search.sweep().to_deg);
             if (before && from <= limit) {
                 // It is the same contact as the one before: shallow in between.
                 result.contacts.resize(*before);

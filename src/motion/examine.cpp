@@ -14,7 +14,7 @@ namespace {
 
 // Plates that touch at angles that have nothing to do with each other are joined: they share a fold, a seam,
 // an apex.
-constexpr std::array kTellingDegs{37.3, 91.7, 143.9};
+constexpr std::array kTellingDegs{37.3, 91.7, 143.9};  // of a sweep from 0° to 180°
 constexpr double kJoinedMm = 1e-6;
 constexpr double kFlushMm = 1e-3;
 // What is near until the card is closed (or lies flat) is so because it folds, below this angle.
@@ -36,12 +36,12 @@ struct PairRange {
 class Approaches {
  public:
     Approaches(const Assembly& assembly, std::span<const PlateShape> shapes, double distance_mm)
-        : shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()) {
+        : sweep_(assembly.sweep), shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()) {
         for (const double deg : kTellingDegs) {
             frames_.emplace_back(assembly.plates.size());
-            reached_ = reached_ && place(assembly, Angle::degrees(deg), frames_.back());
+            reached_ = reached_ && place(assembly, Angle::degrees(opening_at(sweep_, deg)), frames_.back());
         }
-        reached_ = reached_ && place(assembly, Angle::degrees(180.0), open_);
+        reached_ = reached_ && place(assembly, Angle::degrees(sweep_.to_deg), open_);
     }
 
     void add(const Cell& cell, int a, int b, PairSearch& search) {
@@ -62,8 +62,12 @@ class Approaches {
         std::vector<Approach> result;
         for (const auto& [pair, all] : found_) {
             for (Approach one : all) {
-                if (one.from_deg <= kLeastOpeningDeg) one.from_deg = kFoldingDeg;
-                if (one.to_deg >= 180.0 && in_one_plane_when_open(one)) one.to_deg = 180.0 - kFoldingDeg;
+                if (sweep_.closed_flat && one.from_deg <= least_opening(sweep_)) {
+                    one.from_deg = sweep_.from_deg + kFoldingDeg;
+                }
+                if (one.to_deg >= sweep_.to_deg && in_one_plane_when_open(one)) {
+                    one.to_deg = sweep_.to_deg - kFoldingDeg;
+                }
                 if (one.from_deg >= one.to_deg) continue;
                 const bool crosses =
                     std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
@@ -122,6 +126,7 @@ class Approaches {
                std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
     }
 
+    Sweep sweep_;
     std::span<const PlateShape> shapes_;
     double distance_mm_;
     std::vector<std::vector<Frame>> frames_;
@@ -150,7 +155,8 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
 Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
                     const MotionOptions& options) {
     Examination result;
-    result.undecided_below_deg = kLeastOpeningDeg;
+    result.undecided_below_deg = least_opening(assembly.sweep);
+    result.decided_up_to_deg = assembly.sweep.to_deg;
     PairSearch search(assembly, linkage, shapes);
     std::optional<Approaches> approaches;
     if (options.clearance_mm) approaches.emplace(assembly, shapes, *options.clearance_mm);
@@ -158,7 +164,7 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     std::vector<PairRange> all;
     std::vector<ContactRange> found;
     Cell cell;
-    const std::vector<double> ends = cell_ends();
+    const std::vector<double> ends = cell_ends(assembly.sweep);
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
     const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
     const auto look_at = [&](const Cell& range) {
@@ -194,7 +200,9 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     result.contacts = std::move(contacts.contacts);
     result.undecided = std::move(contacts.undecided);
     if (approaches) result.approaches = approaches->take(result.contacts, search);
-    result.closed = closed_card(assembly, shapes, options.paper_mm);
+    if (!assembly.covers.empty() && assembly.sweep.closed_flat) {
+        result.closed = closed_card(assembly, shapes, options.paper_mm);
+    }
     result.poses = search.poses();
     return result;
 }

@@ -136,7 +136,7 @@ class Findings {
     }
 
     void undecided(const Examination& found) {
-        if (found.decided_up_to_deg < 180.0) {
+        if (found.decided_up_to_deg < assembly_.sweep.to_deg) {
             diagnostics_
                 .remark(
                     "undecided", {},
@@ -183,13 +183,13 @@ class Findings {
     // So that a piece shortened by what is printed is short enough.
     static double rounded_up(double mm) { return std::ceil(mm * 100.0) / 100.0; }
 
-    static std::string when(const Contact& contact) {
+    [[nodiscard]] std::string when(const Contact& contact) const {
         if (contact.from_deg == contact.to_deg)
             return fmt::format("at an opening of {:.2f}°", contact.to_deg);
-        if (contact.from_deg > 0.0) {
+        if (contact.from_deg > assembly_.sweep.from_deg) {
             return fmt::format("between openings of {:.2f}° and {:.2f}°", contact.from_deg, contact.to_deg);
         }
-        if (contact.to_deg >= 180.0) return "at every angle";
+        if (contact.to_deg >= assembly_.sweep.to_deg) return "at every angle";
         return fmt::format("from an opening of {:.2f}° until the card is closed", contact.to_deg);
     }
 
@@ -215,13 +215,12 @@ class Findings {
     // The plates of two elements, each with each.
     [[nodiscard]] std::vector<std::pair<int, int>> all_pairs(std::pair<int, int> joints) const {
         const auto plates = [&](int joint) {
-            const Joint& one = assembly_.joints[static_cast<std::size_t>(joint)];
-            return one.right.plate < 0 ? std::vector<int>{one.left.plate}
-                                       : std::vector<int>{one.left.plate, one.right.plate};
+            return plates_of(assembly_.joints[static_cast<std::size_t>(joint)]).places;
         };
         std::vector<std::pair<int, int>> pairs;
-        for (const int a : plates(joints.first)) {
-            for (const int b : plates(joints.second)) pairs.emplace_back(std::min(a, b), std::max(a, b));
+        for (const PlacedPlate& a : plates(joints.first)) {
+            for (const PlacedPlate& b : plates(joints.second))
+                pairs.emplace_back(std::minmax(a.plate, b.plate));
         }
         return pairs;
     }

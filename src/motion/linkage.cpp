@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
+
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
@@ -13,73 +14,71 @@ std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, 
 // Where a plate, or the world (-1), stands among the nodes of a way.
 std::size_t node(int plate) { return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(plate) + 1); }
 
-// Equal for joints whose plates move alike: what drives them, how, and from where on the fold. Where a
-// parallel linkage stands along its fold makes no difference.
-using Likeness = std::array<long long, 10>;
-Likeness likeness(const Joint& joint) {
-    const auto whole = [](double value) { return std::llround(value * 1e9); };
-    const Bar& l = joint.left;
-    const Bar& r = joint.right;
-    const Vec2 at = joint.parallel ? Vec2{} : l.fold_at;
-    return {static_cast<long long>(joint.kind) * 2 + (joint.parallel ? 1 : 0),
-            l.drive,
-            r.drive,
-            whole(l.near),
-            whole(l.far),
-            whole(r.near),
-            whole(r.far),
-            whole(at.x),
-            whole(at.y),
-            joint.parallel ? 0 : whole(std::atan2(l.fold_dir.y, l.fold_dir.x))};
-}
-
 }  // namespace
 
 Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
     const std::size_t plates = assembly.plates.size();
     joint_of_.assign(plates, -1);
     drive_turn_.assign(plates, -1);
-    centre_turn_.assign(plates, -1);
+    across_turn_.assign(plates, -1);
     fold_turn_.assign(assembly.joints.size(), -1);
     for (auto& seen : seen_) seen.assign(plates + 1, -1);
     wanted_.assign(assembly.joints.size(), 0);
     twin_.resize(plates);
     for (std::size_t i = 0; i < plates; ++i) twin_[i] = static_cast<int>(i);
     std::map<std::pair<int, int>, int> between;  // the turn of two plates
-    std::map<Likeness, std::size_t> alike;
+    std::map<Likeness, JointPlates> alike;
     for (std::size_t j = 0; j < assembly.joints.size(); ++j) {
-        const Joint& joint = assembly.joints[j];
-        const auto left = static_cast<std::size_t>(joint.left.plate);
-        const int first = static_cast<int>(turns_.size());
-        joint_of_[left] = static_cast<int>(j);
-        drive_turn_[left] = first;
-        if (joint.kind == JointKind::drive) {
-            turns_.push_back({joint.left.plate, -1, joint.left.fold_at, joint.left.fold_dir, -1, {-1, -1}});
-            continue;
+        JointPlates own = plates_of(assembly.joints[j]);
+        needs_begin_.push_back(needs_.size());
+        needs_.insert(needs_.end(), own.needs.begin(), own.needs.end());
+        for (const PlacedPlate& one : own.places) {
+            joint_of_[static_cast<std::size_t>(one.plate)] = static_cast<int>(j);
+            if (one.lying != Lying::free) twin_[static_cast<std::size_t>(one.plate)] = twin(one.parent);
         }
-        const auto right = static_cast<std::size_t>(joint.right.plate);
-        joint_of_[right] = static_cast<int>(j);
-        drive_turn_[right] = first + 1;
-        centre_turn_[left] = centre_turn_[right] = first + 2;
-        const auto drives = between.find(ordered(joint.left.drive, joint.right.drive));
-        const int fold = drives == between.end() ? -1 : drives->second;
-        fold_turn_[j] = fold;
-        const Bar& l = joint.left;
-        const Bar& r = joint.right;
-        const Joint& like = assembly.joints[alike.try_emplace(likeness(joint), j).first->second];
-        twin_[left] = like.left.plate;
-        twin_[right] = like.right.plate;
-        turns_.push_back({l.plate, twin(l.drive), l.own_at, l.own_seam, first + 1, {fold, first + 2}});
-        turns_.push_back({r.plate, twin(r.drive), r.own_at, r.own_seam, first, {fold, first + 2}});
-        Turn centre{l.plate, r.plate, l.own_at, l.own_centre, fold, {first, first + 1}};
-        if (joint.parallel) {
-            centre.at = l.own_at + l.far * l.own_centre;
-            centre.dir = l.own_seam;
+        if (Likeness key = likeness(assembly.joints[j]); !key.empty()) {
+            const auto [like, first] = alike.try_emplace(std::move(key), own);
+            for (std::size_t i = 0; i < own.places.size() && !first; ++i) {
+                twin_[static_cast<std::size_t>(own.places[i].plate)] = like->second.places[i].plate;
+            }
         }
-        turns_.push_back(centre);
-        between[ordered(l.plate, l.drive)] = first;
-        between[ordered(r.plate, r.drive)] = first + 1;
-        between[ordered(l.plate, r.plate)] = first + 2;
+        add(j, between);
+    }
+    needs_begin_.push_back(needs_.size());
+}
+
+// The turns of a joint, and how its plates are reached by them.
+void Linkage::add(std::size_t number, std::map<std::pair<int, int>, int>& between) {
+    const Joint& joint = assembly_.joints[number];
+    const JointTurns own = turns_of(joint);
+    const int first = static_cast<int>(turns_.size());
+    int parent = -1;
+    if (own.stands_on[0] >= 0) {
+        const auto fold = between.find(ordered(own.stands_on[0], own.stands_on[1]));
+        if (fold != between.end()) parent = fold->second;
+    }
+    fold_turn_[number] = parent;
+    const auto overall = [&](int turn) {
+        if (turn == JointTurn::kParent) return parent;
+        return turn == JointTurn::kNone ? -1 : first + turn;
+    };
+    for (const JointTurn& t : own.turns) {
+        const bool inside = t.other >= 0 && joint_of(t.other) == static_cast<int>(number);
+        turns_.push_back({t.plate,
+                          t.other < 0 || inside ? t.other : twin(t.other),
+                          t.at,
+                          t.dir,
+                          overall(t.opposite),
+                          {overall(t.sides[0]), overall(t.sides[1])}});
+        if (t.other >= 0) between[ordered(t.plate, t.other)] = static_cast<int>(turns_.size()) - 1;
+    }
+    const JointPlates plates = plates_of(joint);
+    for (std::size_t i = 0; i < plates.places.size(); ++i) {
+        const auto plate = static_cast<std::size_t>(plates.places[i].plate);
+        drive_turn_[plate] = overall(own.ways[i].up);
+        across_turn_[plate] = overall(own.ways[i].across);
+        if (plates.places[i].lying == Lying::free) continue;
+        drive_turn_[plate] = drive_turn(plates.places[i].parent);
     }
 }
 
@@ -104,7 +103,7 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
                 const Visit at = visits_.at(side)[done.at(side)];
                 if (at.plate < 0) continue;
                 const auto plate = static_cast<std::size_t>(at.plate);
-                for (const int turn : {centre_turn_[plate], drive_turn_[plate]}) {
+                for (const int turn : {across_turn_[plate], drive_turn_[plate]}) {
                     if (turn < 0) continue;
                     const Turn& t = turns_[static_cast<std::size_t>(turn)];
                     const int to = t.plate == at.plate ? t.other : t.plate;
@@ -147,10 +146,9 @@ void Linkage::joints_under(std::span<const int> plates, std::vector<std::size_t>
         const auto joint = static_cast<std::size_t>(open_.back());
         open_.pop_back();
         joints.push_back(joint);
-        if (assembly_.joints[joint].kind == JointKind::drive) continue;
-        for (const int drive : {assembly_.joints[joint].left.drive, assembly_.joints[joint].right.drive}) {
-            want(drive);
-            want(twin(drive));
+        for (std::size_t i = needs_begin_[joint]; i < needs_begin_[joint + 1]; ++i) {
+            want(needs_[i]);
+            want(twin(needs_[i]));
         }
     }
     std::sort(joints.begin(), joints.end());

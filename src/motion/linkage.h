@@ -1,31 +1,29 @@
 // Which plates turn against which, about which line, and how far between two poses.
 //
-// Every four-bar is a cycle of four turns: about the parent fold, the left seam, the centre fold and the
-// right seam. A turn's angle, as a function of the opening angle, goes one way as long as the turn opposite
-// in its cycle is neither unfolded nor folded flat: the rates of the four turns are angular velocities that
-// add up to nought, so one of them vanishes only when the axes of the other three lie in one plane, which is
-// when the turn opposite passes 0° or 180°. So the two ends of a range say exactly how far a plate turns
-// within it.
+// The joints say which turns there are and what bounds them (motion/joints/joint.h). Here they become one net
+// of plates: ways through it are what the examination of two plates goes along.
 //
 // A turn also turns back where its parent fold does. In designs that passed check() none does: no seam passes
 // flat while its parent fold is bent by less than 180°.
 #pragma once
 
 #include <array>
+#include <map>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "popup/assembly.h"
 
 namespace popup {
 
-// Two plates that turn against each other about a line.
+// A JointTurn among those of the whole assembly.
 struct Turn {
     int plate = -1;  // on whose page the line is
     int other = -1;  // or a twin of it; -1: the world
     Vec2 at, dir;    // a point of the line, and its direction (unit)
-    // In its four-bar: the turn opposite, and the two others; -1: the opening of the card itself.
+    // Numbers of turns. -1: as JointTurn::kNone.
     int opposite = -1;
     std::array<int, 2> sides{-1, -1};
 };
@@ -49,13 +47,15 @@ class Linkage {
     [[nodiscard]] const Joint& element(int plate) const {
         return assembly_.joints[static_cast<std::size_t>(joint_of(plate))];
     }
-    // The turn between a plate and the one that drives it, or the world.
+    // The turn that moves a plate against the one it stands on, or the world. A plate that lies on another
+    // moves by that one's.
     [[nodiscard]] int drive_turn(int plate) const { return drive_turn_[static_cast<std::size_t>(plate)]; }
-    // The turn about the parent fold of a joint; -1 when that is the opening of the card itself.
+    // The turn about the parent fold of a joint; -1 when it has none, or that is the opening of the card
+    // itself.
     [[nodiscard]] int fold_turn(int joint) const { return fold_turn_[static_cast<std::size_t>(joint)]; }
 
-    // The first of the plates that move as one body with this one because their linkages are alike: tents,
-    // for instance, that stand beside one another on one fold with the same distances.
+    // The first of the plates that move as one body with this one, because it lies on them or their joints
+    // are alike: tents, for instance, that stand beside one another on one fold with the same distances.
     [[nodiscard]] int twin(int plate) const { return twin_[static_cast<std::size_t>(plate)]; }
 
     // A shortest way from plate a to plate b, as turns from a's end on. Uses memory of the object: one caller
@@ -75,9 +75,14 @@ class Linkage {
     };
     void rise(std::size_t side, int plate, int turn, int from);
 
+    void add(std::size_t joint, std::map<std::pair<int, int>, int>& between);
+
     const Assembly& assembly_;
     std::vector<Turn> turns_;
-    std::vector<int> joint_of_, drive_turn_, centre_turn_, fold_turn_, twin_;
+    std::vector<int> joint_of_, drive_turn_, across_turn_, fold_turn_, twin_;
+    // Plates that joint j needs stand from needs_begin_[j] to needs_begin_[j + 1].
+    std::vector<int> needs_;
+    std::vector<std::size_t> needs_begin_;
     std::array<std::vector<Visit>, 2> visits_;
     std::array<std::vector<int>, 2> seen_;  // by plate + 1: the visit, -1 for none
     std::vector<char> wanted_;              // by joint

@@ -5,6 +5,7 @@
 
 #include "motion/cells.h"
 #include "motion/contacts.h"
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
@@ -18,7 +19,7 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     Linkage linkage(assembly);
     PairSearch search(assembly, linkage, shapes);
-    const std::vector<double> ends = cell_ends();
+    const std::vector<double> ends = cell_ends(assembly.sweep);
     std::vector<std::vector<ContactRange>> stretches(pairs.size());
     std::vector<ContactRange> found;
     Cell cell;
@@ -46,34 +47,22 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
     return result;
 }
 
-// The joint of an element that was drawn `mm` further along its fold. What stands on it follows.
-Joint moved(Joint joint, double mm) {
-    for (Bar* bar : {&joint.left, &joint.right}) {
-        bar->fold_at = bar->fold_at + mm * bar->fold_dir;
-        bar->seam_at = bar->seam_at + mm * bar->fold_dir;
-    }
-    return joint;
-}
-
 }  // namespace
 
 std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     const Linkage linkage(assembly);
-    const auto along = [&](int joint, double mm) {
-        return Move{joint, mm * assembly.joints[static_cast<std::size_t>(joint)].left.fold_dir};
-    };
     Assembly trial = assembly;
     const auto free = [&](int number, double mm) {
         const auto joint = static_cast<std::size_t>(number);
-        trial.joints[joint] = moved(assembly.joints[joint], mm);
+        trial.joints[joint].how = slid(assembly.joints[joint], mm)->how;
         const bool result = !in_contact(trial, shapes, pairs, budget);
         trial.joints[joint] = assembly.joints[joint];
         return result;
     };
     std::vector<std::pair<int, double>> ways;  // element and sense
     for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
-        if (assembly.joints[static_cast<std::size_t>(joint)].kind == JointKind::drive) continue;
+        if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) continue;
         ways.emplace_back(joint, 1.0);
         ways.emplace_back(joint, -1.0);
     }
@@ -89,7 +78,8 @@ std::optional<Move> freeing_move(const Assembly& assembly, std::span<const Plate
                 const double middle = 0.5 * (low + shortest);
                 (free(joint, sense * middle) ? shortest : low) = middle;
             }
-            best = along(joint, sense * shortest);
+            const Joint& chosen = assembly.joints[static_cast<std::size_t>(joint)];
+            best = Move{joint, slid(chosen, sense * shortest)->by};
         }
         before = shortest;
     }

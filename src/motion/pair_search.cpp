@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "motion/place.h"
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
@@ -54,7 +54,7 @@ bool PairSearch::place_pair(double deg) {
         joints_known_ = true;
     }
     return std::all_of(joints_.begin(), joints_.end(), [&](std::size_t joint) {
-        return place_joint(assembly_, joint, Angle::degrees(deg), frames_);
+        return place_plates(assembly_.joints[joint], Angle::degrees(deg), frames_);
     });
 }
 

@@ -58,6 +58,7 @@ class PairSearch {
     };
     Distance distance(int a, int b, double deg, double limit_mm);
 
+    [[nodiscard]] const Sweep& sweep() const { return assembly_.sweep; }
     [[nodiscard]] const PlateShape& shape(int plate) const {
         return shapes_[static_cast<std::size_t>(plate)];
     }

@@ -10,7 +10,7 @@
 namespace popup {
 namespace {
 
-constexpr int kSteps = 72;  // of 2.5°
+constexpr int kSteps = 72;  // of 2.5° where the sweep is one of 180°
 constexpr double kTurn =
     5.0 * std::numbers::pi / 180.0;  // a plate that turns further is looked at in between
 constexpr double kJumpDeg = 1e-6;    // who still turns that far in this, jumps
@@ -128,13 +128,15 @@ void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diag
 bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics) {
     Walk walk{assembly, linkage, diagnostics, std::vector<Frame>(assembly.plates.size())};
     Pose here;
-    if (!walk.look(kLeastOpeningDeg, here)) {
-        walk.locks(-1.0, kLeastOpeningDeg);
+    const double least = least_opening(assembly.sweep);
+    if (!walk.look(least, here)) {
+        walk.locks(-1.0, least);
         return false;
     }
     Pose next;
     for (int step = 1; step <= kSteps; ++step) {
-        const double deg = 180.0 * step / kSteps;
+        const double deg =
+            assembly.sweep.from_deg + (assembly.sweep.to_deg - assembly.sweep.from_deg) * step / kSteps;
         if (!walk.look(deg, next)) {
             walk.locks(here.deg, deg);
             return false;

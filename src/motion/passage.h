@@ -6,7 +6,7 @@
 
 namespace popup {
 
-// Looks at every angle above kLeastOpeningDeg, not only at some: between two angles no plate turns further
+// Looks at every angle above the least opening, not only at some: between two angles no plate turns further
 // than the bends of its linkage say. False, with an error that names the element and the angle, when a
 // linkage cannot reach an angle (`locks`), or a plate is elsewhere within a millionth of a degree (`jumps`).
 // Cost: plates × (angles 5° of any plate's turning apart).

@@ -1,28 +1,15 @@
 // Frames of all plates at one angle: joint by joint, in the order in which they stand.
-#include "motion/place.h"
+#include <algorithm>
 
-#include "motion/four_bar.h"
+#include "motion/joints/joint.h"
+#include "popup/motion.h"
 
 namespace popup {
-
-bool place_joint(const Assembly& assembly, std::size_t index, Angle theta, std::span<Frame> frames) {
-    const Joint& joint = assembly.joints[index];
-    if (joint.kind == JointKind::drive) {
-        frames[static_cast<std::size_t>(joint.left.plate)] = drive_frame(joint.left, theta.deg);
-        return true;
-    }
-    const auto pair = solve(joint, frames[static_cast<std::size_t>(joint.left.drive)],
-                            frames[static_cast<std::size_t>(joint.right.drive)]);
-    if (!pair) return false;
-    frames[static_cast<std::size_t>(joint.left.plate)] = pair->left;
-    frames[static_cast<std::size_t>(joint.right.plate)] = pair->right;
-    return true;
-}
 
 bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* stuck) {
     POPUP_INVARIANT(frames.size() == assembly.plates.size());
     for (std::size_t i = 0; i < assembly.joints.size(); ++i) {
-        if (place_joint(assembly, i, theta, frames)) continue;
+        if (place_plates(assembly.joints[i], theta, frames)) continue;
         if (stuck != nullptr) *stuck = static_cast<int>(i);
         return false;
     }

@@ -8,14 +8,15 @@
 #include "motion/examine.h"
 #include "motion/findings.h"
 #include "motion/passage.h"
+#include "motion/sweep.h"
 #include "popup/motion.h"
 
 namespace popup {
 namespace {
 
-std::vector<Angle> default_angles() {
+std::vector<Angle> default_angles(const Sweep& sweep) {
     std::vector<Angle> angles;
-    for (int deg = 0; deg <= 180; deg += 5) angles.push_back(Angle::degrees(deg));
+    for (int deg = 0; deg <= 180; deg += 5) angles.push_back(Angle::degrees(opening_at(sweep, deg)));
     return angles;
 }
 
@@ -51,10 +52,13 @@ struct Judge {
     // The largest angle of a plate to the closed card, degrees, and that plate.
     [[nodiscard]] std::pair<double, std::size_t> flat_error() const {
         std::pair<double, std::size_t> worst{0.0, 0};
+        if (assembly.covers.empty()) return worst;
+        const Frame& cover = here[static_cast<std::size_t>(assembly.covers[0])];
         for (std::size_t i = 0; i < here.size(); ++i) {
-            // At the closed card every plate lies in the plane x = 0.
+            // At the closed card every plate lies in the plane of its covers.
             const Vec3 n = here[i].normal();
-            const double off = Angle::radians(std::atan2(std::hypot(n.y, n.z), std::abs(n.x))).deg;
+            const double aside = std::hypot(dot(n, cover.axes[1]), dot(n, cover.axes[0]));
+            const double off = Angle::radians(std::atan2(aside, std::abs(dot(n, cover.normal())))).deg;
             worst = std::max(worst, {off, i});
         }
         return worst;
@@ -91,9 +95,10 @@ void add_witnesses(Motion& motion) {
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics) {
     Motion motion;
-    motion.angles = options.angles.empty() ? default_angles() : options.angles;
+    motion.angles = options.angles.empty() ? default_angles(assembly.sweep) : options.angles;
     motion.solver = options.solver;
     Judge judge(assembly, options.tolerances, diagnostics);
+    const Angle beginning = Angle::degrees(assembly.sweep.from_deg);
     if (options.solver == Solver::iterative) {
         IterativePlacer placer(assembly);
         for (const Angle at : motion.angles) {
@@ -101,17 +106,17 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
             motion.max_closure_mm = std::max(motion.max_closure_mm, closure_error(assembly, judge.here));
         }
         IterativePlacer closed(assembly);
-        closed.place(Angle{}, judge.here);
+        closed.place(beginning, judge.here);
         motion.flat_error_deg = judge.flat_error().first;
         motion.flat_closed = motion.flat_error_deg <= options.tolerances.flat_deg;
         return motion;
     }
     int stuck = 0;
-    if (!place(assembly, Angle{}, judge.here, &stuck)) {
-        report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, 0.0, diagnostics);
+    if (!place(assembly, beginning, judge.here, &stuck)) {
+        report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, beginning.deg, diagnostics);
         return std::nullopt;
     }
-    if (!judge.is_flat(motion)) return std::nullopt;
+    if (assembly.sweep.closed_flat && !judge.is_flat(motion)) return std::nullopt;
     if (!passes_whole_way(assembly, judge.linkage, diagnostics)) return std::nullopt;
     for (const Angle at : motion.angles) {
         if (!place(assembly, at, judge.here, &stuck)) {

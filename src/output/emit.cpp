@@ -25,7 +25,7 @@ constexpr int kClosure = 9;    // of a millimetre
 Json mm(double value) { return rounded(value, kLength); }
 Json degrees(double radians) { return rounded(radians * 180.0 / std::numbers::pi, kAngle); }
 Json json(Vec2 p) { return Json::array({mm(p.x), mm(p.y)}); }
-Json direction(Vec2 d) { return Json::array({rounded(d.x, kDirection), rounded(d.y, kDirection)}); }
+Json unit_vector(Vec2 d) { return Json::array({rounded(d.x, kDirection), rounded(d.y, kDirection)}); }
 Json json(const Segment& s) { return Json::array({json(s.a), json(s.b)}); }
 Json json(Place place) { return Json::array({place.line, place.column}); }
 Json json(Color color) { return to_string(color); }
@@ -95,20 +95,6 @@ Json json(const DrawnLine& line) {
 
 // --- assembly
 
-std::string_view to_string(JointKind kind) {
-    switch (kind) {
-        case JointKind::drive:
-            return "drive";
-        case JointKind::half_turn:
-            return "half-turn";
-        case JointKind::inside:
-            return "inside";
-        case JointKind::outside:
-            return "outside";
-    }
-    broken_invariant("a joint kind is one of its enumerators", __FILE__, __LINE__);
-}
-
 // The name of the plate or piece that `index` means, null for none.
 template <typename T>
 Json named(const std::vector<T>& all, int index) {
@@ -157,37 +143,43 @@ Json json(const Glue& glue, const Assembly& assembly) {
             {"place", json(glue.place)}};
 }
 
-Json drive(const Bar& bar, const Assembly& assembly) {
-    return {{"plate", named(assembly.plates, bar.plate)},
-            {"fold_at", json(bar.fold_at)},
-            {"fold_dir", direction(bar.fold_dir)},
-            {"turns", bar.near < 0 ? -1 : 1}};
-}
+// The values of a joint, by the names its kind gives them.
+struct JointJson {
+    const Assembly& assembly;
+    Json& to;
 
-Json four_bar_side(const Bar& bar, bool parallel, const Assembly& assembly) {
-    return {{"drive", named(assembly.plates, bar.drive)},
-            {"plate", named(assembly.plates, bar.plate)},
-            {"fold_at", json(bar.fold_at)},
-            {"fold_dir", direction(bar.fold_dir)},
-            {"fold_out", direction(bar.fold_out)},
-            {"seam_at", json(bar.seam_at)},
-            {"seam_dir", direction(bar.seam_dir)},
-            {"own_at", json(bar.own_at)},
-            {"own_seam", direction(bar.own_seam)},
-            {"own_centre", direction(bar.own_centre)},
-            {parallel ? "near_mm" : "near_deg", parallel ? mm(bar.near) : degrees(bar.near)},
-            {parallel ? "far_mm" : "far_deg", parallel ? mm(bar.far) : degrees(bar.far)}};
-}
+    void plate(const char* name, int index) { to[name] = named(assembly.plates, index); }
+    void point(const char* name, Vec2 at) { to[name] = json(at); }
+    void direction(const char* name, Vec2 along) { to[name] = unit_vector(along); }
+    void length(const char* name, double value) { to[name] = mm(value); }
+    void angle(const char* name, double radians) { to[name] = degrees(radians); }
+    void sign(const char* name, int value) { to[name] = value; }
+    void flag(const char* name, bool value) { to[name] = value; }
+    template <typename Word, std::size_t N>
+    void word(const char* name, Word value, const std::array<std::string_view, N>& words) {
+        to[name] = words.at(static_cast<std::size_t>(value));
+    }
+    template <typename Inside>
+    void object(const char* name, const Inside& inside) {
+        Json value = Json::object();
+        JointJson fields{assembly, value};
+        inside(fields);
+        to[name] = std::move(value);
+    }
+};
 
 Json json(const Joint& joint, const Assembly& assembly) {
-    const auto side = [&](const Bar& bar) { return four_bar_side(bar, joint.parallel, assembly); };
-    const bool drives = joint.kind == JointKind::drive;
-    return {{"kind", to_string(joint.kind)},
-            {"parallel", joint.parallel},
-            {"name", joint.name},
-            {"place", json(joint.place)},
-            {"left", drives ? drive(joint.left, assembly) : side(joint.left)},
-            {"right", drives ? Json() : side(joint.right)}};
+    Json result{
+        {"kind", kJointNames.at(joint.how.index())}, {"name", joint.name}, {"place", json(joint.place)}};
+    JointJson fields{assembly, result};
+    std::visit([&](const auto& how) { how.fields(how, fields); }, joint.how);
+    return result;
+}
+
+Json json(const Sweep& sweep) {
+    return {{"from_deg", rounded(sweep.from_deg, kAngle)},
+            {"to_deg", rounded(sweep.to_deg, kAngle)},
+            {"closed_flat", sweep.closed_flat}};
 }
 
 // --- motion, written straight into text: a value of it all would take many times the text's memory
@@ -355,14 +347,17 @@ std::string emit_assembly(const Assembly& assembly) {
         const auto name = [&assembly](int plate) { return named(assembly.plates, plate); };
         return Json{{"name", one.name}, {"plates", list(one.plates, name)}};
     };
-    return json_text({{"file", assembly.file},
-                      {"stem", assembly.stem},
-                      {"pieces", list(assembly.pieces, piece)},
-                      {"plates", list(assembly.plates, member)},
-                      {"lines", list(assembly.lines, member)},
-                      {"hinges", list(assembly.hinges, member)},
-                      {"glue", list(assembly.glue, member)},
-                      {"joints", list(assembly.joints, member)}});
+    return json_text(
+        {{"file", assembly.file},
+         {"stem", assembly.stem},
+         {"pieces", list(assembly.pieces, piece)},
+         {"plates", list(assembly.plates, member)},
+         {"lines", list(assembly.lines, member)},
+         {"hinges", list(assembly.hinges, member)},
+         {"glue", list(assembly.glue, member)},
+         {"joints", list(assembly.joints, member)},
+         {"sweep", json(assembly.sweep)},
+         {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}});
 }
 
 std::string emit_motion(const Assembly& assembly, const Motion& motion) {

@@ -33,10 +33,8 @@ std::string emit_design(const Design& design);
 //  lines: [{kind, at, piece, plate, other_plate}],
 //  hinges: [{a, b, a_line, b_line, glued}],
 //  glue: [{piece_plate, base_plate, on_piece, on_base, label, fill, element, place}],
-//  joints: [{kind, parallel, name, place, left, right}]}
-// A joint of kind "drive" has left {plate, fold_at, fold_dir, turns: 1 or -1} and right null. The others have
-// two bars {drive, plate, fold_at, fold_dir, fold_out, seam_at, seam_dir, own_at, own_seam, own_centre,
-// near_deg, far_deg}, in a parallel joint near_mm and far_mm.
+//  joints: [{kind, name, place, and what fields() of the kind in popup/joints.h names}],
+//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates]}
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,

@@ -147,7 +147,7 @@ class SceneBuilder {
     tinygltf::Model build(std::span<const SceneCard> cards, Keys keys) {
         model_.asset.version = "2.0";
         model_.asset.generator = "popupc " POPUP_VERSION;
-        add_times(keys.angles_deg);
+        add_times(keys);
         tinygltf::Scene scene;
         double left = 0.0;       // where the next card may begin
         std::size_t moving = 0;  // how many of them there were
@@ -188,9 +188,11 @@ class SceneBuilder {
         return static_cast<int>(model_.accessors.size()) - 1;
     }
 
-    void add_times(const std::vector<double>& angles_deg) {
-        for (const double angle : angles_deg) {
-            times_.push_back(static_cast<float>(rounded(angle / 180.0, 9) * options_.duration_s));
+    void add_times(const Keys& keys) {
+        const double from = keys.range.from_deg;
+        const double width = keys.range.to_deg - from;
+        for (const double angle : keys.angles_deg) {
+            times_.push_back(static_cast<float>(rounded((angle - from) / width, 9) * options_.duration_s));
         }
     }
 
@@ -426,7 +428,7 @@ class SceneBuilder {
         const int root = add_root(card, assembly.stem, "card", shift);
 
         const auto rest = static_cast<std::size_t>(
-            std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), 90.0) -
+            std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), middle_of(assembly.sweep)) -
             track.angles_deg.begin());
         const std::size_t count = assembly.plates.size();
         std::vector<std::string> pieces;

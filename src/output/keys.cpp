@@ -57,9 +57,9 @@ class CardPoses {
     CardPoses(const Assembly& assembly, Diagnostics& diagnostics)
         : assembly_(assembly), diagnostics_(diagnostics), frames_(assembly.plates.size()) {}
 
-    // False, with an error, when the card does not get to 90°.
+    // False, with an error, when the card does not get to its middle.
     bool start() {
-        if (!place_at(90.0)) return false;
+        if (!place_at(middle_of(assembly_.sweep))) return false;
         tree_ = hinge_tree(assembly_, frames_);
         for (const Hinge& hinge : assembly_.hinges) {
             // Where one plate hangs on the other's hinge there is nothing to open.
@@ -144,7 +144,8 @@ void merge(std::vector<double>& angles, const std::vector<double>& more) {
 std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards,
                                                 const OutputOptions& options, double plates,
                                                 Diagnostics& diagnostics) {
-    std::vector<double> angles{0.0, 90.0, 180.0};
+    const Sweep range = sweep_of(cards);
+    std::vector<double> angles{range.from_deg, middle_of(range), range.to_deg};
     for (const SceneCard& card : cards) {
         std::vector<double> sampled;
         for (const Angle angle : card.motion->angles) sampled.push_back(rounded(angle.deg, kAngleDecimals));
@@ -164,7 +165,8 @@ std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards
     }
     std::vector<double> grid;
     for (std::uint32_t i = 1; i < static_cast<std::uint32_t>(wanted); ++i) {
-        grid.push_back(rounded(180.0 * i / wanted, kAngleDecimals));
+        grid.push_back(
+            rounded(range.from_deg + (range.to_deg - range.from_deg) * i / wanted, kAngleDecimals));
     }
     merge(angles, grid);
     return angles;
@@ -267,6 +269,7 @@ std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOp
 
     Keys keys;
     keys.angles_deg = *angles;
+    keys.range = sweep_of(cards);
     std::vector<CardPoses> poses;
     bool coarse = false;
     for (const SceneCard& card : cards) {

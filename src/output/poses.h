@@ -5,14 +5,21 @@
 
 #include "popup/diagnostics.h"
 #include "popup/motion.h"
+#include "popup/output.h"
 
 namespace popup {
 
 // Between two cards of a model, where they are widest.
 inline constexpr double kCardGapMm = 20.0;
 
-// Places the plates in closed form. Where a linkage cannot reach the angle: false, and the error `locks`,
-// about its joint.
+// The openings of all cards of a model together, 0° to 180° where there is none. A card stays as it is at the
+// ends of its own sweep.
+Sweep sweep_of(std::span<const SceneCard> cards);
+// Where models rest: in the middle of the sweep.
+inline double middle_of(const Sweep& sweep) { return 0.5 * (sweep.from_deg + sweep.to_deg); }
+
+// Places the plates in closed form, as they are at the opening of the card's sweep that is nearest to the
+// angle. Where a linkage cannot reach the angle: false, and the error `locks`, about its joint.
 bool place_card(const Assembly& assembly, double angle_deg, std::span<Frame> frames,
                 Diagnostics& diagnostics);
 

@@ -307,9 +307,13 @@ TEST(Check, OfFoldsOnOneLineTheOneThatIsStillThereCounts) {
     ASSERT_TRUE(result.design) << findings(result.diagnostics);
     EXPECT_FALSE(result.diagnostics.has_findings()) << findings(result.diagnostics);
     const auto& joints = result.design->skeleton().draft.joints;
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[3].left.drive)].name,
+    EXPECT_EQ(result.design->skeleton()
+                  .draft.plates[static_cast<std::size_t>(std::get<FourBar>(joints[3].how).left.drive)]
+                  .name,
               "e1/left");
-    EXPECT_EQ(result.design->skeleton().draft.plates[static_cast<std::size_t>(joints[4].left.drive)].name,
+    EXPECT_EQ(result.design->skeleton()
+                  .draft.plates[static_cast<std::size_t>(std::get<FourBar>(joints[4].how).left.drive)]
+                  .name,
               "page/left");
 }
 

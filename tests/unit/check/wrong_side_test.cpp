@@ -17,14 +17,14 @@ namespace {
 struct Heights {
     double left, right;
 };
-Heights heights(const Joint& joint, std::span<const Frame> frames) {
-    const Frame& left = frames[static_cast<std::size_t>(joint.left.drive)];
-    const Frame& right = frames[static_cast<std::size_t>(joint.right.drive)];
-    const Frame& own = frames[static_cast<std::size_t>(joint.left.plate)];
-    const Bar& bar = joint.left;
-    const Vec3 centre = own.point(bar.own_at + (joint.parallel ? bar.far : 1.0) * bar.own_centre);
-    return {dot(left.normal(), centre - left.point(joint.left.fold_at)),
-            dot(right.normal(), centre - right.point(joint.right.fold_at))};
+Heights heights(const FourBar& bars, std::span<const Frame> frames) {
+    const Frame& left = frames[static_cast<std::size_t>(bars.left.drive)];
+    const Frame& right = frames[static_cast<std::size_t>(bars.right.drive)];
+    const Frame& own = frames[static_cast<std::size_t>(bars.left.plate)];
+    const Bar& bar = bars.left;
+    const Vec3 centre = own.point(bar.own_at + (bars.parallel ? bar.far : 1.0) * bar.own_centre);
+    return {dot(left.normal(), centre - left.point(bars.left.fold_at)),
+            dot(right.normal(), centre - right.point(bars.right.fold_at))};
 }
 
 TEST(WrongSide, CentreFoldsStayOnTheirSideOfBothDrivingPlatesOnEveryKindOfFold) {
@@ -38,11 +38,12 @@ TEST(WrongSide, CentreFoldsStayOnTheirSideOfBothDrivingPlatesOnEveryKindOfFold) 
             ASSERT_TRUE(place(assembly, Angle::degrees(deg), frames));
             for (std::size_t j = 0; j < assembly.joints.size(); ++j) {
                 const Joint& joint = assembly.joints[j];
-                if (joint.kind == JointKind::drive) continue;
-                const Heights at = heights(joint, frames);
+                const auto* bars = std::get_if<FourBar>(&joint.how);
+                if (bars == nullptr) continue;
+                const Heights at = heights(*bars, frames);
                 const auto where = ::testing::Message()
                                    << "seed " << seed << " " << joint.name << " at " << deg;
-                if (joint.kind != JointKind::half_turn) {
+                if (bars->closing != Closing::half_turn) {
                     // A glued piece is on the printed side.
                     EXPECT_GT(at.left, -1e-9) << where;
                     EXPECT_GT(at.right, -1e-9) << where;
@@ -59,13 +60,14 @@ TEST(WrongSide, CentreFoldsStayOnTheirSideOfBothDrivingPlatesOnEveryKindOfFold) 
             }
         }
         for (const Joint& joint : assembly.joints) {
-            if (joint.kind == JointKind::drive) continue;
-            const bool on_seam = assembly.plates[static_cast<std::size_t>(joint.left.drive)].piece !=
-                                 assembly.plates[static_cast<std::size_t>(joint.right.drive)].piece;
-            ++seen[std::string(joint.kind == JointKind::half_turn ? "cut"
-                               : joint.kind == JointKind::inside  ? "inside"
-                                                                  : "outside") +
-                   (joint.parallel ? " parallel" : " angled") + (on_seam ? " on a seam" : "")];
+            const auto* bars = std::get_if<FourBar>(&joint.how);
+            if (bars == nullptr) continue;
+            const bool on_seam = assembly.plates[static_cast<std::size_t>(bars->left.drive)].piece !=
+                                 assembly.plates[static_cast<std::size_t>(bars->right.drive)].piece;
+            ++seen[std::string(bars->closing == Closing::half_turn ? "cut"
+                               : bars->closing == Closing::inside  ? "inside"
+                                                                   : "outside") +
+                   (bars->parallel ? " parallel" : " angled") + (on_seam ? " on a seam" : "")];
         }
     }
     for (const char* kind :
@@ -103,10 +105,11 @@ TEST(WrongSide, ElementsOnTheFarEndsOfVFoldsStayOnTheirSide) {
         for (double deg = 0.25; deg < 180.0; deg += 0.25) {
             ASSERT_TRUE(place(*built.assembly, Angle::degrees(deg), frames));
             for (const Joint& joint : built.assembly->joints) {
-                if (joint.kind == JointKind::drive) continue;
-                const Heights at = heights(joint, frames);
+                const auto* bars = std::get_if<FourBar>(&joint.how);
+                if (bars == nullptr) continue;
+                const Heights at = heights(*bars, frames);
                 // The centre fold is a mountain, an inverted v-fold's a valley.
-                const double sign = joint.kind == JointKind::half_turn ? -way : 1.0;
+                const double sign = bars->closing == Closing::half_turn ? -way : 1.0;
                 EXPECT_GT(sign * at.left, 0.0) << joint.name << " " << deg;
                 EXPECT_GT(sign * at.right, 0.0) << joint.name << " " << deg;
             }

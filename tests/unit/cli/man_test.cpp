@@ -1,4 +1,4 @@
-// The manual and the README say what the program does: held against its help, its tables, and what it prints.
+// The manual says what the program does: held against its help, its tables, and what it prints.
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -475,87 +474,6 @@ TEST(VerbManuals, LintFindsNothingInThem) {
                 ADD_FAILURE() << line;
             }
         }
-    }
-}
-
-// The fenced blocks of the README that are written in `language`.
-std::vector<std::string> blocks(const std::string& language) {
-    std::vector<std::string> found;
-    std::string fence;
-    for (const std::string& line : lines_of(read_file(kSource / "README.md"))) {
-        if (line.starts_with("```")) {
-            const bool begins = fence.empty();
-            fence = begins ? line : "";
-            if (begins && line == "```" + language) found.emplace_back();
-        } else if (fence == "```" + language) {
-            found.back() += line + "\n";
-        }
-    }
-    return found;
-}
-
-// What a run took is another at each.
-std::string without_times(const std::string& text) {
-    static const std::regex kTimes(R"( in [0-9.]+ s|, [0-9.]+ a second)");
-    return std::regex_replace(text, kTimes, " in N");
-}
-
-// Runs the commands ("$ …") of all console blocks one after the other in one directory; each must print what
-// stands below it.
-TEST(Readme, TheTourIsWhatTheProgramPrints) {
-    const std::vector<std::string> documents = blocks("xml");
-    ASSERT_EQ(documents.size(), 1U);
-    const ScratchDirectory scratch;
-    write_file(scratch / "camp.xml", documents.front());
-    const std::vector<std::string> manifests = blocks("json");
-    ASSERT_EQ(manifests.size(), 1U);
-    write_file(scratch / "run.jsonl", manifests.front());
-    const std::vector<std::string> drawn = blocks("flatlang");
-    ASSERT_EQ(drawn.size(), 1U);
-    EXPECT_EQ(drawn.front(), read_file(kSource / "samples/flatlang/bracket.fl"));
-    write_file(scratch / "bracket.fl", drawn.front());
-    RunOptions options;
-    options.directory = scratch.path();
-    const std::string programs = std::filesystem::path(POPUPC_BINARY).parent_path().string();
-    options.environment["PATH"] = programs + ":/usr/bin:/bin";
-    options.environment["LC_ALL"] = "C";
-    std::size_t commands = 0;
-    for (const std::string& block : blocks("console")) {
-        const std::vector<std::string> lines = lines_of(block);
-        for (std::size_t i = 0; i < lines.size();) {
-            ASSERT_TRUE(lines[i].starts_with("$ ")) << lines[i];
-            const std::string command = lines[i++].substr(2);
-            std::string expected;
-            while (i < lines.size() && !lines[i].starts_with("$ ")) expected += lines[i++] + "\n";
-            const RunResult result = run({"sh", "-c", "{ " + command + "\n} 2>&1"}, options);
-            EXPECT_EQ(without_times(result.out), without_times(expected)) << command;
-            ++commands;
-        }
-    }
-    EXPECT_GE(commands, 6U);
-    EXPECT_FALSE(std::filesystem::exists(scratch / "small.pdf"));
-    EXPECT_EQ(popupc({"check", "--strict", "camp.xml"}, options).exit, 0);
-}
-
-TEST(Readme, EveryFileItPointsToIsThere) {
-    const std::string text = read_file(kSource / "README.md");
-    std::size_t seen = 0;
-    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
-        const std::string path = text.substr(at + 2, text.find(')', at) - at - 2);
-        if (path.starts_with("http")) continue;
-        ++seen;
-        EXPECT_TRUE(std::filesystem::exists(kSource / path)) << path;
-    }
-    EXPECT_GT(seen, 3U);
-}
-
-TEST(Readme, NamesEveryElementTypeAndFormat) {
-    const std::string text = read_file(kSource / "README.md");
-    for (const ElementInfo& info : element_table())
-        EXPECT_NE(text.find("`" + std::string(info.name) + "`"), std::string::npos) << info.name;
-    for (const auto& row : nlohmann::json::parse(popupc({"list", "formats", "--json"}).out)) {
-        const auto suffix = row["suffix"].get<std::string>();
-        EXPECT_NE(text.find("`" + suffix + "`"), std::string::npos) << suffix;
     }
 }
 

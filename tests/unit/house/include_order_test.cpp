@@ -380,5 +380,42 @@ TEST(Headers, NoTwoDefineATypeOfTheSameName) {
     EXPECT_GT(seen.size(), 100u);
 }
 
+// The words in backquotes of a line, in their order.
+std::vector<std::string> quoted_words(const std::string& line) {
+    std::vector<std::string> words;
+    for (std::size_t at = line.find('`'); at != std::string::npos; at = line.find('`', at + 1)) {
+        const std::size_t end = std::min(line.find('`', at + 1), line.size());
+        words.push_back(line.substr(at + 1, end - at - 1));
+        at = end;
+    }
+    return words;
+}
+
+// docs/architecture.md has the plan as tables, for people.
+TEST(IncludeOrder, TheMapHasThePlan) {
+    std::istringstream lines(test::read_file(fs::path(POPUP_SOURCE_DIR) / "docs/architecture.md"));
+    std::map<std::string, std::set<std::string>> rooms;
+    std::vector<std::string> headers;
+    bool in_rooms = false;
+    bool in_headers = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line == "| room | what it is for | may include |") in_rooms = true;
+        if (line == "<!-- headers -->") in_headers = true;
+        if (line.empty()) in_rooms = false;
+        if (line.empty() && !headers.empty()) in_headers = false;
+        if (in_rooms && line.starts_with("| `")) {
+            const std::string name = quoted_words(line).front();
+            const std::vector<std::string> others =
+                quoted_words(line.substr(line.rfind('|', line.size() - 2)));
+            rooms[name] = {others.begin(), others.end()};
+        } else if (in_headers && line.starts_with('`')) {
+            const std::vector<std::string> words = quoted_words(line);
+            headers.insert(headers.end(), words.begin(), words.end());
+        }
+    }
+    EXPECT_EQ(rooms, allowed_rooms());
+    EXPECT_EQ(headers, stages());
+}
+
 }  // namespace
 }  // namespace popup

@@ -24,14 +24,9 @@ Polygon box(double x0, double y0, double x1, double y1) {
 }
 
 void add_plate(Assembly& assembly, const std::string& name, Vec2 axis, double turn, Polygon outline) {
-    Joint joint;
-    joint.kind = JointKind::drive;
-    joint.name = name;
-    joint.left.plate = static_cast<int>(assembly.plates.size());
-    joint.left.fold_at = axis;
-    joint.left.fold_dir = {0, 1};
-    joint.left.near = turn;
-    assembly.joints.push_back(joint);
+    const int number = static_cast<int>(assembly.plates.size());
+    assembly.joints.push_back({name, {}, Drive{number, axis, {0, 1}, turn < 0.0 ? -1 : 1}});
+    assembly.covers.push_back(number);
     Plate plate;
     plate.name = name;
     plate.outline = std::move(outline);

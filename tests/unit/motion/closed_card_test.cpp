@@ -170,15 +170,12 @@ void add_cover(Assembly& assembly, const std::string& name, double way, double x
     plate.outline.outer = plate.uncut = ring;
     plate.pivot = {x, 0};
     plate.piece = 0;
-    Joint joint;
-    joint.name = name;
-    joint.place = {static_cast<int>(assembly.joints.size()) + 10, 3};
-    joint.left.plate = static_cast<int>(assembly.plates.size());
-    joint.left.fold_at = {x, 0};
-    joint.left.fold_dir = {0, 1};
-    joint.left.near = way;
+    const int number = static_cast<int>(assembly.plates.size());
+    assembly.joints.push_back({name,
+                               {static_cast<int>(assembly.joints.size()) + 10, 3},
+                               Drive{number, {x, 0}, {0, 1}, way < 0.0 ? -1 : 1}});
     assembly.plates.push_back(plate);
-    assembly.joints.push_back(joint);
+    assembly.covers.push_back(number);
 }
 
 // Three plates of which each lies over the next: "a" over "b" near the gutter, where b has not risen yet, "b"

@@ -360,13 +360,20 @@ Assembly beside(Assembly first, const Assembly& second, double shift) {
         first.plates.push_back(plate);
     }
     for (Joint joint : second.joints) {
-        for (Bar* bar : {&joint.left, &joint.right}) {
-            if (bar->plate >= 0) bar->plate += plates;
-            if (bar->drive >= 0) bar->drive += plates;
-            for (Vec2* at : {&bar->fold_at, &bar->seam_at, &bar->own_at}) *at = *at + by;
+        if (auto* drive = std::get_if<Drive>(&joint.how)) {
+            drive->plate += plates;
+            drive->axis_at = drive->axis_at + by;
+        } else {
+            auto& bars = std::get<FourBar>(joint.how);
+            for (Bar* bar : {&bars.left, &bars.right}) {
+                bar->plate += plates;
+                bar->drive += plates;
+                for (Vec2* at : {&bar->fold_at, &bar->seam_at, &bar->own_at}) *at = *at + by;
+            }
         }
         first.joints.push_back(joint);
     }
+    for (const int cover : second.covers) first.covers.push_back(cover + plates);
     return first;
 }
 

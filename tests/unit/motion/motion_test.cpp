@@ -54,9 +54,9 @@ double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), do
 
 // The direction of the centre fold of element e1 (shared by its plates), seen from both.
 std::pair<Vec3, Vec3> centre_directions(const Assembly& assembly, const std::vector<Frame>& frames) {
-    const Joint& joint = assembly.joints.back();
-    return {frames[static_cast<std::size_t>(joint.left.plate)].direction(joint.left.own_centre),
-            frames[static_cast<std::size_t>(joint.right.plate)].direction(joint.right.own_centre)};
+    const auto& bars = std::get<FourBar>(assembly.joints.back().how);
+    return {frames[static_cast<std::size_t>(bars.left.plate)].direction(bars.left.own_centre),
+            frames[static_cast<std::size_t>(bars.right.plate)].direction(bars.right.own_centre)};
 }
 
 TEST(Motion, BasePlanesAreExactWhenClosedAndWhenOpen) {
@@ -116,9 +116,9 @@ TEST(Motion, AsymmetricVFoldOnAValleyClosesInsideTheCard) {
     Design design = card();
     add(design, "v-fold", v_fold(60, 50, 150));
     const Built built = build(design);
-    const Joint& joint = built.assembly->joints.back();
-    EXPECT_NEAR(joint.left.far / kDeg, 70, 1e-9);
-    EXPECT_NEAR(joint.right.far / kDeg, 80, 1e-9);
+    const auto& bars = std::get<FourBar>(built.assembly->joints.back().how);
+    EXPECT_NEAR(bars.left.far / kDeg, 70, 1e-9);
+    EXPECT_NEAR(bars.right.far / kDeg, 80, 1e-9);
     for (int deg = 0; deg <= 180; ++deg) {
         const auto frames = frames_at(*built.assembly, deg);
         const auto [from_left, from_right] = centre_directions(*built.assembly, frames);
@@ -142,9 +142,9 @@ TEST(Motion, AsymmetricVFoldOnAMountainClosesBeyondTheFold) {
     add(design, "step", {{-60, -60}, {-60, 60}, {60, -60}, {60, 60}});
     add(design, "v-fold", v_fold(60, 50, 150, 30));
     const Built built = build(design);
-    const Joint& joint = built.assembly->joints.back();
-    EXPECT_NEAR(joint.left.far / kDeg, 80, 1e-9) << "g - a = h - b";
-    EXPECT_NEAR(joint.right.far / kDeg, 70, 1e-9);
+    const auto& bars = std::get<FourBar>(built.assembly->joints.back().how);
+    EXPECT_NEAR(bars.left.far / kDeg, 80, 1e-9) << "g - a = h - b";
+    EXPECT_NEAR(bars.right.far / kDeg, 70, 1e-9);
     for (int deg = 0; deg <= 180; ++deg) {
         const auto frames = frames_at(*built.assembly, deg);
         const auto [from_left, from_right] = centre_directions(*built.assembly, frames);
@@ -186,8 +186,8 @@ TEST(Motion, TooWideAPieceLocksAndSaysSo) {
     add(design, "v-fold", v_fold(80, 80, 185));
     Built built = build(design);
     const auto widen = [&](double sum) {
-        Joint& joint = built.assembly->joints.back();
-        for (Bar* bar : {&joint.left, &joint.right}) {
+        auto& bars = std::get<FourBar>(built.assembly->joints.back().how);
+        for (Bar* bar : {&bars.left, &bars.right}) {
             const double side = cross(bar->own_seam, bar->own_centre) < 0 ? -1.0 : 1.0;
             bar->own_centre = rotated(bar->own_seam, side * 0.5 * sum * kDeg);
         }

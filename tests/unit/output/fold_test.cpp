@@ -565,10 +565,11 @@ TEST(Fold, LinkageThatCannotReachAnAngleAndTooManyAnglesAreErrors) {
         EXPECT_FALSE(write_fold({&scene, 1}, {}, diagnostics).has_value());
         return diagnostics.sorted().at(0).code;
     };
-    const Bar kept = model.assembly.joints.back().left;
-    model.assembly.joints.back().left.far = 0.01;
+    auto& bars = std::get<FourBar>(model.assembly.joints.back().how);
+    const Bar kept = bars.left;
+    bars.left.far = 0.01;
     EXPECT_EQ(code_of(), "locks");
-    model.assembly.joints.back().left = kept;
+    bars.left = kept;
     model.motion.angles.clear();
     for (int i = 0; i < 4000000; ++i) model.motion.angles.push_back({i * 4e-5});
     EXPECT_EQ(code_of(), "model-too-large");

@@ -519,15 +519,14 @@ Assembly accordion(int pairs) {
         const int left = i == 0 ? 0 : static_cast<int>(assembly.plates.size()) - 2;
         const int here = static_cast<int>(assembly.plates.size());
         assembly.pieces.push_back({"p" + std::to_string(i), {here, here + 1}});
-        Joint joint;
-        joint.kind = JointKind::half_turn;
-        joint.parallel = true;
-        joint.name = "p" + std::to_string(i);
+        const std::string name = "p" + std::to_string(i);
+        FourBar bars;
+        bars.parallel = true;
         for (const int side : {0, 1}) {
             // The plate lies between its seam at x = 0 and its centre fold at x = 1 (left) or -1 (right).
             const double to_centre = side == 0 ? 1.0 : -1.0;
             Plate plate;
-            plate.name = joint.name + (side == 0 ? "/left" : "/right");
+            plate.name = name + (side == 0 ? "/left" : "/right");
             plate.piece = i + 1;
             plate.outline.outer = {{std::min(0.0, to_centre), 0},
                                    {std::max(0.0, to_centre), 0},
@@ -535,7 +534,7 @@ Assembly accordion(int pairs) {
                                    {std::min(0.0, to_centre), 1}};
             plate.parent = left + side;
             assembly.plates.push_back(plate);
-            Bar& bar = side == 0 ? joint.left : joint.right;
+            Bar& bar = side == 0 ? bars.left : bars.right;
             bar.drive = left + side;
             bar.plate = here + side;
             bar.fold_dir = bar.seam_dir = bar.own_seam = {0, 1};
@@ -547,7 +546,7 @@ Assembly accordion(int pairs) {
             bar.near = bar.far = 1.0;
         }
         assembly.hinges.push_back({here, here + 1, {{1, 0}, {1, 1}}, {{-1, 0}, {-1, 1}}, false});
-        assembly.joints.push_back(joint);
+        assembly.joints.push_back({name, {}, bars});
     }
     return assembly;
 }

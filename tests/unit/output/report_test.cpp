@@ -42,13 +42,8 @@ Assembly example_assembly() {
     assembly.lines = {{LineKind::valley, {{0, -5}, {0, 5}}, 0, 0, 1}};
     assembly.hinges = {{0, 1, {{0, -5}, {0, 5}}, {{0, -5}, {0, 5}}, false}};
     for (int i = 0; i < 2; ++i) {
-        Joint drive;
-        drive.kind = JointKind::drive;
-        drive.name = "page";
-        drive.left.plate = i;
-        drive.left.fold_dir = {0, 1};
-        drive.left.near = i == 0 ? -1 : 1;
-        assembly.joints.push_back(drive);
+        assembly.joints.push_back({"page", {}, Drive{i, {}, {0, 1}, i == 0 ? -1 : 1}});
+        assembly.covers.push_back(i);
     }
     return assembly;
 }
@@ -261,7 +256,8 @@ TEST(JsonText, PutsListsOfNumbersOnOneLineAndIsTheSameValue) {
 
 TEST(Emit, AssemblyNamesPlatesAndPieces) {
     const Json value = Json::parse(emit_assembly(example_assembly()));
-    EXPECT_EQ(keys(value), (Keys{"file", "stem", "pieces", "plates", "lines", "hinges", "glue", "joints"}));
+    EXPECT_EQ(keys(value), (Keys{"file", "stem", "pieces", "plates", "lines", "hinges", "glue", "joints",
+                                 "sweep", "covers"}));
     EXPECT_EQ(value["pieces"][0]["plates"], Json::array({"page/left", "page/right"}));
     EXPECT_EQ(value["plates"][0]["piece"], "page");
     EXPECT_EQ(value["plates"][0]["fill"], "#0102ff");
@@ -272,19 +268,24 @@ TEST(Emit, AssemblyNamesPlatesAndPieces) {
     EXPECT_EQ(value["lines"][0]["other_plate"], "page/right");
     EXPECT_EQ(value["hinges"][0]["b"], "page/right");
     EXPECT_EQ(value["joints"][0]["kind"], "drive");
-    EXPECT_EQ(value["joints"][0]["left"]["turns"], -1);
-    EXPECT_TRUE(value["joints"][0]["right"].is_null());
+    EXPECT_EQ(value["joints"][0]["plate"], "page/left");
+    EXPECT_EQ(value["joints"][0]["turns"], -1);
+    EXPECT_EQ(value["covers"], Json::array({"page/left", "page/right"}));
+    EXPECT_EQ(value["sweep"]["to_deg"], 180.0);
 }
 
 TEST(Emit, AJointsMeasuresCarryTheirUnit) {
     Assembly assembly = example_assembly();
-    Joint joint;
-    joint.kind = JointKind::inside;
-    joint.left = {0, 1, {}, {0, 1}, {1, 0}, {}, {}, {}, {}, {}, std::acos(-1.0) / 3, 0.5};
-    joint.right = joint.left;
-    assembly.joints = {joint, joint};
-    assembly.joints[1].parallel = true;
+    FourBar bars;
+    bars.closing = Closing::inside;
+    bars.left = {0, 1, {}, {0, 1}, {1, 0}, {}, {}, {}, {}, {}, std::acos(-1.0) / 3, 0.5};
+    bars.right = bars.left;
+    FourBar parallel = bars;
+    parallel.parallel = true;
+    assembly.joints = {{"one", {}, bars}, {"two", {}, parallel}};
     const Json joints = Json::parse(emit_assembly(assembly))["joints"];
+    EXPECT_EQ(joints[0]["kind"], "four-bar");
+    EXPECT_EQ(joints[0]["closing"], "inside");
     EXPECT_EQ(joints[0]["left"]["near_deg"], 60.0);
     EXPECT_FALSE(joints[0]["left"].contains("near_mm"));
     EXPECT_EQ(joints[1]["right"]["far_mm"], 0.5);

@@ -1,27 +1,14 @@
-#include "motion/four_bar.h"
+#include "motion/joints/four_bar.h"
 
 #include <cmath>
 
-#include "popup/units.h"
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
 
 // Below this a negative discriminant is rounding; beyond it the linkage is stuck.
 constexpr double kStuck = 1e-9;
-
-struct HalfAngle {
-    double c, s;
-};
-
-// Cosine and sine of half an angle in degrees; exact at 0°, 90°, 180° and 360°.
-HalfAngle half_angle(double deg) {
-    if (deg == 0.0) return {1.0, 0.0};
-    if (deg == 180.0) return {0.0, 1.0};
-    if (deg == 90.0) return {std::sqrt(0.5), std::sqrt(0.5)};
-    const double half = 0.5 * Angle::degrees(deg).rad();
-    return {std::cos(half), std::sin(half)};
-}
 
 // What an angled bar contributes: cosines and sines of near (a) and far (g), without trigonometry.
 struct BarAngles {
@@ -32,10 +19,10 @@ BarAngles angles(const Bar& bar) {
             dot(bar.own_seam, bar.own_centre), std::abs(cross(bar.own_seam, bar.own_centre))};
 }
 
-std::optional<Vec3> angled_centre(const Joint& joint, const FoldFrame& fold) {
-    const BarAngles l = angles(joint.left);
-    const BarAngles r = angles(joint.right);
-    const double e = joint.kind == JointKind::outside ? -1.0 : 1.0;
+std::optional<Vec3> angled_centre(const FourBar& bars, const FoldFrame& fold) {
+    const BarAngles l = angles(bars.left);
+    const BarAngles r = angles(bars.right);
+    const double e = bars.closing == Closing::outside ? -1.0 : 1.0;
     const double c = e * fold.c;  // ≥ 0 on the whole way
     const double s = fold.s;
     const double cos_sigma = l.cos_near * l.cos_far - e * l.sin_near * l.sin_far;
@@ -65,18 +52,18 @@ std::optional<Vec3> angled_centre(const Joint& joint, const FoldFrame& fold) {
 }
 
 // (bisector, across) of the centre fold, from the parent fold's point.
-std::optional<Vec2> parallel_centre(const Joint& joint, const FoldFrame& fold) {
-    const double e = joint.kind == JointKind::outside ? -1.0 : 1.0;
+std::optional<Vec2> parallel_centre(const FourBar& bars, const FoldFrame& fold) {
+    const double e = bars.closing == Closing::outside ? -1.0 : 1.0;
     const double c = e * fold.c;
     const double s = fold.s;
-    const double p = e * joint.left.near;
-    const double q = e * joint.right.near;
-    const double sigma = 0.5 * (p + joint.left.far + q + joint.right.far);
+    const double p = e * bars.left.near;
+    const double q = e * bars.right.near;
+    const double sigma = 0.5 * (p + bars.left.far + q + bars.right.far);
     const double size = std::abs(p) + std::abs(q);
     if (std::abs(sigma) < 1e-12 * size) return Vec2{0.0, 0.0};  // the piece lies on its planes
     const double k1 = 0.5 * (1.0 / p - 1.0 / q);
     const double k2 = 0.5 * (1.0 / p + 1.0 / q);
-    const double room = (joint.left.far * joint.right.far - p * q) / (p * q) + c * c;
+    const double room = (bars.left.far * bars.right.far - p * q) / (p * q) + c * c;
     if (room < -kStuck) return std::nullopt;
     const double root = std::sqrt(std::max(room, 0.0));
     const double v = sigma * sigma / (c * c - sigma * k2 - fold.c * root);
@@ -93,19 +80,19 @@ std::optional<Vec2> parallel_centre(const Joint& joint, const FoldFrame& fold) {
 
 }  // namespace
 
-FoldFrame fold_frame(const Joint& joint, const Frame& left, const Frame& right) {
-    const Vec3 out_l = left.direction(joint.left.fold_out);
-    const Vec3 out_r = right.direction(joint.right.fold_out);
+FoldFrame fold_frame(const FourBar& bars, const Frame& left, const Frame& right) {
+    const Vec3 out_l = left.direction(bars.left.fold_out);
+    const Vec3 out_r = right.direction(bars.right.fold_out);
     const Vec3 normals = left.normal() + right.normal();
     const Vec3 outs = out_l + out_r;
     FoldFrame fold;
-    fold.along = left.direction(joint.left.fold_dir);
+    fold.along = left.direction(bars.left.fold_dir);
     fold.s = 0.5 * length(out_r - out_l);
     // Near 0° and 360° the normals' sum vanishes: there the kind of closing says which of the two it is.
     if (fold.s > 0.5) {
         fold.c = 0.5 * dot(outs, unit(normals));
     } else {
-        fold.c = 0.5 * length(outs) * (joint.kind == JointKind::outside ? -1.0 : 1.0);
+        fold.c = 0.5 * length(outs) * (bars.closing == Closing::outside ? -1.0 : 1.0);
     }
     fold.bisector = 0.5 * (fold.s * normals + fold.c * outs);
     fold.across = 0.5 * (fold.s * (out_r - out_l) + fold.c * (left.normal() - right.normal()));
@@ -125,18 +112,16 @@ Frame plate_frame(const Bar& bar, Vec3 seam, Vec3 centre, Vec3 at) {
     return frame;
 }
 
-std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Frame& right) {
-    const Bar& l = joint.left;
-    const Bar& r = joint.right;
+std::optional<PlatePair> solve(const FourBar& bars, const Frame& left, const Frame& right) {
+    const Bar& l = bars.left;
+    const Bar& r = bars.right;
     const Vec3 seam_l = left.direction(l.seam_dir);
     const Vec3 seam_r = right.direction(r.seam_dir);
     Vec3 centre_l;
     Vec3 centre_r;
-    switch (joint.kind) {
-        case JointKind::drive:
-            return std::nullopt;
-        case JointKind::half_turn:
-            if (joint.parallel) {
+    switch (bars.closing) {
+        case Closing::half_turn:
+            if (bars.parallel) {
                 // A parallelogram: each side is parallel to the opposite plane.
                 centre_l = right.direction(r.fold_out);
                 centre_r = left.direction(l.fold_out);
@@ -146,11 +131,11 @@ std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Fram
                 centre_l = centre_r = (2.0 * dot(along, middle) / dot(middle, middle)) * middle - along;
             }
             break;
-        case JointKind::inside:
-        case JointKind::outside: {
-            const FoldFrame fold = fold_frame(joint, left, right);
-            if (joint.parallel) {
-                const auto centre = parallel_centre(joint, fold);
+        case Closing::inside:
+        case Closing::outside: {
+            const FoldFrame fold = fold_frame(bars, left, right);
+            if (bars.parallel) {
+                const auto centre = parallel_centre(bars, fold);
                 if (!centre) return std::nullopt;
                 const auto from = [&](double near, double sign) {
                     return (centre->x - fold.c * near) * fold.bisector +
@@ -159,7 +144,7 @@ std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Fram
                 centre_l = from(l.near, -1.0);
                 centre_r = from(r.near, 1.0);
             } else {
-                const auto centre = angled_centre(joint, fold);
+                const auto centre = angled_centre(bars, fold);
                 if (!centre) return std::nullopt;
                 centre_l = centre_r = *centre;
             }
@@ -170,19 +155,72 @@ std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Fram
                      plate_frame(r, seam_r, centre_r, right.point(r.seam_at))};
 }
 
-Frame drive_frame(const Bar& bar, double theta_deg) {
-    const HalfAngle half = half_angle(theta_deg);
-    const Vec2 across = right_of(bar.fold_dir);
-    const double turn = bar.near;
-    // The page's across axis goes to (s, ±c) in (across, up), its front to (∓c, s).
-    const Vec3 across_to{half.s * across.x, half.s * across.y, turn * half.c};
-    const Vec3 front_to{-turn * half.c * across.x, -turn * half.c * across.y, half.s};
-    const Vec3 along{bar.fold_dir.x, bar.fold_dir.y, 0.0};
-    Frame frame;
-    frame.axes = {across.x * across_to + bar.fold_dir.x * along,
-                  across.y * across_to + bar.fold_dir.y * along, front_to};
-    frame.origin = Vec3{bar.fold_at.x, bar.fold_at.y, 0.0} - frame.direction(bar.fold_at);
-    return frame;
+JointPlates plates_of(const FourBar& how) {
+    JointPlates result;
+    for (const Bar* bar : {&how.left, &how.right}) {
+        result.places.push_back({bar->plate, bar->drive, bar->own_at, Lying::free});
+        result.needs.push_back(bar->drive);
+    }
+    return result;
+}
+
+// A cycle of four turns: about the parent fold, the left seam, the centre fold and the right seam. The rates
+// of the four are angular velocities that add up to nought, so one of them vanishes only when the axes of the
+// other three lie in one plane, which is when the turn opposite passes 0° or 180°.
+JointTurns turns_of(const FourBar& how) {
+    enum { kLeftSeam, kRightSeam, kCentre };
+    const Bar& l = how.left;
+    const Bar& r = how.right;
+    JointTurns result;
+    result.stands_on = {l.drive, r.drive};
+    const std::array<int, 2> beside{JointTurn::kParent, kCentre};
+    result.turns.push_back({l.plate, l.drive, l.own_at, l.own_seam, kRightSeam, beside});
+    result.turns.push_back({r.plate, r.drive, r.own_at, r.own_seam, kLeftSeam, beside});
+    JointTurn centre{l.plate, r.plate, l.own_at, l.own_centre, JointTurn::kParent, {kLeftSeam, kRightSeam}};
+    if (how.parallel) {
+        centre.at = l.own_at + l.far * l.own_centre;
+        centre.dir = l.own_seam;
+    }
+    result.turns.push_back(centre);
+    result.ways = {{kLeftSeam, kCentre}, {kRightSeam, kCentre}};
+    return result;
+}
+
+bool place_plates(const FourBar& how, Angle /*theta*/, std::span<Frame> frames) {
+    const auto pair = solve(how, frames[static_cast<std::size_t>(how.left.drive)],
+                            frames[static_cast<std::size_t>(how.right.drive)]);
+    if (!pair) return false;
+    frames[static_cast<std::size_t>(how.left.plate)] = pair->left;
+    frames[static_cast<std::size_t>(how.right.plate)] = pair->right;
+    return true;
+}
+
+// What drives them, how, and from where on the fold. Where a parallel linkage stands along its fold makes no
+// difference.
+Likeness likeness(const FourBar& how) {
+    const Bar& l = how.left;
+    const Bar& r = how.right;
+    const Vec2 at = how.parallel ? Vec2{} : l.fold_at;
+    return {static_cast<long long>(how.closing) * 2 + (how.parallel ? 1 : 0),
+            l.drive,
+            r.drive,
+            to_compare(l.near),
+            to_compare(l.far),
+            to_compare(r.near),
+            to_compare(r.far),
+            to_compare(at.x),
+            to_compare(at.y),
+            how.parallel ? 0 : to_compare(std::atan2(l.fold_dir.y, l.fold_dir.x))};
+}
+
+std::optional<Slid> slid(const FourBar& how, double mm) {
+    FourBar moved = how;
+    for (Bar* bar : {&moved.left, &moved.right}) {
+        bar->fold_at = bar->fold_at + mm * bar->fold_dir;
+        bar->seam_at = bar->seam_at + mm * bar->fold_dir;
+    }
+    const Vec2 by = mm * how.left.fold_dir;
+    return Slid{std::move(moved), by};
 }
 
 }  // namespace popup

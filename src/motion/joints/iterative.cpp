@@ -2,11 +2,12 @@
 // points is moved to and fro until the worst of them fits.
 //
 // Kept as the baseline of the benchmark and as a check of the closed form that shares nothing with it but the
-// input.
+// input. What is no four-bar is placed as its own kind says.
 #include <array>
 #include <cmath>
 
-#include "motion/four_bar.h"
+#include "motion/joints/four_bar.h"
+#include "motion/joints/joint.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -49,12 +50,13 @@ IterativePlacer::IterativePlacer(const Assembly& assembly, int repeats, double p
 void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
     for (std::size_t i = 0; i < assembly_->joints.size(); ++i) {
         const Joint& joint = assembly_->joints[i];
-        const Bar& l = joint.left;
-        const Bar& r = joint.right;
-        if (joint.kind == JointKind::drive) {
-            frames[static_cast<std::size_t>(l.plate)] = drive_frame(l, theta.deg);
+        const auto* bars = std::get_if<FourBar>(&joint.how);
+        if (bars == nullptr) {
+            place_plates(joint, theta, frames);
             continue;
         }
+        const Bar& l = bars->left;
+        const Bar& r = bars->right;
         const Frame& left = frames[static_cast<std::size_t>(l.drive)];
         const Frame& right = frames[static_cast<std::size_t>(r.drive)];
         const Vec3 fold = left.point(l.fold_at);
@@ -63,17 +65,17 @@ void IterativePlacer::place(Angle theta, std::span<Frame> frames) {
         // closed. Cut elements stand where their planes lean, glued ones in front.
         const Vec3 lean = left.direction(l.fold_out) + right.direction(r.fold_out);
         Vec3 front = left.normal() + right.normal();
-        if (joint.kind == JointKind::half_turn ? length(lean) > 1e-6 : length(front) < 1e-6) {
-            front = (joint.kind == JointKind::outside ? -1.0 : 1.0) * lean;
+        if (bars->closing == Closing::half_turn ? length(lean) > 1e-6 : length(front) < 1e-6) {
+            front = (bars->closing == Closing::outside ? -1.0 : 1.0) * lean;
         }
         front = unit(front);
-        const double reach = joint.kind == JointKind::outside ? l.far - l.near : l.far + l.near;
+        const double reach = bars->closing == Closing::outside ? l.far - l.near : l.far + l.near;
         auto& centres = centres_[i];
         Vec3 seam_l;
         Vec3 seam_r;
         Vec3 to_l;
         Vec3 to_r;
-        if (joint.parallel) {
+        if (bars->parallel) {
             // Two points of the centre fold, one arm apart, each from its own seam points and the other
             // end's.
             const Vec3 at_l = fold + l.near * left.direction(l.fold_out);

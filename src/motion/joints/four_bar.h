@@ -14,7 +14,7 @@
 
 #include <optional>
 
-#include "popup/assembly.h"
+#include "popup/joints.h"
 
 namespace popup {
 
@@ -23,19 +23,16 @@ struct FoldFrame {
     Vec3 along, bisector, across;  // unit, mutually perpendicular to rounding
     double c = 0.0, s = 1.0;       // of half the dihedral angle on the front side; s ≥ 0
 };
-FoldFrame fold_frame(const Joint& joint, const Frame& left, const Frame& right);
+FoldFrame fold_frame(const FourBar& bars, const Frame& left, const Frame& right);
 
 // The frames of the element's plates; nullopt when the linkage cannot reach this dihedral angle.
 struct PlatePair {
     Frame left, right;
 };
-std::optional<PlatePair> solve(const Joint& joint, const Frame& left, const Frame& right);
+std::optional<PlatePair> solve(const FourBar& bars, const Frame& left, const Frame& right);
 
 // The frame of one element plate whose centre direction is known: `seam` and `centre` in the world (for
 // parallel linkages along the fold, and from the seam to the centre fold), `at` the image of bar.own_at.
 Frame plate_frame(const Bar& bar, Vec3 seam, Vec3 centre, Vec3 at);
-
-// The frame of a base plate at opening angle theta; exact at 0° and 180°.
-Frame drive_frame(const Bar& bar, double theta_deg);
 
 }  // namespace popup

@@ -1,0 +1,150 @@
+// Joints: how the frames of plates follow from the opening and from the frames of others.
+//
+// A closed set, one row a kind: its struct here, its place in POPUP_JOINT_KINDS, and what it says of its
+// motion in a file of its own, src/motion/joints/KIND.cpp. No pass over a motion knows a kind: it asks which
+// plates a joint places and needs (plates_of), where they are (place), and how they turn over a range
+// (motion/joints/joint.h).
+//
+// A kind names its values once, in fields(): what writes or reads a joint goes through that.
+//
+//     for (const PlacedPlate& one : plates_of(joint).places) parent[one.plate] = one.parent;
+//     if (const auto* bars = std::get_if<FourBar>(&joint.how)) ...   // only the kind's own file and its
+//     tests
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "popup/diagnostics.h"
+#include "popup/geometry.h"
+
+namespace popup {
+
+// A plate that turns with the opening about a line of the world: half the opening to its side.
+struct Drive {
+    int plate = -1;
+    Vec2 axis_at;   // a point of the line; the plate's page lies in the world as the card lies open
+    Vec2 axis_dir;  // unit
+    int turns = 1;  // -1: the plate on the left of the line, +1: the one on its right
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.point("axis_at", self.axis_at);
+        to.direction("axis_dir", self.axis_dir);
+        to.sign("turns", self.turns);
+    }
+};
+
+// One side of a four-bar linkage: a driving plate, and the element plate hinged to it along the seam.
+// Angled: directions are seen from the apex. Parallel: across the fold.
+struct Bar {
+    int drive = -1;   // driving plate
+    int plate = -1;   // plate this joint places
+    Vec2 fold_at;     // on the driving plate's page: the apex (angled), any point of the fold (parallel)
+    Vec2 fold_dir;    // unit, along the parent fold, into the V
+    Vec2 fold_out;    // unit, perpendicular to fold_dir, from the fold into the driving plate
+    Vec2 seam_at;     // a point of the seam or side fold on the driving plate's page (angled: the apex)
+    Vec2 seam_dir;    // unit, on the driving plate's page: along the seam, away from the apex (parallel:
+                      // fold_dir)
+    Vec2 own_at;      // the same point on the element plate's own page
+    Vec2 own_seam;    // unit, on its own page: along the seam, away from the apex (parallel: along fold_dir)
+    Vec2 own_centre;  // unit, on its own page: along the centre fold, away from the apex (parallel: across,
+                      // from the seam towards the centre fold)
+    double near = 0.0;  // a, b: angle fold–seam (rad); parallel p, q: distance fold–seam (mm). > 0
+    double far = 0.0;   // g, h: angle seam–centre fold; parallel s1, s2: distance
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to, bool parallel) {
+        to.plate("drive", self.drive);
+        to.plate("plate", self.plate);
+        to.point("fold_at", self.fold_at);
+        to.direction("fold_dir", self.fold_dir);
+        to.direction("fold_out", self.fold_out);
+        to.point("seam_at", self.seam_at);
+        to.direction("seam_dir", self.seam_dir);
+        to.point("own_at", self.own_at);
+        to.direction("own_seam", self.own_seam);
+        to.direction("own_centre", self.own_centre);
+        if (parallel) {
+            to.length("near_mm", self.near);
+            to.length("far_mm", self.far);
+        } else {
+            to.angle("near_deg", self.near);
+            to.angle("far_deg", self.far);
+        }
+    }
+};
+
+// How a four-bar lies in the closed card.
+enum class Closing {
+    half_turn,  // its far sides equal the opposite near ones; the centre is the half turn of the fold
+    inside,     // it closes inside the fold (closed dihedral 0°)
+    outside,    // it closes beyond the fold (closed dihedral 360°)
+};
+inline constexpr std::array<std::string_view, 3> kClosingNames{"half-turn", "inside", "outside"};
+
+// Two plates that share a centre fold, on two driving plates that share the parent fold:
+// motion/joints/four_bar.h.
+struct FourBar {
+    Closing closing = Closing::half_turn;
+    bool parallel = false;  // else the four lines meet in one point, the apex
+    Bar left, right;
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.word("closing", self.closing, kClosingNames);
+        to.flag("parallel", self.parallel);
+        to.object("left", [&](auto& inside) { Bar::fields(self.left, inside, self.parallel); });
+        to.object("right", [&](auto& inside) { Bar::fields(self.right, inside, self.parallel); });
+    }
+};
+
+// All kinds, and the names by which files know them: the table. Its row is ROW(struct, name).
+#define POPUP_JOINT_KINDS(ROW) \
+    ROW(Drive, "drive")        \
+    ROW(FourBar, "four-bar")
+
+template <typename Nothing, typename... Kinds>
+using JointVariant = std::variant<Kinds...>;
+#define POPUP_KIND(Kind, name) , Kind
+using JointKind = JointVariant<void POPUP_JOINT_KINDS(POPUP_KIND)>;
+#undef POPUP_KIND
+#define POPUP_KIND_NAME(Kind, name) std::string_view{name},
+// By the variant's index.
+inline constexpr std::array<std::string_view, std::variant_size_v<JointKind>> kJointNames{
+    POPUP_JOINT_KINDS(POPUP_KIND_NAME)};
+#undef POPUP_KIND_NAME
+
+// Places its plates from plates placed before it.
+struct Joint {
+    std::string name;  // the element, or "page"
+    Place place;       // of the element in the source
+    JointKind how;
+};
+
+// How a plate lies on its parent.
+enum class Lying {
+    free,      // it turns against it
+    on_front,  // it is glued flat on its front
+    on_back,
+};
+
+// A plate that a joint places.
+struct PlacedPlate {
+    int plate = -1;
+    int parent = -1;  // the plate it turns about or lies on; -1: the world
+    Vec2 pivot;       // a point of the line it turns about, on its own page
+    Lying lying = Lying::free;
+};
+
+struct JointPlates {
+    std::vector<PlacedPlate> places;
+    std::vector<int> needs;  // plates that must have been placed before
+};
+JointPlates plates_of(const Joint& joint);
+
+}  // namespace popup

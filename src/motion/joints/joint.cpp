@@ -1,0 +1,32 @@
+// Each question is put to the kind that the joint is of.
+#include "motion/joints/joint.h"
+
+#include <cmath>
+
+namespace popup {
+
+JointPlates plates_of(const Joint& joint) {
+    return std::visit([](const auto& how) { return plates_of(how); }, joint.how);
+}
+
+JointTurns turns_of(const Joint& joint) {
+    return std::visit([](const auto& how) { return turns_of(how); }, joint.how);
+}
+
+bool place_plates(const Joint& joint, Angle theta, std::span<Frame> frames) {
+    return std::visit([&](const auto& how) { return place_plates(how, theta, frames); }, joint.how);
+}
+
+Likeness likeness(const Joint& joint) {
+    Likeness result = std::visit([](const auto& how) { return likeness(how); }, joint.how);
+    if (!result.empty()) result.push_back(static_cast<long long>(joint.how.index()));
+    return result;
+}
+
+std::optional<Slid> slid(const Joint& joint, double mm) {
+    return std::visit([mm](const auto& how) { return slid(how, mm); }, joint.how);
+}
+
+long long to_compare(double value) { return std::llround(value * 1e9); }
+
+}  // namespace popup
