@@ -12,29 +12,34 @@
 namespace popup {
 namespace {
 
-// The stages of one design, in order. Parts that do not move go the shorter way.
+// The stages of one design, in order. What is read as an assembly enters there.
 void run_stages(CompiledDesign& one, const CompileOptions& options) {
     Reading reading = read_source_text(one.source, options.read, one.diagnostics);
     one.printed = std::move(reading.printed);
     one.further_files = std::move(reading.files);
     one.missing_files = std::move(reading.missing);
     one.design = std::move(reading.design);
-    one.parts = std::move(reading.parts);
-    if (one.parts && options.until >= Stage::pattern) {
-        one.pattern = make_pattern(*one.parts, options.pattern, one.diagnostics);
+    one.assembly = std::move(reading.assembly);
+    if (one.assembly) {
+        one.assembly->file = one.source.name;
+        one.assembly->stem = one.stem;
+    } else {
+        if (!one.design) return;
+        one.design->stem = one.stem;
+        if (options.until == Stage::design) return;
+
+        one.checked = check(*one.design, options.check, one.diagnostics);
+        if (!one.checked || options.until == Stage::check) return;
+
+        one.assembly = assemble(*one.checked, AssembleOptions{}, one.diagnostics);
     }
-    if (!one.design) return;
-    one.design->stem = one.stem;
-    if (options.until == Stage::design) return;
+    if (!one.assembly || options.until <= Stage::assembly) return;
 
-    one.checked = check(*one.design, options.check, one.diagnostics);
-    if (!one.checked || options.until == Stage::check) return;
-
-    one.assembly = assemble(*one.checked, AssembleOptions{}, one.diagnostics);
-    if (!one.assembly || options.until == Stage::assembly) return;
-
-    one.motion = simulate(*one.assembly, options.motion, one.diagnostics);
-    if (!one.motion || options.until == Stage::motion) return;
+    if (moves(*one.assembly)) {
+        one.motion = simulate(*one.assembly, options.motion, one.diagnostics);
+        if (!one.motion) return;
+    }
+    if (options.until == Stage::motion) return;
 
     one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
 }
@@ -43,8 +48,7 @@ void compile_one(CompiledDesign& one, const CompileOptions& options) {
     run_stages(one, options);
     one.diagnostics.apply_allowances();
     // What has not been looked for cannot be missed.
-    const bool examined = one.parts || (one.motion && one.motion->examination);
-    if (!one.pattern || !examined || one.diagnostics.has_errors()) return;
+    if (!one.pattern || (one.motion && !one.motion->examination) || one.diagnostics.has_errors()) return;
     std::set<std::string_view> unasked;
     if (!options.motion.clearance_mm) unasked.insert("clearance-low");
     tell_unused_allowances(one.diagnostics, unasked);

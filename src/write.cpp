@@ -119,13 +119,8 @@ std::vector<SceneCard> scene_of(const Compilation& run) {
     for (const CompiledDesign& one : run.designs) {
         SceneCard& card = cards.emplace_back();
         if (several) card.prefix = one.stem + ":";
-        if (one.parts) {
-            card.still = &*one.parts->model;
-            card.stem = one.stem;
-        } else {
-            card.assembly = &*one.assembly;
-            card.motion = &*one.motion;
-        }
+        card.assembly = &*one.assembly;
+        if (one.motion) card.motion = &*one.motion;
     }
     return cards;
 }
@@ -212,8 +207,8 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
 
 bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics) {
     return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
-        return !one.parts ||
-               can_be_made_of_parts(one.source.name, one.parts->model.has_value(), plan, diagnostics);
+        return !one.assembly || moves(*one.assembly) ||
+               can_be_made_of_parts(one.source.name, has_model(*one.assembly), plan, diagnostics);
     });
 }
 
@@ -225,7 +220,7 @@ std::string outputs_of_parts(bool has_model) {
 
 void refuse_definitions(Compilation& run) {
     for (CompiledDesign& one : run.designs) {
-        if (one.design || one.parts || one.diagnostics.has_errors()) continue;
+        if (one.design || one.assembly || one.diagnostics.has_errors()) continue;
         one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
             .hint("call them at its end, or load() it from a program that does");
     }

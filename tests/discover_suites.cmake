@@ -1,6 +1,9 @@
 # Writes for ctest one test a suite of a program made with GoogleTest; suites whose name begins with "Long" have the
 # label `long`. Those with the most tests begin first, so that none runs on alone at the end.
 # cmake -D PROGRAM=… -D FILE=… -P discover_suites.cmake
+cmake_minimum_required(VERSION 3.25)
+set(slow_suites Shipped/Sample Samples Motion Collisions Kinds/JobserverOf Layout MirroredDesign Watch MachineOrderOfSamples
+    Dependencies Collision Assemble SamplesWithMake Shipped/FlatlangSample)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE list COMMAND_ERROR_IS_FATAL ANY)
 # Parameters stand behind a # and may hold anything.
 string(REGEX REPLACE " *#[^\n]*" "" list "${list}")
@@ -20,7 +23,11 @@ if(NOT suites)
 endif()
 set(tests "")
 foreach(suite IN LISTS suites)
-  set(properties "COST ${count_${suite}}")
+  set(cost ${count_${suite}})
+  if(suite IN_LIST slow_suites)
+    math(EXPR cost "${cost} + 200")
+  endif()
+  set(properties "COST ${cost}")
   if(suite MATCHES "(^|/)Long")
     string(APPEND properties " LABELS long TIMEOUT 3000")
   else()

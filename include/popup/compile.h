@@ -16,7 +16,6 @@
 #include "popup/layout.h"
 #include "popup/motion.h"
 #include "popup/output.h"
-#include "popup/part_list.h"
 #include "popup/pattern.h"
 
 namespace popup {
@@ -49,7 +48,7 @@ struct CompileOptions {
 };
 
 // Everything known of one input. A stage that failed, or was not asked for, is empty. An input that describes
-// parts has those and their pattern, and nothing in between.
+// parts has an assembly without a design before it, and no motion, for nothing of it moves.
 struct CompiledDesign {
     Source source;
     std::string stem;  // unique in the run
@@ -61,7 +60,6 @@ struct CompiledDesign {
     std::optional<CheckedDesign> checked;
     std::optional<Assembly> assembly;
     std::optional<Motion> motion;
-    std::optional<PartList> parts;
     std::optional<Pattern> pattern;
 };
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "popup/assembly.h"
 #include "popup/design.h"
-#include "popup/part_list.h"
 
 namespace popup {
 
@@ -42,12 +42,14 @@ struct ReadOptions {
     ProgramOptions program;
 };
 
-// A design, or parts that do not move; neither where there are errors, or only definitions for others.
+// What a source describes: the design of a card, which is still to be checked and assembled, or an assembly
+// that needs neither, as flat parts do. At most one of them; none where there are errors, or only definitions
+// for others.
 struct Reading {
     std::optional<Design> design;
-    std::optional<PartList> parts;
-    std::string printed;             // what a program printed, also before an error; each line ends with \n
-    std::vector<std::string> files;  // others that were read, once each, in the order in which they were
+    std::optional<Assembly> assembly;  // its pieces have paper; file and stem are not set
+    std::string printed;               // what a program printed, also before an error; each line ends with \n
+    std::vector<std::string> files;    // others that were read, once each, in the order in which they were
     // Others that were looked for in vain, once each, sorted: were they there, the reading might be another.
     std::vector<std::string> missing;
 };

@@ -8,15 +8,14 @@
 #include <variant>
 #include <vector>
 
-#include "popup/check.h"
+#include "popup/assembly.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
-#include "popup/part_list.h"
 #include "popup/profile.h"
 
 namespace popup {
 
-struct CompiledDesign;
+class CheckedDesign;
 struct Compilation;
 
 struct OutputOptions {
@@ -31,14 +30,12 @@ struct OutputOptions {
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 
-// One design as a scene: how it is built and how it moves; or parts that stand still. `prefix` ("castle:")
-// goes before every name, may be empty.
+// One design as a scene: how it is built and how it moves, or where it stands. `prefix` ("castle:") goes
+// before every name, may be empty.
 struct SceneCard {
-    const Assembly* assembly = nullptr;
-    const Motion* motion = nullptr;
+    const Assembly* assembly = nullptr;  // has_model() holds
+    const Motion* motion = nullptr;      // of what moves; else there is none
     std::string prefix;
-    const StillModel* still = nullptr;  // then there is neither assembly nor motion
-    std::string stem = {};              // of a still, the name of its source; else the assembly has it
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.
@@ -66,7 +63,7 @@ struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
     std::variant<SheetWriter, SceneWriter, DocumentWriter, ReportWriter> write;
-    bool takes_stills = false;  // of scenes: parts that stand still too, and not only what moves
+    bool takes_stills = false;  // of scenes: what stands still too, and not only what moves
 };
 std::span<const Format> format_table();
 // The row whose suffix ends `path` (case disregarded), or whose suffix without its dot is `path`; null: none.

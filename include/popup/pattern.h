@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "popup/assembly.h"
-#include "popup/part_list.h"
 #include "popup/units.h"
 
 namespace popup {
@@ -29,15 +28,11 @@ struct PatternLine {
     std::optional<double> fold_angle = {};
 };
 
-struct Fill {
-    Polygon area;
-    Color color;
-    int plate = -1;  // -1: a tab's
-};
-
-struct PatternStroke {
-    Stroke stroke;
-    int plate = -1;
+// What is printed on a piece, and on which of its plates. Images are cut to their plate: Image::clip says
+// how.
+struct PatternPrint {
+    Print print;
+    int plate = -1;  // -1: a tab's, or of no single plate
 };
 
 // A glue target: the tab's own shape on the plate it is glued to.
@@ -48,7 +43,9 @@ struct GlueTarget {
 
 enum class LabelKind { piece, tab, target };
 
-// Text that is printed, never cut. `at` is the middle of the text.
+// Text of this program's own, by which pieces and joints are told apart; printed, never cut. No Print, for it
+// has a meaning: it may stand on the back, beside glue targets, and emitted patterns name its kind. `at` is
+// the middle of the text.
 struct Label {
     LabelKind kind = LabelKind::piece;
     std::string text;
@@ -59,10 +56,9 @@ struct Label {
 
 struct PatternPiece {
     std::string name;
-    std::vector<Contour> cuts;       // inner before outer
-    std::vector<PatternLine> lines;  // folds and seams
-    std::vector<Fill> fills;
-    std::vector<PatternStroke> strokes;
+    std::vector<Contour> cuts;         // inner before outer
+    std::vector<PatternLine> lines;    // folds and seams
+    std::vector<PatternPrint> prints;  // in the order in which they are painted, as print.h has it
     std::vector<GlueTarget> targets;
     std::vector<Label> labels;
     std::vector<Polygon>
@@ -81,21 +77,15 @@ struct PatternOptions {
     Tolerances tolerances;
 };
 
-// Unfolds the assembly. Tabs are trimmed so that none crosses another, a fold, a cut-out or an edge; what is
-// left of each is drawn, as its target, with the same number on the plate it is glued to. Pieces are labelled
-// with their names, glued ones after the number of their tabs, in the order of which they are glued:
-// "2. castle".
-// `tab-too-small` warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees: cuts
-// chained into as few paths as possible; no segment twice; every target inside its plate. Cost: near linear
-// in lines.
+// Unfolds the assembly: a piece of each of its pieces, in their order. Tabs are trimmed so that none crosses
+// another, a fold, a cut-out or an edge; what is left of each is drawn, as its target, with the same number
+// on the plate it is glued to. Pieces are labelled with their names where those fit, glued ones after the
+// number of their tabs, in the order of which they are glued: "2. castle"; pieces with texts of their own are
+// not. `tab-too-small` warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees:
+// cuts chained into as few paths as possible, but those of a piece's own `paper`, which are its rings and
+// slits as they are, inner ones before outer ones; no segment twice; every target inside its plate. Cost:
+// near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
-                                    Diagnostics& diagnostics);
-
-// Makes a piece of every part, in their order. Guarantees: the edges of a part's paper are cuts, inner ones
-// before outer ones; no fold and no seam is drawn twice; a part without texts is labelled with its name,
-// where that fits. Nothing is wrong with a part that its reader accepts: there are no findings. Cost: near
-// linear.
-std::optional<Pattern> make_pattern(const PartList& list, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 
 }  // namespace popup

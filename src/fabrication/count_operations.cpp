@@ -10,8 +10,7 @@ OperationCounts count_operations(const Layout& layout, const Profile& profile) {
     for (const Placement& placement : layout.placements) {
         const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
         const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        count(Operation::fill, piece.fills.size());
-        count(Operation::draw, piece.strokes.size());
+        for (const PatternPrint& one : piece.prints) count(operation_of(one.print));
         count(Operation::glue, piece.targets.size());
         count(Operation::label, piece.labels.size());
         for (const PatternLine& line : piece.lines) {

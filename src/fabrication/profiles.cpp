@@ -264,6 +264,11 @@ Operation operation_of(const PatternLine& line, const Profile& profile) {
     broken_invariant("a line kind is one of its enumerators", __FILE__, __LINE__);
 }
 
+Operation operation_of(const Print& print) {
+    if (std::holds_alternative<Stroke>(print)) return Operation::draw;
+    return std::holds_alternative<Text>(print) ? Operation::label : Operation::fill;
+}
+
 Operation operation_of(const Contour& cut, const Profile& profile) {
     if (!cut.closed) return open_cut(profile);
     return cut.depth == 0 ? Operation::outer_cut : Operation::inner_cut;

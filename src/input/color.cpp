@@ -225,12 +225,6 @@ std::optional<Color> parse_name(std::string_view text) {
 
 }  // namespace
 
-std::optional<Color> hex_color(std::string_view text) {
-    return text.size() == 7 && text.front() == '#' ? parse_hex(text.substr(1)) : std::nullopt;
-}
-
-std::string to_string(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b); }
-
 std::optional<Color> parse_color(std::string_view text) {
     text = trimmed(text);
     if (text.empty()) return std::nullopt;

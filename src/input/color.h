@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "popup/design.h"
+#include "popup/print.h"
 
 namespace popup {
 

@@ -22,10 +22,10 @@ Reading design_of(const Source& source, const ReadOptions& options, Diagnostics&
     return reading;
 }
 
-template <std::optional<PartList> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
-Reading parts_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+template <std::optional<Assembly> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
+Reading assembly_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;
-    reading.parts = kRead(source, options, diagnostics);
+    reading.assembly = kRead(source, options, diagnostics);
     return reading;
 }
 
@@ -41,7 +41,7 @@ std::vector<Language> const& language_table() {
         {.name = "svg",
          .suffix = ".svg",
          .about = "drawing of closed cut contours, each a flat part",
-         .read = parts_of<drawing::read>,
+         .read = assembly_of<drawing::read>,
          .only_parts = true,
          .walked = false,
          .recognises = drawing::recognises},
@@ -97,7 +97,7 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
     const Language* language = find_language(source, options.language);
     if (language != nullptr && language->only_parts) return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
-    if (reading.parts) return refuse("this describes flat parts");
+    if (reading.assembly) return refuse("this describes flat parts");
     if (!reading.design && !diagnostics.has_errors()) return refuse("this only defines functions");
     return std::move(reading.design);
 }

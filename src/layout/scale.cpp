@@ -12,17 +12,31 @@ void scale(Polygon& polygon, double by) {
     for (Ring& hole : polygon.holes) scale(hole, by);
 }
 
+void scale(Area& area, double by) { scale(area.shape, by); }
+
+void scale(Stroke& stroke, double by) {
+    scale(stroke.points, by);
+    stroke.width_mm *= by;
+}
+
+void scale(Text& text, double by) {
+    text.at = by * text.at;
+    text.height_mm *= by;
+}
+
+void scale(Image& image, double by) {
+    Affine& place = image.place;
+    place = {by * place.x, by * place.y, by * place.origin};
+    for (Polygon& region : image.clip) scale(region, by);
+}
+
 }  // namespace
 
 void scale_pattern(Pattern& pattern, double by) {
     for (PatternPiece& piece : pattern.pieces) {
         for (Contour& cut : piece.cuts) scale(cut.points, by);
         for (PatternLine& line : piece.lines) line.at = {by * line.at.a, by * line.at.b};
-        for (Fill& fill : piece.fills) scale(fill.area, by);
-        for (PatternStroke& one : piece.strokes) {
-            scale(one.stroke.points, by);
-            one.stroke.width_mm *= by;
-        }
+        for (PatternPrint& one : piece.prints) std::visit([by](auto& print) { scale(print, by); }, one.print);
         for (GlueTarget& target : piece.targets) scale(target.outline, by);
         for (Label& label : piece.labels) {
             label.at = by * label.at;

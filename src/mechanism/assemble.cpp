@@ -132,7 +132,7 @@ void spread_lines(const Skeleton& skeleton, const Design& design, Assembly& asse
         for (std::size_t k = 0; k < parts.size(); ++k) {
             const double width = Length::points(sources[i][k]->thickness_pt).mm;
             for (auto& part : parts[k]) {
-                assembly.plates[i].strokes.push_back({std::move(part), width, sources[i][k]->color});
+                assembly.plates[i].prints.emplace_back(Stroke{std::move(part), width, sources[i][k]->color});
             }
         }
     }

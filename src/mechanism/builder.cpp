@@ -72,6 +72,22 @@ int Builder::add_plate(const std::string& name, int piece, int page, Ring outlin
     return index;
 }
 
+int Builder::add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
+                           std::optional<Color> fill) {
+    const int index = add_plate(name, piece, page, std::move(outline.outer), fill);
+    Polygon& made = skeleton_.draft.plates[static_cast<std::size_t>(index)].outline;
+    made.holes = std::move(outline.holes);
+    const auto cut_round = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) add_cut(piece, {ring[i], ring[(i + 1) % ring.size()]});
+    };
+    cut_round(made.outer);
+    for (Ring& hole : made.holes) {
+        if (signed_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
+        cut_round(hole);
+    }
+    return index;
+}
+
 void Builder::add_cut(int piece, Segment at) {
     skeleton_.draft.lines.push_back({LineKind::cut, at, piece, -1, -1});
 }
@@ -82,6 +98,8 @@ int Builder::add_fold(Fold fold) {
     skeleton_.folds.push_back(std::move(fold));
     return static_cast<int>(skeleton_.folds.size()) - 1;
 }
+
+void Builder::add_glued_area(GluedArea area) { skeleton_.draft.glued_areas.push_back(std::move(area)); }
 
 void Builder::add_glue(Glue glue) { skeleton_.draft.glue.push_back(std::move(glue)); }
 
@@ -103,6 +121,7 @@ void Builder::add_joint(Joint joint) {
         Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(one.plate)];
         plate.parent = one.parent;
         plate.pivot = one.pivot;
+        plate.lying = one.lying;
     }
     skeleton_.draft.joints.push_back(std::move(joint));
 }

@@ -9,6 +9,8 @@
 namespace popup {
 namespace {
 
+constexpr double kFlatRad = 1e-9;
+
 std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 // Where a plate, or the world (-1), stands among the nodes of a way.
@@ -162,7 +164,8 @@ double Linkage::bend(int turn, std::span<const Frame> frames) const {
     const Frame& other = frames[static_cast<std::size_t>(t.other)];
     const Vec3 n = own.normal();
     const Vec3 m = other.normal();
-    return std::atan2(dot(own.direction(t.dir), cross(m, n)), dot(m, n));
+    const double bend = std::atan2(dot(own.direction(t.dir), cross(m, n)), dot(m, n));
+    return std::abs(bend) < kFlatRad ? 0.0 : bend;
 }
 
 }  // namespace popup

@@ -79,7 +79,8 @@ std::optional<Move> freeing_move(const Assembly& assembly, std::span<const Plate
                 (free(joint, sense * middle) ? shortest : low) = middle;
             }
             const Joint& chosen = assembly.joints[static_cast<std::size_t>(joint)];
-            best = Move{joint, slid(chosen, sense * shortest)->by};
+            const auto there = slid(chosen, sense * shortest);
+            best = Move{joint, there->by, there->along};
         }
         before = shortest;
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "motion/linkage.h"
@@ -16,6 +17,7 @@ namespace popup {
 struct Move {
     int joint = 0;  // which element
     Vec2 by;        // mm, on the page of its left driving plate
+    std::string_view along;  // what it moves along: "fold"
 };
 
 // How many poses of pairs may still be looked at in search of moves: cards differ a thousandfold in what a

@@ -3,12 +3,58 @@
 #include <cairo-ft.h>
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+#include "base/system/digest.h"
 #include "output/font_file.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
 
 using FontOptions = std::unique_ptr<cairo_font_options_t, Release<cairo_font_options_destroy>>;
+
+using Bytes = std::shared_ptr<const std::string>;
+
+// Gives a surface the file that it was made of. The surface keeps the bytes alive.
+void attach_file(cairo_surface_t* surface, const char* kind, const Bytes& bytes) {
+    auto* kept = new Bytes(bytes);
+    const auto give_back = [](void* data) { delete static_cast<Bytes*>(data); };
+    if (cairo_surface_set_mime_data(surface, kind, reinterpret_cast<const unsigned char*>(bytes->data()),
+                                    bytes->size(), give_back, kept) != CAIRO_STATUS_SUCCESS) {
+        delete kept;
+    }
+}
+
+Surface picture_surface(const Image& image) {
+    const std::optional<ImagePixels> pixels = pixels_of(image);
+    if (!pixels) return nullptr;
+    Surface surface(cairo_image_surface_create(pixels->opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
+                                               pixels->width, pixels->height));
+    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
+    cairo_surface_flush(surface.get());
+    unsigned char* data = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    const std::uint8_t* from = pixels->rgba.data();
+    for (int y = 0; y < pixels->height; ++y) {
+        unsigned char* row = data + static_cast<std::ptrdiff_t>(y) * stride;
+        for (int x = 0; x < pixels->width; ++x, from += 4, row += 4) {
+            const std::uint32_t alpha = from[3];
+            const auto scaled = [alpha](std::uint32_t channel) { return (channel * alpha + 127U) / 255U; };
+            const std::uint32_t pixel =
+                alpha << 24 | scaled(from[0]) << 16 | scaled(from[1]) << 8 | scaled(from[2]);
+            std::memcpy(row, &pixel, sizeof pixel);
+        }
+    }
+    cairo_surface_mark_dirty(surface.get());
+    if (image.format == ImageFormat::jpeg) attach_file(surface.get(), CAIRO_MIME_TYPE_JPEG, image.bytes);
+    // A picture that several sheets show stands in a document once.
+    const auto name = std::make_shared<const std::string>(sha256(*image.bytes));
+    attach_file(surface.get(), CAIRO_MIME_TYPE_UNIQUE_ID, name);
+    return surface;
+}
 
 class Painter {
  public:
@@ -38,7 +84,34 @@ class Painter {
         }
     }
 
+    // The picture as Cairo has it: of a JPEG also its file, which pages take as it is. Null where it cannot
+    // be decoded.
+    cairo_surface_t* surface_of(const Image& image) {
+        const auto [known, fresh] = pictures_.try_emplace(image.bytes.get());
+        if (fresh) known->second = picture_surface(image);
+        return known->second.get();
+    }
+
+    void image(const SheetShape& shape) {
+        const SheetImage& shown = drawing_.images[static_cast<std::size_t>(shape.image)];
+        cairo_surface_t* surface = surface_of(*shown.image);
+        if (surface == nullptr) return;
+        const Affine& place = shown.place;
+        cairo_matrix_t matrix;
+        cairo_matrix_init(&matrix, place.x.x, -place.x.y, place.y.x, -place.y.y, place.origin.x,
+                          drawing_.height_mm - place.origin.y);
+        cairo_save(cairo_);
+        trace(shape);
+        cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
+        cairo_clip(cairo_);
+        cairo_transform(cairo_, &matrix);
+        cairo_set_source_surface(cairo_, surface, 0.0, 0.0);
+        cairo_paint(cairo_);
+        cairo_restore(cairo_);
+    }
+
     void shape(const SheetShape& shape) {
+        if (shape.image >= 0) return image(shape);
         color(shape.color);
         trace(shape);
         if (shape.filled) {
@@ -73,6 +146,7 @@ class Painter {
     cairo_t* cairo_;
     const SheetDrawing& drawing_;
     const Profile& profile_;
+    std::map<const std::string*, Surface> pictures_;  // of this sheet
 };
 
 }  // namespace

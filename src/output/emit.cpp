@@ -3,95 +3,22 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
 #include <span>
 #include <string_view>
+#include <variant>
 
+#include "base/system/digest.h"
 #include "base/text/json_text.h"
 #include "base/text/numbers.h"
+#include "output/emit_json.h"
 #include "output/examination_json.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kLength = 6;     // decimals of a millimetre
-constexpr int kAngle = 7;      // of a degree
-constexpr int kDirection = 9;  // of a unit vector
-constexpr int kClosure = 9;    // of a millimetre
-
-Json mm(double value) { return rounded(value, kLength); }
-Json degrees(double radians) { return rounded(radians * 180.0 / std::numbers::pi, kAngle); }
-Json json(Vec2 p) { return Json::array({mm(p.x), mm(p.y)}); }
-Json unit_vector(Vec2 d) { return Json::array({rounded(d.x, kDirection), rounded(d.y, kDirection)}); }
-Json json(const Segment& s) { return Json::array({json(s.a), json(s.b)}); }
-Json json(Place place) { return Json::array({place.line, place.column}); }
-Json json(Color color) { return to_string(color); }
-
-template <typename T>
-Json json(const std::optional<T>& value) {
-    return value ? json(*value) : Json();
-}
-
-Json json(const std::vector<Vec2>& points) {
-    Json list = Json::array();
-    for (const Vec2 p : points) list.push_back(json(p));
-    return list;
-}
-
-Json json(const Polygon& polygon) {
-    Json holes = Json::array();
-    for (const Ring& hole : polygon.holes) holes.push_back(json(hole));
-    return {{"outer", json(polygon.outer)}, {"holes", std::move(holes)}};
-}
-
-// A JSON list of `make` of each.
-template <typename T, typename Make>
-Json list(const std::vector<T>& values, Make make) {
-    Json result = Json::array();
-    for (const T& value : values) result.push_back(make(value));
-    return result;
-}
-
-// --- design
-
-Json json(const DesignPoint& point) {
-    return {{"at", json(point.at)},
-            {"page", point.page ? Json(*point.page) : Json()},
-            {"place", json(point.place)},
-            {"changed", point.changed}};
-}
-
-Json json(const std::vector<DesignPoint>& points) {
-    return list(points, [](const DesignPoint& p) { return json(p); });
-}
-
-Json json(const Structure& one) {
-    return {{"id", one.id},
-            {"id_given", one.id_given},
-            {"type", one.type},
-            {"type_changed", one.type_changed},
-            {"dropped", one.dropped},
-            {"place", json(one.place)},
-            {"points", json(one.points)},
-            {"fold",
-             {{"page", one.fold.page},
-              {"begin", json(one.fold.begin)},
-              {"end", json(one.fold.end)},
-              {"place", json(one.fold.place)}}},
-            {"left", json(one.left)},
-            {"right", json(one.right)},
-            {"left_tab", json(one.left_tab)},
-            {"right_tab", json(one.right_tab)}};
-}
-
-Json json(const DrawnLine& line) {
-    return {{"page", line.page},         {"thickness_pt", mm(line.thickness_pt)},
-            {"color", json(line.color)}, {"points", json(line.points)},
-            {"dropped", line.dropped},   {"place", json(line.place)}};
-}
+using namespace emitted;
+using emitted::json;  // joins those below
 
 // --- assembly
 
@@ -106,14 +33,37 @@ Json json(const Stroke& stroke) {
         {"points", json(stroke.points)}, {"width_mm", mm(stroke.width_mm)}, {"color", json(stroke.color)}};
 }
 
+Json strokes(const std::vector<Print>& prints) {
+    Json result = Json::array();
+    for (const Print& print : prints) {
+        if (const auto* stroke = std::get_if<Stroke>(&print)) result.push_back(json(*stroke));
+    }
+    return result;
+}
+
+// The file itself is left out: it is told by its length and digest.
+Json json(const Image& image) {
+    const Affine& place = image.place;
+    return {{"format", mime_type(image.format)},
+            {"bytes", image.bytes->size()},
+            {"sha256", sha256(*image.bytes)},
+            {"pixels", Json::array({image.width, image.height})},
+            {"place", Json::array({json(place.x), json(place.y), json(place.origin)})},
+            {"clip", list(image.clip, [](const Polygon& polygon) { return json(polygon); })}};
+}
+
 Json json(const Plate& plate, const Assembly& assembly) {
-    return {{"name", plate.name},
-            {"piece", named(assembly.pieces, plate.piece)},
-            {"outline", json(plate.outline)},
-            {"fill", json(plate.fill)},
-            {"strokes", list(plate.strokes, [](const Stroke& s) { return json(s); })},
-            {"parent", named(assembly.plates, plate.parent)},
-            {"pivot", json(plate.pivot)}};
+    Json one{{"name", plate.name},
+             {"piece", named(assembly.pieces, plate.piece)},
+             {"outline", json(plate.outline)},
+             {"fill", json(plate.fill)},
+             {"strokes", strokes(plate.prints)},
+             {"parent", named(assembly.plates, plate.parent)},
+             {"pivot", json(plate.pivot)}};
+    for (const Print& print : plate.prints) {
+        if (const auto* image = std::get_if<Image>(&print)) one["images"].push_back(json(*image));
+    }
+    return one;
 }
 
 Json json(const Line& line, const Assembly& assembly) {
@@ -130,6 +80,15 @@ Json json(const Hinge& hinge, const Assembly& assembly) {
             {"a_line", json(hinge.a_line)},
             {"b_line", json(hinge.b_line)},
             {"glued", hinge.glued}};
+}
+
+Json json(const GluedArea& area, const Assembly& assembly) {
+    return {{"plate", named(assembly.plates, area.plate)},
+            {"base_plate", named(assembly.plates, area.base_plate)},
+            {"on_base", list(area.on_base, [](const Polygon& part) { return json(part); })},
+            {"label", area.label},
+            {"element", area.element},
+            {"place", json(area.place)}};
 }
 
 Json json(const Glue& glue, const Assembly& assembly) {
@@ -268,12 +227,37 @@ Json json(const Label& label) {
             {"angle_deg", degrees(label.angle)}};
 }
 
+// A text of the source stands among the labels: it is printed as they are.
+Json labels(const PatternPiece& piece) {
+    Json result = Json::array();
+    for (const PatternPrint& one : piece.prints) {
+        const auto* text = std::get_if<Text>(&one.print);
+        if (text == nullptr) continue;
+        result.push_back(json(Label{LabelKind::piece, text->text, text->at, text->height_mm, text->angle}));
+    }
+    for (const Label& label : piece.labels) result.push_back(json(label));
+    return result;
+}
+
 Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
     const auto plate = [&plates](int index) {
         return index < 0 ? Json() : Json(plates.at(static_cast<std::size_t>(index)));
     };
+    Json fills = Json::array();
+    Json strokes = Json::array();
+    for (const PatternPrint& one : piece.prints) {
+        if (const auto* area = std::get_if<Area>(&one.print)) {
+            fills.push_back(
+                {{"plate", plate(one.plate)}, {"color", json(area->color)}, {"area", json(area->shape)}});
+        } else if (const auto* stroke = std::get_if<Stroke>(&one.print)) {
+            strokes.push_back({{"plate", plate(one.plate)},
+                               {"points", json(stroke->points)},
+                               {"width_mm", mm(stroke->width_mm)},
+                               {"color", json(stroke->color)}});
+        }
+    }
     const bool empty = piece.bounds.empty();
-    return {
+    Json one{
         {"name", piece.name},
         {"bounds", empty ? Json() : Json::array({json(piece.bounds.min), json(piece.bounds.max)})},
         {"cuts", list(piece.cuts,
@@ -289,25 +273,21 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
                            if (line.fold_angle) one["fold_deg"] = degrees(*line.fold_angle);
                            return one;
                        })},
-        {"fills", list(piece.fills,
-                       [&](const Fill& fill) {
-                           return Json{{"plate", plate(fill.plate)},
-                                       {"color", json(fill.color)},
-                                       {"area", json(fill.area)}};
-                       })},
-        {"strokes", list(piece.strokes,
-                         [&](const PatternStroke& one) {
-                             return Json{{"plate", plate(one.plate)},
-                                         {"points", json(one.stroke.points)},
-                                         {"width_mm", mm(one.stroke.width_mm)},
-                                         {"color", json(one.stroke.color)}};
-                         })},
+        {"fills", std::move(fills)},
+        {"strokes", std::move(strokes)},
         {"targets", list(piece.targets,
                          [&](const GlueTarget& target) {
                              return Json{{"plate", plate(target.plate)}, {"outline", json(target.outline)}};
                          })},
-        {"labels", list(piece.labels, [](const Label& label) { return json(label); })},
+        {"labels", labels(piece)},
         {"silhouette", list(piece.silhouette, [](const Polygon& polygon) { return json(polygon); })}};
+    for (const PatternPrint& print : piece.prints) {
+        const auto* image = std::get_if<Image>(&print.print);
+        if (image == nullptr) continue;
+        one["images"].push_back(json(*image));
+        one["images"].back()["plate"] = plate(print.plate);
+    }
+    return one;
 }
 
 Json json(const Pattern& pattern) {
@@ -327,37 +307,24 @@ Json json(const Placement& placement, const Layout& layout) {
 
 }  // namespace
 
-std::string emit_design(const Design& design) {
-    return json_text({{"file", design.file},
-                      {"stem", design.stem},
-                      {"version", design.version},
-                      {"unit", design.unit.name},
-                      {"width_mm", mm(design.width_mm)},
-                      {"height_mm", mm(design.height_mm)},
-                      {"left", json(design.left)},
-                      {"right", json(design.right)},
-                      {"place", json(design.page_place)},
-                      {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
-                      {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}});
-}
-
 std::string emit_assembly(const Assembly& assembly) {
     const auto member = [&assembly](const auto& value) { return json(value, assembly); };
     const auto piece = [&assembly](const Piece& one) {
         const auto name = [&assembly](int plate) { return named(assembly.plates, plate); };
         return Json{{"name", one.name}, {"plates", list(one.plates, name)}};
     };
-    return json_text(
-        {{"file", assembly.file},
-         {"stem", assembly.stem},
-         {"pieces", list(assembly.pieces, piece)},
-         {"plates", list(assembly.plates, member)},
-         {"lines", list(assembly.lines, member)},
-         {"hinges", list(assembly.hinges, member)},
-         {"glue", list(assembly.glue, member)},
-         {"joints", list(assembly.joints, member)},
-         {"sweep", json(assembly.sweep)},
-         {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}});
+    Json whole{{"file", assembly.file},
+               {"stem", assembly.stem},
+               {"pieces", list(assembly.pieces, piece)},
+               {"plates", list(assembly.plates, member)},
+               {"lines", list(assembly.lines, member)},
+               {"hinges", list(assembly.hinges, member)},
+               {"glue", list(assembly.glue, member)},
+               {"joints", list(assembly.joints, member)},
+               {"sweep", json(assembly.sweep)},
+               {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}};
+    if (!assembly.glued_areas.empty()) whole["glued_areas"] = list(assembly.glued_areas, member);
+    return json_text(whole);
 }
 
 std::string emit_motion(const Assembly& assembly, const Motion& motion) {

@@ -11,30 +11,23 @@
 #include <string>
 
 #include "popup/assembly.h"
-#include "popup/design.h"
 #include "popup/layout.h"
 #include "popup/motion.h"
 #include "popup/pattern.h"
 
 namespace popup {
 
-// {file, stem, version, unit, width_mm, height_mm, left, right, place,
-//  structures: [{id, id_given, type, type_changed, dropped, place,
-//    points: [{at, page, place, changed}],
-//    fold: {page, begin: {at, page, place, changed}, end: {…}, place},
-//    left, right, left_tab, right_tab}],
-//  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}]}
-// Byte ranges of the source are left out: they are the reader's own.
-std::string emit_design(const Design& design);
-
 // {file, stem,
 //  pieces: [{name, plates}],
-//  plates: [{name, piece, outline: polygon, fill, strokes: [{points, width_mm, color}], parent, pivot}],
+//  plates: [{name, piece, outline: polygon, fill, strokes: [{points, width_mm, color}], parent, pivot,
+//    images where there are any: [{format, bytes: their number, sha256, pixels: [width, height],
+//      place: the vectors of x and y and the origin, clip: [polygon]}]}],
 //  lines: [{kind, at, piece, plate, other_plate}],
 //  hinges: [{a, b, a_line, b_line, glued}],
 //  glue: [{piece_plate, base_plate, on_piece, on_base, label, fill, element, place}],
 //  joints: [{kind, name, place, and what fields() of the kind in popup/joints.h names}],
-//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates]}
+//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates],
+//  glued_areas where there are any: [{plate, base_plate, on_base: [polygon], label, element, place}]}
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,
@@ -50,7 +43,8 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion);
 // {pieces: [{name, bounds: [min, max] or null,
 //    cuts: [{closed, depth, points}], lines: [{kind, at, plate, glued_on, fold_deg where it is known}],
 //    fills: [{plate, color, area: polygon}], strokes: [{plate, points, width_mm, color}], targets: [{plate,
-//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon]}]}
+//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon],
+//    images where there are any: as of plates, with plate}]}
 std::string emit_pattern(const Pattern& pattern);
 
 // {margin_mm, sheets: [{size_mm, utilisation, used_mm}], leftover_mm: [min, max] or null,

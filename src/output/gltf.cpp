@@ -13,21 +13,19 @@
 #include <streambuf>
 #include <utility>
 
-#include "base/geometry/triangulate.h"
 #include "base/text/numbers.h"
 #include "output/examination_json.h"
 #include "output/keys.h"
 #include "output/mesh.h"
 #include "output/poses.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
 
 constexpr double kMetre = 1000.0;
-constexpr double kDrawnLiftMm = 0.02;   // of drawn lines before the paper
 constexpr Color kCollision{255, 0, 0};  // of plates that cross others
-constexpr Color kStillPaper{255, 255, 255};
-constexpr Color kStillLine{0, 0, 0};
+constexpr Color kTraceColor{0, 0, 0};
 constexpr int kLengthDecimals = 6;
 constexpr std::size_t kSharedIndices = 24;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
@@ -90,44 +88,79 @@ class View {
     std::vector<unsigned char> bytes_;
 };
 
-enum Surface { kPaper, kDrawn, kColliding, kTrail };
+enum Surface { kPaper, kDrawn, kColliding, kTrail, kPainted };
 
 enum ViewIndex : std::size_t {
     kPositions,
     kNormals,
     kFaceNormals,
+    kTexturePlaces,
     kShortIndices,
     kLongIndices,
     kMotion,
     kViews
 };
 
-// What stands still, as points of space.
-struct StillMesh {
+// Triangles or lines of one material, as points of space.
+struct SpaceMesh {
+    Color color;
+    const Image* image = nullptr;
+    bool drawn = false;
+    double lift_mm = 0.0;
     std::vector<Vec3> points;   // mm
     std::vector<Vec3> normals;  // of lines none
+    std::vector<Vec2> pixels;   // of a picture, at the points
     std::vector<std::uint32_t> indices;
 };
 
-StillMesh mesh_of(const std::vector<StillFace>& faces) {
-    StillMesh mesh;
-    for (const StillFace& face : faces) {
-        const Triangulation flat = triangulate(face.shape);
-        const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        for (const Vec2 p : flat.points) {
-            mesh.points.push_back(face.frame.point(p));
-            mesh.normals.push_back(face.frame.normal());
-        }
-        for (const auto& triangle : flat.triangles) {
-            for (const std::uint32_t corner : triangle) mesh.indices.push_back(first + corner);
+// Where points of a plate lie in a picture, in pixels.
+std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot) {
+    const Affine& place = image.place;
+    const double scale = 1.0 / cross(place.x, place.y);
+    std::vector<Vec2> pixels;
+    pixels.reserve(points.size());
+    for (const Vec2 p : points) {
+        const Vec2 from = p + pivot - place.origin;
+        pixels.push_back({scale * cross(from, place.y), scale * cross(place.x, from)});
+    }
+    return pixels;
+}
+
+// What of a piece stands, one mesh a material.
+std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& piece) {
+    std::vector<SpaceMesh> meshes;
+    for (const int number : piece.plates) {
+        const Plate& plate = assembly.plates.at(static_cast<std::size_t>(number));
+        if (!plate.stands) continue;
+        for (const MeshPart& part : plate_mesh(plate)) {
+            auto mesh = std::find_if(meshes.begin(), meshes.end(), [&part](const SpaceMesh& one) {
+                return one.color == part.color && one.drawn == part.drawn && one.lift_mm == part.lift_mm &&
+                       one.image == part.image;
+            });
+            if (mesh == meshes.end()) {
+                mesh =
+                    meshes.insert(mesh, {part.color, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
+            }
+            const auto first = static_cast<std::uint32_t>(mesh->points.size());
+            const Vec3 lift = part.drawn ? part.lift_mm * plate.stands->normal() : Vec3{};
+            if (part.image != nullptr) {
+                const std::vector<Vec2> pixels = pixels_at(*part.image, part.points, plate.pivot);
+                mesh->pixels.insert(mesh->pixels.end(), pixels.begin(), pixels.end());
+            }
+            for (const Vec2 p : part.points) {
+                mesh->points.push_back(plate.stands->point(p + plate.pivot) + lift);
+                mesh->normals.push_back(plate.stands->normal());
+            }
+            for (const std::uint32_t index : part.indices) mesh->indices.push_back(first + index);
         }
     }
-    return mesh;
+    return meshes;
 }
 
 // Lines as pairs of points.
-StillMesh mesh_of(const std::vector<std::vector<Vec3>>& lines) {
-    StillMesh mesh;
+SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines) {
+    SpaceMesh mesh;
+    mesh.color = kTraceColor;
     for (const std::vector<Vec3>& line : lines) {
         for (std::size_t i = 0; i < line.size(); ++i) {
             if (i > 0) {
@@ -149,24 +182,16 @@ class SceneBuilder {
         model_.asset.generator = "popupc " POPUP_VERSION;
         add_times(keys);
         tinygltf::Scene scene;
-        double left = 0.0;       // where the next card may begin
-        std::size_t moving = 0;  // how many of them there were
+        double left = 0.0;  // where the next card may begin
         for (std::size_t i = 0; i < cards.size(); ++i) {
-            const bool still = cards[i].still != nullptr;
             double shift = 0.0;
             if (cards.size() > 1) {
-                const auto [low, high] =
-                    still ? extent(*cards[i].still)
-                          : extent(*cards[i].assembly, keys.trees[moving], keys.tracks[moving]);
+                const auto [low, high] = extent(*cards[i].assembly, keys.trees[i], keys.tracks[i]);
                 if (i > 0) shift = left - low;
                 left = shift + high + kCardGapMm;
             }
-            if (still) {
-                scene.nodes.push_back(add_still(cards[i], shift));
-                continue;
-            }
-            scene.nodes.push_back(add_card(cards[i], keys.trees[moving], keys.tracks[moving], shift));
-            keys.tracks[moving++] = {};
+            scene.nodes.push_back(add_card(cards[i], keys.trees[i], keys.tracks[i], shift));
+            keys.tracks[i] = {};
         }
         model_.scenes.push_back(std::move(scene));
         model_.defaultScene = 0;
@@ -200,11 +225,13 @@ class SceneBuilder {
         const auto [at, is_new] = materials_.try_emplace({surface, color.r, color.g, color.b},
                                                          static_cast<int>(model_.materials.size()));
         if (!is_new) return at->second;
-        const bool drawn = surface == kDrawn;
+        const bool drawn = surface == kDrawn || surface == kPainted;
         tinygltf::Material material;
         material.name = surface == kColliding ? "collision"
                         : surface == kTrail   ? "trail"
-                                              : to_string(color) + (drawn ? " line" : "");
+                                              : to_string(color) + (surface == kDrawn     ? " line"
+                                                                    : surface == kPainted ? " area"
+                                                                                          : "");
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
                                                          1.0};
         material.pbrMetallicRoughness.metallicFactor = 0.0;
@@ -215,32 +242,93 @@ class SceneBuilder {
         return at->second;
     }
 
-    tinygltf::Primitive primitive(const MeshPart& part, bool collides) {
-        const float z = part.drawn ? metres(kDrawnLiftMm) : 0.0F;
-        std::vector<float> positions;
-        positions.reserve(3 * part.points.size());
+    // The material of a picture: the same for all that shows the same file.
+    int material(const Image& image) {
+        const auto [at, is_new] =
+            pictures_.try_emplace(image.bytes.get(), static_cast<int>(model_.materials.size()));
+        if (!is_new) return at->second;
+        const int number = static_cast<int>(model_.images.size());
+        tinygltf::Image file;
+        file.name = fmt::format("picture {}", number + 1);
+        file.mimeType = mime_type(image.format);
+        file.bufferView = number;  // among those of pictures, until add_buffer() knows better
+        model_.images.push_back(std::move(file));
+        picture_files_.push_back(image.bytes);
+        if (model_.samplers.empty()) {
+            tinygltf::Sampler sampler;
+            sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+            sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+            sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+            model_.samplers.push_back(std::move(sampler));
+        }
+        tinygltf::Texture texture;
+        texture.sampler = 0;
+        texture.source = number;
+        model_.textures.push_back(std::move(texture));
+        tinygltf::Material material;
+        material.name = model_.images.back().name;
+        material.pbrMetallicRoughness.baseColorTexture.index = number;
+        material.pbrMetallicRoughness.metallicFactor = 0.0;
+        material.pbrMetallicRoughness.roughnessFactor = 1.0;
+        material.doubleSided = false;  // as of drawn lines
+        if (may_be_transparent(image)) material.alphaMode = "BLEND";
+        model_.materials.push_back(std::move(material));
+        return at->second;
+    }
+
+    int material_of(const Image* image, Color color, bool drawn, double lift_mm) {
+        if (image != nullptr) return material(*image);
+        return material(color, !drawn ? kPaper : lift_mm == kDrawnLiftMm ? kDrawn : kPainted);
+    }
+
+    // The accessor of places in a picture, as parts of its width and height.
+    int texture_places(const Image& image, const std::vector<Vec2>& pixels) {
+        std::vector<std::array<float, 2>> places;
+        places.reserve(pixels.size());
+        for (const Vec2 p : pixels) {
+            places.push_back({static_cast<float>(rounded(p.x / image.width, 9)),
+                              static_cast<float>(rounded(p.y / image.height, 9))});
+        }
+        return add_accessor(kTexturePlaces,
+                            views_[kTexturePlaces].append(std::span<const std::array<float, 2>>(places)),
+                            TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, places.size());
+    }
+
+    // The accessor of points, and how far they reach.
+    int positions(const std::vector<std::array<float, 3>>& points) {
         std::array<float, 3> low{};
         std::array<float, 3> high{};
-        for (const Vec2 p : part.points) {
-            const std::array<float, 3> at{metres(p.x), metres(p.y), z};
+        if (!points.empty()) low = high = points.front();
+        for (const std::array<float, 3>& at : points) {
             for (std::size_t k = 0; k < 3; ++k) {
-                low.at(k) = positions.empty() ? at.at(k) : std::min(low.at(k), at.at(k));
-                high.at(k) = positions.empty() ? at.at(k) : std::max(high.at(k), at.at(k));
+                low.at(k) = std::min(low.at(k), at.at(k));
+                high.at(k) = std::max(high.at(k), at.at(k));
             }
-            positions.insert(positions.end(), at.begin(), at.end());
         }
-        tinygltf::Primitive result;
-        result.mode = TINYGLTF_MODE_TRIANGLES;
-        result.material = part.drawn ? material(part.color, kDrawn)
-                          : collides ? material(kCollision, kColliding)
-                                     : material(part.color, kPaper);
-        const int position =
-            add_accessor(kPositions, views_[kPositions].append(std::span<const float>(positions)),
-                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, part.points.size());
+        const int accessor =
+            add_accessor(kPositions, views_[kPositions].append(std::span<const std::array<float, 3>>(points)),
+                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, points.size());
         model_.accessors.back().minValues.assign(low.begin(), low.end());
         model_.accessors.back().maxValues.assign(high.begin(), high.end());
-        result.attributes["POSITION"] = position;
+        return accessor;
+    }
+
+    tinygltf::Primitive primitive(const MeshPart& part, Vec2 pivot, bool collides) {
+        const float z = metres(part.lift_mm);
+        std::vector<std::array<float, 3>> points;
+        points.reserve(part.points.size());
+        for (const Vec2 p : part.points) points.push_back({metres(p.x), metres(p.y), z});
+        tinygltf::Primitive result;
+        result.mode = TINYGLTF_MODE_TRIANGLES;
+        result.material = collides && !part.drawn
+                              ? material(kCollision, kColliding)
+                              : material_of(part.image, part.color, part.drawn, part.lift_mm);
+        result.attributes["POSITION"] = positions(points);
         result.attributes["NORMAL"] = normals(part.points.size());
+        if (part.image != nullptr) {
+            result.attributes["TEXCOORD_0"] =
+                texture_places(*part.image, pixels_at(*part.image, part.points, pivot));
+        }
         result.indices = indices(part);
         return result;
     }
@@ -259,29 +347,17 @@ class SceneBuilder {
         views_[kNormals].append(std::span<const std::array<float, 3>>(all));
     }
 
-    tinygltf::Primitive primitive(const StillMesh& mesh, Color color, Surface surface) {
-        std::vector<float> positions;
-        positions.reserve(3 * mesh.points.size());
-        std::array<float, 3> low{};
-        std::array<float, 3> high{};
-        for (const Vec3 p : mesh.points) {
-            const std::array<float, 3> at{metres(p.x), metres(p.y), metres(p.z)};
-            for (std::size_t k = 0; k < 3; ++k) {
-                low.at(k) = positions.empty() ? at.at(k) : std::min(low.at(k), at.at(k));
-                high.at(k) = positions.empty() ? at.at(k) : std::max(high.at(k), at.at(k));
-            }
-            positions.insert(positions.end(), at.begin(), at.end());
-        }
+    tinygltf::Primitive primitive(const SpaceMesh& mesh) {
+        const bool lines = mesh.normals.empty();
+        std::vector<std::array<float, 3>> points;
+        points.reserve(mesh.points.size());
+        for (const Vec3 p : mesh.points) points.push_back({metres(p.x), metres(p.y), metres(p.z)});
         tinygltf::Primitive result;
-        result.mode = surface == kTrail ? TINYGLTF_MODE_LINE : TINYGLTF_MODE_TRIANGLES;
-        result.material = material(color, surface);
-        const int position =
-            add_accessor(kPositions, views_[kPositions].append(std::span<const float>(positions)),
-                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.points.size());
-        model_.accessors.back().minValues.assign(low.begin(), low.end());
-        model_.accessors.back().maxValues.assign(high.begin(), high.end());
-        result.attributes["POSITION"] = position;
-        if (!mesh.normals.empty()) {
+        result.mode = lines ? TINYGLTF_MODE_LINE : TINYGLTF_MODE_TRIANGLES;
+        result.material = lines ? material(mesh.color, kTrail)
+                                : material_of(mesh.image, mesh.color, mesh.drawn, mesh.lift_mm);
+        result.attributes["POSITION"] = positions(points);
+        if (!lines) {
             std::vector<float> normals;
             normals.reserve(3 * mesh.normals.size());
             for (const Vec3 n : mesh.normals) {
@@ -292,6 +368,7 @@ class SceneBuilder {
                 add_accessor(kFaceNormals, views_[kFaceNormals].append(std::span<const float>(normals)),
                              TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.normals.size());
         }
+        if (mesh.image != nullptr) result.attributes["TEXCOORD_0"] = texture_places(*mesh.image, mesh.pixels);
         result.indices = add_indices(mesh.indices, mesh.points.size());
         return result;
     }
@@ -321,19 +398,24 @@ class SceneBuilder {
     int add_mesh(const Plate& plate, const std::string& name, bool collides) {
         tinygltf::Mesh mesh;
         mesh.name = name;
-        for (const MeshPart& part : plate_mesh(plate)) mesh.primitives.push_back(primitive(part, collides));
+        for (const MeshPart& part : plate_mesh(plate))
+            mesh.primitives.push_back(primitive(part, plate.pivot, collides));
         if (mesh.primitives.empty()) return -1;
         model_.meshes.push_back(std::move(mesh));
         return static_cast<int>(model_.meshes.size()) - 1;
     }
 
-    // The smallest and largest x of any corner at any key, in mm.
+    // The smallest and largest x of any corner at any key, in mm; the spine of what moves stands at 0.
     static std::pair<double, double> extent(const Assembly& assembly, const HingeTree& tree,
                                             const Track& track) {
         const std::size_t count = assembly.plates.size();
         std::vector<Quaternion> turns(count);
         std::vector<Frame> frames(count);
         std::pair<double, double> result{0.0, 0.0};
+        if (!moves(assembly)) result = {HUGE_VAL, -HUGE_VAL};
+        const auto take = [&result](Vec3 p) {
+            result = {std::min(result.first, p.x), std::max(result.second, p.x)};
+        };
         for (std::size_t k = 0; k < track.angles_deg.size(); ++k) {
             for (std::size_t i = 0; i < count; ++i) {
                 const auto& turn = track.turns[k * count + i];
@@ -341,27 +423,15 @@ class SceneBuilder {
             }
             compose(assembly, tree, turns, frames);
             for (std::size_t i = 0; i < count; ++i) {
-                for (const Vec2 p : assembly.plates[i].outline.outer) {
-                    const double x = frames[i].point(p).x;
-                    result = {std::min(result.first, x), std::max(result.second, x)};
-                }
+                for (const Vec2 p : assembly.plates[i].outline.outer) take(frames[i].point(p));
             }
         }
-        return {rounded(result.first, kLengthDecimals), rounded(result.second, kLengthDecimals)};
-    }
-
-    static std::pair<double, double> extent(const StillModel& still) {
-        std::pair<double, double> result{HUGE_VAL, -HUGE_VAL};
-        const auto take = [&](Vec3 p) {
-            result = {std::min(result.first, p.x), std::max(result.second, p.x)};
-        };
-        for (const StillNode& node : still.nodes) {
-            for (const StillFace& face : node.faces) {
-                for (const Vec2 p : face.shape.outer) take(face.frame.point(p));
-            }
-            for (const std::vector<Vec3>& line : node.lines) {
-                for (const Vec3 p : line) take(p);
-            }
+        for (const Plate& plate : assembly.plates) {
+            if (!plate.stands) continue;
+            for (const Vec2 p : plate.outline.outer) take(plate.stands->point(p));
+        }
+        for (const Trace& trace : assembly.traces) {
+            for (const std::vector<Vec3>& line : trace.lines) std::for_each(line.begin(), line.end(), take);
         }
         if (result.first > result.second) return {0.0, 0.0};
         return {rounded(result.first, kLengthDecimals), rounded(result.second, kLengthDecimals)};
@@ -371,7 +441,7 @@ class SceneBuilder {
     static std::vector<tinygltf::Value::Array> collisions_of(const SceneCard& card) {
         const std::vector<Plate>& plates = card.assembly->plates;
         std::vector<tinygltf::Value::Array> all(plates.size());
-        if (!card.motion->examination) return all;
+        if (card.motion == nullptr || !card.motion->examination) return all;
         for (const Contact& contact : card.motion->examination->contacts) {
             const auto tell = [&](int own, int other) {
                 const std::string& name = plates.at(static_cast<std::size_t>(other)).name;
@@ -388,44 +458,74 @@ class SceneBuilder {
     }
 
     // The number of the node that all of a card's are below.
-    int add_root(const SceneCard& card, std::string_view stem, std::string_view nameless, double shift) {
+    int add_root(const SceneCard& card, double shift) {
         tinygltf::Node node;
-        const std::string_view prefix = card.prefix;
-        node.name = valid_utf8(prefix.ends_with(':') ? prefix.substr(0, prefix.size() - 1) : stem);
-        if (node.name.empty()) node.name = nameless;
+        std::string_view name = card.prefix;
+        if (name.ends_with(':')) {
+            name.remove_suffix(1);
+        } else {
+            name = card.assembly->stem;
+        }
+        node.name = valid_utf8(name);
+        if (node.name.empty()) node.name = moves(*card.assembly) ? "card" : "parts";
         if (shift != 0.0) node.translation = metres(Vec3{shift, 0.0, 0.0});
         model_.nodes.push_back(std::move(node));
         return static_cast<int>(model_.nodes.size()) - 1;
     }
 
-    // The number of the node of all parts; theirs follow it in their order.
-    int add_still(const SceneCard& card, double shift) {
-        const int root = add_root(card, card.stem, "parts", shift);
-        for (const StillNode& node : card.still->nodes) {
-            tinygltf::Node one;
-            one.name = valid_utf8(card.prefix + node.name);
-            tinygltf::Mesh mesh;
-            mesh.name = one.name;
-            const StillMesh paper = mesh_of(node.faces);
-            if (!paper.indices.empty()) mesh.primitives.push_back(primitive(paper, kStillPaper, kPaper));
-            const StillMesh lines = mesh_of(node.lines);
-            if (!lines.indices.empty()) mesh.primitives.push_back(primitive(lines, kStillLine, kTrail));
-            if (!mesh.primitives.empty()) {
-                one.mesh = static_cast<int>(model_.meshes.size());
-                model_.meshes.push_back(std::move(mesh));
-            }
-            if (!node.faces.empty()) one.extras = tinygltf::Value({{"part", tinygltf::Value(one.name)}});
-            const int number = static_cast<int>(model_.nodes.size());
-            model_.nodes.push_back(std::move(one));
-            model_.nodes[static_cast<std::size_t>(root)].children.push_back(number);
-        }
+    // The number of the card's node; below it stands what moves and what stands still, each in its order.
+    int add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
+        const int root = add_root(card, shift);
+        if (moves(*card.assembly)) add_moving(card, tree, track, root);
+        add_standing(card, root);
         return root;
     }
 
-    // The number of the card's node; its plates' nodes follow it in the assembly's order.
-    int add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
+    // The number of a new node below `root`, with these meshes of space.
+    int add_space_node(const std::string& name, const std::vector<SpaceMesh>& meshes, int root) {
+        tinygltf::Node node;
+        node.name = name;
+        tinygltf::Mesh mesh;
+        mesh.name = name;
+        for (const SpaceMesh& one : meshes) {
+            if (!one.indices.empty()) mesh.primitives.push_back(primitive(one));
+        }
+        if (!mesh.primitives.empty()) {
+            node.mesh = static_cast<int>(model_.meshes.size());
+            model_.meshes.push_back(std::move(mesh));
+        }
+        const int number = static_cast<int>(model_.nodes.size());
+        model_.nodes.push_back(std::move(node));
+        model_.nodes[static_cast<std::size_t>(root)].children.push_back(number);
+        return number;
+    }
+
+    // A node a piece of what stands still, with the lines it was drawn with; then one for each other trace.
+    void add_standing(const SceneCard& card, int root) {
         const Assembly& assembly = *card.assembly;
-        const int root = add_root(card, assembly.stem, "card", shift);
+        auto trace = assembly.traces.begin();
+        for (std::size_t i = 0; i < assembly.pieces.size(); ++i) {
+            std::vector<SpaceMesh> meshes = standing_meshes(assembly, assembly.pieces[i]);
+            const bool is_part = !meshes.empty();
+            if (trace != assembly.traces.end() && trace->piece == static_cast<int>(i)) {
+                meshes.push_back(mesh_of((trace++)->lines));
+            }
+            if (meshes.empty()) continue;
+            const std::string name = valid_utf8(card.prefix + assembly.pieces[i].name);
+            const int node = add_space_node(name, meshes, root);
+            if (is_part) {
+                model_.nodes[static_cast<std::size_t>(node)].extras =
+                    tinygltf::Value({{"part", tinygltf::Value(name)}});
+            }
+        }
+        for (; trace != assembly.traces.end(); ++trace) {
+            add_space_node(valid_utf8(card.prefix + trace->name), {mesh_of(trace->lines)}, root);
+        }
+    }
+
+    // The nodes of plates that move follow `root` in the assembly's order.
+    void add_moving(const SceneCard& card, const HingeTree& tree, const Track& track, int root) {
+        const Assembly& assembly = *card.assembly;
 
         const auto rest = static_cast<std::size_t>(
             std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), middle_of(assembly.sweep)) -
@@ -454,7 +554,6 @@ class SceneBuilder {
             const int parent = root + 1 + assembly.plates[static_cast<std::size_t>(i)].parent;
             model_.nodes[static_cast<std::size_t>(parent)].children.push_back(root + 1 + i);
         }
-        return root;
     }
 
     void add_channel(const Track& track, std::size_t plates, std::size_t plate, int node) {
@@ -511,6 +610,9 @@ class SceneBuilder {
             if (i == kPositions || i == kNormals || i == kFaceNormals) {
                 view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
                 view.byteStride = 3 * sizeof(float);
+            } else if (i == kTexturePlaces) {
+                view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
+                view.byteStride = 2 * sizeof(float);
             } else if (i != kMotion) {
                 view.target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
             }
@@ -522,6 +624,17 @@ class SceneBuilder {
         for (tinygltf::Accessor& accessor : model_.accessors) {
             accessor.bufferView = numbers.at(static_cast<std::size_t>(accessor.bufferView));
         }
+        for (tinygltf::Image& image : model_.images) {
+            const std::string& file = *picture_files_.at(static_cast<std::size_t>(image.bufferView));
+            image.bufferView = static_cast<int>(model_.bufferViews.size());
+            tinygltf::BufferView view;
+            view.buffer = 0;
+            view.byteOffset = buffer.data.size();
+            view.byteLength = file.size();
+            buffer.data.insert(buffer.data.end(), file.begin(), file.end());
+            buffer.data.resize((buffer.data.size() + 3) / 4 * 4);
+            model_.bufferViews.push_back(std::move(view));
+        }
         if (!buffer.data.empty()) model_.buffers.push_back(std::move(buffer));
     }
 
@@ -532,6 +645,8 @@ class SceneBuilder {
     std::vector<float> times_;
     std::vector<std::array<float, 4>> turns_;  // of one plate; kept for its memory
     std::map<std::array<int, 4>, int> materials_;
+    std::map<const std::string*, int> pictures_;  // the materials of files
+    std::vector<std::shared_ptr<const std::string>> picture_files_;
     std::map<std::size_t, int> normals_;
     std::map<std::vector<std::uint32_t>, int> indices_;
     std::size_t largest_mesh_ = 0;
@@ -557,10 +672,7 @@ class StringBuffer : public std::streambuf {
 std::optional<std::string> write(std::span<const SceneCard> cards, const OutputOptions& options,
                                  Diagnostics& diagnostics, bool binary) {
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
-    std::vector<SceneCard> moving;
-    std::copy_if(cards.begin(), cards.end(), std::back_inserter(moving),
-                 [](const SceneCard& card) { return card.still == nullptr; });
-    auto keys = moving.empty() ? std::optional<Keys>(Keys{}) : choose_keys(moving, options, diagnostics);
+    auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
     const tinygltf::Model model = SceneBuilder(options).build(cards, std::move(*keys));
     const double bytes = model.buffers.empty() ? 0.0 : static_cast<double>(model.buffers[0].data.size());

@@ -1,4 +1,4 @@
-// The model as glTF 2.0: cards that move, parts that stand still.
+// The model as glTF 2.0: what moves, and what stands still.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ namespace popup {
 // before its front. Plates that cross others are of one material, `collision`, whatever their paper, and
 // their extras.collisions lists {with, from_deg, to_deg, depth_mm}.
 //
-// Parts that stand still are a node each below one of their source's name: their faces as triangles, white
-// and visible from both sides, and their lines as glTF has them, black ("trail"), all in space where they
-// were drawn, with (x, y, z) as above. Nodes of faces have their name in extras.part. Nothing of them moves;
-// with no card beside them there is no animation.
+// Plates that stand still are a node a piece, below the one of their source's name: as triangles, white where
+// they have no fill and visible from both sides, and the traces they were drawn with as lines, black
+// ("trail"), all in space where they stand, with (x, y, z) as above. Nodes of pieces have their name in
+// extras.part. Where nothing moves there is no animation.
 //
-// Lengths are rounded to 1e-6 mm and turns
-// to 1e-9 before they become 32-bit numbers, so that the bytes do not depend on the processor. Errors: those
-// of choose_keys(), and `model-too-large` for more than 2 GiB. Precondition: at least one card; assemblies
-// and motions are present, or the still is. Cost: plates × keys.
+// Lengths are rounded to 1e-6 mm and turns to 1e-9 before they become 32-bit numbers, so that the bytes do
+// not depend on the processor. Errors: those of choose_keys(), and `model-too-large` for more than 2 GiB.
+// Precondition: at least one card; has_model() of all assemblies, and motions of those that move. Cost:
+// plates × keys.
 std::optional<std::string> write_glb(std::span<const SceneCard> cards, const OutputOptions& options,
                                      Diagnostics& diagnostics);
 // The same as text, with the numbers in a data URI.

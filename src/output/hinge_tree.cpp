@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kLengthDecimals = 6;
 constexpr int kTurnDecimals = 9;
+// Plates that lie on one another are shown this far apart, or a viewer could not tell which is above.
+constexpr double kGluedApartMm = 0.2;
 
 Vec3 in_axes(const Frame& frame, Vec3 v) {
     return {dot(frame.axes[0], v), dot(frame.axes[1], v), dot(frame.axes[2], v)};
@@ -57,6 +59,8 @@ HingeTree hinge_tree(const Assembly& assembly, std::span<const Frame> rest) {
         if (plate.parent >= 0) {
             const auto parent = static_cast<std::size_t>(plate.parent);
             at = in_axes(rest[parent], at - rest[parent].point(assembly.plates[parent].pivot));
+            if (plate.lying == Lying::on_front) at.z += kGluedApartMm;
+            if (plate.lying == Lying::on_back) at.z -= kGluedApartMm;
         }
         tree.offset[i] = {rounded(at.x, kLengthDecimals), rounded(at.y, kLengthDecimals),
                           rounded(at.z, kLengthDecimals)};

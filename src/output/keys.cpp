@@ -147,6 +147,7 @@ std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards
     const Sweep range = sweep_of(cards);
     std::vector<double> angles{range.from_deg, middle_of(range), range.to_deg};
     for (const SceneCard& card : cards) {
+        if (!moves(*card.assembly)) continue;
         std::vector<double> sampled;
         for (const Angle angle : card.motion->angles) sampled.push_back(rounded(angle.deg, kAngleDecimals));
         merge(angles, sampled);
@@ -260,20 +261,28 @@ Track iterative_track(const Assembly& assembly, const std::vector<double>& angle
 
 std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOptions& options,
                                 Diagnostics& diagnostics) {
+    Keys keys;
+    keys.tracks.resize(cards.size());
+    keys.trees.resize(cards.size());
     double plates = 0.0;
-    for (const SceneCard& card : cards) plates += static_cast<double>(card.assembly->plates.size());
+    std::vector<std::size_t> moving;
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        if (!moves(*cards[i].assembly)) continue;
+        moving.push_back(i);
+        plates += static_cast<double>(cards[i].assembly->plates.size());
+    }
+    if (moving.empty()) return keys;
     const auto angles = asked_angles(cards, options, plates, diagnostics);
     if (!angles) return std::nullopt;
     const auto most =
         static_cast<std::size_t>(std::min(kMostKeys, kMostTurnsRefined / std::max(plates, 1.0)));
 
-    Keys keys;
     keys.angles_deg = *angles;
     keys.range = sweep_of(cards);
     std::vector<CardPoses> poses;
     bool coarse = false;
-    for (const SceneCard& card : cards) {
-        CardPoses& one = poses.emplace_back(*card.assembly, diagnostics);
+    for (const std::size_t i : moving) {
+        CardPoses& one = poses.emplace_back(*cards[i].assembly, diagnostics);
         if (!one.start()) return std::nullopt;
         auto refined = refine(one, *angles, most);
         if (!refined) return std::nullopt;
@@ -282,15 +291,16 @@ std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOp
         std::set_union(keys.angles_deg.begin(), keys.angles_deg.end(), refined->track.angles_deg.begin(),
                        refined->track.angles_deg.end(), std::back_inserter(all));
         keys.angles_deg = std::move(all);
-        keys.trees.push_back(one.tree());
-        keys.tracks.push_back(std::move(refined->track));
+        keys.trees[i] = one.tree();
+        keys.tracks[i] = std::move(refined->track);
     }
-    for (std::size_t i = 0; i < cards.size(); ++i) {
+    for (std::size_t n = 0; n < moving.size(); ++n) {
+        const std::size_t i = moving[n];
         if (cards[i].motion->solver == Solver::iterative) {
             keys.tracks[i] = iterative_track(*cards[i].assembly, keys.angles_deg);
             continue;
         }
-        auto track = extended(poses[i], std::move(keys.tracks[i]), keys.angles_deg);
+        auto track = extended(poses[n], std::move(keys.tracks[i]), keys.angles_deg);
         if (!track) return std::nullopt;
         keys.tracks[i] = std::move(*track);
     }

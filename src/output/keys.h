@@ -28,12 +28,12 @@ struct Track {
 // product, so that interpolation goes the short way. The angles are chosen by the closed form, whatever the
 // solver; turns are each card's own solver's. Errors: `locks` where a linkage cannot reach an angle between
 // the sampled ones; `model-too-large` for more turns than a file may hold. Warning: `model-coarse` when there
-// was no room for all keys wanted. Cost: plates × keys.
+// was no room for all keys wanted. Where nothing moves there are no keys. Cost: plates × keys.
 struct Keys {
     Sweep range;  // of all cards: angles_deg begin and end with it
     std::vector<double> angles_deg;
-    std::vector<Track> tracks;     // one a card, all with the same angles
-    std::vector<HingeTree> trees;  // one a card
+    std::vector<Track> tracks;     // one a card, all with the same angles; empty for what does not move
+    std::vector<HingeTree> trees;  // likewise
 };
 std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOptions& options,
                                 Diagnostics& diagnostics);

@@ -9,6 +9,7 @@
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -82,12 +83,13 @@ struct ColorGroup {
 
 std::vector<ColorGroup> drawn_groups(const Plate& plate) {
     std::vector<DrawnShape> shapes;
-    for (const Stroke& stroke : plate.strokes) {
-        if (!(stroke.width_mm > 0.0)) continue;
-        Region region = widened(stroke);
+    for (const Print& print : plate.prints) {
+        const Stroke* stroke = std::get_if<Stroke>(&print);
+        if (stroke == nullptr || !(stroke->width_mm > 0.0)) continue;
+        Region region = widened(*stroke);
         if (region.empty()) continue;
         const Box box = box_of(region);
-        shapes.push_back({stroke.color, std::move(region), box});
+        shapes.push_back({stroke->color, std::move(region), box});
     }
     if (shapes.empty()) return {};
     const EdgeIndex outline(edges_of(plate.outline));
@@ -122,6 +124,37 @@ void append(const Polygon& polygon, Vec2 pivot, MeshPart& part) {
     }
 }
 
+// Areas and pictures, each without what later ones cover.
+std::vector<MeshPart> painted_parts(const Plate& plate) {
+    std::vector<MeshPart> parts;
+    std::vector<Region> regions;
+    for (const Print& print : plate.prints) {
+        MeshPart part;
+        part.drawn = true;
+        part.lift_mm = kPaintedLiftMm;
+        Region region;
+        if (const Area* area = std::get_if<Area>(&print)) {
+            part.color = area->color;
+            region = intersect({area->shape}, {plate.outline});
+        } else if (const Image* image = std::get_if<Image>(&print)) {
+            part.image = image;
+            if (may_be_transparent(*image)) part.lift_mm = kClearLiftMm;
+            region = intersect(shown_regions(*image), {plate.outline});
+        }
+        if (region.empty()) continue;
+        if (part.lift_mm == kPaintedLiftMm) {
+            for (Region& below : regions) below = subtract(below, region);
+        }
+        parts.push_back(std::move(part));
+        regions.push_back(std::move(region));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (const Polygon& polygon : regions[i]) append(polygon, plate.pivot, parts[i]);
+    }
+    std::erase_if(parts, [](const MeshPart& part) { return part.indices.empty(); });
+    return parts;
+}
+
 }  // namespace
 
 std::vector<MeshPart> plate_mesh(const Plate& plate) {
@@ -131,10 +164,13 @@ std::vector<MeshPart> plate_mesh(const Plate& plate) {
     append(plate.outline, plate.pivot, paper);
     if (!paper.indices.empty()) parts.push_back(std::move(paper));
 
+    for (MeshPart& part : painted_parts(plate)) parts.push_back(std::move(part));
+
     for (ColorGroup& group : drawn_groups(plate)) {
         MeshPart part;
         part.color = group.color;
         part.drawn = true;
+        part.lift_mm = kDrawnLiftMm;
         Region region = std::move(group.inside);
         if (!group.at_edge.empty()) {
             for (Polygon& polygon : intersect(group.at_edge, {plate.outline})) {

@@ -7,9 +7,12 @@
 namespace popup {
 
 Sweep sweep_of(std::span<const SceneCard> cards) {
-    if (cards.empty()) return {};
-    Sweep all = cards[0].assembly->sweep;
+    const auto moving = [](const SceneCard& card) { return moves(*card.assembly); };
+    const auto first = std::find_if(cards.begin(), cards.end(), moving);
+    if (first == cards.end()) return {};
+    Sweep all = first->assembly->sweep;
     for (const SceneCard& card : cards) {
+        if (!moving(card)) continue;
         all.from_deg = std::min(all.from_deg, card.assembly->sweep.from_deg);
         all.to_deg = std::max(all.to_deg, card.assembly->sweep.to_deg);
     }

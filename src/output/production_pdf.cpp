@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
@@ -17,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -24,6 +26,7 @@
 #include "output/pdf_pages.h"
 #include "output/sheet_drawing.h"
 #include "output/sheet_sides.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -123,10 +126,21 @@ std::string layer_key(std::size_t number) { return fmt::format("/Layer{}", numbe
 std::string spot_key(std::size_t number) { return fmt::format("/Spot{}", number); }
 constexpr const char* kOverprintKey = "/Overprint";
 
+// The pictures of a document, each once for every ink it is printed in.
+struct PictureUse {
+    const Image* image = nullptr;
+    int spot = Plan::kProcess;
+    friend bool operator<(const PictureUse& a, const PictureUse& b) {
+        return std::tie(a.image->bytes, a.spot) < std::tie(b.image->bytes, b.spot);
+    }
+};
+std::string picture_key(std::size_t number) { return fmt::format("/Picture{}", number); }
+
 // One page's content stream; marks what it uses.
 class Content {
  public:
-    Content(const SheetDrawing& drawing, Plan& plan) : drawing_(drawing), plan_(plan) {}
+    Content(const SheetDrawing& drawing, Plan& plan, std::map<PictureUse, std::size_t>& pictures)
+        : drawing_(drawing), plan_(plan), pictures_(pictures) {}
 
     std::string draw() {
         const std::vector<SheetShape>& all = drawing_.shapes;
@@ -201,12 +215,7 @@ class Content {
         last = std::move(text);
     }
 
-    void shape(const SheetShape& shape) {
-        if (shape.filled) {
-            look(color(shape.color, 'k'), fill_look_);
-        } else {
-            look(stroke_look(shape), stroke_look_);
-        }
+    void outline(const SheetShape& shape) {
         for (const Run& run : drawing_.runs_of(shape)) {
             const char* command = "m\n";
             for (const Vec2 p : drawing_.points_of(run)) {
@@ -216,6 +225,32 @@ class Content {
             }
             if (run.closed && run.count > 0) raw("h\n");
         }
+    }
+
+    // A picture is a unit square whose upper edge is the first row.
+    void image(const SheetShape& shape) {
+        const SheetImage& shown = drawing_.images[static_cast<std::size_t>(shape.image)];
+        const std::size_t number =
+            pictures_.try_emplace({shown.image, spot_}, pictures_.size()).first->second;
+        raw("q\n");
+        outline(shape);
+        raw("W* n\n");
+        const Vec2 along = shown.image->width * shown.place.x;
+        const Vec2 down = shown.image->height * shown.place.y;
+        point(along);
+        point(-down);
+        point(shown.place.origin + down);
+        fmt::format_to(fmt::appender(out_), "cm\n{} Do\nQ\n", picture_key(number));
+    }
+
+    void shape(const SheetShape& shape) {
+        if (shape.image >= 0) return image(shape);
+        if (shape.filled) {
+            look(color(shape.color, 'k'), fill_look_);
+        } else {
+            look(stroke_look(shape), stroke_look_);
+        }
+        outline(shape);
         if (!shape.filled) {
             raw("S\n");
         } else {
@@ -226,6 +261,7 @@ class Content {
 
     const SheetDrawing& drawing_;
     Plan& plan_;
+    std::map<PictureUse, std::size_t>& pictures_;  // their numbers
     fmt::memory_buffer out_;
     std::string stroke_look_, fill_look_;
     int spot_ = Plan::kProcess;
@@ -264,7 +300,8 @@ class Document {
 
     void add_page(const SheetDrawing& drawing) {
         Plan page = plan_;
-        const std::string content = Content(drawing, page).draw();
+        std::map<PictureUse, std::size_t> shown;
+        const std::string content = Content(drawing, page, shown).draw();
         // Resources are what the page uses: a colour that is only named would make an empty plate.
         Object properties = Object::newDictionary();
         for (std::size_t i = 0; i < layers_.size(); ++i) {
@@ -281,6 +318,13 @@ class Document {
             resources.replaceKey("/ColorSpace", colors);
             resources.replaceKey("/ExtGState", dictionary({{kOverprintKey, overprint_}}));
         }
+        Object pictures = Object::newDictionary();
+        std::vector<const PictureUse*> in_order(shown.size());  // of their use: not of their addresses
+        for (const auto& [use, number] : shown) in_order[number] = &use;
+        for (std::size_t i = 0; i < in_order.size(); ++i) {
+            pictures.replaceKey(picture_key(i), picture(*in_order[i]));
+        }
+        if (!shown.empty()) resources.replaceKey("/XObject", pictures);
         const Object box =
             Object::newArray({Object::newInteger(0), Object::newInteger(0),
                               real(drawing.width_mm * kPointsPerMm), real(drawing.height_mm * kPointsPerMm)});
@@ -308,6 +352,51 @@ class Document {
     }
 
  private:
+    // In process colours, or in tints of the spot colour that fills are printed in; the same object on all
+    // pages.
+    Object picture(const PictureUse& use) {
+        const auto [known, fresh] = pictures_.try_emplace({use.image->bytes.get(), use.spot});
+        if (!fresh) return known->second;
+        const std::optional<ImagePixels> pixels = pixels_of(*use.image);
+        if (!pixels) throw std::runtime_error("a picture is broken");
+        const bool process = use.spot == Plan::kProcess;
+        const std::size_t count = pixels->rgba.size() / 4;
+        std::string tints;
+        std::string alpha;
+        tints.reserve(count * (process ? 4 : 1));
+        const auto add = [&tints](double tint) {
+            tints += static_cast<char>(static_cast<unsigned char>(std::lround(255.0 * tint)));
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint8_t* p = &pixels->rgba[4 * i];
+            if (process) {
+                for (const double tint : cmyk({p[0], p[1], p[2]})) add(tint);
+            } else {
+                add(1.0 - (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / 255.0);
+            }
+            if (!pixels->opaque) alpha += static_cast<char>(p[3]);
+        }
+        Object object = bitmap(
+            *pixels, process ? Object::newName("/DeviceCMYK") : spots_.at(static_cast<std::size_t>(use.spot)),
+            tints);
+        if (!pixels->opaque) {
+            object.getDict().replaceKey("/SMask", bitmap(*pixels, Object::newName("/DeviceGray"), alpha));
+        }
+        known->second = object;
+        return object;
+    }
+
+    Object bitmap(const ImagePixels& pixels, const Object& colors, const std::string& bytes) {
+        Object stream = Object::newStream(&pdf_, bytes);
+        stream.replaceDict(dictionary({{"/Type", Object::newName("/XObject")},
+                                       {"/Subtype", Object::newName("/Image")},
+                                       {"/Width", Object::newInteger(pixels.width)},
+                                       {"/Height", Object::newInteger(pixels.height)},
+                                       {"/ColorSpace", colors},
+                                       {"/BitsPerComponent", Object::newInteger(8)}}));
+        return stream;
+    }
+
     static Object group(const Plan::Layer& layer) {
         Object object =
             dictionary({{"/Type", Object::newName("/OCG")}, {"/Name", Object::newUnicodeString(layer.name)}});
@@ -369,6 +458,7 @@ class Document {
     QPDF pdf_;
     std::vector<Object> layers_, spots_;
     Object overprint_;
+    std::map<std::pair<const std::string*, int>, Object> pictures_;
 };
 
 }  // namespace

@@ -56,15 +56,13 @@ Json input(const CompiledDesign& one) {
         const auto& all = one.checked ? one.checked->design().structures : one.design->structures;
         elements = std::count_if(all.begin(), all.end(), [](const Structure& s) { return !s.dropped; });
     }
-    if (one.parts) elements = 0;
+    const bool stands = one.assembly && !moves(*one.assembly);
+    if (stands) elements = 0;
     return {{"file", one.source.name},
             {"elements", std::move(elements)},
-            {"plates", one.assembly ? Json(one.assembly->plates.size())
-                       : one.parts  ? Json(0)
-                                    : Json()},
-            {"pieces", one.assembly ? Json(one.assembly->pieces.size())
-                       : one.parts  ? Json(one.parts->parts.size())
-                                    : Json()},
+            // Of what moves; parts have pieces.
+            {"plates", one.assembly ? Json(stands ? 0 : one.assembly->plates.size()) : Json()},
+            {"pieces", one.assembly ? Json(one.assembly->pieces.size()) : Json()},
             {"repairs", repairs(one.diagnostics)},
             {"diagnostics", findings(one.diagnostics)},
             {"motion", one.motion ? motion(*one.assembly, *one.motion) : Json()}};

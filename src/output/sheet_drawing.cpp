@@ -12,6 +12,7 @@
 #include "output/machine_order.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -108,6 +109,26 @@ class Drawer {
         shape.color = color;
         shape.width_mm = width_mm;
     }
+    void area(const Area& area, int plate) {
+        begin(Operation::fill, plate, area.color, 0.0);
+        drawing_.shapes.back().filled = true;
+        region(area.shape);
+    }
+    void image(const Image& image, int plate) {
+        begin(Operation::fill, plate, Color{}, 0.0);
+        drawing_.shapes.back().filled = true;
+        drawing_.shapes.back().image = static_cast<int>(drawing_.images.size());
+        const Vec2 origin = carrier_.at(image.place.origin);
+        drawing_.images.push_back({&image,
+                                   {carrier_.at(image.place.point({1.0, 0.0})) - origin,
+                                    carrier_.at(image.place.point({0.0, 1.0})) - origin, origin}});
+        for (const Polygon& one : shown_regions(image)) region(one);
+    }
+    void region(const Polygon& polygon) {
+        run(polygon.outer, true);
+        for (const Ring& hole : polygon.holes) run(hole, true);
+    }
+
     void begin(Operation operation, int plate) {
         const Pen& pen = drawing_.profile.pen(operation);
         begin(operation, plate, pen.color, pen.width_mm);
@@ -169,17 +190,17 @@ class Drawer {
     void draw(const PatternPiece& piece, Operation operation) {
         switch (operation) {
             case Operation::fill:
-                for (const Fill& fill : piece.fills) {
-                    begin(operation, fill.plate, fill.color, 0.0);
-                    drawing_.shapes.back().filled = true;
-                    run(fill.area.outer, true);
-                    for (const Ring& hole : fill.area.holes) run(hole, true);
+                for (const PatternPrint& one : piece.prints) {
+                    if (const Area* painted = std::get_if<Area>(&one.print)) area(*painted, one.plate);
+                    if (const Image* shown = std::get_if<Image>(&one.print)) image(*shown, one.plate);
                 }
                 return;
             case Operation::draw:
-                for (const PatternStroke& drawn : piece.strokes) {
-                    begin(operation, drawn.plate, drawn.stroke.color, drawn.stroke.width_mm);
-                    run(drawn.stroke.points, false);
+                for (const PatternPrint& one : piece.prints) {
+                    const Stroke* stroke = std::get_if<Stroke>(&one.print);
+                    if (stroke == nullptr) continue;
+                    begin(operation, one.plate, stroke->color, stroke->width_mm);
+                    run(stroke->points, false);
                 }
                 return lines(piece, operation);
             case Operation::glue:
@@ -189,6 +210,11 @@ class Drawer {
                 }
                 return lines(piece, operation);
             case Operation::label:
+                for (const PatternPrint& one : piece.prints) {
+                    const Text* own = std::get_if<Text>(&one.print);
+                    if (own == nullptr || own->text.empty() || own->height_mm <= 0.0) continue;
+                    text(own->text, own->at, own->height_mm, own->angle, operation);
+                }
                 for (const Label& label : piece.labels) {
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);

@@ -45,9 +45,16 @@ struct SheetShape {
     int piece = -1;         // index into SheetDrawing::pieces, -1: the sheet's own
     int plate = -1;         // index into SheetPiece::plate_names, -1: none
     int depth = 0;          // of a cut: in how many contours of the sheet it lies
-    bool filled = false;    // an area in its colour, without a line
+    bool filled = false;    // an area in its colour, or with its picture, without a line
+    int image = -1;         // of an area: index into SheetDrawing::images, -1: it has a colour
     Color color;            // of the line, or of the area
     double width_mm = 0.0;  // of the line
+};
+
+// A picture on the sheet; the shape that names it says what of it is to be seen.
+struct SheetImage {
+    const Image* image = nullptr;
+    Affine place;  // from its pixels to the sheet
 };
 
 struct SheetText {
@@ -88,6 +95,7 @@ struct SheetDrawing {
     std::vector<SheetLayer> layers;  // of the profile, in the order of its operations, empty ones too
     std::vector<SheetShape> shapes;  // in the order in which they are drawn: layer by layer
     std::vector<SheetText> texts;    // likewise
+    std::vector<SheetImage> images;
     std::vector<Run> runs;
     std::vector<Vec2> points;
 

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string_view>
 
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/text/numbers.h"
+#include "output/base64.h"
 #include "output/sheet_drawing.h"
+#include "popup/image.h"
 
 namespace popup {
 namespace {
@@ -40,10 +43,14 @@ class SvgText {
     void paint(const SheetShape& shape);
     void geometry(const SheetShape& shape);
     void text(const SheetText& text);
+    void image(const SheetShape& shape);
+    std::string fresh_id(const std::string& wanted);
+    void plate(const SheetShape& shape);
 
     const SheetDrawing& drawing_;
     const Profile& profile_;
-    std::vector<std::string> ids_;  // given so far
+    std::vector<std::string> ids_;                        // given so far
+    std::map<const std::string*, std::string> pictures_;  // ids of those that stand in the file already
     fmt::memory_buffer out_;
 };
 
@@ -131,15 +138,62 @@ void SvgText::paint(const SheetShape& shape) {
     raw("\" ");
 }
 
-void SvgText::shape(const SheetShape& shape) {
-    raw("   <path ");
-    if (shape.plate >= 0) {
-        const SheetPiece& piece = drawing_.pieces[static_cast<std::size_t>(shape.piece)];
-        raw("data-plate=\"");
-        escaped(piece.prefix);
-        escaped(piece.plate_names[static_cast<std::size_t>(shape.plate)]);
-        raw("\" ");
+void SvgText::plate(const SheetShape& shape) {
+    if (shape.plate < 0) return;
+    const SheetPiece& piece = drawing_.pieces[static_cast<std::size_t>(shape.piece)];
+    raw("data-plate=\"");
+    escaped(piece.prefix);
+    escaped(piece.plate_names[static_cast<std::size_t>(shape.plate)]);
+    raw("\" ");
+}
+
+std::string SvgText::fresh_id(const std::string& wanted) {
+    std::string id = wanted;
+    for (int i = 2; std::find(ids_.begin(), ids_.end(), id) != ids_.end(); ++i)
+        id = fmt::format("{}-{}", wanted, i);
+    ids_.push_back(id);
+    return id;
+}
+
+// The file of a picture stands where it is first used, and is named by others that show parts of it.
+void SvgText::image(const SheetShape& shape) {
+    const SheetImage& shown = drawing_.images[static_cast<std::size_t>(shape.image)];
+    const Image& image = *shown.image;
+    constexpr std::string_view kLinks = "xmlns:xlink=\"http://www.w3.org/1999/xlink\" xlink:href=\"";
+    const auto [picture, fresh] = pictures_.try_emplace(image.bytes.get());
+    if (fresh) {
+        picture->second = fresh_id(fmt::format("picture-{}", pictures_.size()));
+        fmt::format_to(fmt::appender(out_),
+                       "   <defs><image id=\"{}\" width=\"{}\" height=\"{}\" "
+                       "preserveAspectRatio=\"none\" {}data:{};base64,",
+                       picture->second, image.width, image.height, kLinks, mime_type(image.format));
+        raw(base64(*image.bytes));
+        raw("\"/></defs>\n");
     }
+    const std::string clip = fresh_id(fmt::format("clip-{}", shape.image + 1));
+    fmt::format_to(fmt::appender(out_), "   <g clip-path=\"url(#{0})\" ", clip);
+    plate(shape);
+    fmt::format_to(fmt::appender(out_), "><clipPath id=\"{}\"><path clip-rule=\"evenodd\" ", clip);
+    geometry(shape);
+    fmt::format_to(fmt::appender(out_), "/></clipPath><use {}#{}\" transform=\"matrix(", kLinks,
+                   picture->second);
+    const Affine& place = shown.place;
+    // Of pixels, of which there may be many thousand in a row.
+    constexpr int kPixelDecimals = 9;
+    for (const double value : {place.x.x, -place.x.y, place.y.x, -place.y.y}) {
+        append_number(out_, value, kPixelDecimals);
+        out_.push_back(' ');
+    }
+    number(place.origin.x);
+    out_.push_back(' ');
+    number(drawing_.height_mm - place.origin.y);
+    raw(")\"/></g>\n");
+}
+
+void SvgText::shape(const SheetShape& shape) {
+    if (shape.image >= 0) return image(shape);
+    raw("   <path ");
+    plate(shape);
     paint(shape);
     geometry(shape);
     raw("/>\n");
@@ -269,11 +323,7 @@ void SvgText::layer(const SheetLayer& layer) {
         }
     }
     raw(" <g id=\"");
-    std::string id = id_of(layer.name);
-    for (int i = 2; std::find(ids_.begin(), ids_.end(), id) != ids_.end(); ++i)
-        id = fmt::format("{}-{}", id_of(layer.name), i);
-    raw(id);
-    ids_.push_back(std::move(id));
+    raw(fresh_id(id_of(layer.name)));
     raw("\" inkscape:groupmode=\"layer\" inkscape:label=\"");
     escaped(visible(layer.name));
     raw("\"");

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "popup/check.h"
 #include "popup/output.h"
 
 namespace popup {
+
+class CheckedDesign;
+struct Design;
 
 // A document that schemas/popup.xsd accepts and that reads as the same design, in the design's own unit, with
 // at most six decimals. Dropped structures and lines are left out. Never fails.

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/text/numbers.h"
 #include "pattern/chain.h"
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"
 #include "pattern/tabs.h"
+#include "popup/image.h"
 #include "popup/pattern.h"
 
 namespace popup {
@@ -20,6 +26,8 @@ namespace {
 constexpr double kGapMm = 1.0;
 // A tab with less depth than this along half its seam holds badly.
 constexpr double kWeakMm = 3.0;
+// Folds whose angles, in radians, are the same to so many decimals are one where they meet in line.
+constexpr int kAngleDecimals = 6;
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
@@ -43,6 +51,7 @@ class Unfolder {
         sort_lines();
         for (std::size_t i = 0; i < pieces_.size(); ++i) unfold_plates(i);
         for (const Glue& glue : in_.glue) add_tab(glue);
+        for (const GluedArea& area : in_.glued_areas) add_glued_area(area);
         for (std::size_t i = 0; i < pieces_.size(); ++i) finish(i);
         for (const Plate& plate : in_.plates) out_.plate_names.push_back(plate.name);
         for (Work& work : pieces_) out_.pieces.push_back(std::move(work.piece));
@@ -51,6 +60,13 @@ class Unfolder {
 
  private:
     enum { kMountain, kValley, kSeam, kDrawnKinds };
+
+    // Tags of lines are the plates they name (-1: none), those of folds by known angles numbers below.
+    static constexpr int kFirstFolded = -2;
+    struct FoldedTag {
+        int plate = -1;
+        double angle = 0.0;
+    };
 
     // A piece in the making.
     struct Work {
@@ -80,13 +96,13 @@ class Unfolder {
                     work.cuts.push_back({line.at, 0});
                     break;
                 case LineKind::mountain:
-                    work.lines[kMountain].push_back({line.at, line.plate});
+                    add_line(line, kMountain);
                     break;
                 case LineKind::valley:
-                    work.lines[kValley].push_back({line.at, line.plate});
+                    add_line(line, kValley);
                     break;
                 case LineKind::seam:
-                    work.lines[kSeam].push_back({line.at, line.plate});
+                    add_line(line, kSeam);
                     break;
                 case LineKind::mark:
                     work.marks.push_back({line.kind, line.at, line.plate});
@@ -95,17 +111,55 @@ class Unfolder {
         }
     }
 
+    // Folds of one plate, by one angle, may become one where they meet in line: they have one tag.
+    void add_line(const Line& line, int kind) {
+        int tag = line.plate;
+        if (line.fold_angle) {
+            const double angle = rounded(*line.fold_angle, kAngleDecimals);
+            const auto [known, fresh] = folded_tags_.try_emplace({line.piece, kind, line.plate, angle},
+                                                                 static_cast<int>(folded_.size()));
+            if (fresh) folded_.push_back({line.plate, *line.fold_angle});
+            tag = kFirstFolded - known->second;
+        }
+        pieces_[at(line.piece)].lines.at(static_cast<std::size_t>(kind)).push_back({line.at, tag});
+    }
+
+    [[nodiscard]] PatternLine line_of(LineKind kind, const TaggedSegment& segment) const {
+        PatternLine line{kind, segment.at, segment.tag};
+        if (segment.tag <= kFirstFolded) {
+            const FoldedTag& folded = folded_[at(kFirstFolded - segment.tag)];
+            line.plate = folded.plate;
+            line.fold_angle = folded.angle;
+        }
+        return line;
+    }
+
+    // Pictures are cut to the paper they are printed on.
+    static void add_print(const Print& print, const std::vector<Polygon>& paper, int plate,
+                          PatternPiece& piece) {
+        const Image* image = std::get_if<Image>(&print);
+        if (image == nullptr) {
+            piece.prints.push_back({print, plate});
+            return;
+        }
+        Image cut = *image;
+        cut.clip = intersect(shown_regions(*image), paper);
+        if (!cut.clip.empty()) piece.prints.push_back({std::move(cut), plate});
+    }
+
     void unfold_plates(std::size_t number) {
         PatternPiece& piece = pieces_[number].piece;
-        piece.name = in_.pieces[number].name;
+        const Piece& from = in_.pieces[number];
+        piece.name = from.name;
         std::vector<Polygon> outlines;
-        for (const int index : in_.pieces[number].plates) {
+        for (const int index : from.plates) {
             const Plate& plate = in_.plates[at(index)];
             outlines.push_back(plate.outline);
-            if (plate.fill) piece.fills.push_back({plate.outline, *plate.fill, index});
-            for (const Stroke& stroke : plate.strokes) piece.strokes.push_back({stroke, index});
+            if (plate.fill) piece.prints.push_back({Area{plate.outline, *plate.fill}, index});
+            for (const Print& print : plate.prints) add_print(print, {plate.outline}, index, piece);
         }
-        piece.silhouette = silhouette_of(outlines);
+        piece.silhouette = from.paper.empty() ? silhouette_of(outlines) : from.paper;
+        for (const Print& print : from.prints) add_print(print, piece.silhouette, -1, piece);
     }
 
     // Everything on a plate that a target must stay off: its edges, lines on it, and what was glued to it
@@ -202,6 +256,31 @@ class Unfolder {
         }
     }
 
+    // Its target is the area itself, with the piece's number where there is most room for it.
+    void add_glued_area(const GluedArea& glued) {
+        constexpr double kLeastText = 1.5;
+        pieces_[at(in_.plates[at(glued.plate)].piece)].tab_label = glued.label;
+        const Plate& base = in_.plates[at(glued.base_plate)];
+        Work& under = pieces_[at(base.piece)];
+        const auto label = [&](const TextSpot& spot) {
+            under.piece.labels.push_back(
+                {LabelKind::target, glued.label, spot.at, spot.height, spot.angle});
+        };
+        bool labelled = false;
+        for (const Polygon& part : glued.on_base) {
+            under.piece.targets.push_back({part.outer, glued.base_plate});
+            Ring obstacle = part.outer;
+            std::reverse(obstacle.begin(), obstacle.end());
+            insert_ring(on_plate(glued.base_plate), obstacle);
+            const auto spot =
+                labelled ? std::nullopt
+                         : place_on_plate(EdgeIndex(edges_of(part), {}), {}, bounds(part.outer), glued.label);
+            if (spot) label(*spot);
+            labelled = labelled || spot;
+        }
+        if (!labelled) label({inner_point(glued.on_base.front(), 0.1).at, kLeastText});
+    }
+
     void add_part(const Glue& glue, const SeamFrame& frame, const Ring& part, Work& work) {
         Ring ring;
         Ring joined;  // reaches a little into the piece, so that rounding leaves no gap between the two
@@ -224,7 +303,7 @@ class Unfolder {
         }
         insert_ring(*work.outside, ring);
         work.tabs.push_back({std::move(joined), {}});
-        if (glue.fill) work.piece.fills.push_back({{std::move(ring), {}}, *glue.fill, -1});
+        if (glue.fill) work.piece.prints.push_back({Area{{std::move(ring), {}}, *glue.fill}, -1});
     }
 
     // Where no tab is left the seam is simply the piece's edge.
@@ -270,9 +349,15 @@ class Unfolder {
     void finish(std::size_t number) {
         Work& work = pieces_[number];
         PatternPiece& piece = work.piece;
-        work.cuts = without(std::move(work.cuts), work.glued);
-        work.cuts.insert(work.cuts.end(), work.tab_cuts.begin(), work.tab_cuts.end());
-        piece.cuts = chained(merged(std::move(work.cuts)));
+        const bool has_paper = !in_.pieces[number].paper.empty();
+        POPUP_INVARIANT(!has_paper || work.glued.empty());
+        if (has_paper) {
+            add_drawn_cuts(in_.pieces[number], piece);
+        } else {
+            work.cuts = without(std::move(work.cuts), work.glued);
+            work.cuts.insert(work.cuts.end(), work.tab_cuts.begin(), work.tab_cuts.end());
+            piece.cuts = chained(merged(std::move(work.cuts)));
+        }
         work.tab_seams = merged(std::move(work.tab_seams));
         std::vector<Segment> folded;
         for (const TaggedSegment& s : work.tab_seams) folded.push_back(s.at);
@@ -280,7 +365,9 @@ class Unfolder {
         constexpr std::array kKinds{LineKind::mountain, LineKind::valley, LineKind::seam};
         for (std::size_t k = 0; k < kDrawnKinds; ++k) {
             for (const TaggedSegment& s : merged(std::move(work.lines[k]))) {
-                piece.lines.push_back({kKinds[k], s.at, s.tag, kKinds[k] == LineKind::seam});
+                piece.lines.push_back(line_of(kKinds[k], s));
+                // Where the source draws the tabs itself its seams are their folds.
+                piece.lines.back().glued_on = kKinds[k] == LineKind::seam && !has_paper;
             }
         }
         for (const TaggedSegment& s : work.tab_seams) piece.lines.push_back({LineKind::seam, s.at, s.tag});
@@ -295,14 +382,25 @@ class Unfolder {
         name_piece(number);
     }
 
-    [[nodiscard]] Drawing drawing_on(int plate) const {
+    static void add_drawn_cuts(const Piece& from, PatternPiece& piece) {
+        for (const Polygon& paper : from.paper) {
+            piece.cuts.push_back({paper.outer, true});
+            for (const Ring& hole : paper.holes) piece.cuts.push_back({hole, true});
+        }
+        for (const std::vector<Vec2>& slit : from.slits) piece.cuts.push_back({slit, false});
+        put_in_order(piece.cuts);
+    }
+
+    static Drawing drawing_of(const std::vector<Print>& prints) {
         std::vector<Segment> lines;
         double half_width = 0.0;
-        for (const Stroke& stroke : in_.plates[at(plate)].strokes) {
-            for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
-                lines.push_back({stroke.points[i], stroke.points[i + 1]});
+        for (const Print& print : prints) {
+            const Stroke* stroke = std::get_if<Stroke>(&print);
+            if (stroke == nullptr) continue;
+            for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i) {
+                lines.push_back({stroke->points[i], stroke->points[i + 1]});
             }
-            half_width = std::max(half_width, 0.5 * stroke.width_mm);
+            half_width = std::max(half_width, 0.5 * stroke->width_mm);
         }
         return {EdgeIndex({}, lines), half_width};
     }
@@ -311,7 +409,11 @@ class Unfolder {
     // of these numbers pieces are glued, for none stands on a later one. The name alone where both are too
     // long.
     void name_piece(std::size_t number) {
-        const std::string& name = in_.pieces[number].name;
+        const Piece& from = in_.pieces[number];
+        const auto is_text = [](const Print& print) { return std::holds_alternative<Text>(print); };
+        if (std::any_of(from.prints.begin(), from.prints.end(), is_text)) return;
+        const std::string& name = from.name;
+        if (!from.paper.empty()) return write_on_paper(number, name);
         const std::string order = glue_number(number);
         if (!order.empty() && write_on_piece(number, fmt::format("{}. {}", order, name))) return;
         write_on_piece(number, name);
@@ -320,6 +422,34 @@ class Unfolder {
     // "3" of a piece with the tabs "3L" and "3R"; empty for one without tabs.
     [[nodiscard]] std::string glue_number(std::size_t piece) const {
         return pieces_[piece].tab_label.substr(0, pieces_[piece].tab_label.find_first_not_of("0123456789"));
+    }
+
+    void write(std::size_t number, const std::string& text, const TextSpot& spot) {
+        pieces_[number].piece.labels.push_back({LabelKind::piece, text, spot.at, spot.height, spot.angle});
+    }
+
+    // On the largest of its paper's regions that has room for it.
+    void write_on_paper(std::size_t number, const std::string& text) {
+        constexpr std::size_t kTried = 3;
+        const Piece& from = in_.pieces[number];
+        std::vector<std::pair<double, std::size_t>> largest;
+        for (std::size_t i = 0; i < from.paper.size(); ++i) {
+            largest.emplace_back(-std::round(1e3 * area(from.paper[i])), i);
+        }
+        std::sort(largest.begin(), largest.end());
+        std::vector<Segment> lines;
+        for (const PatternLine& line : pieces_[number].piece.lines) lines.push_back(line.at);
+        for (const std::vector<Vec2>& slit : from.slits) {
+            for (std::size_t i = 0; i + 1 < slit.size(); ++i) lines.push_back({slit[i], slit[i + 1]});
+        }
+        const Drawing drawing = drawing_of(from.prints);
+        for (std::size_t i = 0; i < std::min(kTried, largest.size()); ++i) {
+            const Polygon& paper = from.paper[largest[i].second];
+            const EdgeIndex edges(edges_of(paper), lines);
+            if (const auto spot = place_on_plate(edges, drawing, bounds(paper.outer), text)) {
+                return write(number, text, *spot);
+            }
+        }
     }
 
     bool write_on_piece(std::size_t number, const std::string& text) {
@@ -334,12 +464,12 @@ class Unfolder {
         std::optional<TextSpot> best;
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
-            const auto spot = place_on_plate(on_plate(plate), drawing_on(plate),
+            const auto spot = place_on_plate(on_plate(plate), drawing_of(in_.plates[at(plate)].prints),
                                              bounds(in_.plates[at(plate)].outline.outer), text);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
         if (!best) return false;
-        pieces_[number].piece.labels.push_back({LabelKind::piece, text, best->at, best->height, best->angle});
+        write(number, text, *best);
         return true;
     }
 
@@ -350,6 +480,8 @@ class Unfolder {
     std::vector<std::vector<int>> lines_on_;        // of each plate: folds and cuts that name it
     std::vector<std::optional<EdgeIndex>> plates_;  // of each plate that was asked for
     std::vector<int> found_;
+    std::vector<FoldedTag> folded_;
+    std::map<std::tuple<int, int, int, double>, int> folded_tags_;  // by piece, kind, plate and rounded angle
     Pattern out_;
 };
 

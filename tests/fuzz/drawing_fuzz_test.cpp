@@ -1,7 +1,7 @@
 // The reader of drawings against drawings that nobody would make. Seeded, so that a failure comes again.
 //
 // Whatever the bytes, reading ends, crashes nothing, and says what is wrong where it stands; and whatever is
-// read keeps what part_list.h promises and becomes a pattern.
+// read keeps what flat_parts.h promises and becomes a pattern.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -157,7 +157,7 @@ std::string mutated_gently(const std::string& seed, Random& random) {
     return text;
 }
 
-void check_part(const Part& part, std::set<std::string>& names) {
+void check_part(const FlatPart& part, std::set<std::string>& names) {
     ASSERT_FALSE(part.name.empty());
     ASSERT_TRUE(names.insert(part.name).second) << part.name;
     ASSERT_GE(part.place.line, 1);
@@ -170,7 +170,7 @@ void check_part(const Part& part, std::set<std::string>& names) {
         for (const Ring& hole : paper.holes) ASSERT_LT(signed_area(hole), 0.0);
     }
     for (const auto& slit : part.slits) ASSERT_GE(slit.size(), 2U);
-    for (const PartLine& line : part.lines) ASSERT_GE(line.points.size(), 2U);
+    for (const FlatLine& line : part.lines) ASSERT_GE(line.points.size(), 2U);
 }
 
 void check_one(const std::string& text, std::size_t& read) {
@@ -192,9 +192,9 @@ void check_one(const std::string& text, std::size_t& read) {
     ++read;
     ASSERT_FALSE(reading.parts().empty());
     std::set<std::string> names;
-    for (const Part& part : reading.parts()) check_part(part, names);
+    for (const FlatPart& part : reading.parts()) check_part(part, names);
     Diagnostics diagnostics;
-    const auto pattern = make_pattern(*reading.list, {}, diagnostics);
+    const auto pattern = make_pattern(assembly_of(*reading.list), {}, diagnostics);
     ASSERT_TRUE(pattern);
     ASSERT_EQ(pattern->pieces.size(), reading.parts().size());
     for (const PatternPiece& piece : pattern->pieces) ASSERT_FALSE(piece.cuts.empty());

@@ -314,11 +314,11 @@ void check_one(const std::string& text, Counts& counts) {
         ASSERT_EQ(reading.printed, run.printed);
         // Definitions alone are neither, and no error.
         const bool nothing = run.defines && run.trail.segments.empty();
-        ASSERT_EQ(reading.parts || reading.design || (nothing && !of_reading.has_errors()),
+        ASSERT_EQ(reading.assembly || reading.design || (nothing && !of_reading.has_errors()),
                   !of_reading.has_errors());
         counts.ran += failed ? 0 : 1;
         counts.drew += run.trail.polygons.empty() ? 0 : 1;
-        counts.read += reading.parts || reading.design ? 1 : 0;
+        counts.read += reading.assembly || reading.design ? 1 : 0;
     }
 }
 

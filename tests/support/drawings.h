@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "input/drawing/read.h"
+#include "parts/flat_parts.h"
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "popup/language.h"
@@ -14,7 +16,7 @@
 namespace popup::test {
 
 struct ReadDrawing {
-    std::optional<PartList> list;
+    std::optional<FlatParts> list;
     std::vector<Diagnostic> findings;
 
     // "3:5 bad-path\n" a finding, worst first.
@@ -26,15 +28,15 @@ struct ReadDrawing {
         }
         return text;
     }
-    [[nodiscard]] const std::vector<Part>& parts() const { return list.value().parts; }
-    [[nodiscard]] const Part& part(std::size_t i = 0) const { return list.value().parts.at(i); }
+    [[nodiscard]] const std::vector<FlatPart>& parts() const { return list.value().parts; }
+    [[nodiscard]] const FlatPart& part(std::size_t i = 0) const { return list.value().parts.at(i); }
 };
 
 inline ReadDrawing read_drawing(std::string text, bool strict = false) {
     Diagnostics diagnostics("drawing.svg");
     const Source source{"drawing.svg", std::move(text)};
     ReadDrawing reading;
-    reading.list = find_language(source, "")->read(source, ReadOptions{strict, {}, {}}, diagnostics).parts;
+    reading.list = drawing::read_parts(source, ReadOptions{strict, {}, {}}, diagnostics);
     reading.findings = diagnostics.sorted();
     return reading;
 }
@@ -47,13 +49,13 @@ inline std::string drawing(std::string_view body) {
            std::string(body) + "\n</svg>";
 }
 
-inline double area(const Part& part) {
+inline double area(const FlatPart& part) {
     double sum = 0.0;
     for (const Polygon& paper : part.paper) sum += popup::area(paper);
     return sum;
 }
 
-inline Box bounds(const Part& part) {
+inline Box bounds(const FlatPart& part) {
     Box box;
     for (const Polygon& paper : part.paper) {
         for (const Vec2 p : paper.outer) box.extend(p);

@@ -40,11 +40,10 @@ inline Pattern example_pattern() {
                   {LineKind::mountain, {{5, -10}, {5, 20}}, 1},
                   {LineKind::valley, {{60, 0}, {61, 0.5}}, 1},
                   {LineKind::mark, {{-50, -70}, {-50, -60}}, 0}};
-    Fill yellow{{rectangle(-20, -10, 5, 20), {}}, {0xff, 0xcc, 0x00}, 0};
+    PatternPrint yellow{Area{{rectangle(-20, -10, 5, 20), {}}, {0xff, 0xcc, 0x00}}, 0};
     // The hole runs the same way as the outline: filled by even-odd it is a hole all the same.
-    Fill brown{{rectangle(5, -10, 25, 20), {rectangle(10, 0, 15, 5)}}, {0xcc, 0x66, 0x00}, 1};
-    page.fills = {yellow, brown};
-    page.strokes = {{{{{-90, -60}, {-70, -40}, {-50, -65}}, 0.7, {0x00, 0x99, 0x33}}, 0}};
+    PatternPrint brown{Area{{rectangle(5, -10, 25, 20), {rectangle(10, 0, 15, 5)}}, {0xcc, 0x66, 0x00}}, 1};
+    page.prints = {yellow, brown, {Stroke{{{-90, -60}, {-70, -40}, {-50, -65}}, 0.7, {0x00, 0x99, 0x33}}, 0}};
     page.targets = {{{{40, -60}, {50, -56}, {50, -24}, {40, -20}}, 1}};
     page.labels = {{LabelKind::piece, "page", {-80, 70}, 4.0, 0.0},
                    {LabelKind::target, "1R", {45, -40}, 3.2, -kQuarter}};
@@ -55,8 +54,8 @@ inline Pattern example_pattern() {
     house.name = "house";
     house.cuts = {{{{0, 0}, {5, -10}, {35, -10}, {40, 0}, {40, 60}, {0, 75}, {-40, 60}, {-40, 0}}, true}};
     house.lines = {{LineKind::mountain, {{0, 0}, {0, 75}}, 2}, {LineKind::seam, {{0, 0}, {40, 0}}, 3}};
-    house.fills = {{{{{-40, 0}, {0, 0}, {0, 75}, {-40, 60}}, {}}, {0xd0, 0xe8, 0xff}, 2},
-                   {{{{0, 0}, {5, -10}, {35, -10}, {40, 0}}, {}}, {0xa0, 0xc8, 0xf0}, -1}};
+    house.prints = {{Area{{{{-40, 0}, {0, 0}, {0, 75}, {-40, 60}}, {}}, {0xd0, 0xe8, 0xff}}, 2},
+                    {Area{{{{0, 0}, {5, -10}, {35, -10}, {40, 0}}, {}}, {0xa0, 0xc8, 0xf0}}, -1}};
     house.labels = {{LabelKind::piece, "house", {-20, 30}, 4.0, 0.0},
                     {LabelKind::tab, "1R", {20, -5}, 3.2, 0.0}};
     house.silhouette = {{house.cuts[0].points, {}}};

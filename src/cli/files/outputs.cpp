@@ -7,6 +7,7 @@
 #include "cli/files/inputs.h"
 #include "cli/options/dependency_options.h"
 #include "output/emit.h"
+#include "output/emit_design.h"
 
 namespace popup::cli {
 namespace {
@@ -156,7 +157,9 @@ std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const O
     if (!can_be_made(plan, compilation, told)) refuse_usage(told);
     const std::optional<Emit> emit = options.build.emit;
     for (const CompiledDesign& one : compilation.designs) {
-        if (emit && one.parts) check_emitted(*emit, one.source.name, one.parts->model.has_value());
+        if (emit && one.assembly && !moves(*one.assembly)) {
+            check_emitted(*emit, one.source.name, has_model(*one.assembly));
+        }
     }
     auto files = make_files(plan, options.compile.output, compilation);
     if (files && emit) files->push_back({"-", emitted(*emit, options, compilation)});

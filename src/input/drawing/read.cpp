@@ -1,15 +1,18 @@
 #include "input/drawing/read.h"
 
-#include "input/drawing/parts.h"
+#include <utility>
+
 #include "input/drawing/trace.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/locate.h"
+#include "parts/drawn_parts.h"
 
 namespace popup::drawing {
 
-std::optional<PartList> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
+                                    Diagnostics& diagnostics) {
     if (!xml::check_encoding(source.text, diagnostics)) return std::nullopt;
     const auto located = xml::locate(source.text, diagnostics, xml::Doctype::skip);
     if (!located) return std::nullopt;
@@ -17,6 +20,12 @@ std::optional<PartList> read(const Source& source, const ReadOptions& options, D
     const auto tracing = trace(*located, options, diagnostics);
     if (!tracing) return std::nullopt;
     return make_parts(*tracing, diagnostics);
+}
+
+std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    std::optional<FlatParts> parts = read_parts(source, options, diagnostics);
+    if (!parts) return std::nullopt;
+    return assembly_of(std::move(*parts));
 }
 
 bool recognises(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "parts/flat_parts.h"
 #include "popup/language.h"
 
 namespace popup::drawing {
@@ -12,7 +13,10 @@ namespace popup::drawing {
 // in it; see "Drawings" in popupc(1). The origin is the drawing's lower left corner. Errors, located: those
 // of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`, `contours-overlap`,
 // `document-too-large`.
-std::optional<PartList> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
+                                    Diagnostics& diagnostics);
+// The same as an assembly.
+std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 bool recognises(std::string_view text);
 
 }  // namespace popup::drawing

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "popup/design.h"
+#include "popup/print.h"
 
 namespace popup::drawing {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "input/drawing/tracing.h"
 #include "input/xml/locate.h"
+#include "parts/tracing.h"
 #include "popup/diagnostics.h"
 #include "popup/language.h"
 

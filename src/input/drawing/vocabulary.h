@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "input/drawing/style.h"
-#include "input/drawing/tracing.h"
+#include "parts/tracing.h"
 
 namespace popup::drawing {
 

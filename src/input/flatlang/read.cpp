@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "input/flatlang/pieces/pieces.h"
 #include "input/flatlang/run/interpreter.h"
@@ -49,7 +50,8 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     if (!run.card) {
         // It may be there for others to load, and is nothing by itself: a design as little as parts.
         if (run.trail.segments.empty() && run.defines) return reading;
-        reading.parts = make_parts(run.trail, diagnostics);
+        if (auto parts = make_parts(run.trail, diagnostics))
+            reading.assembly = assembly_of(std::move(*parts));
         return reading;
     }
     if (!run.trail.segments.empty()) {

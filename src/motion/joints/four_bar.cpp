@@ -220,7 +220,7 @@ std::optional<Slid> slid(const FourBar& how, double mm) {
         bar->seam_at = bar->seam_at + mm * bar->fold_dir;
     }
     const Vec2 by = mm * how.left.fold_dir;
-    return Slid{std::move(moved), by};
+    return Slid{moved, by, "fold"};
 }
 
 }  // namespace popup

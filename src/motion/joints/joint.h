@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "popup/joints.h"
@@ -55,6 +56,7 @@ Likeness likeness(const Joint& joint);
 struct Slid {
     JointKind how;
     Vec2 by;
+    std::string_view along;  // "fold", in messages
 };
 std::optional<Slid> slid(const Joint& joint, double mm);
 

@@ -306,11 +306,14 @@ TEST(Layout, TooManyCopiesAndBoundlessScalesAreErrors) {
 
 TEST(Layout, ScaleAppliesToEverythingWithASize) {
     PatternPiece piece = piece_of("p", rectangle(10, 20));
-    piece.strokes.push_back({{{{1, 1}, {2, 2}}, 0.5, {}}, -1});
+    piece.prints.push_back({Stroke{{{1, 1}, {2, 2}}, 0.5, {}}, -1});
+    piece.prints.push_back({Text{"t", {3, 4}, 2.0, 0.2}, -1});
+    piece.prints.push_back(
+        {Image{nullptr, ImageFormat::png, 8, 8, {{1, 0}, {0, -1}, {2, 3}}, {{rectangle(2, 2), {}}}}, 0});
     piece.labels.push_back({LabelKind::piece, "p", {5, 5}, 4.0, 0.1});
     piece.targets.push_back({rectangle(2, 2), 0});
     piece.lines.push_back({LineKind::valley, {{0, 1}, {10, 1}}, 0});
-    piece.fills.push_back({{rectangle(3, 3), {rectangle(1, 1)}}, {}, 0});
+    piece.prints.push_back({Area{{rectangle(3, 3), {rectangle(1, 1)}}, {}}, 0});
     LayoutOptions options;
     options.scale = 2.0;
     Diagnostics diagnostics;
@@ -318,14 +321,22 @@ TEST(Layout, ScaleAppliesToEverythingWithASize) {
     ASSERT_TRUE(layout.has_value());
     const PatternPiece& scaled = layout->designs[0].pattern.pieces[0];
     EXPECT_EQ(scaled.cuts[0].points[2], (Vec2{20, 40}));
-    EXPECT_EQ(scaled.strokes[0].stroke.width_mm, 1.0);
-    EXPECT_EQ(scaled.strokes[0].stroke.points[1], (Vec2{4, 4}));
+    const auto& stroke = std::get<Stroke>(scaled.prints.at(0).print);
+    EXPECT_EQ(stroke.width_mm, 1.0);
+    EXPECT_EQ(stroke.points[1], (Vec2{4, 4}));
+    const auto& text = std::get<Text>(scaled.prints.at(1).print);
+    EXPECT_EQ(text.at, (Vec2{6, 8}));
+    EXPECT_EQ(text.height_mm, 4.0);
+    EXPECT_EQ(text.angle, 0.2);
+    const auto& image = std::get<Image>(scaled.prints.at(2).print);
+    EXPECT_EQ(image.place, (Affine{{2, 0}, {0, -2}, {4, 6}}));
+    EXPECT_EQ(image.clip.at(0).outer[2], (Vec2{4, 4}));
     EXPECT_EQ(scaled.labels[0].height_mm, 8.0);
     EXPECT_EQ(scaled.labels[0].at, (Vec2{10, 10}));
     EXPECT_EQ(scaled.labels[0].angle, 0.1);
     EXPECT_EQ(scaled.targets[0].outline[2], (Vec2{4, 4}));
     EXPECT_EQ(scaled.lines[0].at.b, (Vec2{20, 2}));
-    EXPECT_EQ(scaled.fills[0].area.holes[0][2], (Vec2{2, 2}));
+    EXPECT_EQ(std::get<Area>(scaled.prints.at(3).print).shape.holes[0][2], (Vec2{2, 2}));
     EXPECT_EQ(scaled.bounds.max, (Vec2{20, 40}));
     EXPECT_NEAR(layout->sheets[0].used_mm.x * layout->sheets[0].used_mm.y, 800.0, 1e-3);
 }

@@ -7,6 +7,7 @@
 #include "base/geometry/regions.h"
 #include "mechanism/builder.h"
 #include "support/designs.h"
+#include "support/prints.h"
 
 namespace popup::test {
 namespace {
@@ -65,7 +66,7 @@ TEST(Assemble, DrawnLinesAreCutToTheirPlates) {
         double size = 0.0;
         for (const Plate& plate : built.assembly->plates) {
             if (plate.name != name) continue;
-            for (const Stroke& stroke : plate.strokes) {
+            for (const Stroke& stroke : test::prints_of<Stroke>(plate.prints)) {
                 EXPECT_NEAR(stroke.width_mm, 25.4, 1e-12);
                 for (std::size_t i = 1; i < stroke.points.size(); ++i)
                     size += distance(stroke.points[i - 1], stroke.points[i]);

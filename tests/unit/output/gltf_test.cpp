@@ -395,9 +395,9 @@ TEST(Gltf, DrawnLinesLieBeforeTheirPlateAndAsWideAsDrawn) {
     Model model = model_of(test::card(200, 100));
     Plate& right = model.assembly.plates[static_cast<std::size_t>(1)];
     ASSERT_EQ(right.name, "page/right");
-    right.strokes = {{{{10, 0}, {30, 0}}, 2.0, {255, 0, 0}},  // crossed by the next
-                     {{{20, -10}, {20, 10}}, 2.0, {0, 0, 255}},
-                     {{{90, 20}, {100, 20}}, 2.0, {0, 255, 0}}};  // ends on the edge: no round end there
+    right.prints = {Stroke{{{10, 0}, {30, 0}}, 2.0, {255, 0, 0}},  // crossed by the next
+                    Stroke{{{20, -10}, {20, 10}}, 2.0, {0, 0, 255}},
+                    Stroke{{{90, 20}, {100, 20}}, 2.0, {0, 255, 0}}};  // ends on the edge: no round end there
     const GlbScene scene = read(glb_of(model));
     const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, "page/right"))];
     ASSERT_EQ(node.parts.size(), 4U);

@@ -50,8 +50,7 @@ std::string written(const Layout& layout, const OutputOptions& options = product
 Layout plain_layout() {
     Layout layout = example_layout();
     for (PatternPiece& piece : layout.designs[0].pattern.pieces) {
-        piece.fills.clear();
-        piece.strokes.clear();
+        piece.prints.clear();
     }
     return layout;
 }
@@ -222,7 +221,7 @@ TEST(ProductionPdf, LinesOfMachinesKnockNothingOutOfTheArt) {
     Layout layout = example_layout();
     // Lines straight across a fill.
     PatternPiece& page = layout.designs[0].pattern.pieces[0];
-    page.fills.push_back({{test::rectangle(-95, -75, 95, 75), {}}, {0x33, 0x66, 0x99}, 0});
+    page.prints.push_back({Area{{test::rectangle(-95, -75, 95, 75), {}}, {0x33, 0x66, 0x99}}, 0});
     const auto all = test::inked_plates(written(layout));
     for (const auto& [name, pixels] : test::inked_plates(written(layout, art)))
         EXPECT_EQ(all.at(name), pixels) << name;

@@ -347,7 +347,7 @@ TEST(Jpg, HasAllOfAPieceThatReachesFurther) {
         const Ring outline = rectangle(std::min(reach.x, 0.0), 0, std::max(reach.x, 0.0), reach.y);
         piece.name = "large";
         piece.cuts = {{outline, true}};
-        piece.fills = {{{outline, {}}, {0x00, 0x00, 0xff}}};
+        piece.prints = {{Area{{outline, {}}, {0x00, 0x00, 0xff}}}};
         piece.silhouette = {{outline, {}}};
         piece.bounds = bounds(outline);
         layout.placements = {{}};

@@ -8,6 +8,7 @@
 
 #include "base/text/json_text.h"
 #include "output/emit.h"
+#include "output/emit_design.h"
 #include "popup/compile.h"
 #include "support/sheet_example.h"
 
@@ -37,7 +38,7 @@ Assembly example_assembly() {
     right.name = "page/right";
     right.outline.outer = test::rectangle(0, -5, 10, 5);
     right.fill.reset();
-    right.strokes = {{{{1, 1}, {2, 2}}, 0.5, {0, 0, 0}}};
+    right.prints = {Stroke{{{1, 1}, {2, 2}}, 0.5, {0, 0, 0}}};
     assembly.plates = {left, right};
     assembly.lines = {{LineKind::valley, {{0, -5}, {0, 5}}, 0, 0, 1}};
     assembly.hinges = {{0, 1, {{0, -5}, {0, 5}}, {{0, -5}, {0, 5}}, false}};

@@ -45,17 +45,17 @@ TrailMaker box() {
     return maker;
 }
 
-PartList parts_of(const TrailMaker& maker) {
+Assembly parts_of(const TrailMaker& maker) {
     Diagnostics diagnostics("box.fl");
     auto list = flatlang::make_parts(maker.trail, diagnostics);
     EXPECT_TRUE(list) << test::findings(diagnostics);
-    return list.value_or(PartList{});
+    return assembly_of(list.value_or(FlatParts{}));
 }
 
-SceneCard card_of(const PartList& list, const std::string& stem, const std::string& prefix = {}) {
+SceneCard card_of(Assembly& parts, const std::string& stem, const std::string& prefix = {}) {
+    parts.stem = stem;
     SceneCard card;
-    card.still = &*list.model;
-    card.stem = stem;
+    card.assembly = &parts;
     card.prefix = prefix;
     return card;
 }
@@ -96,7 +96,7 @@ double distance_to(const Vec3& p, const std::vector<Vec3>& inches) {
 
 TEST(StillModel, APartIsANodeWithItsFacesAndLinesWhereTheyWereDrawn) {
     const TrailMaker maker = box();
-    const PartList list = parts_of(maker);
+    Assembly list = parts_of(maker);
     const GlbScene scene = read(glb_of({card_of(list, "box")}));
     ASSERT_EQ(scene.nodes.size(), 4U);
     EXPECT_TRUE(scene.times.empty());
@@ -140,8 +140,8 @@ TEST(StillModel, APartIsANodeWithItsFacesAndLinesWhereTheyWereDrawn) {
 }
 
 TEST(StillModel, TheSameTrailIsTheSameBytes) {
-    const PartList a = parts_of(box());
-    const PartList b = parts_of(box());
+    Assembly a = parts_of(box());
+    Assembly b = parts_of(box());
     EXPECT_EQ(glb_of({card_of(a, "box")}), glb_of({card_of(b, "box")}));
 }
 
@@ -153,7 +153,7 @@ TEST(StillModel, StandsBesideCardsThatMove) {
     motion_options.examine = false;
     const auto motion = simulate(*built.assembly, motion_options, built.diagnostics);
     ASSERT_TRUE(motion);
-    const PartList list = parts_of(box());
+    Assembly list = parts_of(box());
     SceneCard castle;
     castle.assembly = &*built.assembly;
     castle.motion = &*motion;
@@ -196,7 +196,7 @@ TEST(StillModel, StandsBesideCardsThatMove) {
 
 TEST(StillModel, KhronosValidatorFindsNothing) {
     const TrailMaker maker = box();
-    const PartList list = parts_of(maker);
+    Assembly list = parts_of(maker);
     if (std::getenv("POPUP_GLTF_VALIDATOR") == nullptr || !test::have_program("node")) {
         GTEST_SKIP() << "POPUP_GLTF_VALIDATOR does not say where gltf-validator is, or there is no node";
     }
@@ -211,7 +211,7 @@ TEST(StillModel, KhronosValidatorFindsNothing) {
 }
 
 TEST(StillModel, FoldsOfPartsAreEmittedWithTheirAngles) {
-    PartList list = parts_of(box());
+    Assembly list = parts_of(box());
     Diagnostics diagnostics;
     const auto pattern = make_pattern(list, PatternOptions{}, diagnostics);
     ASSERT_TRUE(pattern);

@@ -16,6 +16,7 @@
 
 #include "base/text/numbers.h"
 #include "output/sheet_drawing.h"
+#include "support/prints.h"
 #include "support/sheet_example.h"
 
 namespace popup {
@@ -206,11 +207,13 @@ TEST(Svg, ShowsEveryLineOfTheLayoutOnceAndInItsLength) {
                     line.kind == LineKind::mark ? "draw" : std::string(to_string(line.kind));
                 add(layer, distance(line.at.a, line.at.b));
             }
-            for (const PatternStroke& one : piece.strokes) add("draw", ring_length(one.stroke.points, false));
+            for (const auto& one : test::prints_of<Stroke>(piece.prints)) {
+                add("draw", ring_length(one.print.points, false));
+            }
             for (const GlueTarget& target : piece.targets) add("glue", ring_length(target.outline));
-            for (const Fill& fill : piece.fills) {
-                double around = ring_length(fill.area.outer);
-                for (const Ring& hole : fill.area.holes) around += ring_length(hole);
+            for (const auto& fill : test::prints_of<Area>(piece.prints)) {
+                double around = ring_length(fill.print.shape.outer);
+                for (const Ring& hole : fill.print.shape.holes) around += ring_length(hole);
                 add("fill", around);
             }
             texts += piece.labels.size();

@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "base/geometry/regions.h"
-#include "input/drawing/joining.h"
 #include "output/svg.h"
 #include "parts/contours.h"
+#include "parts/joining.h"
 #include "popup/compile.h"
 #include "support/drawings.h"
+#include "support/prints.h"
 #include "support/random.h"
 #include "support/run_program.h"
 
@@ -36,7 +37,7 @@ const fs::path kSamples = fs::path(POPUP_SOURCE_DIR) / "samples";
 
 std::vector<std::string> names(const test::ReadDrawing& reading) {
     std::vector<std::string> all;
-    for (const Part& part : reading.parts()) all.push_back(part.name);
+    for (const FlatPart& part : reading.parts()) all.push_back(part.name);
     return all;
 }
 
@@ -235,7 +236,7 @@ TEST(Parts, AreTheOutermostContoursWithAllThatLiesInThem) {
                              "<path d='M24 30H22'/><rect id='other' x='60' y='10' width='10' height='10'/>"));
     EXPECT_EQ(reading.codes(), "");
     EXPECT_EQ(names(reading), (std::vector<std::string>{"rim", "other"}));
-    const Part& rim = reading.part();
+    const FlatPart& rim = reading.part();
     ASSERT_EQ(rim.paper.size(), 2U);
     EXPECT_NEAR(area(rim), kPi * (625.0 - 400.0 + 100.0 - 25.0), 2.0);
     EXPECT_EQ(rim.slits.size(), 1U);
@@ -336,7 +337,7 @@ TEST(Parts, OfManyContoursHaveTheAreasTheyShould) {
     const auto reading = read_drawing(drawing(body));
     EXPECT_EQ(reading.codes(), "");
     ASSERT_EQ(reading.parts().size(), 900U);
-    for (const Part& part : reading.parts()) {
+    for (const FlatPart& part : reading.parts()) {
         ASSERT_EQ(part.paper.size(), 1U);
         ASSERT_EQ(part.paper[0].holes.size(), 1U);
         const double hole = std::sqrt(std::abs(signed_area(part.paper[0].holes[0])) / kPi);
@@ -363,7 +364,7 @@ TEST(PartPattern, PiecesHaveCutsFromTheInsideOutAndTheirNames) {
                 "<circle cx='40' cy='40' r='5'/><path d='M15 15H25'/>"
                 "<path d='M15 60H65M15 60H40' stroke='#f0f' stroke-dasharray='2'/>"));
     Diagnostics diagnostics;
-    const auto pattern = make_pattern(*reading.list, {}, diagnostics);
+    const auto pattern = make_pattern(assembly_of(*reading.list), {}, diagnostics);
     ASSERT_TRUE(pattern);
     const PatternPiece& piece = pattern->pieces.at(0);
     EXPECT_EQ(piece.name, "plate");
@@ -408,7 +409,7 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
             const auto reading = read_drawing(sheet);
             EXPECT_EQ(reading.codes(), "");
             ASSERT_TRUE(reading.list);
-            for (const Part& part : reading.parts()) {
+            for (const FlatPart& part : reading.parts()) {
                 ++found;
                 ASSERT_TRUE(pieces.contains(part.name)) << part.name;
                 const PatternPiece& piece = *pieces[part.name];
@@ -417,7 +418,7 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
                 EXPECT_NEAR(area(part), paper, 0.05) << part.name;
                 const auto drawn = [&](LineKind kind) {
                     double sum = 0.0;
-                    for (const PartLine& line : part.lines) {
+                    for (const FlatLine& line : part.lines) {
                         if (line.kind == kind) sum += drawing::length_of(line.points);
                     }
                     for (const PatternLine& line : piece.lines) {
@@ -433,15 +434,17 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
                     cut += drawing::length_of(one.points);
                     if (one.closed) cut -= 0.0 - distance(one.points.back(), one.points.front());
                 }
-                const auto again = make_pattern(PartList{{part}, {}}, {}, diagnostics);
+                const auto again = make_pattern(assembly_of(FlatParts{{part}, {}}), {}, diagnostics);
                 for (const Contour& one : again->pieces[0].cuts) {
                     cut -= drawing::length_of(one.points);
                     if (one.closed) cut -= distance(one.points.back(), one.points.front());
                 }
                 EXPECT_NEAR(cut, 0.0, 0.05) << part.name;
                 EXPECT_EQ(part.texts.size(), piece.labels.size()) << part.name;
-                EXPECT_EQ(part.fills.size(), piece.fills.size()) << part.name;
-                EXPECT_EQ(part.strokes.size(), piece.strokes.size() + piece.targets.size()) << part.name;
+                EXPECT_EQ(part.fills.size(), test::prints_of<Area>(piece.prints).size()) << part.name;
+                EXPECT_EQ(part.strokes.size(),
+                          test::prints_of<Stroke>(piece.prints).size() + piece.targets.size())
+                    << part.name;
             }
         }
         EXPECT_EQ(found, run.layout->placements.size());

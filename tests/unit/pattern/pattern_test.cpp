@@ -10,6 +10,7 @@
 #include "pattern/labels.h"
 #include "pattern/tabs.h"
 #include "support/designs.h"
+#include "support/prints.h"
 
 namespace popup {
 namespace {
@@ -523,16 +524,16 @@ TEST(Pattern, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
 TEST(Pattern, NamesOfPiecesStandClearOfDrawnLinesWhereTheyCan) {
     Card card;
     const Vec2 before = card.pattern().pieces[0].labels[0].at;
-    card.assembly.plates[0].strokes.push_back({{before - Vec2{3, 3}, before + Vec2{3, 3}}, 2.0, {}});
-    card.assembly.plates[1].strokes.push_back({{{50, -80}, {50, 80}}, 90.0, {}});
+    card.assembly.plates[0].prints.emplace_back(Stroke{{before - Vec2{3, 3}, before + Vec2{3, 3}}, 2.0, {}});
+    card.assembly.plates[1].prints.emplace_back(Stroke{{{50, -80}, {50, 80}}, 90.0, {}});
     const Label label = card.pattern().pieces[0].labels[0];
     for (const Plate& plate : card.assembly.plates) {
-        for (const Stroke& stroke : plate.strokes) {
+        for (const Stroke& stroke : test::prints_of<Stroke>(plate.prints)) {
             const Segment line{stroke.points[0], stroke.points[1]};
             EXPECT_GT(distance(label.at, line), 0.5 * stroke.width_mm + 0.5 * label.height_mm);
         }
     }
-    card.assembly.plates[0].strokes.push_back({{{-50, -80}, {-50, 80}}, 100.0, {}});
+    card.assembly.plates[0].prints.emplace_back(Stroke{{{-50, -80}, {-50, 80}}, 100.0, {}});
     EXPECT_EQ(card.pattern().pieces[0].labels.size(),
               1U);  // no room left beside them, but never without a name
 }
@@ -540,17 +541,19 @@ TEST(Pattern, NamesOfPiecesStandClearOfDrawnLinesWhereTheyCan) {
 TEST(Pattern, FillsStrokesAndPlateNamesAreCarried) {
     Card card;
     card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
-    card.assembly.plates[2].strokes.push_back({{{0, 1}, {1, 2}}, 0.5, {}});
+    card.assembly.plates[2].prints.emplace_back(Stroke{{{0, 1}, {1, 2}}, 0.5, {}});
     const Pattern pattern = card.pattern();
     EXPECT_EQ(pattern.plate_names,
               (std::vector<std::string>{"page/left", "page/right", "v1/left", "v1/right"}));
     const PatternPiece& piece = pattern.pieces[1];
-    ASSERT_EQ(piece.fills.size(), 2U);  // one plate, one tab
-    EXPECT_EQ(piece.fills[0].plate, 2);
-    EXPECT_EQ(piece.fills[1].plate, -1);
-    EXPECT_EQ(piece.fills[1].color, (Color{1, 2, 3}));
-    ASSERT_EQ(piece.strokes.size(), 1U);
-    EXPECT_EQ(piece.strokes[0].plate, 2);
+    const auto fills = test::prints_of<Area>(piece.prints);
+    ASSERT_EQ(fills.size(), 2U);  // one plate, one tab
+    EXPECT_EQ(fills[0].plate, 2);
+    EXPECT_EQ(fills[1].plate, -1);
+    EXPECT_EQ(fills[1].print.color, (Color{1, 2, 3}));
+    const auto strokes = test::prints_of<Stroke>(piece.prints);
+    ASSERT_EQ(strokes.size(), 1U);
+    EXPECT_EQ(strokes[0].plate, 2);
 }
 
 TEST(Pattern, BoundsAreThoseOfTheBarePage) {

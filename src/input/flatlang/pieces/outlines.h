@@ -13,7 +13,7 @@
 namespace popup::flatlang {
 
 inline constexpr double kMmPerInch = 25.4;
-// Parts lie this near to the origin, as part_list.h has it.
+// Parts lie this near to the origin, as flat_parts.h has it.
 inline constexpr double kFarthestMm = 1e5;
 
 // Finite, and no further from the origin than parts may be.
@@ -25,7 +25,7 @@ struct Face {
     int plane = 0;               // faces of one plane and part have the same number, no others
     int first_polygon = 0;       // of those it is made of, the one that was closed first
     Frame frame;                 // of its plane; the front is the side from which it is drawn
-    std::vector<Polygon> paper;  // in the plane; as Part::paper
+    std::vector<Polygon> paper;  // in the plane; as Piece::paper
 };
 
 struct Outlines {

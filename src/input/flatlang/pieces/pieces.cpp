@@ -103,7 +103,7 @@ class PartMaker {
     PartMaker(Trail trail, Diagnostics& diagnostics)
         : in_(std::move(trail)), diagnostics_(diagnostics), names_(in_) {}
 
-    std::optional<PartList> run() {
+    std::optional<FlatParts> run() {
         const bool joined = join_strokes();
         auto outlines = find_outlines(in_, work_, diagnostics_);
         if (!outlines) return std::nullopt;
@@ -223,15 +223,14 @@ class PartMaker {
 
     void begin_part(int number) {
         const TrailPart& from = in_.parts[at(number)];
-        Part part;
+        FlatPart part;
         part.name = names_.fresh(clean(from.name));
         part.place = from.place;
-        nodes_.push_back({part.name, {}, {}});
         list_.parts.push_back(std::move(part));
     }
 
     bool add_piece(Unfolded piece, std::size_t number, int first_face) {
-        Part& part = list_.parts[number];
+        FlatPart& part = list_.parts[number];
         for (const Polygon& region : piece.paper) {
             for (const Vec2 p : region.outer) {
                 if (std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm) continue;
@@ -247,7 +246,7 @@ class PartMaker {
         part.paper.insert(part.paper.end(), std::make_move_iterator(piece.paper.begin()),
                           std::make_move_iterator(piece.paper.end()));
         for (const Crease& crease : piece.creases) {
-            PartLine line;
+            FlatLine line;
             line.kind = crease.angle < 0.0 ? LineKind::mountain : LineKind::valley;
             line.points = {crease.from, crease.to};
             if (crease.angle != 0.0) line.fold_angle = std::abs(crease.angle);
@@ -256,8 +255,7 @@ class PartMaker {
         for (const Segment& slit : piece.slits) part.slits.push_back({slit.a, slit.b});
         for (UnfoldedFace& face : piece.faces) {
             part_of_face_[at(first_face + face.face)] = static_cast<int>(number);
-            for (Polygon& region : face.paper)
-                nodes_[number].faces.push_back({std::move(region), face.frame});
+            for (Polygon& region : face.paper) part.faces.push_back({std::move(region), face.frame});
         }
         return true;
     }
@@ -324,14 +322,13 @@ class PartMaker {
                 of_none[at(drawn_in)].push_back(i);
             }
         }
-        for (std::size_t i = 0; i < nodes_.size(); ++i) nodes_[i].lines = chained(in_, of_part[i]);
+        for (std::size_t i = 0; i < of_part.size(); ++i) list_.parts[i].traces = chained(in_, of_part[i]);
         for (std::size_t i = 0; i < of_none.size(); ++i) {
             std::vector<std::vector<Vec3>> lines = chained(in_, of_none[i]);
             if (lines.empty()) continue;
             const std::string name = i == 0 ? std::string() : clean(in_.parts[i].name);
-            nodes_.push_back({names_.fresh(name.empty() ? "trail" : name), {}, std::move(lines)});
+            list_.traces.push_back({names_.fresh(name.empty() ? "trail" : name), -1, std::move(lines)});
         }
-        list_.model.emplace(StillModel{std::move(nodes_)});
     }
 
     Trail in_;
@@ -341,13 +338,12 @@ class PartMaker {
     Outlines outlines_;
     PenLines lines_;
     std::vector<int> part_of_face_;
-    PartList list_;
-    std::vector<StillNode> nodes_;  // one a part, then those of lines
+    FlatParts list_;
 };
 
 }  // namespace
 
-std::optional<PartList> make_parts(const Trail& trail, Diagnostics& diagnostics) {
+std::optional<FlatParts> make_parts(const Trail& trail, Diagnostics& diagnostics) {
     return PartMaker(trail, diagnostics).run();
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "input/flatlang/turtle/trail.h"
+#include "parts/flat_parts.h"
 #include "popup/diagnostics.h"
-#include "popup/part_list.h"
 
 namespace popup::flatlang {
 
@@ -39,6 +39,6 @@ namespace popup::flatlang {
 // Errors: `flatlang-no-parts`, when there is no loop with an area; those of find_outlines(), located at the
 // part's beginning. Remark: `flatlang-open-lines`, of what is no part of a loop and not cut; a warning of
 // each part that has lines and no loop. Cost: near linear; what is far from it ends as `document-too-large`.
-std::optional<PartList> make_parts(const Trail& trail, Diagnostics& diagnostics);
+std::optional<FlatParts> make_parts(const Trail& trail, Diagnostics& diagnostics);
 
 }  // namespace popup::flatlang

@@ -29,7 +29,7 @@ struct Crease {
 struct Unfolded {
     std::vector<UnfoldedFace>
         faces;                   // the first as it lies in its plane; in the order in which they were hung
-    std::vector<Polygon> paper;  // what all faces have together, as Part::paper
+    std::vector<Polygon> paper;  // what all faces have together, as Piece::paper
     std::vector<Crease> creases;
     std::vector<Segment> slits;  // where faces touch on the page that are not joined there
 };

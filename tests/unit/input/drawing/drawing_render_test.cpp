@@ -77,13 +77,13 @@ TEST(Drawing, IsWhereAnotherRendererPaintsIt) {
                 static_cast<double>(height) / kPerMm - (static_cast<double>(i / wide) + 0.5) / kPerMm};
             if (i % 7 != 0) continue;  // enough of them
             bool inside = false;
-            for (const Part& part : reading.parts()) {
+            for (const FlatPart& part : reading.parts()) {
                 for (const Polygon& paper : part.paper) inside = inside || contains(paper, middle);
             }
             wrong += inside != (alpha[i] == 1.0) ? 1U : 0U;
         }
         double paper = 0.0;
-        for (const Part& part : reading.parts()) paper += area(part);
+        for (const FlatPart& part : reading.parts()) paper += area(part);
         EXPECT_NEAR(paper, painted, 0.002 * painted) << picture;
         EXPECT_LE(wrong, alpha.size() / 7 / 500) << picture;
         EXPECT_GT(painted, 100.0);

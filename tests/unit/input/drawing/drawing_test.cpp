@@ -32,7 +32,7 @@ void expect_box(const Box& box, double left, double bottom, double right, double
 }
 
 // The only part of a drawing without findings.
-Part only_part(const std::string& body) {
+FlatPart only_part(const std::string& body) {
     const auto reading = read_drawing(drawing(body));
     EXPECT_EQ(reading.codes(), "") << body;
     if (!reading.list || reading.parts().size() != 1) {
@@ -43,7 +43,7 @@ Part only_part(const std::string& body) {
 }
 
 // Chords lie inside of a round contour, at most 0.01 mm from it.
-void expect_round(const Part& part, double true_area, double around) {
+void expect_round(const FlatPart& part, double true_area, double around) {
     EXPECT_LE(area(part), true_area + 1e-6);
     EXPECT_GE(area(part), true_area - 0.01 * around);
 }
@@ -75,7 +75,7 @@ TEST(Drawing, EveryPathCommandDrawsWhatItSays) {
          {"M10 10L30 10L30 40L10 40Z", "m10 10l20 0 0 30-20 0z", "M10 10H30V40H10Z", "m10 10h20v30h-20z",
           "M10 10 30 10 30 40 10 40z", "M 10,10 h 20 v 30 h -20 z", "M1e1.1e2L.3e2 10 30.0,4e+1 10 40Z",
           "m10 10 20,0,0,30-20,0z", "\tM10 10\nH 30\rV40 H10Z"}) {
-        const Part part = only_part("<path d='" + d + "'/>");
+        const FlatPart part = only_part("<path d='" + d + "'/>");
         EXPECT_NEAR(area(part), 600.0, 1e-6) << d;
         expect_box(bounds(part), 10, 60, 30, 90);
     }
@@ -91,15 +91,15 @@ TEST(Drawing, CurvesHaveTheAreasOfTheirFormulas) {
         expect_round(only_part("<path d='" + d + "'/>"), parabola + 1e-4, 100.0);
     }
     // Two waves: the second half by mirrored control points; they lie on both sides of the chord.
-    const Part wave = only_part("<path d='M10 50Q20 35 30 50T50 50V80H10Z'/>");
+    const FlatPart wave = only_part("<path d='M10 50Q20 35 30 50T50 50V80H10Z'/>");
     EXPECT_NEAR(area(wave), 40.0 * 30.0, 0.5);
     expect_box(bounds(wave), 10, 20, 50, 57.5, 0.02);
-    const Part smooth = only_part("<path d='M10 50C15 40 25 40 30 50S45 60 50 50V80H10Z'/>");
-    const Part spelt = only_part("<path d='M10 50C15 40 25 40 30 50C35 60 45 60 50 50V80H10Z'/>");
+    const FlatPart smooth = only_part("<path d='M10 50C15 40 25 40 30 50S45 60 50 50V80H10Z'/>");
+    const FlatPart spelt = only_part("<path d='M10 50C15 40 25 40 30 50C35 60 45 60 50 50V80H10Z'/>");
     EXPECT_EQ(smooth.paper[0].outer, spelt.paper[0].outer);
     // After another command nothing is mirrored.
-    const Part plain = only_part("<path d='M10 50H30S45 60 50 50V80H10Z'/>");
-    const Part plain_spelt = only_part("<path d='M10 50H30C30 50 45 60 50 50V80H10Z'/>");
+    const FlatPart plain = only_part("<path d='M10 50H30S45 60 50 50V80H10Z'/>");
+    const FlatPart plain_spelt = only_part("<path d='M10 50H30C30 50 45 60 50 50V80H10Z'/>");
     EXPECT_EQ(plain.paper[0].outer, plain_spelt.paper[0].outer);
 }
 
@@ -110,7 +110,7 @@ TEST(Drawing, ArcsTakeTheSideTheirFlagsSay) {
     const std::map<std::string, double> areas{
         {"0 0 0", segment}, {"0 0 1", segment}, {"0 1 0", disc - segment}, {"0 1 1", disc - segment}};
     for (const auto& [flags, expected] : areas) {
-        const Part part = only_part("<path d='M40 50A20 20 " + flags + " 60 50Z'/>");
+        const FlatPart part = only_part("<path d='M40 50A20 20 " + flags + " 60 50Z'/>");
         expect_round(part, expected, 130.0);
         // With the sweep flag an arc to the right runs over the top of the drawing, which is up.
         const bool over = flags.ends_with('1');
@@ -146,8 +146,8 @@ TEST(Drawing, ChordsStrayFromCurvesByNoMoreThanTheTolerance) {
 }
 
 TEST(Drawing, ScaledCurvesAreAsSmoothAsOthers) {
-    const Part small = only_part("<circle cx='0.05' cy='0.05' r='0.04' transform='scale(1000)'/>");
-    const Part large = only_part("<circle cx='50' cy='50' r='40'/>");
+    const FlatPart small = only_part("<circle cx='0.05' cy='0.05' r='0.04' transform='scale(1000)'/>");
+    const FlatPart large = only_part("<circle cx='50' cy='50' r='40'/>");
     EXPECT_EQ(small.paper[0].outer.size(), large.paper[0].outer.size());
 }
 
@@ -185,7 +185,7 @@ TEST(Drawing, TransformsAreComposedFromTheRight) {
 }
 
 TEST(Drawing, TransformsOfGroupsActOnWhatIsInThem) {
-    const Part part = only_part(
+    const FlatPart part = only_part(
         "<g transform='translate(50 50)'><g transform='rotate(90)'><rect x='1' y='2' width='10' height='20' "
         "transform='scale(1.5)'/></g></g>");
     EXPECT_NEAR(area(part), 200.0 * 2.25, 1e-5);
@@ -265,7 +265,7 @@ TEST(Drawing, PreserveAspectRatioSaysHowABoxIsFitted) {
 }
 
 TEST(Drawing, AnSvgInsideAnotherIsAPictureInARectangle) {
-    const Part part = only_part(
+    const FlatPart part = only_part(
         "<svg x='10' y='20' width='40' height='40' viewBox='0 0 4 4'><rect x='1' y='1' width='50%' "
         "height='2'/></svg>");
     expect_box(bounds(part), 20, 100 - 50, 40, 100 - 30);
@@ -445,45 +445,45 @@ TEST(DrawingStyle, DashedLinesInTheColoursOfFoldsAreThoseFolds) {
                                               {Operation::seam, LineKind::seam}};
     for (const auto& [operation, kind] : folds) {
         const std::string color = to_string(profile_table().front().pen(operation).color);
-        const Part part = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" + color +
-                                    "' stroke-dasharray='3,1'/>");
+        const FlatPart part = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" + color +
+                                        "' stroke-dasharray='3,1'/>");
         ASSERT_EQ(part.lines.size(), 1U);
         EXPECT_EQ(part.lines[0].kind, kind);
         EXPECT_TRUE(part.slits.empty());
         for (const std::string dashes : {"none", "0", "0 0"}) {
-            const Part solid = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" +
-                                         color + "' style='stroke-dasharray:" + dashes + "'/>");
+            const FlatPart solid = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" +
+                                             color + "' style='stroke-dasharray:" + dashes + "'/>");
             EXPECT_TRUE(solid.lines.empty()) << dashes;
             EXPECT_EQ(solid.slits.size(), 1U) << dashes;
         }
     }
-    const Part green = only_part(
+    const FlatPart green = only_part(
         "<rect width='50' height='50'/><path d='M10 10H40' stroke='green' stroke-dasharray='3,1'/>");
     EXPECT_EQ(green.slits.size(), 1U);
     // A closed fold goes all the way round.
-    const Part closed = only_part(
+    const FlatPart closed = only_part(
         "<rect width='50' height='50'/><path d='M10 10H40V40Z' stroke='#f0f' stroke-dasharray='3mm'/>");
     ASSERT_EQ(closed.lines.size(), 1U);
     EXPECT_EQ(closed.lines[0].points.size(), 4U);
 }
 
 TEST(DrawingStyle, FillsThatAreWrittenArePrintedOnWhatIsLeft) {
-    const Part part =
+    const FlatPart part =
         only_part("<path d='M10 10H40V40H10Z M20 20H30V30H20Z' fill='#abcdef' fill-rule='evenodd'/>");
     ASSERT_EQ(part.fills.size(), 1U);
     EXPECT_EQ(part.fills[0].color, (Color{0xab, 0xcd, 0xef}));
-    EXPECT_NEAR(area(part.fills[0].area), 800.0, 1e-6);
+    EXPECT_NEAR(area(part.fills[0].shape), 800.0, 1e-6);
     // By directions both squares are inside; the hole is cut away all the same.
-    const Part same_way = only_part("<path d='M10 10H40V40H10Z M20 20H30V30H20Z' fill='#abcdef'/>");
+    const FlatPart same_way = only_part("<path d='M10 10H40V40H10Z M20 20H30V30H20Z' fill='#abcdef'/>");
     ASSERT_EQ(same_way.fills.size(), 1U);
-    EXPECT_NEAR(area(same_way.fills[0].area), 800.0, 1e-6);
+    EXPECT_NEAR(area(same_way.fills[0].shape), 800.0, 1e-6);
     // The black that is meant where nothing is written is not printed; a decoration without a stroke is.
     const auto reading = read_drawing(
         "<svg width='100mm' height='100mm' viewBox='0 0 100 100'><rect stroke='red' width='50' height='50'/>"
         "<circle cx='25' cy='50' r='10' fill='blue'/></svg>");
     EXPECT_EQ(reading.codes(), "");
     ASSERT_EQ(reading.part().fills.size(), 1U);
-    EXPECT_NEAR(area(reading.part().fills[0].area), 50.0 * kPi, 0.5);  // what lies outside is left out
+    EXPECT_NEAR(area(reading.part().fills[0].shape), 50.0 * kPi, 0.5);  // what lies outside is left out
     EXPECT_EQ(reading.part().paper[0].holes.size(), 0U);
 }
 

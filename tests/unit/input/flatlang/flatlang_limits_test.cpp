@@ -146,7 +146,7 @@ void expect_ends(std::uint64_t divisor, bool as_2008) {
         Diagnostics diagnostics("main.fl");
         const Reading reading = read({"main.fl", program}, options, diagnostics);
         if (as_2008) continue;  // what is wrong in texts is no error there, and there are no cards
-        EXPECT_FALSE(reading.parts || reading.design) << name;
+        EXPECT_FALSE(reading.assembly || reading.design) << name;
         std::size_t located = 0;
         for (const Diagnostic& one : diagnostics.sorted()) {
             if (one.severity == Severity::error && one.place.line == 1) ++located;

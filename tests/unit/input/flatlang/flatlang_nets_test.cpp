@@ -57,7 +57,7 @@ Motion3 after(const Motion3& first, const Motion3& then) {
 }
 
 // The faces of a piece: its paper without hairs along its creases and cuts.
-std::vector<Polygon> faces_of(const Part& part, double hair) {
+std::vector<Polygon> faces_of(const FlatPart& part, double hair) {
     std::vector<Polygon> hairs;
     const auto add = [&](Vec2 a, Vec2 b) {
         const Vec2 along = unit(b - a);
@@ -65,7 +65,7 @@ std::vector<Polygon> faces_of(const Part& part, double hair) {
         const Vec2 on = 5.0 * hair * along;
         hairs.push_back({{a - on - aside, b + on - aside, b + on + aside, a - on + aside}, {}});
     };
-    for (const PartLine& line : part.lines) add(line.points.front(), line.points.back());
+    for (const FlatLine& line : part.lines) add(line.points.front(), line.points.back());
     for (const auto& slit : part.slits) add(slit.front(), slit.back());
     return subtract(part.paper, hairs);
 }
@@ -95,7 +95,8 @@ std::vector<Vec2> corners_of(const Ring& ring, double hair) {
 }
 
 // Each face's outline as it stands when `first`, which holds a point of the page, stands as `frame` has it.
-std::vector<std::vector<Vec3>> folded(const Part& part, Vec2 inside_first, const Frame& frame, double hair) {
+std::vector<std::vector<Vec3>> folded(const FlatPart& part, Vec2 inside_first, const Frame& frame,
+                                      double hair) {
     const std::vector<Polygon> faces = faces_of(part, hair);
     std::vector<Motion3> motions(faces.size());
     std::vector<char> known(faces.size(), 0);
@@ -107,7 +108,7 @@ std::vector<std::vector<Vec3>> folded(const Part& part, Vec2 inside_first, const
     while (!waiting.empty()) {
         const int from = waiting.front();
         waiting.pop_front();
-        for (const PartLine& line : part.lines) {
+        for (const FlatLine& line : part.lines) {
             Vec2 a = line.points.front();
             Vec2 b = line.points.back();
             const Vec2 aside = 0.02 * left_of(unit(b - a));
@@ -180,18 +181,16 @@ Checked check_net(const Solid& solid, const std::string& about_it, double hair =
     double paper = 0.0;
     std::vector<int> found(solid.size(), 0);
     for (std::size_t i = 0; i < list->parts.size(); ++i) {
-        const Part& part = list->parts[i];
+        const FlatPart& part = list->parts[i];
         checked.folds += part.lines.size();
         paper += area(part.paper);
-        for (const PartLine& line : part.lines) {
+        for (const FlatLine& line : part.lines) {
             EXPECT_TRUE(line.fold_angle);
             EXPECT_GT(*line.fold_angle, 0.0);
             EXPECT_LE(*line.fold_angle, M_PI);
         }
-        const StillNode& node = list->model->nodes.at(i);
-        EXPECT_EQ(node.name, part.name);
-        const Vec2 inside = inner_point(node.faces.front().shape, 0.1).at;
-        for (const std::vector<Vec3>& face : folded(part, inside, node.faces.front().frame, hair)) {
+        const Vec2 inside = inner_point(part.faces.front().shape, 0.1).at;
+        for (const std::vector<Vec3>& face : folded(part, inside, part.faces.front().frame, hair)) {
             int matches = 0;
             for (std::size_t k = 0; k < solid.size(); ++k) {
                 if (!same_points(face, solid[k])) continue;

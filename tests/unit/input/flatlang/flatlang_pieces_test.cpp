@@ -20,13 +20,13 @@ using test::TrailMaker;
 constexpr double kInch = 25.4;
 
 struct Made {
-    std::optional<PartList> list;
+    std::optional<FlatParts> list;
     Diagnostics diagnostics{"program.fl"};
-    [[nodiscard]] const Part& part(std::size_t i) const { return list->parts.at(i); }
+    [[nodiscard]] const FlatPart& part(std::size_t i) const { return list->parts.at(i); }
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> all;
         if (!list) return all;
-        for (const Part& part : list->parts) all.push_back(part.name);
+        for (const FlatPart& part : list->parts) all.push_back(part.name);
         return all;
     }
     [[nodiscard]] std::vector<std::string> codes() const {
@@ -159,7 +159,7 @@ TEST(FlatLangPieces, WhatIsDrawnOnTheGroundIsSeenFromAbove) {
         EXPECT_TRUE(contains(made.part(0).paper.at(0), {2.5 * kInch, 0.5 * kInch}));
         EXPECT_FALSE(contains(made.part(0).paper.at(0), {2.5 * kInch, 4 * kInch}));
         EXPECT_TRUE(contains(made.part(0).paper.at(0), {0.5 * kInch, 4 * kInch}));
-        EXPECT_EQ(made.list->model->nodes.at(0).faces.at(0).frame.normal(), (Vec3{0, 0, 1}));
+        EXPECT_EQ(made.part(0).faces.at(0).frame.normal(), (Vec3{0, 0, 1}));
     }
 }
 
@@ -183,7 +183,7 @@ TEST(FlatLangPieces, FlatNeighboursArePiecesOfTheirOwnUnlessAPartJoinsThem) {
         // Four creases meet in the middle; none of them is folded.
         ASSERT_EQ(made.part(0).lines.size(), 4U);
         EXPECT_TRUE(made.part(0).slits.empty());
-        for (const PartLine& line : made.part(0).lines) {
+        for (const FlatLine& line : made.part(0).lines) {
             EXPECT_EQ(line.kind, LineKind::valley);
             EXPECT_FALSE(line.fold_angle);
             EXPECT_NEAR(distance(line.points.at(0), line.points.at(1)), 2 * kInch, 1e-4);
@@ -270,7 +270,7 @@ TEST(FlatLangPieces, StretchesOfEdgesThatFacesShareAreFolds) {
     ASSERT_TRUE(made.list) << made.told();
     ASSERT_EQ(made.list->parts.size(), 1U);
     std::multiset<int> inches;
-    for (const PartLine& line : made.part(0).lines) {
+    for (const FlatLine& line : made.part(0).lines) {
         inches.insert(static_cast<int>(std::lround(distance(line.points[0], line.points[1]) / kInch)));
     }
     EXPECT_EQ(inches, (std::multiset<int>{1, 2}));
@@ -500,23 +500,23 @@ TEST(FlatLangPieces, TheModelHasANodeAPartAndOneOfLooseLines) {
     maker.line({0, 0, 0}, {1, 0, 0});
     const Made made = make(maker);
     ASSERT_TRUE(made.list) << made.told();
-    ASSERT_TRUE(made.list->model);
-    const std::vector<StillNode>& nodes = made.list->model->nodes;
-    ASSERT_EQ(nodes.size(), 3U);
-    EXPECT_EQ(nodes[0].name, "lid");
-    ASSERT_EQ(nodes[0].faces.size(), 1U);
+    ASSERT_EQ(made.list->parts.size(), 1U);
+    const FlatPart& lid = made.part(0);
+    EXPECT_EQ(lid.name, "lid");
+    ASSERT_EQ(lid.faces.size(), 1U);
     // Its outline is one line, and the loose one, which goes on from its beginning, is in it.
-    EXPECT_EQ(nodes[0].lines.size(), 1U);
-    EXPECT_EQ(nodes[0].lines[0].size(), 6U);
-    EXPECT_EQ(nodes[1].name, "trail");
-    ASSERT_EQ(nodes[1].lines.size(), 2U);
-    EXPECT_EQ(nodes[1].lines[0],
+    EXPECT_EQ(lid.traces.size(), 1U);
+    EXPECT_EQ(lid.traces[0].size(), 6U);
+    const std::vector<Trace>& loose = made.list->traces;
+    ASSERT_EQ(loose.size(), 2U);
+    EXPECT_EQ(loose[0].name, "trail");
+    ASSERT_EQ(loose[0].lines.size(), 2U);
+    EXPECT_EQ(loose[0].lines[0],
               (std::vector<Vec3>{kInch * Vec3{-3, 0, 0}, kInch * Vec3{-2, 0, 0}, kInch * Vec3{-1, 0, 1}}));
-    EXPECT_EQ(nodes[2].name, "scribble");
-    EXPECT_TRUE(nodes[2].faces.empty());
+    EXPECT_EQ(loose[1].name, "scribble");
     // The face stands where it was drawn.
-    for (const Vec2 p : nodes[0].faces[0].shape.outer) {
-        const Vec3 at = nodes[0].faces[0].frame.point(p);
+    for (const Vec2 p : lid.faces[0].shape.outer) {
+        const Vec3 at = lid.faces[0].frame.point(p);
         double nearest = HUGE_VAL;
         for (const Vec3 corner : maker.trail.polygons[0].points) {
             nearest = std::min(nearest, distance(kInch * corner, at));
@@ -570,7 +570,7 @@ TEST(FlatLangPieces, ThePatternKeepsTheAnglesOfFolds) {
     maker.square(0, 4, 4);
     Made made = make(maker);
     ASSERT_TRUE(made.list) << made.told();
-    const auto pattern = make_pattern(*made.list, PatternOptions{}, made.diagnostics);
+    const auto pattern = make_pattern(assembly_of(*made.list), PatternOptions{}, made.diagnostics);
     ASSERT_TRUE(pattern);
     ASSERT_EQ(pattern->pieces.size(), 1U);
     std::multiset<std::pair<LineKind, int>> folds;

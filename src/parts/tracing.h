@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "popup/design.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
-#include "popup/lines.h"
-#include "popup/part_list.h"
+#include "popup/print.h"
 
 namespace popup::drawing {
 
@@ -50,7 +48,7 @@ struct TracedFill {
 };
 
 struct TracedText {
-    PartText text;
+    Text text;
     int owner = 0;
 };
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "input/drawing/tracing.h"
+#include "parts/flat_parts.h"
+#include "parts/tracing.h"
 #include "popup/diagnostics.h"
-#include "popup/part_list.h"
 
 namespace popup::drawing {
 
@@ -13,6 +13,6 @@ namespace popup::drawing {
 // of this program's own makes parts on its own, so that pieces may lie in one another's holes.
 // Errors: `no-contours`, `contours-overlap`, `document-too-large`. Warnings and remarks for all that is left
 // out or mended.
-std::optional<PartList> make_parts(const Tracing& tracing, Diagnostics& diagnostics);
+std::optional<FlatParts> make_parts(const Tracing& tracing, Diagnostics& diagnostics);
 
 }  // namespace popup::drawing

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "input/drawing/tracing.h"
+#include "parts/flat_parts.h"
+#include "parts/tracing.h"
 #include "parts/work.h"
 #include "popup/diagnostics.h"
-#include "popup/part_list.h"
 
 namespace popup::drawing {
 
@@ -18,7 +18,7 @@ struct OwnedLines {
 
 // Every outermost contour of these lines, with what lies in it. Names may be missing or equal. Empty when
 // there is no contour, or after an error.
-std::vector<Part> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
-                                Diagnostics& diagnostics);
+std::vector<FlatPart> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
+                                    Diagnostics& diagnostics);
 
 }  // namespace popup::drawing

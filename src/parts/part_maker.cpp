@@ -1,4 +1,4 @@
-#include "input/drawing/part_maker.h"
+#include "parts/part_maker.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
-#include "input/drawing/joining.h"
 #include "parts/contours.h"
+#include "parts/joining.h"
 #include "parts/work.h"
 
 namespace popup::drawing {
@@ -81,7 +81,7 @@ class PartMaker {
     void add(const TracedText& text) { texts_.push_back(&text); }
 
     // Empty when there is no contour, or after an error.
-    std::vector<Part> run() {
+    std::vector<FlatPart> run() {
         join();
         if (closed_.empty() && owner_ == 0) take_shapes();
         auto contours = sort_contours(std::move(closed_), work_);
@@ -211,7 +211,7 @@ class PartMaker {
         part_of_.assign(all.size(), -1);
         for (const int root : roots) {
             part_of_[at(root)] = static_cast<int>(parts_.size());
-            Part& part = parts_.emplace_back();
+            FlatPart& part = parts_.emplace_back();
             part.place = place(all[at(root)].elements);
             part.name = owner_ > 0 ? in_.owners[at(owner_)].name : name_of(all[at(root)].elements);
             outlines_.push_back({all[at(root)].ring, {}});
@@ -448,7 +448,7 @@ class PartMaker {
                 filled(fill->rings, fill->even_odd ? FillRule::even_odd : FillRule::non_zero);
             if (area.empty()) continue;
             if (owner_ > 0) {
-                Part& part = parts_[at(part_at(fill->rings[0][0]))];
+                FlatPart& part = parts_[at(part_at(fill->rings[0][0]))];
                 for (const Polygon& one : area) part.fills.push_back({one, fill->color});
             } else if (!print(*fill, area)) {
                 return too_large("its painted areas lie on too many parts");
@@ -530,7 +530,7 @@ class PartMaker {
     std::vector<const TracedText*> texts_;
     std::set<int> doubled_;  // elements
     Contours contours_;
-    std::vector<Part> parts_;
+    std::vector<FlatPart> parts_;
     std::vector<Polygon> outlines_;  // of each part
     std::vector<Box> boxes_;
     std::vector<int> part_of_;  // of each contour that is a root
@@ -541,8 +541,8 @@ class PartMaker {
 
 }  // namespace
 
-std::vector<Part> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
-                                Diagnostics& diagnostics) {
+std::vector<FlatPart> make_parts_of(const Tracing& tracing, int owner, const OwnedLines& owned, Work& work,
+                                    Diagnostics& diagnostics) {
     PartMaker maker(tracing, owner, work, diagnostics);
     for (const TracedLine* line : owned.lines) maker.add(*line);
     for (const TracedFill* fill : owned.fills) maker.add(*fill);

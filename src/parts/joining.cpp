@@ -1,4 +1,4 @@
-#include "input/drawing/joining.h"
+#include "parts/joining.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "input/drawing/parts.h"
+#include "parts/drawn_parts.h"
 
 #include <fmt/format.h>
 
@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "input/drawing/joining.h"
-#include "input/drawing/part_maker.h"
+#include "parts/joining.h"
+#include "parts/part_maker.h"
 
 namespace popup::drawing {
 namespace {
 
 // Of equal names the second becomes "name~2"; those that are missing are numbers. A name that a part really
 // has is never given to another.
-void name_parts(std::vector<Part>& parts) {
+void name_parts(std::vector<FlatPart>& parts) {
     std::set<std::string> taken;
-    for (const Part& part : parts) taken.insert(part.name);
+    for (const FlatPart& part : parts) taken.insert(part.name);
     std::set<std::string> given;
     std::map<std::string, int> last;
     const auto fresh = [&](const std::string& name) {
@@ -87,16 +87,17 @@ void tell_empty(const Tracing& tracing, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::optional<PartList> make_parts(const Tracing& tracing, Diagnostics& diagnostics) {
+std::optional<FlatParts> make_parts(const Tracing& tracing, Diagnostics& diagnostics) {
     const auto at = [](int owner) { return static_cast<std::size_t>(owner); };
     std::vector<OwnedLines> owners(tracing.owners.size());
     for (const TracedLine& line : tracing.lines) owners[at(line.owner)].lines.push_back(&line);
     for (const TracedFill& fill : tracing.fills) owners[at(fill.owner)].fills.push_back(&fill);
     for (const TracedText& text : tracing.texts) owners[at(text.owner)].texts.push_back(&text);
     Work work;
-    PartList list;
+    FlatParts list;
     for (std::size_t i = 0; i < owners.size(); ++i) {
-        std::vector<Part> parts = make_parts_of(tracing, static_cast<int>(i), owners[i], work, diagnostics);
+        std::vector<FlatPart> parts =
+            make_parts_of(tracing, static_cast<int>(i), owners[i], work, diagnostics);
         list.parts.insert(list.parts.end(), std::make_move_iterator(parts.begin()),
                           std::make_move_iterator(parts.end()));
     }

@@ -1,0 +1,91 @@
+#include "popup/image.h"
+
+#include <utility>
+
+#include "pictures/decode.h"
+#include "popup/diagnostics.h"
+
+namespace popup {
+namespace {
+
+std::optional<ImageFormat> format_of(std::string_view file) {
+    if (file.starts_with("\x89PNG\r\n\x1a\n")) return ImageFormat::png;
+    if (file.starts_with("\xff\xd8\xff")) return ImageFormat::jpeg;
+    return std::nullopt;
+}
+
+Decoded decoded(const std::string& file, ImageFormat format) {
+    return format == ImageFormat::png ? decode_png(file) : decode_jpeg(file);
+}
+
+}  // namespace
+
+std::string_view to_string(ImageFault fault) {
+    switch (fault) {
+        case ImageFault::not_an_image:
+            return "the file is neither a PNG nor a JPEG";
+        case ImageFault::broken:
+            return "the picture is broken, or ends early";
+        case ImageFault::unsupported:
+            return "the picture is in printers' colours (CMYK)";
+        case ImageFault::too_many_bytes:
+            return "the file is larger than 64 MB";
+        case ImageFault::too_many_pixels:
+            return "the picture has more than 64 million pixels";
+    }
+    broken_invariant("an image fault is one of its enumerators", __FILE__, __LINE__);
+}
+
+std::variant<Image, ImageFault> open_image(std::string file) {
+    if (file.size() > kMostImageBytes) return ImageFault::too_many_bytes;
+    const std::optional<ImageFormat> format = format_of(file);
+    if (!format) return ImageFault::not_an_image;
+    const Decoded picture = decoded(file, *format);
+    if (picture.fault) return *picture.fault;
+    Image image;
+    image.format = *format;
+    image.width = picture.pixels.width;
+    image.height = picture.pixels.height;
+    image.place = {{1.0, 0.0}, {0.0, -1.0}, {0.0, 0.0}};
+    image.bytes = std::make_shared<const std::string>(std::move(file));
+    return image;
+}
+
+std::string_view mime_type(ImageFormat format) {
+    return format == ImageFormat::png ? "image/png" : "image/jpeg";
+}
+
+std::optional<ImagePixels> pixels_of(const Image& image) {
+    if (image.bytes == nullptr || format_of(*image.bytes) != image.format) return std::nullopt;
+    Decoded picture = decoded(*image.bytes, image.format);
+    if (picture.fault || picture.pixels.width != image.width || picture.pixels.height != image.height) {
+        return std::nullopt;
+    }
+    return std::move(picture.pixels);
+}
+
+bool may_be_transparent(const Image& image) {
+    if (image.format == ImageFormat::jpeg || image.bytes == nullptr) return false;
+    // The kind of colour stands in the header, which begins the file; bit 2 says that there is alpha. Other
+    // pictures may say before their data which colours are clear.
+    constexpr std::size_t kColorKind = 25;
+    const std::string_view file = *image.bytes;
+    if (file.size() <= kColorKind) return false;
+    return (static_cast<unsigned char>(file[kColorKind]) & 4U) != 0 || file.find("tRNS") < file.find("IDAT");
+}
+
+Ring outline_of(const Image& image) {
+    const double w = image.width;
+    const double h = image.height;
+    const Affine& place = image.place;
+    Ring ring{place.point({0, 0}), place.point({w, 0}), place.point({w, h}), place.point({0, h})};
+    if (signed_area(ring) < 0.0) ring = {ring[0], ring[3], ring[2], ring[1]};
+    return ring;
+}
+
+std::vector<Polygon> shown_regions(const Image& image) {
+    if (!image.clip.empty()) return image.clip;
+    return {{outline_of(image), {}}};
+}
+
+}  // namespace popup
