@@ -356,11 +356,12 @@ TEST(Batch, NoJobWritesOverWhatOthersHave) {
     RunOptions here;
     here.directory = scratch.path();
     fs::copy_file(scratch / "designs/card0.xml", scratch / "in-2.svg");
-    EXPECT_EQ(popupc({"build", "in-2.svg", "--from", "popup", "--copies", "2", "--sheet", "215x155", "-o",
-                      "in.svg"},
-                     here)
-                  .exit,
-              2);
+    const RunResult single = popupc(
+        {"build", "in-2.svg", "--from", "xml", "--copies", "2", "--sheet", "215x155", "-o", "in.svg"}, here);
+    EXPECT_EQ(single.exit, 2);
+    EXPECT_NE(single.err.find("in-2.svg is an input, and a further sheet would be written over it"),
+              std::string::npos)
+        << single.err;
     EXPECT_EQ(read_file(scratch / "in-2.svg"), read_file(scratch / "designs/card0.xml"));
 }
 
