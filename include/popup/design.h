@@ -1,11 +1,13 @@
 // The Design: what the author asked for, with the place of every word of it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "popup/diagnostics.h"
@@ -52,6 +54,35 @@ struct ParentFold {
     bool page_changed = false;
 };
 
+// A plate, named by any point of it.
+struct ParentPlate {
+    int page = 0;
+    DesignPoint at;
+    Place place;
+    TextRange page_text, tag_text;  // as of ParentFold
+    bool page_changed = false;
+};
+
+// What path data encloses.
+struct DrawnPath {
+    std::string text;  // SVG path data as written: in the document's unit, y up
+    // Where what `text` says is meant to be: its point (x, y), in mm, at (a x + c y + e, b x + d y + f).
+    std::array<double, 6> placed{1, 0, 0, 1, 0, 0};
+    std::vector<Polygon> areas;  // as meant, in mm; chords stray from curves by at most 0.01 mm
+};
+
+// The value of one parameter of an element's row (popup/mechanism.h), outer points aside.
+struct Argument {
+    // Nothing where the author gave none; a length in mm, a plain number; a word of the row's list.
+    std::variant<std::monostate, Color, double, std::string, DrawnPath, std::vector<DesignPoint>> value;
+    std::optional<int> page;    // of a path or of points, where the author gave one
+    Place place;                // of what was written
+    TextRange text, page_text;  // the value and the page as written
+    TextRange tag_text;         // the start tag, where a missing page would go
+    bool changed = false;       // true once a repair has changed it: it differs from what is written
+    [[nodiscard]] bool given() const { return value.index() != 0; }
+};
+
 struct Structure {
     std::string type;  // canonical name of an element row
     std::string id;    // never empty: given, or e<n>
@@ -60,11 +91,22 @@ struct Structure {
     Place type_place;
     TextRange type_text;  // the value of the type, code or name
     TextRange tag_text;   // the whole element, from "<" to after its end tag: for --drop
+    TextRange start_tag;  // where a value would go that was not written
     bool type_changed = false;
     bool dropped = false;             // taken out by `fix --drop`
     std::vector<DesignPoint> points;  // in the order of the element's row
-    ParentFold fold;
-    std::optional<Color> left, right, left_tab, right_tab;
+    // The other values, in the order of the row's parameters; what lies behind the end was not given.
+    std::vector<Argument> arguments;
+    ParentFold fold;                   // what it stands on, fold or seam, unless it stands on a plate
+    std::optional<ParentPlate> plate;  // then `fold` has no meaning
+
+    // The page of what it stands on.
+    [[nodiscard]] int ground_page() const { return plate ? plate->page : fold.page; }
+    // The n-th argument, which is made if need be.
+    Argument& argument(std::size_t n) {
+        if (arguments.size() <= n) arguments.resize(n + 1);
+        return arguments[n];
+    }
 };
 
 struct DrawnLine {

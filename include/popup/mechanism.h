@@ -1,26 +1,83 @@
 // The elements: one row each, and everything that documents, schema and help say of them follows from the
 // row.
+//
+//     for (const ElementInfo& row : element_table())
+//         fmt::print("{} has {} points and makes {} folds\n", row.name, row.points.size(), row.folds.size());
 #pragma once
 
 #include <array>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "popup/design.h"
 #include "popup/geometry.h"
 
 namespace popup {
 
 // On which page a point of an element is written.
 enum class PointPage {
-    fold,   // the parent fold's page (on a seam: the page of its side)
+    fold,   // the parent fold's page (on a seam: the page of its side), or the parent plate's
     extra,  // the page that holds the element's own piece
 };
 
+// An outer point. They come as one list without names, so they stand apart from the other parameters.
 struct PointInfo {
     std::string_view letter;  // the thesis's letter
     PointPage page = PointPage::fold;
     char side = '-';  // 'L', 'R', or '-' for points of the fold or of both
+};
+
+// What a parameter's value is. A closed set: reader, writer, patch, schema and FlatLang switch over it.
+enum class ParameterKind {
+    colour,
+    length,  // in the document's unit; mm inside
+    number,  // plain
+    choice,  // a word of a list
+    path,    // SVG path data: the closed areas that it encloses, by the even-odd rule
+    points,  // any number of points, on one page
+};
+
+// A named parameter. Colours, paths and points are child elements of that name in the canonical document,
+// the others attributes; they are read either way.
+struct ParameterInfo {
+    std::string_view name;  // lower case, without "_" and "-": "leftcolor"
+    ParameterKind kind = ParameterKind::colour;
+    std::string_view about;  // one line
+    bool required = false;
+    PointPage page = PointPage::extra;             // of a path or of points, where they name none
+    std::string_view partner = {};                 // what it changes places with when left and right do
+    double least = 0.0, most = 0.0;                // of a length (mm) or number, both included
+    double standard = 0.0;                         // where none is given
+    std::span<const std::string_view> words = {};  // of a choice; the first is what holds where none is given
+};
+
+// Of nearly all elements: the colours of both halves and of their tabs.
+inline constexpr std::array<ParameterInfo, 4> kHalfColours{
+    {{.name = "leftcolor", .about = "colour of the left half", .partner = "rightcolor"},
+     {.name = "rightcolor", .about = "colour of the right half", .partner = "leftcolor"},
+     {.name = "lefttabcolor", .about = "colour of the left tab", .partner = "righttabcolor"},
+     {.name = "righttabcolor", .about = "colour of the right tab", .partner = "lefttabcolor"}}};
+
+// A fold or seam that an element makes, for others to stand on.
+struct FoldInfo {
+    std::string_view name;  // "left": what FlatLang calls it
+    // Whose page lies on its left and on its right: that of what the element stands on, or its own piece's.
+    // One of each makes a seam, if the element has a piece of its own.
+    PointPage on_left = PointPage::extra, on_right = PointPage::extra;
+};
+
+// Of all linkages of four folds: what lies between the two halves, and at their outer ends.
+inline constexpr std::array<FoldInfo, 3> kThreeFolds{{{"left", PointPage::fold, PointPage::extra},
+                                                      {"centre", PointPage::extra, PointPage::extra},
+                                                      {"right", PointPage::extra, PointPage::fold}}};
+
+// What an element may stand on.
+struct Grounds {
+    bool fold = true;
+    bool seam = false;
+    bool plate = false;  // named by <parentplate>, where the others are named by <parentfold>
 };
 
 // One row an element name; a form and its inverse are two rows with one family.
@@ -34,12 +91,24 @@ struct ElementInfo {
     std::span<const PointInfo> points;
     // For each point its partner on the other side, by index; of points of the fold, themselves.
     std::span<const int> partners;
+    Grounds grounds = {};
+    std::span<const ParameterInfo> parameters = kHalfColours;
+    std::span<const FoldInfo> folds = kThreeFolds;
+    std::string_view since = "2.0";  // the version of the document that has it first
+    std::string_view also = {};      // another name that is read
 };
 
 // All rows, by code.
 std::span<const ElementInfo> element_table();
 // By name or decimal code, case, `_` and `-` disregarded in names; null when unknown.
 const ElementInfo* find_element(std::string_view name_or_code);
+// The number of a row's parameter; nullopt when it has none of that name (canonical).
+std::optional<std::size_t> find_parameter(const ElementInfo& info, std::string_view name);
+// The argument of that name; null when the row has no such parameter or nothing was given.
+const Argument* find_argument(const ElementInfo& info, std::span<const Argument> arguments,
+                              std::string_view name);
+// The colour that a structure gives under that name.
+std::optional<Color> color_of(const Structure& structure, std::string_view parameter);
 
 // A fold or seam as its pages show it: one line of paper, with a plane on its left and one on its right.
 struct PageFold {
@@ -49,12 +118,13 @@ struct PageFold {
     int closed_deg = 0;  // dihedral angle on the front side at the closed card: 0 (a valley), 180 or 360
 };
 
-// The left, the centre and the right fold of an element that stands on `parent`, for others to stand on:
+// The folds of an element that stands on `parent`, in the order of its row's `folds`, for others to stand on:
 // where its points, as they are given, mean them to be. check() may move them, and then moves along what
 // stands on them. `extra_page` is the page of its own piece, of cut elements without meaning. nullopt: points
 // like these make no folds. Preconditions: as many points as the row has, in its order, each in the
-// coordinates of its page (a point of the fold: of the left one); the parent has a length.
-std::optional<std::array<PageFold, 3>> folds_made(const ElementInfo& info, const PageFold& parent,
-                                                  int extra_page, std::span<const Vec2> points);
+// coordinates of its page (a point of the fold: of the left one); the parent has a length. Of an element on a
+// plate the parent is any line of the plate's page.
+std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
+                                              std::span<const Vec2> points);
 
 }  // namespace popup

@@ -1,4 +1,4 @@
-// The walk over the build order: find the fold, look along it, constrain, lower.
+// The walk over the build order: find the fold or plate, look along it, constrain, lower.
 #include "popup/check.h"
 
 #include <fmt/format.h>
@@ -9,8 +9,9 @@
 #include "check/fold_index.h"
 #include "check/paper.h"
 #include "check/placing.h"
+#include "check/plate_index.h"
 #include "mechanism/element.h"
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 
@@ -22,6 +23,7 @@ struct Checker {
     std::shared_ptr<Skeleton> skeleton = std::make_shared<Skeleton>();
     Builder builder{*skeleton};
     FoldIndex index;
+    PlateIndex plates;
     PaperMap paper;
     std::vector<Fold>
         ghosts;     // folds of elements that could not be made, so that what stands on them is left in peace
@@ -36,6 +38,14 @@ struct Checker {
 
  private:
     void check_structure(std::size_t number);
+    bool ground_is_named(const Structure& structure, const ElementInfo& info, const Placing& placing);
+    bool stand(Structure& structure, Placing& placing);
+    bool stand_on_plate(Structure& structure, Placing& placing);
+    void no_plate(const Structure& structure, const Placing& placing);
+    PaperQuery query_of(const Element& element) const;
+    bool make(Structure& structure, Placing& placing);
+    void lower(const Placing& placing, const Element& before);
+    std::string owner_of(int plate) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
     bool may_stand(const Structure& structure, const Placing& placing);
@@ -128,7 +138,7 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
 bool Checker::may_stand(const Structure& structure, const Placing& placing) {
     const Site& site = placing.element.site;
     const Fold& fold = skeleton->folds[static_cast<std::size_t>(site.fold)];
-    if (site.seam && !placing.element.info->glued) {
+    if (site.seam && !placing.element.info->grounds.seam) {
         diagnostics
             .error("cut-on-seam", structure.place,
                    fmt::format("\"{}\" ({}) would cut the glued seam of \"{}\" it stands on", structure.id,
@@ -154,18 +164,24 @@ bool Checker::may_stand(const Structure& structure, const Placing& placing) {
 }
 
 void Checker::keep_ghost(const Element& before) {
-    const FoldLines lines = lines_of(element_row(*before.info), before);
+    const ElementInfo& info = *before.info;
+    if (info.glued) plates.add_ghost_page(before.extra_page);
+    const FoldLines lines = lines_of(element_row(info), before);
     if (!finite(lines)) return;
-    for (std::size_t role = 0; role < kFoldRoles; ++role) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
         Fold ghost;
         ghost.owner = before.paint.id;
-        ghost.on_left = lines[role].on_left;
-        ghost.on_right = lines[role].on_right;
-        std::tie(ghost.left_page, ghost.right_page) = pages_of_fold(before, static_cast<FoldRole>(role));
-        ghost.seam = before.info->glued && role != kCentreFold;
+        ghost.on_left = lines[i].on_left;
+        ghost.on_right = lines[i].on_right;
+        std::tie(ghost.left_page, ghost.right_page) = pages_of_fold(before, info.folds[i]);
+        ghost.seam = is_seam(info, info.folds[i]);
         ghosts.push_back(ghost);
-        index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[role], true,
-                  options.tolerances.rounding_mm);
+        index.add(static_cast<int>(ghosts.size()) - 1, ghost, lines[i], true, options.tolerances.rounding_mm);
+        // What is cut from the page lies between its folds.
+        if (info.glued || i == 0) continue;
+        const Segment& from = lines[i - 1].on_right;
+        const Segment& to = lines[i].on_left;
+        plates.add_ghost(before.site.left_page, {from.a, from.b, to.b, to.a});
     }
 }
 
@@ -179,61 +195,130 @@ void Checker::drop(Structure& structure) {
         .changed(structure.id, "");
 }
 
-void Checker::check_structure(std::size_t number) {
-    Structure& structure = design.structures[number];
-    const ElementInfo* info = find_element(structure.type);
-    POPUP_INVARIANT(info != nullptr && structure.points.size() == info->points.size());
-    const int extra_page = info->glued ? pages++ : -1;
-    if (info->glued) {
-        skeleton->page_mirrored.push_back(false);
-        redrawn.push_back(false);
-    }
-    const ElementRow& row = element_row(*info);
-    Placing placing(design, structure, *info, extra_page, {skeleton->page_mirrored, redrawn});
-
-    if (structure.fold.page < 0 || structure.fold.page >= pages - (info->glued ? 1 : 0)) {
+// The page is there, and what is named can be what such an element stands on.
+bool Checker::ground_is_named(const Structure& structure, const ElementInfo& info, const Placing& placing) {
+    const Place place = structure.plate ? structure.plate->place : structure.fold.place;
+    const int page = structure.ground_page();
+    const Grounds& grounds = info.grounds;
+    if (structure.plate ? !grounds.plate : !grounds.fold && !grounds.seam) {
         diagnostics
-            .error("page-not-there", structure.fold.place,
+            .error("wrong-ground", place,
+                   fmt::format("\"{}\" ({}) stands on a {}, and a {} is given", structure.id, info.name,
+                               structure.plate ? "fold" : "plate", structure.plate ? "plate" : "fold"))
+            .hint(structure.plate ? "write parentfold in place of parentplate"
+                                  : "write parentplate, with any point of the plate, in place of parentfold")
+            .about(structure.id);
+        return false;
+    }
+    if (page < 0 || page >= pages - (info.glued ? 1 : 0)) {
+        diagnostics
+            .error("page-not-there", place,
                    fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only",
-                               structure.id, structure.fold.page, pages - (info->glued ? 2 : 1)))
+                               structure.id, page, pages - (info.glued ? 2 : 1)))
             .hint("list the structure whose piece is that page first: every v-fold and tent adds one page")
             .about(structure.id);
-        return;
+        return false;
     }
-    if (distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
+    if (!structure.plate && distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
         diagnostics
-            .error("fold-without-direction", structure.fold.place,
+            .error("fold-without-direction", place,
                    fmt::format("the parent fold of \"{}\" begins and ends in the same point", structure.id))
             .hint("give two distinct points of the fold")
             .about(structure.id);
-        return;
+        return false;
     }
+    return true;
+}
+
+void Checker::no_plate(const Structure& structure, const Placing& placing) {
+    std::string nearest = "no plate is on that page";
+    if (const auto near = plates.nearest(*skeleton, structure.ground_page(), placing.begin)) {
+        nearest = fmt::format("the nearest edge of a plate is one of \"{}\", {} away", near->owner,
+                              mm(near->distance));
+    }
+    diagnostics
+        .error("plate-not-found", structure.plate->place,
+               fmt::format("there is no plate where \"{}\" should stand, on page {} at {}; {}", structure.id,
+                           structure.ground_page(), placing.text(placing.begin), nearest))
+        .hint(
+            "give a point of a plate that the page or an earlier structure makes, off what is cut out of it")
+        .about(structure.id);
+}
+
+std::string Checker::owner_of(int plate) const {
+    const std::string& name = skeleton->draft.plates[static_cast<std::size_t>(plate)].name;
+    return name.substr(0, name.rfind('/'));
+}
+
+bool Checker::stand_on_plate(Structure& structure, Placing& placing) {
+    const auto match =
+        plates.find(*skeleton, structure.ground_page(), placing.begin, options.tolerances.rounding_mm);
+    if (!match) {
+        no_plate(structure, placing);
+        placing.look_along_given_line();
+    } else {
+        placing.look_on(*match);
+    }
+    if (!match || match->ghost) {
+        keep_ghost(placing.authored_element());
+        if (match && options.drop) drop(structure);
+        return false;
+    }
+    if (placing.settle(*match, owner_of(match->plate), options.tolerances, diagnostics)) return true;
+    keep_ghost(placing.authored_element());
+    return false;
+}
+
+// Finds what it stands on and settles it there. When that cannot be had everything is said and kept that
+// follows, and false returned.
+bool Checker::stand(Structure& structure, Placing& placing) {
+    if (structure.plate) return stand_on_plate(structure, placing);
     const auto match = find_fold(structure, placing);
     if (!match) {
         placing.look_along_given_line();
         keep_ghost(placing.authored_element());
-        return;
+        return false;
     }
     if (match->ghost) {
         keep_ghost(placing.authored_element());
         if (options.drop) drop(structure);
-        return;
+        return false;
     }
-    bool broken = false;
+    if (placing.settle(*match, skeleton->folds[static_cast<std::size_t>(match->fold)], options.tolerances,
+                       diagnostics) &&
+        may_stand(structure, placing))
+        return true;
+    keep_ghost(placing.authored_element());
+    return false;
+}
+
+PaperQuery Checker::query_of(const Element& element) const {
+    const auto ask = [this, &site = element.site](Side side, const auto& question) {
+        return side == Side::left ? question(site.left_plate, site.left_page, site.left)
+                                  : question(site.right_plate, site.right_page, site.right);
+    };
+    return {[this, ask](Side side, const Ring& ring, Fit fit) {
+                return ask(side, [&](int plate, int page, const DirectedLine& line) {
+                    return paper.may_cut(plate, page, line, ring, fit);
+                });
+            },
+            [this, ask, &site = element.site](Side side, const Segment& seam, Fit fit) {
+                return ask(side, [&](int plate, int page, const DirectedLine& line) {
+                    return paper.may_glue(plate, page, site.on_plate ? nullptr : &line, seam, fit);
+                });
+            },
+            [this, ask](Side side, double inset) {
+                return ask(side, [&](int plate, int, const DirectedLine&) {
+                    return paper_of(*skeleton, plate, inset);
+                });
+            }};
+}
+
+// Settles and constrains an element; false when it cannot be made.
+bool Checker::make(Structure& structure, Placing& placing) {
     Element& element = placing.element;
     element.tolerances = &options.tolerances;
-    const PaperQuery query{[&](Side side, const Ring& ring, Fit fit) {
-                               const Site& s = element.site;
-                               return side == Side::left
-                                          ? paper.may_cut(s.left_plate, s.left_page, s.left, ring, fit)
-                                          : paper.may_cut(s.right_plate, s.right_page, s.right, ring, fit);
-                           },
-                           [&](Side side, const Segment& seam, Fit fit) {
-                               const Site& s = element.site;
-                               return side == Side::left
-                                          ? paper.may_glue(s.left_plate, s.left_page, s.left, seam, fit)
-                                          : paper.may_glue(s.right_plate, s.right_page, s.right, seam, fit);
-                           }};
+    const PaperQuery query = query_of(element);
     element.paper = &query;
     bool degenerate = false;
     element.failed = [&](std::string_view code, std::string what, std::string hint) {
@@ -251,33 +336,63 @@ void Checker::check_structure(std::size_t number) {
             .about(structure.id)
             .changed(change.before, change.after);
     };
-
-    broken = !placing.settle(*match, skeleton->folds[static_cast<std::size_t>(match->fold)],
-                             options.tolerances, diagnostics) ||
-             !may_stand(structure, placing);
+    if (!stand(structure, placing)) return false;
     const Element before = placing.authored_element();
-    broken = broken || !row.constrain(element);
-    if (broken) {
+    if (!element_row(*element.info).constrain(element)) {
         keep_ghost(before);
         if (degenerate && options.drop) drop(structure);
-        return;
+        return false;
     }
-    if (info->glued) {
-        skeleton->page_mirrored[static_cast<std::size_t>(extra_page)] = placing.turned;
-        redrawn[static_cast<std::size_t>(extra_page)] = element.piece_mirrored;
-    }
+    lower(placing, before);
     placing.write_back(structure);
+    return true;
+}
 
-    const std::size_t first_fold = skeleton->folds.size();
-    row.lower(element, builder);
-    paper.update(*skeleton);
-    FoldLines was = lines_of(row, before);
-    for (std::size_t role = 0; role < kFoldRoles; ++role) {
-        const Fold& fold = skeleton->folds[first_fold + role];
-        const FoldLine authored_line = finite(was) ? was[role] : FoldLine{fold.on_left, fold.on_right};
-        index.add(static_cast<int>(first_fold + role), fold, authored_line, false,
-                  options.tolerances.rounding_mm);
+// Puts the element's plates and folds where others find them; `before` is it as its author drew it.
+void Checker::lower(const Placing& placing, const Element& before) {
+    const Element& element = placing.element;
+    const ElementInfo& info = *element.info;
+    if (info.glued) {
+        skeleton->page_mirrored[static_cast<std::size_t>(element.extra_page)] = placing.turned;
+        redrawn[static_cast<std::size_t>(element.extra_page)] = element.piece_mirrored;
     }
+    const std::size_t first_fold = skeleton->folds.size();
+    const std::size_t first_plate = skeleton->draft.plates.size();
+    element_row(info).lower(element, builder);
+    POPUP_INVARIANT(skeleton->folds.size() == first_fold + info.folds.size());
+    paper.update(*skeleton);
+    const FoldLines was = lines_of(element_row(info), before);
+    const bool known = finite(was);
+    std::vector<RigidMove> moves(skeleton->draft.plates.size() - first_plate);
+    for (std::size_t i = 0; i < info.folds.size(); ++i) {
+        const Fold& fold = skeleton->folds[first_fold + i];
+        const FoldLine authored_line = known ? was[i] : FoldLine{fold.on_left, fold.on_right};
+        index.add(static_cast<int>(first_fold + i), fold, authored_line, false,
+                  options.tolerances.rounding_mm);
+        // A plate moves as the first of its folds does.
+        for (const auto& [plate, from, to] :
+             {std::tuple{fold.left_plate, authored_line.on_left, fold.on_left},
+              {fold.right_plate, authored_line.on_right, fold.on_right}}) {
+            if (plate < static_cast<int>(first_plate) || !known) continue;
+            RigidMove& move = moves[static_cast<std::size_t>(plate) - first_plate];
+            const double off = std::max(distance(from.a, to.a), distance(from.b, to.b));
+            if (move.identity && off > options.tolerances.rounding_mm) move = move_of(from, to);
+        }
+    }
+    plates.add(*skeleton, first_plate, moves, element.paint.id);
+}
+
+void Checker::check_structure(std::size_t number) {
+    Structure& structure = design.structures[number];
+    const ElementInfo* info = find_element(structure.type);
+    POPUP_INVARIANT(info != nullptr && structure.points.size() == info->points.size());
+    const int extra_page = info->glued ? pages++ : -1;
+    if (info->glued) {
+        skeleton->page_mirrored.push_back(false);
+        redrawn.push_back(false);
+    }
+    Placing placing(design, structure, *info, extra_page, {skeleton->page_mirrored, redrawn});
+    if (ground_is_named(structure, *info, placing)) make(structure, placing);
 }
 
 // Pages of dropped pieces go; later pages move up, in everything that names one.
@@ -294,16 +409,17 @@ void Checker::renumber_pages() {
     };
     for (Structure& structure : design.structures) {
         if (structure.dropped) continue;
-        if (const int to = rename(structure.fold.page); to != structure.fold.page) {
-            structure.fold.page = to;
-            structure.fold.page_changed = true;
+        if (const int to = rename(structure.ground_page()); to != structure.ground_page()) {
+            (structure.plate ? structure.plate->page : structure.fold.page) = to;
+            (structure.plate ? structure.plate->page_changed : structure.fold.page_changed) = true;
         }
-        for (DesignPoint& point : structure.points) {
-            if (point.page && rename(*point.page) != *point.page) {
-                point.page = rename(*point.page);
-                point.changed = true;
-            }
-        }
+        const auto rename_of = [&](auto& drawn) {
+            if (!drawn.page || rename(*drawn.page) == *drawn.page) return;
+            drawn.page = rename(*drawn.page);
+            drawn.changed = true;
+        };
+        for (DesignPoint& point : structure.points) rename_of(point);
+        for (Argument& argument : structure.arguments) rename_of(argument);
     }
     for (DrawnLine& line : design.lines) {
         const int to = rename(line.page);
@@ -321,6 +437,7 @@ std::optional<CheckedDesign> Checker::run() {
     const Fold& gutter = skeleton->folds.front();
     index.add(0, gutter, {gutter.on_left, gutter.on_right}, false, options.tolerances.rounding_mm);
     paper.update(*skeleton);
+    plates.add(*skeleton, 0, std::vector<RigidMove>(skeleton->draft.plates.size()), "page");
     for (std::size_t i = 0; i < design.structures.size(); ++i) check_structure(i);
     for (DrawnLine& line : design.lines) {
         if (line.page < 0 || line.page >= pages) {

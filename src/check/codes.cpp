@@ -42,6 +42,10 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "Page 0 is the base page. Every v-fold and every tent adds one page for its own piece: page 1 for the "
      "first of them in the list, 2 for the second. An element or a drawn line can only be on a page whose "
      "piece is listed before it."},
+    {"plate-not-found", Severity::error, "there is no plate where an element should stand",
+     "A structure names its parent plate by any point of it. Neither the page nor an earlier structure has "
+     "paper there: the point lies beside all plates of that page, or where one has been cut out. The list is "
+     "in build order, parents first, and the point is in the coordinates of the page given."},
     {"seam-stays-flat", Severity::error, "an element stands on a seam that does not fold",
      "The plates on both sides of this seam lie in one plane, facing the same way, when the card is "
      "closed. Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley "
@@ -50,6 +54,9 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "Left is the left-hand side when looking from the parent fold's begin to its end. All points given as "
      "left lie right of it and the other way round, so the points changed places; the colours stay with "
      "the sides they are named for."},
+    {"wrong-ground", Severity::error, "an element stands on what it cannot stand on",
+     "Some elements stand on folds or seams, which parentfold names, and some on plates, which parentplate "
+     "names by any point of them. `popupc list elements` and popup(5) say which."},
     {"wrong-page", Severity::error, "a point lies on a page that its parent fold is not on",
      "Points of an element lie on the planes beside its parent fold. On a seam these planes are on two "
      "pages: each point must name the page of its side. On a fold both sides are on one page."},

@@ -11,6 +11,12 @@ Vec2 RigidMove::apply(Vec2 p) const {
     return to + Vec2{c * q.x - s * q.y, s * q.x + c * q.y};
 }
 
+Vec2 RigidMove::undone(Vec2 p) const {
+    if (identity) return p;
+    const Vec2 q = p - to;
+    return from + Vec2{c * q.x + s * q.y, c * q.y - s * q.x};
+}
+
 RigidMove move_of(const Segment& before, const Segment& after) {
     const Vec2 u = before.b - before.a;
     const Vec2 v = after.b - after.a;

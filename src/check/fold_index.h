@@ -15,6 +15,7 @@ struct RigidMove {
     Vec2 from, to;  // the fold's begin, before and after
     double c = 1.0, s = 0.0;
     [[nodiscard]] Vec2 apply(Vec2 p) const;
+    [[nodiscard]] Vec2 undone(Vec2 p) const;  // its inverse
 };
 RigidMove move_of(const Segment& before, const Segment& after);
 

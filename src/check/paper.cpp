@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/shapes.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {
@@ -33,12 +33,17 @@ double region_distance(const Ring& ring, const Segment& s) {
     return best;
 }
 
-bool inside(const Ring& outline, Vec2 p, double slack) {
-    if (contains({outline, {}}, p)) return true;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        if (distance(p, Segment{outline[j], outline[i]}) <= slack) return true;
+bool near_ring(const Ring& ring, Vec2 p, double slack) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        if (distance(p, Segment{ring[j], ring[i]}) <= slack) return true;
     }
     return false;
+}
+
+bool inside(const Polygon& outline, Vec2 p, double slack) {
+    return contains(outline, p) || near_ring(outline.outer, p, slack) ||
+           std::any_of(outline.holes.begin(), outline.holes.end(),
+                       [&](const Ring& hole) { return near_ring(hole, p, slack); });
 }
 
 }  // namespace
@@ -61,9 +66,11 @@ void PaperMap::update(const Skeleton& skeleton) {
         }
     };
     for (std::size_t plate = outlines_.size(); plate < skeleton.draft.plates.size(); ++plate) {
-        outlines_.push_back(skeleton.draft.plates[plate].outline.outer);
+        outlines_.push_back(skeleton.draft.plates[plate].outline);
         cuts_seen_.push_back(0);
-        add_ring(skeleton.plate_page[plate], outlines_.back(), static_cast<int>(plate));
+        add_ring(skeleton.plate_page[plate], outlines_.back().outer, static_cast<int>(plate));
+        for (const Ring& hole : outlines_.back().holes)
+            add_ring(skeleton.plate_page[plate], hole, static_cast<int>(plate));
     }
     for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
         const Fold& fold = skeleton.folds[folds_seen_];
@@ -88,7 +95,7 @@ void PaperMap::update(const Skeleton& skeleton) {
 bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint,
                        Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
-    const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
+    const Polygon& outline = outlines_[static_cast<std::size_t>(plate)];
     if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
         return false;
     const double around = tolerances_.paper_mm - (fit == Fit::exact ? 0.0 : tolerances_.rounding_mm);
@@ -103,10 +110,10 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
     });
 }
 
-bool PaperMap::may_glue(int plate, int page_number, const DirectedLine& line, const Segment& seam,
+bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, const Segment& seam,
                         Fit fit) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
-    const Ring& outline = outlines_[static_cast<std::size_t>(plate)];
+    const Polygon& outline = outlines_[static_cast<std::size_t>(plate)];
     const double slack = fit == Fit::exact ? kOnLine : tolerances_.rounding_mm;
     if (!inside(outline, seam.a, slack) || !inside(outline, seam.b, slack)) return false;
     const double size = distance(seam.a, seam.b);
@@ -118,7 +125,8 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine& line, co
     const bool crosses = std::any_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[number];
-        if (obstacle.plate != plate || obstacle.seam || along_line(line, edge)) return false;
+        if (obstacle.plate != plate || obstacle.seam || (line != nullptr && along_line(*line, edge)))
+            return false;
         return proper_crossing(core, edge).has_value();
     });
     if (crosses) return false;

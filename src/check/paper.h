@@ -21,7 +21,8 @@ class PaperMap {
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
     [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint,
                                Fit fit) const;
-    [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine& line, const Segment& seam,
+    // Without `line` no edge is passed over.
+    [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine* line, const Segment& seam,
                                 Fit fit) const;
 
  private:
@@ -40,7 +41,7 @@ class PaperMap {
 
     Tolerances tolerances_;
     std::vector<PageEdges> pages_;
-    std::vector<Ring> outlines_;          // raw, of each plate
+    std::vector<Polygon> outlines_;       // raw, of each plate
     std::vector<std::size_t> cuts_seen_;  // of each plate
     std::size_t folds_seen_ = 0;
 };

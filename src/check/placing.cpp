@@ -6,21 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include "mechanism/shapes.h"
+#include "mechanism/arguments.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {
 
 constexpr double kWrittenMm = 5e-5;  // about what six decimals of an inch can tell apart
-
-Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
-
-bool has_inverse(const ElementInfo& info) {
-    const auto table = element_table();
-    return std::any_of(table.begin(), table.end(), [&](const ElementInfo& other) {
-        return other.family == info.family && other.inverted != info.inverted;
-    });
-}
 
 DirectedLine directed(const Segment& s, bool reversed) {
     return reversed ? DirectedLine{s.b, unit(s.a - s.b)} : DirectedLine{s.a, unit(s.b - s.a)};
@@ -35,25 +27,47 @@ DirectedLine undone(const RigidMove& move, const DirectedLine& line) {
 
 }  // namespace
 
+bool has_inverse(const ElementInfo& info) {
+    const auto table = element_table();
+    return std::any_of(table.begin(), table.end(), [&](const ElementInfo& other) {
+        return other.family == info.family && other.inverted != info.inverted;
+    });
+}
+
 Placing::Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
                  const PageTurns& pages)
     : structure_(&structure), pages_(pages), unit_mm_(design.unit.mm) {
     element.info = &info;
-    element.paint = {structure.id,    structure.place,    structure.left,
-                     structure.right, structure.left_tab, structure.right_tab};
+    element.arguments = structure.arguments;
+    element.arguments.resize(info.parameters.size());
+    element.paint = {structure.id,
+                     structure.place,
+                     color_of(structure, "leftcolor"),
+                     color_of(structure, "rightcolor"),
+                     color_of(structure, "lefttabcolor"),
+                     color_of(structure, "righttabcolor")};
     element.extra_page = extra_page;
     element.page_height = design.height_mm;
     element.label = extra_page < 0 ? std::string() : fmt::format("{}", extra_page);
     element.inverted = info.inverted;
-    const auto on_page = [&](Vec2 at, int page) {
+    const auto is_mirrored = [&](int page) {
         const bool redrawn = page >= 0 && static_cast<std::size_t>(page) < pages_.redrawn.size() &&
                              pages_.redrawn[static_cast<std::size_t>(page)];
-        return redrawn != read_mirrored(page) ? mirrored(at) : at;
+        return redrawn != read_mirrored(page);
     };
+    const auto on_page = [&](Vec2 at, int page) { return is_mirrored(page) ? mirrored(at) : at; };
+    const int ground = structure.ground_page();
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        if (info.parameters[i].page == PointPage::extra || !is_drawn(element.arguments[i]) ||
+            !is_mirrored(ground))
+            continue;
+        move_argument(element.arguments[i], kMirrored);
+        element.arguments[i].changed = !read_mirrored(ground);  // the page was mended: so must this be
+    }
     for (std::size_t i = 0; i < info.points.size(); ++i) {
         const DesignPoint& point = structure.points[i];
         const bool extra = info.points[i].page == PointPage::extra;
-        const int page = extra ? extra_page : point.page.value_or(structure.fold.page);
+        const int page = extra ? extra_page : point.page.value_or(ground);
         points_.push_back({on_page(point.at, page), page});
         reported_.push_back({point.at, page});
         letters_.push_back(info.points[i].letter);
@@ -63,8 +77,8 @@ Placing::Placing(const Design& design, const Structure& structure, const Element
             element.on.push_back({});
     }
     authored_ = points_;
-    begin = on_page(structure.fold.begin.at, structure.fold.page);
-    end = on_page(structure.fold.end.at, structure.fold.page);
+    begin = on_page(structure.plate ? structure.plate->at.at : structure.fold.begin.at, ground);
+    end = on_page(structure.plate ? structure.plate->at.at : structure.fold.end.at, ground);
     fold_begin_ = begin;
     fold_end_ = end;
 }
@@ -93,7 +107,7 @@ Box Placing::place_on_line() const {
     const Vec2 dir = unit(end - begin);
     Box box;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->fold.page)
+        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->ground_page())
             continue;
         box.extend(begin + dot(dir, points_[i].at - begin) * dir);
     }
@@ -161,10 +175,34 @@ void Placing::look_along(const FoldMatch& match, const Fold& fold) {
 void Placing::look_along_given_line() {
     Site& site = element.site;
     site.left = site.right = {begin, distance(begin, end) > 0.0 ? unit(end - begin) : Vec2{0, 1}};
-    site.left_page = site.right_page = structure_->fold.page;
+    site.left_page = site.right_page = structure_->ground_page();
     site.length = distance(begin, end);
     authored_site_ = site;
     to_site();
+}
+
+void Placing::look_on(const PlateMatch& match) {
+    Site& site = element.site;
+    site.left_page = site.right_page = structure_->ground_page();
+    site.left_plate = site.right_plate = match.plate;
+    site.on_plate = true;
+    // Its line is that of the points, wherever they will have moved with the plate.
+    std::vector<Vec2> own;
+    for (std::size_t i = 0; i < points_.size() && own.size() < 2; ++i) {
+        if (element.info->points[i].page == PointPage::fold) own.push_back(points_[i].at);
+    }
+    const Vec2 at = own.empty() ? begin : own.front();
+    const bool directed = own.size() > 1 && distance(own[0], own[1]) > 0.0;
+    const Vec2 dir = directed ? unit(own[1] - own[0]) : Vec2{0, 1};
+    site.length = directed ? distance(own[0], own[1]) : 0.0;
+    authored_site_ = site;
+    authored_site_.left = authored_site_.right = {at, dir};
+    const Vec2 to = match.move.apply(at);
+    site.left = site.right = {to, unit(match.move.apply(at + dir) - to)};
+    const Site exact = site;
+    site = authored_site_;
+    to_site();
+    site = exact;
 }
 
 void Placing::stand_between(std::pair<double, double> alive, double fold_length) {
@@ -181,145 +219,6 @@ void Placing::exchange(bool extra_too) {
         std::swap(points_[i], points_[j]);
         std::swap(authored_[i], authored_[j]);
     }
-}
-
-bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances,
-                     Diagnostics& diagnostics) {
-    const Site& site = element.site;
-    const std::string& id = structure_->id;
-    // Every point of the fold's page must lie on one of the pages that meet there.
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const int page = points_[i].page;
-        if (element.info->points[i].page == PointPage::extra || page == site.left_page ||
-            page == site.right_page)
-            continue;
-        diagnostics
-            .error("wrong-page", structure_->points[i].place,
-                   fmt::format("point {} of \"{}\" is on page {}, but its parent fold is on page{} {}",
-                               letters_[i], id, page, site.seam ? "s" : "",
-                               site.seam ? fmt::format("{} and {}", site.left_page, site.right_page)
-                                         : fmt::format("{}", site.left_page)))
-            .hint("leave out the point's page, or give the page its plane is drawn on")
-            .about(id);
-        return false;
-    }
-
-    if (turned) {
-        exchange(true);
-        for (auto* list : {&points_, &authored_}) {
-            for (std::size_t i = 0; i < list->size(); ++i) {
-                if (element.info->points[i].page == PointPage::extra) (*list)[i].at = mirrored((*list)[i].at);
-            }
-        }
-        std::swap(element.paint.left, element.paint.right);
-        std::swap(element.paint.left_tab, element.paint.right_tab);
-        if (element.info->glued && has_inverse(*element.info)) element.inverted = !element.inverted;
-        diagnostics
-            .remark(
-                "fold-turned", structure_->fold.place,
-                fmt::format(
-                    "\"{}\" gives the gutter downwards; it is read upwards, with left and right exchanged",
-                    id))
-            .about(id);
-    }
-
-    // What stands on a fold that a repair has moved moves with it.
-    const auto move_for = [&](int page) -> const RigidMove& {
-        return page == fold.left_page ? match.left : match.right;
-    };
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (element.info->points[i].page == PointPage::fold)
-            points_[i].at = move_for(points_[i].page).apply(points_[i].at);
-    }
-    const RigidMove& fold_move = match.right_page ? match.right : match.left;
-    fold_begin_ = fold_move.apply(fold_begin_);
-    fold_end_ = fold_move.apply(fold_end_);
-    const Vec2 written = read_mirrored(structure_->fold.page) ? mirrored(fold_begin_) : fold_begin_;
-    fold_moved_ = distance(written, structure_->fold.begin.at) > 0.0 || !fold_move.identity;
-    to_site();
-    const auto moved = [&] {
-        const auto now = page_points();
-        for (std::size_t i = 0; i < now.size(); ++i) {
-            if (distance(now[i].at, reported_[i].at) > tolerances.rounding_mm) return true;
-        }
-        return false;
-    };
-    if (moved()) {
-        element.repaired(
-            "moved-with-fold",
-            fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it",
-                        fold.owner),
-            fmt::format("mend \"{}\" first", fold.owner));
-    }
-
-    if (match.off > tolerances.rounding_mm) {
-        const bool given_left =
-            structure_->fold.page == site.left_page && !(site.seam && match.right_page != site.reversed);
-        const Side side = given_left ? Side::left : Side::right;
-        const auto onto = [&](Vec2 p) {
-            const SitePoint at = site.from_page(side, p);
-            return site.on_page(side, {std::clamp(at.s, 0.0, site.length), 0.0});
-        };
-        const std::string before = text(structure_->fold.begin.at) + " to " + text(structure_->fold.end.at);
-        fold_begin_ = onto(fold_begin_);
-        fold_end_ = onto(fold_end_);
-        fold_moved_ = true;
-        element.repaired(
-            "fold-snapped",
-            fmt::format("its parent fold was given as {}, {} off the {} of \"{}\"; it now runs from {} to {}",
-                        before, mm(match.off), fold.seam ? "seam" : "fold", fold.owner, text(fold_begin_),
-                        text(fold_end_)),
-            "give two points of the fold itself");
-    }
-
-    // Sides: points are where they are; their names may have to change.
-    const auto all_wrong = [&] {
-        bool any = false;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const PointInfo& info = element.info->points[i];
-            if (info.page == PointPage::extra || info.side == '-') continue;
-            any = true;
-            const bool left = info.side == 'L';
-            if (site.seam) {
-                if (points_[i].page != (left ? site.right_page : site.left_page)) return false;
-            } else if (element.on[index_on(i)].w > -tolerances.rounding_mm) {
-                return false;
-            }
-        }
-        return any;
-    };
-    if (all_wrong()) {
-        const ElementRow& row = element_row(*element.info);
-        exchange(row.front != nullptr && row.front(element) < 0.0);
-        to_site();
-        element.repaired("sides-exchanged",
-                         "its left points lie right of the parent fold and its right points left of it; they "
-                         "were exchanged",
-                         "left is the left-hand side when looking from the fold's begin to its end");
-    }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const PointInfo& info = element.info->points[i];
-        if (info.page == PointPage::extra || info.side == '-' || !site.seam) continue;
-        const int page = info.side == 'L' ? site.left_page : site.right_page;
-        if (points_[i].page == page) continue;
-        diagnostics
-            .error("wrong-page", structure_->points[i].place,
-                   fmt::format("point {} of \"{}\" is on page {}, but the {} side of its seam is on page {}",
-                               letters_[i], id, points_[i].page, info.side == 'L' ? "left" : "right", page))
-            .hint(fmt::format("give the point page=\"{}\", in that page's coordinates", page))
-            .about(id);
-        return false;
-    }
-
-    if (!element.info->glued && element.inverted != site.mountain) {
-        element.inverted = site.mountain;
-        element.repaired("wrong-form",
-                         fmt::format("it is a{} {} on a {} fold; its form was corrected",
-                                     element.info->inverted ? "n inverted" : "", element.info->family,
-                                     site.mountain ? "mountain" : "valley"),
-                         "inverted forms stand on mountain folds, the others on valley folds");
-    }
-    return true;
 }
 
 Element Placing::authored_element() const {
@@ -377,12 +276,30 @@ Change Placing::take_change(const Tolerances& tolerances) {
         change.after =
             std::string(inverted && !element.info->inverted ? "inverted-" : "") +
             std::string(inverted == element.info->inverted ? element.info->name : element.info->family);
-        if (change.before == change.after) {
+        if (change.before == change.after && structure_->plate) {
+            change.before = text(structure_->plate->at.at);
+            change.after = text(fold_begin_);
+        } else if (change.before == change.after) {
             change.before = text(structure_->fold.begin.at) + " to " + text(structure_->fold.end.at);
             change.after = text(fold_begin_) + " to " + text(fold_end_);
         }
     }
     return change;
+}
+
+void Placing::write_ground(Structure& structure) const {
+    const auto write = [&](DesignPoint& point, Vec2 internal) {
+        const Vec2 at = read_mirrored(structure.ground_page()) ? mirrored(internal) : internal;
+        if (distance(point.at, at) <= kWrittenMm) return;
+        point.at = at;
+        point.changed = true;
+    };
+    if (structure.plate) {
+        write(structure.plate->at, fold_begin_);
+    } else {
+        write(structure.fold.begin, fold_begin_);
+        write(structure.fold.end, fold_end_);
+    }
 }
 
 void Placing::write_back(Structure& structure) const {
@@ -393,22 +310,20 @@ void Placing::write_back(Structure& structure) const {
     for (std::size_t i = 0; i < now.size(); ++i) {
         DesignPoint& point = structure.points[i];
         const bool extra = element.info->points[i].page == PointPage::extra;
-        const int page = point.page.value_or(structure.fold.page);
+        const int page = point.page.value_or(structure.ground_page());
         const bool new_page = !extra && page != now[i].page;
         if (!new_page && distance(point.at, now[i].at) <= kWrittenMm) continue;
         point.at = now[i].at;
         if (new_page) point.page = now[i].page;
         point.changed = true;
     }
-    if (fold_moved_) {
-        for (const auto& [point, internal] :
-             {std::pair{&structure.fold.begin, fold_begin_}, {&structure.fold.end, fold_end_}}) {
-            const Vec2 at = read_mirrored(structure.fold.page) ? mirrored(internal) : internal;
-            if (distance(point->at, at) <= kWrittenMm) continue;
-            point->at = at;
-            point->changed = true;
-        }
+    for (std::size_t i = 0; i < element.arguments.size(); ++i) {
+        if (!element.arguments[i].changed) continue;
+        Argument& written = structure.argument(i) = element.arguments[i];
+        const bool extra = element.info->parameters[i].page == PointPage::extra;
+        if (extra ? turned : read_mirrored(structure.ground_page())) move_argument(written, kMirrored);
     }
+    if (fold_moved_) write_ground(structure);
     const bool inverted = ends_inverted();
     if (inverted == element.info->inverted) return;
     for (const ElementInfo& info : element_table()) {

@@ -1,10 +1,11 @@
-// One structure on its way from the document to its fold: its points on their pages, then in site
+// One structure on its way from the document to its fold or plate: its points on their pages, then in site
 // coordinates.
 #pragma once
 
 #include <vector>
 
 #include "check/fold_index.h"
+#include "check/plate_index.h"
 #include "mechanism/element.h"
 #include "popup/design.h"
 
@@ -16,9 +17,15 @@ struct PageTurns {
     const std::vector<bool>& redrawn;   // mirrored for good: the piece was drawn from its back
 };
 
+inline Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
+// True when the table has the same element the other way.
+bool has_inverse(const ElementInfo& info);
+
 struct Placing {
     Element element;
-    Vec2 begin, end;      // of the parent fold as given (on a page mirrored back: mirrored)
+    // The ends of the parent fold, or twice the point of the parent plate, as given (on a page mirrored back:
+    // mirrored).
+    Vec2 begin, end;
     bool turned = false;  // the gutter was given downwards: left and right have changed places
 
     Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
@@ -33,14 +40,19 @@ struct Placing {
 
     // Tries a fold: fills element.site and the points' site coordinates from it. Nothing is reported.
     void look_along(const FoldMatch& match, const Fold& fold);
-    // The same along the line as given, when no fold was found.
+    // The same along the line as given, when no fold was found; also when no plate was.
     void look_along_given_line();
+    // The same on a plate, along the line that element.site describes.
+    void look_on(const PlateMatch& match);
     // The stretch (on the fold's own direction) that is still there.
     void stand_between(std::pair<double, double> alive, double fold_length);
 
     // Decides orientation, sides and form, and reports: fold-turned, fold-snapped, moved-with-fold,
     // sides-exchanged, wrong-form, wrong-page. False when the structure cannot go on.
     bool settle(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances,
+                Diagnostics& diagnostics);
+    // The same on a plate: moved-with-plate, wrong-page. `owner` is whose plate it is.
+    bool settle(const PlateMatch& match, const std::string& owner, const Tolerances& tolerances,
                 Diagnostics& diagnostics);
 
     // The element as its author drew it, before anything was moved: where its folds were meant to be.
@@ -58,7 +70,20 @@ struct Placing {
     };
     [[nodiscard]] std::vector<PagePoint> page_points() const;
     [[nodiscard]] Side side_of(std::size_t point) const;
+    // Steps of settle().
+    bool points_are_on_pages_of_ground(Diagnostics& diagnostics) const;
+    void turn(Diagnostics& diagnostics);
+    void move_with(const RigidMove& left, int left_page, const RigidMove& right);
+    [[nodiscard]] bool points_moved(const Tolerances& tolerances) const;
+    void snap_to(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances);
+    [[nodiscard]] bool all_on_wrong_side(const Tolerances& tolerances) const;
+    void exchange_sides(const Tolerances& tolerances);
+    bool points_are_on_pages_of_seam(Diagnostics& diagnostics) const;
+    void correct_form();
+
+    void write_ground(Structure& structure) const;
     void exchange(bool extra_too);
+    void exchange_arguments();
     void to_site();
     [[nodiscard]] std::size_t index_on(std::size_t point) const;
     [[nodiscard]] std::size_t index_extra(std::size_t point) const;
@@ -74,7 +99,8 @@ struct Placing {
     std::vector<PagePoint> reported_;  // as of the last take_change()
     std::vector<std::string_view> letters_;
     Site authored_site_;
-    Vec2 fold_begin_, fold_end_;  // the parent fold's ends as they should be written
+    // The ends of the parent fold as they should be written, or the point of the parent plate (begin).
+    Vec2 fold_begin_, fold_end_;
     bool fold_moved_ = false;
     bool repaired_ = false;
 };

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/shapes.h"
+#include "mechanism/fitting.h"
 
 namespace popup {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mechanism/angled.h"
+#include "mechanism/fitting.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 

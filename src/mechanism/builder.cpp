@@ -72,6 +72,22 @@ int Builder::add_plate(const std::string& name, int piece, int page, Ring outlin
     return index;
 }
 
+int Builder::add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
+                           std::optional<Color> fill) {
+    const int index = add_plate(name, piece, page, std::move(outline.outer), fill);
+    Polygon& made = skeleton_.draft.plates[static_cast<std::size_t>(index)].outline;
+    made.holes = std::move(outline.holes);
+    const auto cut_round = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) add_cut(piece, {ring[i], ring[(i + 1) % ring.size()]});
+    };
+    cut_round(made.outer);
+    for (Ring& hole : made.holes) {
+        if (signed_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
+        cut_round(hole);
+    }
+    return index;
+}
+
 void Builder::add_cut(int piece, Segment at) {
     skeleton_.draft.lines.push_back({LineKind::cut, at, piece, -1, -1});
 }

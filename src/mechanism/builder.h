@@ -51,9 +51,8 @@ struct FoldLine {
     Segment on_left, on_right;
     int closed_deg = 0;  // as of Fold
 };
-// An element's three folds, in this order everywhere.
-enum FoldRole { kLeftFold, kCentreFold, kRightFold, kFoldRoles };
-using FoldLines = std::array<FoldLine, kFoldRoles>;
+// All that an element makes, in the order of its row's `folds`.
+using FoldLines = std::vector<FoldLine>;
 
 struct Skeleton {
     Assembly draft;  // plates with raw outlines; lines: cuts only
@@ -81,6 +80,9 @@ class Builder {
     int add_piece(const std::string& name);
     // Adds a plate; its outline is made counter-clockwise.
     int add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill);
+    // The same of a plate with holes, whose whole edge is cut.
+    int add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
+                      std::optional<Color> fill);
     void add_cut(int piece, Segment at);
     // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
     int add_fold(Fold fold);

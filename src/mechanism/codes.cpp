@@ -23,6 +23,11 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
      "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
      "longer."},
+    {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
+     "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
+     "apart. A "
+     "narrower one stops the card from opening, and a wider one is a tent. The piece was widened or narrowed "
+     "alike on both sides."},
     {"not-parallel", Severity::warning, "a side fold or seam does not run along its parent fold",
      "The folds of a step and the seams of a tent must be parallel to the fold they stand on, and the two "
      "seams of a tent's piece to each other; otherwise the plates would have to bend. Each line was turned "
@@ -55,6 +60,12 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "What is glued together must be the same length, end for end. The page's seams rule, since other "
      "elements may stand on them; the ends of the piece's seams were moved along their lines until they "
      "fit. Draw both seams equally long."},
+    {"seams-uneven", Severity::warning, "seams that must be at the same distance from the fold are not",
+     "A layer is wrapped round a mountain fold and must not slide on it, which it does not where both seams "
+     "are "
+     "at the same distance from the fold. The farther seam was moved to the nearer one's distance, and the "
+     "piece "
+     "narrowed with it."},
     {"should-be-step", Severity::error, "an angled step has parallel sides",
      "The side folds of an angled step meet in an apex on the parent fold. Here they are parallel to it, "
      "or meet further away than 20 page heights, so that rounding would decide where. An element with "

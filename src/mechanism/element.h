@@ -17,13 +17,17 @@ namespace popup {
 // it still is when its numbers have been rounded in the document.
 enum class Fit { as_drawn, exact };
 
-// Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far.
+// Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far. An
+// element on a plate has that plate on both sides.
 struct PaperQuery {
     // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
     // parent fold, and no earlier seam under it.
     std::function<bool(Side, const Ring&, Fit)> may_cut;
     // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
     std::function<bool(Side, const Segment&, Fit)> may_glue;
+    // The plate's paper (page coordinates) at least `inset` mm away from its folds and edges, cut-outs
+    // regarded.
+    std::function<std::vector<Polygon>(Side, double inset)> paper;
 };
 
 // An element on its site. `constrain` moves its points until all constraints hold and reports what moved.
@@ -34,9 +38,12 @@ struct Element {
     double alive_lo = 0.0, alive_hi = 0.0;  // the stretch of the fold it stands on
     int extra_page = -1;                    // of its own piece
     double page_height = 0.0;
-    std::string label;            // number of its tabs: "1"
-    std::vector<SitePoint> on;    // the points of the fold's page, in the row's order
-    std::vector<Vec2> extra;      // the points of the extra page, in the row's order
+    std::string label;          // number of its tabs: "1"
+    std::vector<SitePoint> on;  // the points of the fold's page, in the row's order
+    std::vector<Vec2> extra;    // the points of the extra page, in the row's order
+    // The other values, in the row's order, one a parameter. Paths and points are in page coordinates.
+    // constrain() may change them, and then sets `changed`.
+    std::vector<Argument> arguments;
     bool inverted = false;        // the form it turned out to be; constrain() may correct it
     bool piece_mirrored = false;  // constrain() has mirrored the extra points (x to -x)
 
@@ -57,7 +64,7 @@ struct ElementRow {
     std::pair<double, double> (*stands_on)(const Element&);
     // Repairs; false after failed().
     bool (*constrain)(Element&);
-    // The three folds the element makes, from its points as they are (repaired or not).
+    // The folds the element makes, from its points as they are (repaired or not): as many as the row names.
     FoldLines (*fold_lines)(const Element&);
     // Glued elements: positive when the piece is drawn from its front; null for cut ones.
     double (*front)(const Element&);
@@ -69,7 +76,30 @@ struct ElementRow {
 std::span<const ElementRow> element_rows();
 const ElementRow& element_row(const ElementInfo& info);
 
+// Other rows in place of the table's, everywhere, for as long as this lives: for tests of what follows from a
+// row. Only one at a time, and only while one thread runs.
+class RowsForTest {
+ public:
+    // `rows` must outlive this.
+    explicit RowsForTest(std::span<const ElementRow> rows);
+    ~RowsForTest();
+    RowsForTest(const RowsForTest&) = delete;
+    RowsForTest& operator=(const RowsForTest&) = delete;
+};
+
 // On which pages one of the element's folds is drawn, on its left and on its right.
-std::pair<int, int> pages_of_fold(const Element& element, FoldRole role);
+std::pair<int, int> pages_of_fold(const Element& element, const FoldInfo& fold);
+// True when the fold joins a piece to what it is glued to.
+bool is_seam(const ElementInfo& info, const FoldInfo& fold);
+
+// Arguments by the names of their parameters. Preconditions: the row has such a parameter, of that kind.
+std::optional<Color> color_of(const Element& element, std::string_view name);
+double number_of(const Element& element, std::string_view name);  // of lengths, too; else the row's standard
+std::string_view choice_of(const Element& element, std::string_view name);  // else the row's first word
+// What a path encloses, curves as chords; empty when it was not given.
+std::span<const Polygon> areas_of(const Element& element, std::string_view name);
+
+// Mirrors the element's own piece (x to -x), with everything that is drawn on its page.
+void mirror_piece(Element& element);
 
 }  // namespace popup

@@ -1,4 +1,4 @@
-// The table of elements. A new element is one row here and one file beside this one.
+// The table of elements, and how rows, parameters and arguments are found in it.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -19,25 +19,46 @@ std::string plain(std::string_view text) {
     return out;
 }
 
-const std::vector<ElementInfo>& infos() {
-    static const std::vector<ElementInfo> table = [] {
-        std::vector<ElementInfo> list;
-        for (const ElementRow& row : element_rows()) list.push_back(row.info);
-        return list;
-    }();
+struct Table {
+    std::span<const ElementRow> rows;
+    std::vector<ElementInfo> infos;
+
+    explicit Table(std::span<const ElementRow> all) : rows(all) {
+        for (const ElementRow& row : all) infos.push_back(row.info);
+    }
+};
+
+const Table& whole_table() {
+#define POPUP_ELEMENT(row) row,
+    static const std::vector<ElementRow> rows{
+#include "mechanism/elements.inc"
+    };
+#undef POPUP_ELEMENT
+    static const Table table(rows);
     return table;
+}
+
+std::optional<Table>& table_for_test() {
+    static std::optional<Table> table;
+    return table;
+}
+
+const Table& table() { return table_for_test() ? *table_for_test() : whole_table(); }
+
+const Argument& argument_of(const Element& element, std::string_view name) {
+    const auto number = find_parameter(*element.info, name);
+    POPUP_INVARIANT(number && *number < element.arguments.size());
+    return element.arguments[*number];
 }
 
 }  // namespace
 
-std::span<const ElementRow> element_rows() {
-    static const std::array<ElementRow, 9> rows{kStep,         kInvertedStep,  kBeak,
-                                                kInvertedBeak, kAngledStep,    kInvertedAngledStep,
-                                                kVFold,        kInvertedVFold, kTent};
-    return rows;
-}
+RowsForTest::RowsForTest(std::span<const ElementRow> rows) { table_for_test().emplace(rows); }
+RowsForTest::~RowsForTest() { table_for_test().reset(); }
 
-std::span<const ElementInfo> element_table() { return infos(); }
+std::span<const ElementRow> element_rows() { return table().rows; }
+
+std::span<const ElementInfo> element_table() { return table().infos; }
 
 const ElementInfo* find_element(std::string_view name_or_code) {
     int code = -1;
@@ -45,8 +66,10 @@ const ElementInfo* find_element(std::string_view name_or_code) {
     const auto parsed = std::from_chars(name_or_code.data(), end, code);
     const bool number = parsed.ec == std::errc() && parsed.ptr == end && code >= 0;
     const std::string name = plain(name_or_code);
-    for (const ElementInfo& info : infos()) {
-        if (number ? info.code == code : plain(info.name) == name) return &info;
+    for (const ElementInfo& info : element_table()) {
+        if (number ? info.code == code
+                   : plain(info.name) == name || (!info.also.empty() && plain(info.also) == name))
+            return &info;
     }
     return nullptr;
 }
@@ -57,6 +80,48 @@ const ElementRow& element_row(const ElementInfo& info) {
         std::find_if(rows.begin(), rows.end(), [&](const ElementRow& r) { return r.info.name == info.name; });
     POPUP_INVARIANT(row != rows.end());
     return *row;
+}
+
+std::optional<std::size_t> find_parameter(const ElementInfo& info, std::string_view name) {
+    const auto found = std::find_if(info.parameters.begin(), info.parameters.end(),
+                                    [&](const ParameterInfo& p) { return p.name == name; });
+    if (found == info.parameters.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - info.parameters.begin());
+}
+
+const Argument* find_argument(const ElementInfo& info, std::span<const Argument> arguments,
+                              std::string_view name) {
+    const auto number = find_parameter(info, name);
+    return number && *number < arguments.size() && arguments[*number].given() ? &arguments[*number] : nullptr;
+}
+
+std::optional<Color> color_of(const Structure& structure, std::string_view parameter) {
+    const ElementInfo* info = find_element(structure.type);
+    const Argument* found = info ? find_argument(*info, structure.arguments, parameter) : nullptr;
+    return found ? std::optional(std::get<Color>(found->value)) : std::nullopt;
+}
+
+std::optional<Color> color_of(const Element& element, std::string_view name) {
+    const Argument& argument = argument_of(element, name);
+    return argument.given() ? std::optional(std::get<Color>(argument.value)) : std::nullopt;
+}
+
+double number_of(const Element& element, std::string_view name) {
+    const Argument& argument = argument_of(element, name);
+    if (argument.given()) return std::get<double>(argument.value);
+    return element.info->parameters[*find_parameter(*element.info, name)].standard;
+}
+
+std::string_view choice_of(const Element& element, std::string_view name) {
+    const Argument& argument = argument_of(element, name);
+    if (argument.given()) return std::get<std::string>(argument.value);
+    return element.info->parameters[*find_parameter(*element.info, name)].words.front();
+}
+
+std::span<const Polygon> areas_of(const Element& element, std::string_view name) {
+    const Argument& argument = argument_of(element, name);
+    if (!argument.given()) return {};
+    return std::get<DrawnPath>(argument.value).areas;
 }
 
 }  // namespace popup

@@ -1,14 +1,12 @@
-// The element rows, each defined in its element's file.
+// The element rows, each defined in its element's file and listed in elements.inc.
 #pragma once
 
 #include "mechanism/element.h"
 
 namespace popup {
 
-extern const ElementRow kStep, kInvertedStep;
-extern const ElementRow kBeak, kInvertedBeak;
-extern const ElementRow kAngledStep, kInvertedAngledStep;
-extern const ElementRow kVFold, kInvertedVFold;
-extern const ElementRow kTent;
+#define POPUP_ELEMENT(row) extern const ElementRow row;
+#include "mechanism/elements.inc"
+#undef POPUP_ELEMENT
 
 }  // namespace popup

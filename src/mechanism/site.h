@@ -30,6 +30,9 @@ struct Site {
     bool mountain = false;  // closed dihedral 360° (else 0°)
     bool seam = false;
     bool reversed = false;  // looked along against the fold's own direction
+    // On a plate: both lines run from the element's first point to its second (upwards where it has one),
+    // both sides are the plate, and there is no fold.
+    bool on_plate = false;
 
     // Page coordinates of a point given in site coordinates, on the page of that side.
     [[nodiscard]] Vec2 on_page(Side side, SitePoint p) const {

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "mechanism/angled.h"
+#include "mechanism/fitting.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 
@@ -138,8 +139,7 @@ bool constrain_v(Element& e) {
 bool constrain_piece(Element& e) {
     const Tolerances& tol = *e.tolerances;
     if (front(e) < 0.0) {
-        for (Vec2& p : e.extra) p.x = -p.x;
-        e.piece_mirrored = true;
+        mirror_piece(e);
         e.repaired("piece-mirrored",
                    "its piece G E H J I was drawn from the back (clockwise); it was mirrored",
                    "draw the printed side: G on the left, H on the right, the seams below");
@@ -221,7 +221,7 @@ FoldLines fold_lines(const Element& e) {
     // inverted one's.
     const int centre = e.inverted ? 0 : 360;
     const int seams = e.inverted == e.site.mountain ? 0 : 180;
-    FoldLines folds;
+    FoldLines folds(kThreeFolds.size());
     folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}, seams};
     folds[kCentreFold] = {{from, f}, {from, f}, centre};
     folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C]), seams};
@@ -255,7 +255,7 @@ void lower(const Element& e, Builder& builder) {
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners},
+    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners, {.seam = true}},
             stands_on,
             constrain,
             fold_lines,

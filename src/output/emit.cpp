@@ -11,6 +11,7 @@
 #include "base/text/json_text.h"
 #include "base/text/numbers.h"
 #include "output/examination_json.h"
+#include "popup/mechanism.h"
 
 namespace popup {
 namespace {
@@ -68,23 +69,46 @@ Json json(const std::vector<DesignPoint>& points) {
     return list(points, [](const DesignPoint& p) { return json(p); });
 }
 
+// The values of its element's parameters, but for the colours of its halves and tabs.
+Json arguments(const Structure& one) {
+    Json made = Json::object();
+    const ElementInfo* info = find_element(one.type);
+    for (std::size_t i = 0; info != nullptr && i < one.arguments.size(); ++i) {
+        const Argument& argument = one.arguments[i];
+        Json value;
+        if (const auto* word = std::get_if<std::string>(&argument.value)) value = *word;
+        if (const auto* number = std::get_if<double>(&argument.value)) value = mm(*number);
+        if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value))
+            value = json(*points);
+        if (const auto* path = std::get_if<DrawnPath>(&argument.value)) value = path->text;
+        if (!value.is_null()) made[std::string(info->parameters[i].name)] = std::move(value);
+    }
+    return made;
+}
+
 Json json(const Structure& one) {
-    return {{"id", one.id},
-            {"id_given", one.id_given},
-            {"type", one.type},
-            {"type_changed", one.type_changed},
-            {"dropped", one.dropped},
-            {"place", json(one.place)},
-            {"points", json(one.points)},
-            {"fold",
-             {{"page", one.fold.page},
-              {"begin", json(one.fold.begin)},
-              {"end", json(one.fold.end)},
-              {"place", json(one.fold.place)}}},
-            {"left", json(one.left)},
-            {"right", json(one.right)},
-            {"left_tab", json(one.left_tab)},
-            {"right_tab", json(one.right_tab)}};
+    Json made{{"id", one.id},
+              {"id_given", one.id_given},
+              {"type", one.type},
+              {"type_changed", one.type_changed},
+              {"dropped", one.dropped},
+              {"place", json(one.place)},
+              {"points", json(one.points)},
+              {"fold",
+               {{"page", one.fold.page},
+                {"begin", json(one.fold.begin)},
+                {"end", json(one.fold.end)},
+                {"place", json(one.fold.place)}}},
+              {"left", json(color_of(one, "leftcolor"))},
+              {"right", json(color_of(one, "rightcolor"))},
+              {"left_tab", json(color_of(one, "lefttabcolor"))},
+              {"right_tab", json(color_of(one, "righttabcolor"))}};
+    if (one.plate) {
+        made.erase("fold");
+        made["plate"] = {{"page", one.plate->page}, {"at", json(one.plate->at)}};
+    }
+    if (Json values = arguments(one); !values.empty()) made["arguments"] = std::move(values);
+    return made;
 }
 
 Json json(const DrawnLine& line) {

@@ -22,8 +22,10 @@ namespace popup {
 //  structures: [{id, id_given, type, type_changed, dropped, place,
 //    points: [{at, page, place, changed}],
 //    fold: {page, begin: {at, page, place, changed}, end: {…}, place},
-//    left, right, left_tab, right_tab}],
+//    left, right, left_tab, right_tab,
+//    arguments: {name: word, number (mm), path data or points}}],   left out when there are none
 //  lines: [{page, thickness_pt, color, points: [{at, page, place, changed}], dropped, place}]}
+// Of a structure on a plate, plate: {page, at: {at, page, place, changed}} stands in place of fold.
 // Byte ranges of the source are left out: they are the reader's own.
 std::string emit_design(const Design& design);
 

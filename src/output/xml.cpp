@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "input/xml/number.h"
+#include "input/xml/path_text.h"
 #include "popup/mechanism.h"
 
 namespace popup {
@@ -42,15 +43,69 @@ class DocumentText {
 
     [[nodiscard]] std::string length(double mm) const { return xml::format_number(mm / design_.unit.mm); }
 
+    static const ElementInfo& info_of(const Structure& structure) {
+        const ElementInfo* info = find_element(structure.type);
+        POPUP_INVARIANT(info != nullptr);
+        return *info;
+    }
+
     // Elements that Popup Workshop did not have need the newer version.
     [[nodiscard]] std::string_view version() const {
-        const bool newer =
-            std::any_of(design_.structures.begin(), design_.structures.end(), [](const Structure& s) {
-                const ElementInfo* info = find_element(s.type);
-                POPUP_INVARIANT(info != nullptr);
-                return !s.dropped && info->code < 0;
-            });
-        return newer ? std::string_view("3.0") : std::string_view(design_.version);
+        std::string_view version = design_.version;
+        for (const Structure& s : design_.structures) {
+            if (!s.dropped) version = std::max(version, info_of(s).since);
+        }
+        return version;
+    }
+
+    // The values that stand in the start tag.
+    [[nodiscard]] std::string attributes(const Structure& s) const {
+        const ElementInfo& info = info_of(s);
+        std::string text;
+        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
+            const auto& value = s.arguments[i].value;
+            const ParameterInfo& parameter = info.parameters[i];
+            if (const auto* word = std::get_if<std::string>(&value)) {
+                text += fmt::format(" {}=\"{}\"", parameter.name, *word);
+            } else if (const auto* number = std::get_if<double>(&value)) {
+                text += fmt::format(
+                    " {}=\"{}\"", parameter.name,
+                    parameter.kind == ParameterKind::length ? length(*number) : xml::format_number(*number));
+            }
+        }
+        return text;
+    }
+
+    // The values that are child elements.
+    void children(const Structure& s) {
+        const ElementInfo& info = info_of(s);
+        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
+            const Argument& argument = s.arguments[i];
+            const std::string_view name = info.parameters[i].name;
+            const std::string page =
+                argument.page ? fmt::format(" page=\"{}\"", *argument.page) : std::string();
+            if (const auto* tint = std::get_if<Color>(&argument.value)) {
+                color(3, name, *tint);
+            } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
+                line(3, "<{}{} d=\"{}\"/>", name, page, xml::path_text(*path, design_.unit));
+            } else if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
+                line(3, "<{}{}>", name, page);
+                for (const DesignPoint& p : *points) point(4, "point", p, false);
+                line(3, "</{}>", name);
+            }
+        }
+    }
+
+    void ground(const Structure& s) {
+        if (s.plate) {
+            line(3, "<parentplate page=\"{}\" x=\"{}\" y=\"{}\"/>", s.plate->page, length(s.plate->at.at.x),
+                 length(s.plate->at.at.y));
+            return;
+        }
+        line(3, "<parentfold page=\"{}\">", s.fold.page);
+        point(4, "begin", s.fold.begin, false);
+        point(4, "end", s.fold.end, false);
+        line(3, "</parentfold>");
     }
 
     void color(int depth, std::string_view name, const std::optional<Color>& value) {
@@ -71,18 +126,12 @@ class DocumentText {
             ++number;
             const bool automatic = !s.id_given && s.id == fmt::format("e{}", number);
             const std::string id = automatic ? std::string() : fmt::format(" id=\"{}\"", s.id);
-            line(2, "<structure type=\"{}\"{}>", s.type, id);
+            line(2, "<structure type=\"{}\"{}{}>", s.type, id, attributes(s));
             line(3, "<outerpoints>");
             for (const DesignPoint& p : s.points) point(4, "point", p, true);
             line(3, "</outerpoints>");
-            color(3, "leftcolor", s.left);
-            color(3, "rightcolor", s.right);
-            color(3, "lefttabcolor", s.left_tab);
-            color(3, "righttabcolor", s.right_tab);
-            line(3, "<parentfold page=\"{}\">", s.fold.page);
-            point(4, "begin", s.fold.begin, false);
-            point(4, "end", s.fold.end, false);
-            line(3, "</parentfold>");
+            children(s);
+            ground(s);
             line(2, "</structure>");
         }
         line(1, "</structurelist>");

@@ -7,6 +7,7 @@
 
 #include "popup/check.h"
 #include "popup/language.h"
+#include "popup/mechanism.h"
 #include "popup/motion.h"
 
 namespace popup::test {
@@ -33,6 +34,9 @@ std::string findings(const Diagnostics& diagnostics);
 // A random design of `elements` elements of all kinds on all kinds of folds, that needs no repair. Equal
 // seeds give equal designs on every machine. Elements that find no room are left out, so it may have fewer.
 Design generate(std::uint64_t seed, int elements, double width_mm = 279.4, double height_mm = 215.9);
+// The same of one element only, from its row alone: random points that check() has mended. It stands on folds
+// or seams.
+Design generate_of(const ElementInfo& info, std::uint64_t seed, int elements);
 
 // A long card, to see what size costs: groups of five along the gutter, a step, a smaller one on its side
 // fold, one on its centre fold, a tent beside it, and a v-fold on the tent's centre fold. Nothing collides.

@@ -1,9 +1,11 @@
 // Random designs of every element on every kind of fold.
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "mechanism/builder.h"
 #include "mechanism/site.h"
+#include "popup/mechanism.h"
 #include "support/designs.h"
 
 namespace popup::test {
@@ -116,6 +118,43 @@ Proposal propose(Random& random, const Fold& fold) {
     return made;
 }
 
+bool stands_on(const ElementInfo& info, const Fold& fold) {
+    return fold.seam ? info.grounds.seam : info.grounds.fold;
+}
+
+// Points of any element that stands on folds, from its row alone: even ones as likely as not, each letter
+// further out or along than the one before. check() then mends them into an element.
+Proposal propose_of(Random& random, const Fold& fold, const ElementInfo& info) {
+    const double size = fold.length();
+    const double middle = random.uniform(0.25, 0.75) * size;
+    const double reach = random.uniform(0.1, 0.5) * size;
+    const bool even = random.chance(0.5);
+    Proposal made;
+    made.type = info.name;
+    std::vector<SitePoint> at(info.points.size());
+    std::array<double, 2> along{-0.2 * size, -0.2 * size};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const PointInfo& point = info.points[i];
+        const auto partner = static_cast<std::size_t>(info.partners[i]);
+        double& s = along[point.page == PointPage::extra ? 1 : 0];
+        if (point.side == 'R' && partner < i) {
+            at[i] = even ? at[partner] : SitePoint{at[partner].s, at[partner].w * random.uniform(0.7, 1.4)};
+        } else {
+            at[i] = {s, point.side == '-' ? 0.0 : reach * random.uniform(0.5, 1.0)};
+            s += random.uniform(0.1, 0.4) * size;
+        }
+    }
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const bool right = info.points[i].side == 'R';
+        if (info.points[i].page == PointPage::extra) {
+            made.extra.push_back({right ? at[i].w : -at[i].w, at[i].s});
+        } else {
+            made.on.emplace_back(right ? Side::right : Side::left, SitePoint{middle + at[i].s, at[i].w});
+        }
+    }
+    return made;
+}
+
 void put(Design& design, const Fold& fold, const Proposal& made) {
     const Site site = site_on(fold);
     std::vector<Vec2> points;
@@ -130,6 +169,31 @@ void put(Design& design, const Fold& fold, const Proposal& made) {
 }
 
 }  // namespace
+
+Design generate_of(const ElementInfo& info, std::uint64_t seed, int elements) {
+    Random random{seed * 0x2545f4914f6cdd1dull + 7};
+    Design design = card(279.4, 215.9);
+    design.version = info.since;
+    Diagnostics first;
+    auto checked = check(design, {}, first);
+    for (int tries = 60 * elements; tries > 0 && static_cast<int>(design.structures.size()) < elements;
+         --tries) {
+        const auto& folds = checked->skeleton().folds;
+        const Fold& fold = folds[random.below(folds.size())];
+        if (fold.closed_deg == 180 || fold.length() < 14.0 || !stands_on(info, fold)) continue;
+        Design trial = design;
+        put(trial, fold, propose_of(random, fold, info));
+        Diagnostics mended;
+        auto repaired = check(trial, {}, mended);
+        if (!repaired) continue;
+        Diagnostics diagnostics;
+        auto result = check(repaired->design(), {}, diagnostics);
+        if (!result || diagnostics.has_findings()) continue;
+        design = repaired->design();
+        checked = std::move(result);
+    }
+    return design;
+}
 
 Design generate(std::uint64_t seed, int elements, double width_mm, double height_mm) {
     Random random{seed * 0x2545f4914f6cdd1dull + 1};

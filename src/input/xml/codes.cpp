@@ -16,6 +16,9 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "XML allows no control characters but tab and line breaks, so other programs will refuse the file as "
      "well. It has usually been damaged on its way or is not a text at all; take the character out, or "
      "export the document anew."},
+    {"bad-choice", Severity::error, "a word that is not one of those a value can be",
+     "Some values of elements are one word out of a few, like the side of a plate that is glued. The message "
+     "names the words there are."},
     {"bad-color", Severity::error, "a colour that cannot be read",
      "Colours are written #rrggbb. Also read are #rgb, three whole numbers r,g,b from 0 to 255, the colour "
      "names of CSS, and the signed 32-bit number that a Java program stores for a colour (-65536 is red; "

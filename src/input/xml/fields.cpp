@@ -18,6 +18,8 @@ bool takes_text(Name context) {
         case Name::begin:
         case Name::end:
         case Name::drawnline:
+        case Name::parentplate:
+        case Name::argument:
         case Name::value:
             return true;
         default:
@@ -87,14 +89,15 @@ Fields::Fields(Node node, Name context, Reporter& reporter)
     : node_(node), context_(context), reporter_(reporter) {
     fields_.reserve(6);  // what a structure has
     for (const Attribute& attribute : node.attributes()) {
-        const Name name = find_name(context, attribute.name);
+        std::string_view parameter;
+        const Name name = name_of(attribute.name, parameter);
         if (name == Name::unknown || repeats(context, name)) {
             if (!is_foreign(attribute.name))
                 reporter.unknown_name(context, attribute.name, attribute.place, true);
-        } else if (const Field* first = find(name)) {
+        } else if (const Field* first = find(name, parameter)) {
             reporter.twice(attribute.name, attribute.place, first->place);
         } else {
-            fields_.push_back({name, attribute.place, attribute.value, {}});
+            fields_.push_back({name, attribute.place, attribute.value, {}, parameter});
         }
     }
     for (Node child = node.first_child(); child; child = child.next_sibling()) {
@@ -105,13 +108,21 @@ Fields::Fields(Node node, Name context, Reporter& reporter)
     if (!takes_text(context)) refuse_text();
 }
 
-Name Fields::wants(std::string_view spelling, Place place) {
+Name Fields::name_of(std::string_view spelling, std::string_view& parameter) const {
     const Name name = find_name(context_, spelling);
+    if (name != Name::unknown || context_ != Name::structure) return name;
+    parameter = find_parameter_name(spelling);
+    return parameter.empty() ? Name::unknown : Name::argument;
+}
+
+Name Fields::wants(std::string_view spelling, Place place) {
+    std::string_view parameter;
+    const Name name = name_of(spelling, parameter);
     if (name == Name::unknown) {
         reporter_.unknown_name(context_, spelling, place, false);
         return Name::unknown;
     }
-    if (const Field* first = find(name)) {
+    if (const Field* first = find(name, parameter)) {
         reporter_.twice(spelling, place, first->place);
         return Name::unknown;
     }
@@ -122,13 +133,24 @@ void Fields::add(Name name, Node child) {
     if (repeats(context_, name)) {
         repeated_.push_back(child);
     } else {
-        fields_.push_back({name, child.place(), {}, child});
+        std::string_view parameter;
+        if (name == Name::argument) parameter = find_parameter_name(child.name());
+        fields_.push_back({name, child.place(), {}, child, parameter});
     }
 }
 
-const Field* Fields::find(Name name) const {
-    const auto found =
-        std::find_if(fields_.begin(), fields_.end(), [&](const Field& field) { return field.name == name; });
+const Field* Fields::find(Name name) const { return find(name, {}); }
+
+const Field* Fields::find(std::string_view parameter) const {
+    const auto found = std::find_if(fields_.begin(), fields_.end(),
+                                    [&](const Field& field) { return field.word() == parameter; });
+    return found == fields_.end() ? nullptr : &*found;
+}
+
+const Field* Fields::find(Name name, std::string_view parameter) const {
+    const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const Field& field) {
+        return field.name == name && field.parameter == parameter;
+    });
     return found == fields_.end() ? nullptr : &*found;
 }
 
@@ -149,13 +171,13 @@ std::optional<Text> value_of(const Field& field, Reporter& reporter) {
             values.push_back(*nested);
         }
         if (values.size() > 1) {
-            reporter.twice(canonical(field.name), values[1].place, values[0].place);
+            reporter.twice(field.word(), values[1].place, values[0].place);
             return std::nullopt;
         }
         text = values.empty() ? Text{} : values.front();
     }
     if (trimmed(text.decoded).empty()) {
-        reporter.error("missing-value", field.place, fmt::format("'{}' is empty", canonical(field.name)));
+        reporter.error("missing-value", field.place, fmt::format("'{}' is empty", field.word()));
         return std::nullopt;
     }
     return text;

@@ -48,8 +48,10 @@ class Reporter {
 struct Field {
     Name name = Name::unknown;
     Place place;
-    Text text;  // of an attribute
-    Node node;  // of a child element; null for an attribute
+    Text text;                        // of an attribute
+    Node node;                        // of a child element; null for an attribute
+    std::string_view parameter = {};  // of an argument: the name of its parameter
+    [[nodiscard]] std::string_view word() const { return parameter.empty() ? canonical(name) : parameter; }
 };
 
 // Gathers what stands in one element. Unknown markup, text where none belongs and fields given twice are
@@ -66,6 +68,9 @@ class Fields {
 
     // The field, or null.
     [[nodiscard]] const Field* find(Name name) const;
+    // The same of a parameter, by its canonical name.
+    [[nodiscard]] const Field* find(std::string_view parameter) const;
+    [[nodiscard]] std::span<const Field> all() const { return fields_; }
     // Child elements that may stand several times.
     [[nodiscard]] std::span<const Node> repeated() const { return repeated_; }
     // Text of the element itself.
@@ -76,6 +81,9 @@ class Fields {
     [[nodiscard]] Node node() const { return node_; }
 
  private:
+    // As find_name(), and the parameter where the name is one.
+    [[nodiscard]] Name name_of(std::string_view spelling, std::string_view& parameter) const;
+    [[nodiscard]] const Field* find(Name name, std::string_view parameter) const;
     Node node_;
     Name context_;
     Reporter& reporter_;

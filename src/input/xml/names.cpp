@@ -5,29 +5,32 @@
 #include <cstddef>
 #include <initializer_list>
 
+#include "popup/mechanism.h"
+
 namespace popup::xml {
 namespace {
 
-constexpr std::uint32_t in(std::initializer_list<Name> contexts) {
-    std::uint32_t mask = 0;
-    for (const Name context : contexts) mask |= 1U << static_cast<unsigned>(context);
+constexpr std::uint64_t in(std::initializer_list<Name> contexts) {
+    std::uint64_t mask = 0;
+    for (const Name context : contexts) mask |= std::uint64_t{1} << static_cast<unsigned>(context);
     return mask;
 }
-static_assert(static_cast<unsigned>(Name::value) < 32);
+static_assert(static_cast<unsigned>(Name::value) < 64);
 
 // Everything that is a single value.
-constexpr std::uint32_t kScalars = in({Name::version, Name::units, Name::width, Name::height, Name::leftcolor,
-                                       Name::rightcolor, Name::lefttabcolor, Name::righttabcolor, Name::type,
-                                       Name::id, Name::x, Name::y, Name::page, Name::thickness, Name::color});
+constexpr std::uint64_t kScalars =
+    in({Name::version, Name::units, Name::width, Name::height, Name::leftcolor, Name::rightcolor,
+        Name::lefttabcolor, Name::righttabcolor, Name::type, Name::id, Name::x, Name::y, Name::page,
+        Name::thickness, Name::color, Name::d});
 // Everything that is one point.
-constexpr std::uint32_t kPoints = in({Name::point, Name::begin, Name::end});
+constexpr std::uint64_t kPoints = in({Name::point, Name::begin, Name::end, Name::parentplate});
 
 struct Row {
     Name name;
     std::string_view canonical;
     std::string_view others;   // separated by blanks; in lower case, without "_" and "-"
-    std::uint32_t contexts;    // where it stands
-    std::uint32_t repeats_in;  // where it may stand several times
+    std::uint64_t contexts;    // where it stands
+    std::uint64_t repeats_in;  // where it may stand several times
 };
 
 // The mapping table. "colour" is read as "color" everywhere, so it needs no rows of its own.
@@ -47,19 +50,22 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::type, "type", "", in({Name::structure}), 0},
     {Name::id, "id", "", in({Name::structure}), 0},
     {Name::outerpoints, "outerpoints", "points", in({Name::structure}), 0},
-    {Name::point, "point", "outerpoint", in({Name::outerpoints, Name::structure, Name::drawnline}),
-     in({Name::outerpoints, Name::structure, Name::drawnline})},
+    {Name::point, "point", "outerpoint",
+     in({Name::outerpoints, Name::structure, Name::drawnline, Name::argument}),
+     in({Name::outerpoints, Name::structure, Name::drawnline, Name::argument})},
     {Name::x, "x", "", kPoints, 0},
     {Name::y, "y", "", kPoints, 0},
-    {Name::page, "page", "", kPoints | in({Name::parentfold, Name::drawnline}), 0},
+    {Name::page, "page", "", kPoints | in({Name::parentfold, Name::drawnline, Name::argument}), 0},
     {Name::parentfold, "parentfold", "", in({Name::structure}), 0},
+    {Name::parentplate, "parentplate", "", in({Name::structure}), 0},
+    {Name::d, "d", "", in({Name::argument}), 0},
     {Name::begin, "begin", "start beginpoint startpoint", in({Name::parentfold}), 0},
     {Name::end, "end", "endpoint", in({Name::parentfold}), 0},
     {Name::drawnlinelist, "drawnlinelist", "drawnlines", in({Name::popup}), 0},
     {Name::drawnline, "drawnline", "line", in({Name::drawnlinelist}), in({Name::drawnlinelist})},
     {Name::thickness, "thickness", "", in({Name::drawnline}), 0},
     {Name::color, "color", "linecolor", in({Name::drawnline}), 0},
-    {Name::value, "value", "", kScalars | kPoints, 0},
+    {Name::value, "value", "", kScalars | kPoints | in({Name::argument}), 0},
 });
 
 // Longer than any spelling of the table; longer names are unknown without a look.
@@ -91,21 +97,35 @@ const Row* row_of(Name name) {
     return row == kRows.end() ? nullptr : &*row;
 }
 
+// A name as the table has it; empty when it is longer than all of them.
+class Word {
+ public:
+    explicit Word(std::string_view spelling) {
+        for (char c : spelling) {
+            if (c == '_' || c == '-') continue;
+            if (size_ == buffer_.size()) {
+                size_ = 0;
+                return;
+            }
+            c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            // British spelling: drop the "u" of "colour".
+            if (c == 'r' && text().ends_with("colou")) --size_;
+            buffer_[size_++] = c;
+        }
+    }
+    [[nodiscard]] std::string_view text() const { return {buffer_.data(), size_}; }
+
+ private:
+    std::array<char, kLongest> buffer_{};
+    std::size_t size_ = 0;
+};
+
 }  // namespace
 
 Name find_name(Name context, std::string_view spelling) {
     static const std::vector<Spelling> kAll = all_spellings();
-    std::array<char, kLongest> buffer{};
-    std::size_t size = 0;
-    for (char c : spelling) {
-        if (c == '_' || c == '-') continue;
-        if (size == buffer.size()) return Name::unknown;
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        // British spelling: drop the "u" of "colour".
-        if (c == 'r' && std::string_view(buffer.data(), size).ends_with("colou")) --size;
-        buffer[size++] = c;
-    }
-    const std::string_view word(buffer.data(), size);
+    const Word plain(spelling);
+    const std::string_view word = plain.text();
     auto found = std::lower_bound(kAll.begin(), kAll.end(), word,
                                   [](const Spelling& a, std::string_view b) { return a.text < b; });
     for (; found != kAll.end() && found->text == word; ++found) {
@@ -115,8 +135,20 @@ Name find_name(Name context, std::string_view spelling) {
 }
 
 std::string_view canonical(Name name) {
+    if (name == Name::argument) return "value of a structure";
     const Row* row = row_of(name);
     return row ? row->canonical : std::string_view("document");
+}
+
+std::string_view find_parameter_name(std::string_view spelling) {
+    const Word plain(spelling);
+    if (plain.text().empty()) return {};
+    for (const ElementInfo& info : element_table()) {
+        for (const ParameterInfo& parameter : info.parameters) {
+            if (parameter.name == plain.text()) return parameter.name;
+        }
+    }
+    return {};
 }
 
 bool repeats(Name context, Name name) {
@@ -130,6 +162,13 @@ std::vector<std::string_view> names_in(Name context) {
     std::vector<std::string_view> names;
     for (const Row& row : kRows) {
         if (row.contexts & in({context})) names.push_back(row.canonical);
+    }
+    if (context != Name::structure) return names;
+    for (const ElementInfo& info : element_table()) {
+        for (const ParameterInfo& parameter : info.parameters) {
+            if (std::find(names.begin(), names.end(), parameter.name) == names.end())
+                names.push_back(parameter.name);
+        }
     }
     return names;
 }

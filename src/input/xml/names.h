@@ -37,7 +37,10 @@ enum class Name : std::uint8_t {
     drawnline,
     thickness,
     color,
-    value,  // of anything that is a single value: <leftcolor value="red"/>
+    parentplate,
+    d,         // of a path: <outline d="M …"/>
+    argument,  // a structure's value under the name of a parameter, other than the four colours
+    value,     // of anything that is a single value: <leftcolor value="red"/>
 };
 
 // The name that `spelling` has inside `context`, as attribute or child element; `unknown` when it has none
@@ -47,13 +50,18 @@ Name find_name(Name context, std::string_view spelling);
 // How the canonical document writes it.
 std::string_view canonical(Name name);
 
+// The parameter of any row of element_table() that `spelling` means inside a structure, in canonical
+// spelling; empty when there is none.
+std::string_view find_parameter_name(std::string_view spelling);
+
 // True for names that may stand several times in `context` (structures, points, drawn lines).
 bool repeats(Name context, Name name);
 
 // True for names that hold one value and no structure of their own.
 bool is_scalar(Name name);
 
-// The canonical spellings of everything known in `context`, for hints.
+// The canonical spellings of everything known in `context`, for hints; of a structure with the parameters of
+// all rows.
 std::vector<std::string_view> names_in(Name context);
 
 }  // namespace popup::xml

@@ -6,6 +6,7 @@
 
 #include "input/text.h"
 #include "input/xml/number.h"
+#include "input/xml/path_text.h"
 #include "input/xml/read.h"
 #include "popup/mechanism.h"
 
@@ -56,7 +57,9 @@ class Patch {
 
     void structure_edits(const Structure& structure) {
         if (structure.type_changed) type(structure);
-        for (const DesignPoint& point : structure.points) point_edits(point, structure.fold.page);
+        for (const DesignPoint& point : structure.points) point_edits(point, structure.ground_page());
+        argument_edits(structure);
+        if (structure.plate) return plate_edits(*structure.plate);
         const ParentFold& fold = structure.fold;
         if (fold.page_changed) page(fold.page_text, fold.tag_text, fold.page);
         for (const DesignPoint* end : {&fold.begin, &fold.end}) {
@@ -64,6 +67,39 @@ class Patch {
             if (fold.page_changed) number(end->page_text, fold.page);
             if (end->changed) coordinates(*end);
         }
+    }
+
+    void plate_edits(const ParentPlate& plate) {
+        if (plate.at.changed) coordinates(plate.at);
+        if (plate.page_changed) page(plate.page_text, plate.tag_text, plate.page);
+    }
+
+    void argument_edits(const Structure& structure) {
+        const ElementInfo* info = find_element(structure.type);
+        POPUP_INVARIANT(info != nullptr && structure.arguments.size() <= info->parameters.size());
+        for (std::size_t i = 0; i < structure.arguments.size(); ++i) {
+            const Argument& argument = structure.arguments[i];
+            if (!argument.changed) continue;
+            const ParameterInfo& parameter = info->parameters[i];
+            if (argument.page && argument.page_text.present()) number(argument.page_text, *argument.page);
+            if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
+                for (const DesignPoint& point : *points) coordinates(point);
+            } else if (const auto* value = std::get_if<double>(&argument.value)) {
+                const double unit = parameter.kind == ParameterKind::length ? design_.unit.mm : 1.0;
+                if (argument.text.present()) {
+                    number(argument.text, *value / unit);
+                } else {
+                    attribute(structure.start_tag, parameter.name, format_number(*value / unit));
+                }
+            } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
+                if (argument.text.present()) replace(argument.text, path_text(*path, design_.unit));
+            }
+        }
+    }
+
+    void replace(TextRange at, std::string text) {
+        if (text_.substr(at.offset, at.length) == text) return;
+        edits_.push_back({at.offset, at.offset + at.length, std::move(text)});
     }
 
     void point_edits(const DesignPoint& point, int default_page) {
@@ -91,12 +127,16 @@ class Patch {
     // A page that was not written becomes the last attribute of the start tag.
     void page(TextRange at, TextRange start_tag, int value) {
         if (at.present()) return number(at, value);
+        attribute(start_tag, "page", std::to_string(value));
+    }
+
+    void attribute(TextRange start_tag, std::string_view name, const std::string& value) {
         if (!start_tag.present()) return;
         const std::string_view tag = text_.substr(start_tag.offset, start_tag.length);
         std::size_t end = tag.size() - 1;
         while (end > 0 && (is_blank(tag[end - 1]) || tag[end - 1] == '/')) --end;
         const std::size_t offset = start_tag.offset + end;
-        edits_.push_back({offset, offset, " page=\"" + std::to_string(value) + "\""});
+        edits_.push_back({offset, offset, " " + std::string(name) + "=\"" + value + "\""});
     }
 
     // By code where the author wrote a code, else by name.

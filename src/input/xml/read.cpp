@@ -183,20 +183,67 @@ class DocumentReader {
         Structure& made = design_.structures.emplace_back();
         made.place = node.place();
         made.tag_text = node.whole();
+        made.start_tag = node.start_tag();
         read_id(fields.find(Name::id), made);
         const ElementInfo* info = read_type(fields.find(Name::type), made);
         read_outer_points(fields, made, info);
-        made.left = values_.color(fields.find(Name::leftcolor));
-        made.right = values_.color(fields.find(Name::rightcolor));
-        made.left_tab = values_.color(fields.find(Name::lefttabcolor));
-        made.right_tab = values_.color(fields.find(Name::righttabcolor));
-        if (const Field* fold = element_field(fields, Name::parentfold)) {
+        if (info) read_arguments(fields, made, *info);
+        read_ground(fields, made, info);
+        reporter_.set_structure(Reporter::kNone);
+    }
+
+    // The values that the element's row names; other elements' are unknown here.
+    void read_arguments(const Fields& fields, Structure& made, const ElementInfo& info) {
+        for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+            const ParameterInfo& parameter = info.parameters[i];
+            if (const Field* field = fields.find(parameter.name)) {
+                if (auto value = values_.argument(*field, parameter)) made.argument(i) = std::move(*value);
+            } else if (parameter.required) {
+                reporter_
+                    .error("missing-value", made.place,
+                           fmt::format("this {} has no {}", info.name, parameter.name))
+                    .hint(fmt::format("{} is the {}", parameter.name, parameter.about));
+            }
+        }
+        for (const Field& field : fields.all()) {
+            if (!is_value(field.name) || find_parameter(info, field.word())) continue;
+            reporter_.unknown_name(Name::structure, field.word(), field.place, !field.node);
+        }
+    }
+
+    // Names that mean something in a structure only where its element has such a parameter.
+    static bool is_value(Name name) {
+        return name == Name::argument || name == Name::leftcolor || name == Name::rightcolor ||
+               name == Name::lefttabcolor || name == Name::righttabcolor;
+    }
+
+    void read_ground(const Fields& fields, Structure& made, const ElementInfo* info) {
+        const Field* plate = fields.find(Name::parentplate);
+        const Field* fold = element_field(fields, Name::parentfold);
+        if (plate && fold) {
+            reporter_.error(
+                "duplicate-value", plate->place,
+                fmt::format("a structure stands on a plate or on a fold; its parentfold is on line {}",
+                            fold->place.line));
+        } else if (plate) {
+            read_plate(*plate, made.plate.emplace());
+        } else if (fold) {
             read_fold(fold->node, made.fold);
+        } else if (info && !info->grounds.fold && !info->grounds.seam) {
+            reporter_.error("missing-value", made.place, "this structure has no parentplate")
+                .hint("name the plate by any point of it: <parentplate page=\"0\" x=\"1\" y=\"1\"/>");
         } else {
             reporter_.error("missing-value", made.place, "this structure has no parentfold")
                 .hint("for the gutter write <parentfold page=\"0\"> with its begin and end");
         }
-        reporter_.set_structure(Reporter::kNone);
+    }
+
+    void read_plate(const Field& field, ParentPlate& plate) {
+        plate.place = field.place;
+        if (const auto point = values_.point(field)) plate.at = *point;
+        plate.page = plate.at.page.value_or(0);
+        plate.page_text = plate.at.page_text;
+        plate.tag_text = plate.at.tag_text;
     }
 
     void read_id(const Field* field, Structure& made) {
@@ -246,11 +293,11 @@ class DocumentReader {
             return nullptr;
         }
         made.type = info->name;
-        if (info->code < 0 && design_.version == "2.0") {
+        if (info->since > design_.version) {
             reporter_
                 .warning("newer-element", text->place,
-                         fmt::format("'{}' is not an element of version 2.0", info->name))
-                .hint("write version=\"3.0\"");
+                         fmt::format("'{}' is not an element of version {}", info->name, design_.version))
+                .hint(fmt::format("write version=\"{}\"", info->since));
         }
         return info;
     }

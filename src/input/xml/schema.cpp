@@ -70,26 +70,10 @@ constexpr std::string_view kStructure = R"xsd(
           </xs:sequence>
         </xs:complexType>
       </xs:element>
-      <xs:element name="leftcolor" type="color" minOccurs="0"/>
-      <xs:element name="rightcolor" type="color" minOccurs="0"/>
-      <xs:element name="lefttabcolor" type="color" minOccurs="0"/>
-      <xs:element name="righttabcolor" type="color" minOccurs="0"/>
-      <xs:element name="parentfold">
-        <xs:annotation>
-          <xs:documentation>Two points of the fold or seam. Left is the left-hand side, seen from begin to end.</xs:documentation>
-        </xs:annotation>
-        <xs:complexType>
-          <xs:sequence>
-            <xs:element name="begin" type="point"/>
-            <xs:element name="end" type="point"/>
-          </xs:sequence>
-          <xs:attribute name="page" type="page" default="0"/>
-        </xs:complexType>
-      </xs:element>
-    </xs:sequence>
+{}{}    </xs:sequence>
     <xs:attribute name="type" type="type" use="required"/>
     <xs:attribute name="id" type="id"/>
-  </xs:complexType>
+{}  </xs:complexType>
 
   <xs:complexType name="drawnline">
     <xs:sequence>
@@ -168,7 +152,29 @@ constexpr std::string_view kStructure = R"xsd(
       <xs:pattern value="[A-Za-z_][A-Za-z0-9_.\-]*"/>
     </xs:restriction>
   </xs:simpleType>
-</xs:schema>
+)xsd";
+
+// What a structure stands on, where it is a fold or seam.
+constexpr std::string_view kParentFold =
+    R"xsd(      <xs:element name="parentfold">
+        <xs:annotation>
+          <xs:documentation>Two points of the fold or seam. Left is the left-hand side, seen from begin to end.</xs:documentation>
+        </xs:annotation>
+        <xs:complexType>
+          <xs:sequence>
+            <xs:element name="begin" type="point"/>
+            <xs:element name="end" type="point"/>
+          </xs:sequence>
+          <xs:attribute name="page" type="page" default="0"/>
+        </xs:complexType>
+      </xs:element>
+)xsd";
+constexpr std::string_view kParentPlate =
+    R"xsd(      <xs:element name="parentplate" type="pagepoint">
+        <xs:annotation>
+          <xs:documentation>Any point of the plate. Its page is 0 where it names none.</xs:documentation>
+        </xs:annotation>
+      </xs:element>
 )xsd";
 
 std::string escaped(std::string_view text) {
@@ -214,6 +220,83 @@ std::string types() {
     return out + "    </xs:restriction>\n  </xs:simpleType>\n";
 }
 
+// Each parameter of any row once, in the order of the table, that is `wanted`.
+template <class Wanted>
+std::vector<const ParameterInfo*> parameters(Wanted wanted) {
+    std::vector<const ParameterInfo*> found;
+    for (const ElementInfo& info : element_table()) {
+        for (const ParameterInfo& parameter : info.parameters) {
+            if (wanted(parameter.kind) &&
+                std::none_of(found.begin(), found.end(),
+                             [&](const ParameterInfo* p) { return p->name == parameter.name; }))
+                found.push_back(&parameter);
+        }
+    }
+    return found;
+}
+
+bool is_attribute(ParameterKind kind) {
+    return kind == ParameterKind::length || kind == ParameterKind::number || kind == ParameterKind::choice;
+}
+
+std::string value_elements() {
+    std::string out;
+    for (const ParameterInfo* parameter :
+         parameters([](ParameterKind kind) { return !is_attribute(kind); })) {
+        const std::string_view type = parameter->kind == ParameterKind::colour ? "color"
+                                      : parameter->kind == ParameterKind::path ? "path"
+                                                                               : "points";
+        out += fmt::format("      <xs:element name=\"{}\" type=\"{}\" minOccurs=\"0\"/>\n", parameter->name,
+                           type);
+    }
+    return out;
+}
+
+std::string value_attributes() {
+    std::string out;
+    for (const ParameterInfo* parameter : parameters(is_attribute)) {
+        if (parameter->kind != ParameterKind::choice) {
+            out += fmt::format("    <xs:attribute name=\"{}\" type=\"number\"/>\n", parameter->name);
+            continue;
+        }
+        out += fmt::format(
+            "    <xs:attribute name=\"{}\">\n      <xs:simpleType>\n        <xs:restriction "
+            "base=\"xs:string\">\n",
+            parameter->name);
+        for (const std::string_view word : parameter->words)
+            out += fmt::format("          <xs:enumeration value=\"{}\"/>\n", word);
+        out += "        </xs:restriction>\n      </xs:simpleType>\n    </xs:attribute>\n";
+    }
+    return out;
+}
+
+// parentfold, or parentplate too where a row stands on plates.
+std::string grounds() {
+    const auto table = element_table();
+    if (std::none_of(table.begin(), table.end(), [](const ElementInfo& info) { return info.grounds.plate; }))
+        return std::string(kParentFold);
+    return fmt::format("      <xs:choice>\n{}{}      </xs:choice>\n", kParentFold, kParentPlate);
+}
+
+// Types that only some rows need.
+std::string value_types() {
+    std::string out;
+    if (!parameters([](ParameterKind kind) { return kind == ParameterKind::path; }).empty()) {
+        out +=
+            "\n  <xs:complexType name=\"path\">\n    <xs:annotation>\n"
+            "      <xs:documentation>SVG path data, in the document's units, y up.</xs:documentation>\n"
+            "    </xs:annotation>\n    <xs:attribute name=\"d\" type=\"xs:string\" use=\"required\"/>\n"
+            "    <xs:attribute name=\"page\" type=\"page\"/>\n  </xs:complexType>\n";
+    }
+    if (!parameters([](ParameterKind kind) { return kind == ParameterKind::points; }).empty()) {
+        out +=
+            "\n  <xs:complexType name=\"points\">\n    <xs:sequence>\n"
+            "      <xs:element name=\"point\" type=\"point\" minOccurs=\"0\" maxOccurs=\"unbounded\"/>\n"
+            "    </xs:sequence>\n    <xs:attribute name=\"page\" type=\"page\"/>\n  </xs:complexType>\n";
+    }
+    return out;
+}
+
 std::string units() {
     std::string out = fmt::format(
         "      <xs:attribute name=\"units\" default=\"{}\">\n        <xs:simpleType>\n"
@@ -234,8 +317,9 @@ std::string render_schema() {
         element_table().begin(), element_table().end(),
         [](const ElementInfo& a, const ElementInfo& b) { return a.points.size() < b.points.size(); });
     return std::string(kHead) + units() + types() +
-           fmt::format(kStructure, fewest->points.size(), most->points.size(), format_number(kThickestLine),
-                       kPageLimit);
+           fmt::format(kStructure, fewest->points.size(), most->points.size(), value_elements(), grounds(),
+                       value_attributes(), format_number(kThickestLine), kPageLimit) +
+           value_types() + "</xs:schema>\n";
 }
 
 }  // namespace popup::xml

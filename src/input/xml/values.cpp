@@ -66,12 +66,12 @@ std::optional<double> Values::length(std::string_view text, std::string_view wha
 
 std::optional<double> Values::length(const Field& field) {
     const std::optional<Text> text = value_of(field, reporter_);
-    return text ? length(text->decoded, canonical(field.name), text->place) : std::nullopt;
+    return text ? length(text->decoded, field.word(), text->place) : std::nullopt;
 }
 
 std::optional<double> Values::number(const Field& field) {
     const std::optional<Text> text = value_of(field, reporter_);
-    return text ? number(text->decoded, canonical(field.name), text->place) : std::nullopt;
+    return text ? number(text->decoded, field.word(), text->place) : std::nullopt;
 }
 
 std::optional<Color> Values::color(const Field* field) {
@@ -80,9 +80,9 @@ std::optional<Color> Values::color(const Field* field) {
     if (!text) return std::nullopt;
     const std::optional<Color> color = parse_color(text->decoded);
     if (color) return color;
-    Diagnostic& error = reporter_.error("bad-color", text->place,
-                                        fmt::format("{} is '{}', which is not a colour",
-                                                    canonical(field->name), shown(trimmed(text->decoded))));
+    Diagnostic& error = reporter_.error(
+        "bad-color", text->place,
+        fmt::format("{} is '{}', which is not a colour", field->word(), shown(trimmed(text->decoded))));
     const std::string near = nearest_color_name(text->decoded);
     error.hint(near.empty() ? "write #rrggbb, r,g,b or a CSS colour name"
                             : fmt::format("perhaps '{}' is meant", near));
@@ -212,7 +212,7 @@ DesignPoint Values::point(Node node, Name context) {
 
 std::optional<DesignPoint> Values::point(const Field& field) {
     if (field.node) return point(field.node, field.name);
-    return point_of(field.text, canonical(field.name));
+    return point_of(field.text, field.word());
 }
 
 bool Values::count_point(Place place) {

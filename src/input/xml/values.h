@@ -8,6 +8,7 @@
 #include "input/design_limits.h"
 #include "input/xml/fields.h"
 #include "popup/design.h"
+#include "popup/mechanism.h"
 
 namespace popup::xml {
 
@@ -27,6 +28,8 @@ class Values {
     std::optional<Color> color(const Field* field);
     // A whole number from 0 to kPageLimit; `range` (if given) is where it stands.
     std::optional<int> page(const Field* field, TextRange* range = nullptr);
+    // The value of a parameter, of the kind and in the limits that its row gives.
+    std::optional<Argument> argument(const Field& field, const ParameterInfo& parameter);
     // One point, of <point>, <begin> or <end>, or of an attribute.
     std::optional<DesignPoint> point(const Field& field);
     // Appends the points of a list: <point> elements, text, or both forms of `fields`. A point that cannot be
@@ -46,6 +49,10 @@ class Values {
     // At most `most` of them, and one more where there are more.
     [[nodiscard]] std::vector<Token> tokens(const Text& text, std::size_t most) const;
     bool count_point(Place place);
+    bool read_number(const Text& text, const ParameterInfo& parameter, Argument& made);
+    bool read_choice(const Text& text, const ParameterInfo& parameter, Argument& made);
+    bool read_path(const Field& field, const ParameterInfo& parameter, Argument& made);
+    void read_points(const Field& field, Argument& made);
     DesignPoint point_of(const Token& x, const Token& y);
     DesignPoint point(Node node, Name context);
     std::optional<DesignPoint> point_of(const Text& text, std::string_view what);

@@ -223,7 +223,7 @@ TEST(Check, OneWrongTentSeamEndMovesAlone) {
 TEST(Check, SwappedSidesAreExchangedAndColoursStay) {
     Design design = card();
     Structure& step = add(design, "step", {{40, -30}, {40, 30}, {-30, -30}, {-30, 30}});
-    step.left = Color{1, 2, 3};
+    step.argument(0).value = Color{1, 2, 3};
     const Checked result = run(design);
     EXPECT_EQ(codes(result.diagnostics), Codes{"sides-exchanged"});
     EXPECT_EQ(result.point(0, 0), (Vec2{-30, -30}));

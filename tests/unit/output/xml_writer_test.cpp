@@ -7,6 +7,7 @@
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "popup/language.h"
+#include "popup/mechanism.h"
 #include "support/designs.h"
 
 namespace popup {
@@ -39,10 +40,10 @@ void expect_same(const Design& a, const Design& b) {
         const Structure& t = b.structures[i];
         EXPECT_EQ(s.type, t.type);
         EXPECT_EQ(s.id, t.id);
-        EXPECT_EQ(s.left, t.left);
-        EXPECT_EQ(s.right, t.right);
-        EXPECT_EQ(s.left_tab, t.left_tab);
-        EXPECT_EQ(s.right_tab, t.right_tab);
+        EXPECT_EQ(color_of(s, "leftcolor"), color_of(t, "leftcolor"));
+        EXPECT_EQ(color_of(s, "rightcolor"), color_of(t, "rightcolor"));
+        EXPECT_EQ(color_of(s, "lefttabcolor"), color_of(t, "lefttabcolor"));
+        EXPECT_EQ(color_of(s, "righttabcolor"), color_of(t, "righttabcolor"));
         EXPECT_EQ(s.fold.page, t.fold.page);
         expect_near(s.fold.begin, t.fold.begin, mm);
         expect_near(s.fold.end, t.fold.end, mm);

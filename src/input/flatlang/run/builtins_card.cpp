@@ -1,6 +1,7 @@
 // popup(), what names and draws on a card, and one builtin for each row of the element table.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "input/color.h"
@@ -24,8 +26,6 @@ constexpr double kFlat = 1e-4;  // inches: as far as a vector may leave the page
 // What objects stand for is kept in members whose names no program can write.
 constexpr std::string_view kFoldNumber = "fold number";
 constexpr std::string_view kElementNumber = "element number";
-// An element's folds, in the order of folds_made().
-constexpr std::array<std::string_view, 3> kFoldNames{"left", "centre", "right"};
 constexpr std::string_view kFoldHint =
     "the gutter is the .gutter of what popup() returns; an element has the folds .left, .centre and .right";
 
@@ -125,6 +125,25 @@ class Arguments {
         return take()->number;
     }
 
+    // Numbers (lengths in mm), words and path data that come next, for parameters of the row.
+    std::vector<std::variant<double, std::string>> take_values(const ElementInfo& info) {
+        std::vector<std::variant<double, std::string>> values;
+        std::size_t lengths = 0;
+        for (; more(); ++next_) {
+            if (peek()->type == Type::number) {
+                const ParameterInfo* parameter = number_parameter(info, lengths++);
+                if (parameter == nullptr) break;
+                values.emplace_back(peek()->number *
+                                    (parameter->kind == ParameterKind::length ? kInch : 1.0));
+            } else if (peek()->type == Type::text && is_value(info, peek()->text)) {
+                values.emplace_back(peek()->text);
+            } else {
+                break;
+            }
+        }
+        return values;
+    }
+
     std::vector<Color> take_colors() {
         std::vector<Color> colors;
         while (next_is(Type::text)) {
@@ -149,6 +168,24 @@ class Arguments {
     }
 
  private:
+    // The n-th parameter that is a number.
+    static const ParameterInfo* number_parameter(const ElementInfo& info, std::size_t n) {
+        for (const ParameterInfo& parameter : info.parameters) {
+            const bool number =
+                parameter.kind == ParameterKind::length || parameter.kind == ParameterKind::number;
+            if (number && n-- == 0) return &parameter;
+        }
+        return nullptr;
+    }
+
+    // A word of one of its choices, or path data where it has a path.
+    static bool is_value(const ElementInfo& info, const std::string& text) {
+        return std::any_of(info.parameters.begin(), info.parameters.end(), [&](const ParameterInfo& p) {
+            return (p.kind == ParameterKind::path && is_path_data(text)) ||
+                   std::find(p.words.begin(), p.words.end(), text) != p.words.end();
+        });
+    }
+
     // Of the argument taken last.
     Vec2 point(const Value& value) {
         constexpr std::string_view kWanted = "a point [x, y]";
@@ -243,6 +280,31 @@ Paint paint(const Call& call, Arguments& arguments) {
     return made;
 }
 
+// What an element stands on, and its points: a fold; or the card or an element, and then first a point of the
+// plate on its page.
+void take_ground(const Call& call, Arguments& arguments, NewElement& wanted) {
+    const Value& parent = arguments.take();
+    const Grounds& grounds = wanted.info->grounds;
+    const auto element = hidden_number(call, parent, kElementNumber);
+    const auto fold = hidden_number(call, parent, kFoldNumber);
+    if (grounds.plate && (element || (fold && !grounds.fold && !grounds.seam))) {
+        wanted.points = arguments.take_points();
+        if (wanted.points.empty())
+            refuse(call, {"is given no point of the plate it stands on", "it comes before the other points"});
+        const int page = element ? call.in.card.pages[*element] : call.in.card.folds[*fold].left_page;
+        wanted.plate = PlatePlace{page, wanted.points.front()};
+        wanted.points.erase(wanted.points.begin());
+        return;
+    }
+    if (!fold && element) {
+        refuse(call, {"is given an element to stand on, where one of its folds is expected",
+                      std::string(kFoldHint)});
+    }
+    if (!fold) refuse_argument(call, 0, parent, "a fold to stand on", std::string(kFoldHint));
+    wanted.fold = fold.value_or(0);
+    wanted.points = arguments.take_points();
+}
+
 // step(fold, points… [, colours of the halves [, colours of their tabs]]), and so for every row.
 Value element(const Call& call) {
     Interpreter& in = call.in;
@@ -255,17 +317,8 @@ Value element(const Call& call) {
     wanted.info = static_cast<const ElementInfo*>(call.data);
     wanted.place = call.in.program_place(call.place);
     Arguments arguments(call);
-    const Value& parent = arguments.take();
-    const auto fold = hidden_number(call, parent, kFoldNumber);
-    if (!fold) {
-        if (hidden_number(call, parent, kElementNumber)) {
-            refuse(call, {"is given an element to stand on, where one of its folds is expected",
-                          std::string(kFoldHint)});
-        }
-        refuse_argument(call, 0, parent, "a fold to stand on", std::string(kFoldHint));
-    }
-    wanted.fold = fold.value_or(0);
-    wanted.points = arguments.take_points();
+    take_ground(call, arguments, wanted);
+    wanted.values = arguments.take_values(*wanted.info);
     wanted.paint = paint(call, arguments);
     arguments.end(wanted.paint.left ? "a colour" : "a point or a colour",
                   fmt::format("the points are {}", letters_of(*wanted.info)));
@@ -278,10 +331,10 @@ Value element(const Call& call) {
     set_number(call, made, kElementNumber, static_cast<double>(number));
     set_number(call, made, "page", card.pages[number]);
     // Without a member of that name .left would be the function left().
-    for (std::size_t i = 0; i < kFoldNames.size(); ++i) {
-        set(call, made, kFoldNames[i],
-            folds ? fold_value(call, *folds + i, fmt::format("{} fold of {}", kFoldNames[i], text))
-                  : in.heap.nil());
+    for (std::size_t i = 0; i < wanted.info->folds.size(); ++i) {
+        const std::string_view name = wanted.info->folds[i].name;
+        set(call, made, name,
+            folds ? fold_value(call, *folds + i, fmt::format("{} fold of {}", name, text)) : in.heap.nil());
     }
     return made;
 }
@@ -374,9 +427,9 @@ Value draw_line(const Call& call) {
 }
 
 // What a row's builtin is called: its name, of which each hyphen is "_" or left out.
-std::vector<std::string> names_of(const ElementInfo& info) {
+std::vector<std::string> names_of(std::string_view element) {
     std::vector<std::string> names{""};
-    for (const char c : info.name) {
+    for (const char c : element) {
         const std::size_t count = names.size();
         for (std::size_t i = 0; i < count; ++i) {
             if (c == '-') names.push_back(names[i]);
@@ -396,7 +449,11 @@ struct Rows {
         rows.push_back({"painted", 2, 5, painted});
         rows.push_back({"drawline", 1, -1, draw_line});
         for (const ElementInfo& info : element_table()) {
-            for (std::string& name : names_of(info)) {
+            std::vector<std::string> spellings = names_of(info.name);
+            if (!info.also.empty()) {
+                for (std::string& name : names_of(info.also)) spellings.push_back(std::move(name));
+            }
+            for (std::string& name : spellings) {
                 names.push_back(std::move(name));
                 rows.push_back({names.back(), 1, -1, element, &info});
             }

@@ -9,6 +9,7 @@
 
 #include "input/design_limits.h"
 #include "input/text.h"
+#include "input/xml/path_text.h"
 
 namespace popup::flatlang {
 namespace {
@@ -86,7 +87,87 @@ Refusal wrong_count(const ElementInfo& info, std::size_t given) {
     return refusal;
 }
 
+// A value for one parameter, in its limits.
+std::optional<Refusal> give_value(Argument& argument, const ParameterInfo& parameter,
+                                  const std::variant<double, std::string>& value) {
+    if (const double* number = std::get_if<double>(&value)) {
+        argument.value = *number;
+        if (*number >= parameter.least && *number <= parameter.most) return std::nullopt;
+        const double unit = parameter.kind == ParameterKind::length ? 25.4 : 1.0;
+        const std::string_view name = parameter.kind == ParameterKind::length ? " inches" : "";
+        return Refusal{fmt::format("has {:.6g}{} as {}, which must be from {:.6g} to {:.6g}", *number / unit,
+                                   name, parameter.name, parameter.least / unit, parameter.most / unit)};
+    }
+    const std::string& text = std::get<std::string>(value);
+    if (parameter.kind == ParameterKind::choice) {
+        argument.value = text;
+        return std::nullopt;
+    }
+    DrawnPath path;
+    const auto refusal = xml::read_path(text, Unit{}, path);
+    argument.value = std::move(path);
+    if (!refusal) return std::nullopt;
+    return Refusal{fmt::format("has path data as {} that {}", parameter.name, refusal->what)};
+}
+
+// True when the parameter is what such a value is for.
+bool takes(const ParameterInfo& parameter, const std::variant<double, std::string>& value) {
+    if (std::holds_alternative<double>(value))
+        return parameter.kind == ParameterKind::length || parameter.kind == ParameterKind::number;
+    const std::string& text = std::get<std::string>(value);
+    if (parameter.kind == ParameterKind::choice)
+        return std::find(parameter.words.begin(), parameter.words.end(), text) != parameter.words.end();
+    return parameter.kind == ParameterKind::path && is_path_data(text);
+}
+
+// Each value goes to the first parameter that takes it and has none.
+std::optional<Refusal> give_values(Structure& made, const ElementInfo& info, const NewElement& wanted) {
+    for (const auto& value : wanted.values) {
+        std::size_t i = 0;
+        while (i < info.parameters.size() && (made.argument(i).given() || !takes(info.parameters[i], value)))
+            ++i;
+        if (i == info.parameters.size()) {
+            const auto* number = std::get_if<double>(&value);
+            return Refusal{fmt::format("is given {}, which none of its parameters takes",
+                                       number ? fmt::format("{:.6g}", *number)
+                                              : fmt::format("\"{}\"", shown(std::get<std::string>(value))))};
+        }
+        made.argument(i).place = wanted.place;
+        if (auto refusal = give_value(made.argument(i), info.parameters[i], value)) return refusal;
+    }
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        const bool missing = info.parameters[i].required && !made.argument(i).given();
+        if (missing) return Refusal{fmt::format("has no {}", info.parameters[i].name)};
+    }
+    return std::nullopt;
+}
+
+// The fold it stands on, or a line of the plate; written into the structure.
+PageFold ground_of(const Card& card, const NewElement& wanted, Structure& made) {
+    if (wanted.plate) {
+        ParentPlate& plate = made.plate.emplace();
+        plate.page = wanted.plate->page;
+        plate.place = wanted.place;
+        plate.at = design_point(wanted.plate->at, wanted.place);
+        const Segment up{plate.at.at, plate.at.at + Vec2{0, 1}};
+        return {plate.page, plate.page, up, up, false, 0};
+    }
+    const PageFold& fold = card.folds[wanted.fold];
+    made.fold.page = fold.left_page;
+    made.fold.begin = design_point(fold.on_left.a, wanted.place);
+    made.fold.end = design_point(fold.on_left.b, wanted.place);
+    return fold;
+}
+
 }  // namespace
+
+bool is_path_data(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || (text[first] != 'M' && text[first] != 'm')) return false;
+    const std::size_t next = text.find_first_not_of(" \t\r\n", first + 1);
+    return next != std::string_view::npos &&
+           std::string_view("+-.0123456789").find(text[next]) != std::string_view::npos;
+}
 
 std::size_t points_without_mirrored(const ElementInfo& info) {
     std::size_t count = 0;
@@ -136,29 +217,30 @@ std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::op
     }
     if (auto refusal = count_points(card, beside->size())) return refusal;
 
-    const PageFold fold = card.folds[wanted.fold];
-    if (info.glued) ++card.glued;
-    if (info.code < 0) design.version = "3.0";
-    Structure& made = design.structures.emplace_back();
+    Structure made;
     made.type = info.name;
     made.place = made.type_place = made.fold.place = wanted.place;
-    paint_element(card, design.structures.size() - 1, wanted.paint);
-    made.fold.page = fold.left_page;
-    made.fold.begin = design_point(fold.on_left.a, wanted.place);
-    made.fold.end = design_point(fold.on_left.b, wanted.place);
+    if (auto refusal = give_values(made, info, wanted)) return refusal;
+    const PageFold fold = ground_of(card, wanted, made);
+    if (info.glued) ++card.glued;
+    if (info.since > design.version) design.version = info.since;
     std::vector<Vec2> on_pages;
     for (std::size_t i = 0; i < beside->size(); ++i) {
         const bool right = info.points[i].side == 'R';
+        const bool beside_fold = info.points[i].page == PointPage::fold && !wanted.plate;
         const bool extra = info.points[i].page == PointPage::extra;
-        const Vec2 at = extra ? (*beside)[i] : on_page(right ? fold.on_right : fold.on_left, (*beside)[i]);
+        const Vec2 at =
+            beside_fold ? on_page(right ? fold.on_right : fold.on_left, (*beside)[i]) : (*beside)[i];
         on_pages.push_back(at);
         DesignPoint& point = made.points.emplace_back(design_point(at, wanted.place));
         if (!extra && right && fold.right_page != fold.left_page) point.page = fold.right_page;
     }
     card.pages.push_back(info.glued ? card.glued : fold.left_page);
+    design.structures.push_back(std::move(made));
+    paint_element(card, design.structures.size() - 1, wanted.paint);
 
     folds.reset();
-    if (const auto lines = folds_made(info, fold, card.glued, on_pages)) {
+    if (const auto lines = folds_of(info, fold, card.glued, on_pages)) {
         folds = card.folds.size();
         card.folds.insert(card.folds.end(), lines->begin(), lines->end());
     }
@@ -210,10 +292,18 @@ std::optional<Refusal> add_line(Card& card, const NewLine& wanted) {
 
 void paint_element(Card& card, std::size_t structure, const Paint& paint) {
     Structure& made = card.design->structures[structure];
-    made.left = paint.left;
-    made.right = paint.right;
-    made.left_tab = paint.left_tab;
-    made.right_tab = paint.right_tab;
+    const ElementInfo& info = *find_element(made.type);
+    for (const auto& [name, color] :
+         {std::pair<std::string_view, std::optional<Color>>{"leftcolor", paint.left},
+          {"rightcolor", paint.right},
+          {"lefttabcolor", paint.left_tab},
+          {"righttabcolor", paint.right_tab}}) {
+        const auto number = find_parameter(info, name);
+        if (!number) continue;
+        Argument& argument = made.argument(*number);
+        argument.value = {};
+        if (color) argument.value = *color;
+    }
 }
 
 std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "popup/design.h"
@@ -47,18 +48,32 @@ struct Paint {
     std::optional<Color> left, right, left_tab, right_tab;
 };
 
+// Where an element stands that stands on a plate: its page, and any point of the plate.
+struct PlatePlace {
+    int page = 0;
+    Vec2 at;
+};
+
 struct NewElement {
     const ElementInfo* info = nullptr;
     std::size_t fold = 0;  // of Card::folds
+    // In place of the fold. Points are then in the coordinates of the plate's page.
+    std::optional<PlatePlace> plate = {};
     // In the row's order: all of them, or all but those with a partner on their left, whose mirror images
     // these then are (about the fold; on a piece's page about x = 0).
     std::vector<Vec2> points;
     Paint paint;
+    // Other values, each for the next parameter of the row that takes its kind: numbers (mm for lengths),
+    // words of choices, and path data in inches.
+    std::vector<std::variant<double, std::string>> values = {};
     Place place;
 };
-// Appends the structure; on success `folds` is the first of its left, centre and right fold in Card::folds.
-// Empty: it makes none. Precondition: the card has begun, and its fold is there.
+// Appends the structure; on success `folds` is the first of its row's folds in Card::folds. Empty: it makes
+// none. Precondition: the card has begun, and its fold is there.
 std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::optional<std::size_t>& folds);
+
+// True of a text that can only be path data: it begins with M and a number.
+bool is_path_data(std::string_view text);
 
 // How many points a call may give if it leaves out what is mirrored.
 std::size_t points_without_mirrored(const ElementInfo& info);

@@ -66,10 +66,10 @@ void expect_same(const Design& a, const Design& b) {
         const Structure& t = b.structures[n];
         const std::string what = fmt::format("{} {}", t.type, n + 1);
         EXPECT_EQ(s.type, t.type);
-        EXPECT_EQ(s.left, t.left) << what;
-        EXPECT_EQ(s.right, t.right) << what;
-        EXPECT_EQ(s.left_tab, t.left_tab) << what;
-        EXPECT_EQ(s.right_tab, t.right_tab) << what;
+        EXPECT_EQ(color_of(s, "leftcolor"), color_of(t, "leftcolor")) << what;
+        EXPECT_EQ(color_of(s, "rightcolor"), color_of(t, "rightcolor")) << what;
+        EXPECT_EQ(color_of(s, "lefttabcolor"), color_of(t, "lefttabcolor")) << what;
+        EXPECT_EQ(color_of(s, "righttabcolor"), color_of(t, "righttabcolor")) << what;
         EXPECT_EQ(s.fold.page, t.fold.page) << what;
         expect_point(s.fold.begin, t.fold.begin, 0, what);
         expect_point(s.fold.end, t.fold.end, 0, what);
@@ -173,7 +173,8 @@ TEST(FlatLangCard, ColoursAreOfBothHalvesOrEachAndOfTheirTabs) {
         expect_same(design_of(fmt::format("{}, \"gold\") painted(e, {})", beak, arguments)), made);
         std::string text;
         const Structure& s = made.structures.at(0);
-        for (const auto& color : {s.left, s.right, s.left_tab, s.right_tab})
+        for (const auto& color : {color_of(s, "leftcolor"), color_of(s, "rightcolor"),
+                                  color_of(s, "lefttabcolor"), color_of(s, "righttabcolor")})
             text += (color ? to_string(*color) : "none") + " ";
         return text;
     };
@@ -229,7 +230,7 @@ std::string program_of(const Design& design) {
         }
         text += ")\n";
         if (info.glued) ++glued;
-        const auto made = folds_made(info, fold->fold, glued, on_pages);
+        const auto made = folds_of(info, fold->fold, glued, on_pages);
         if (!made) {
             ADD_FAILURE() << "structure " << n + 1 << " makes no folds";
             return text;
@@ -268,7 +269,7 @@ TEST(FlatLangCard, AnyDesignCanBeWrittenAsAProgram) {
     EXPECT_GT(on_two_pages, 10U);
 }
 
-// folds_made() and check() say the same of every fold: where it is, its pages, and how it closes.
+// folds_of() and check() say the same of every fold: where it is, its pages, and how it closes.
 TEST(FlatLangCard, FoldsAreWhereCheckMakesThem) {
     for (std::uint64_t seed = 41; seed <= 60; ++seed) {
         SCOPED_TRACE(seed);
@@ -293,7 +294,7 @@ TEST(FlatLangCard, FoldsAreWhereCheckMakesThem) {
             ASSERT_NE(parent, folds.end());
             std::vector<Vec2> points;
             for (const DesignPoint& p : s.points) points.push_back(p.at);
-            const auto made = folds_made(info, as_page_fold(*parent), glued, points);
+            const auto made = folds_of(info, as_page_fold(*parent), glued, points);
             ASSERT_TRUE(made);
             for (std::size_t i = 0; i < 3; ++i) {
                 const PageFold wanted = as_page_fold(folds[1 + 3 * n + i]);

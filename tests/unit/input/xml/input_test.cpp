@@ -13,6 +13,7 @@
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "popup/language.h"
+#include "popup/mechanism.h"
 
 namespace popup {
 namespace {
@@ -116,10 +117,10 @@ TEST(Input, CanonicalDocumentReadsInMillimetres) {
     EXPECT_EQ(s.points[1].place, (Place{7, 32}));
     EXPECT_FALSE(s.points[1].page);
     EXPECT_EQ(s.points[3].page, 0);
-    EXPECT_EQ(s.left, (Color{0xff, 0xcc, 0}));
-    EXPECT_FALSE(s.right);
-    EXPECT_FALSE(s.left_tab);
-    EXPECT_EQ(s.right_tab, (Color{0, 0xff, 0}));
+    EXPECT_EQ(color_of(s, "leftcolor"), (Color{0xff, 0xcc, 0}));
+    EXPECT_FALSE(color_of(s, "rightcolor"));
+    EXPECT_FALSE(color_of(s, "lefttabcolor"));
+    EXPECT_EQ(color_of(s, "righttabcolor"), (Color{0, 0xff, 0}));
     EXPECT_EQ(s.fold.page, 0);
     EXPECT_EQ(s.fold.begin.at, (Vec2{0, -75}));
     EXPECT_EQ(s.fold.end.at, (Vec2{0, 75}));
@@ -199,8 +200,8 @@ TEST(Input, NamesMatchWithoutRegardToCaseUnderscoresAndHyphens) {
     ASSERT_TRUE(reading.design);
     expect_points(*reading.design, kBeakPoints);
     EXPECT_EQ(reading.design->left, (Color{255, 0, 0}));
-    EXPECT_EQ(reading.design->structures[0].left, (Color{0, 0, 255}));
-    EXPECT_EQ(reading.design->structures[0].left_tab, (Color{0, 255, 0}));
+    EXPECT_EQ(color_of(reading.design->structures[0], "leftcolor"), (Color{0, 0, 255}));
+    EXPECT_EQ(color_of(reading.design->structures[0], "lefttabcolor"), (Color{0, 255, 0}));
 }
 
 TEST(Input, ValuesMayBeAttributesOrElements) {
@@ -220,7 +221,7 @@ TEST(Input, ValuesMayBeAttributesOrElements) {
     EXPECT_EQ(d.height_mm, 100);
     EXPECT_EQ(d.structures[0].type, "beak");
     EXPECT_EQ(d.structures[0].id, "bird");
-    EXPECT_EQ(d.structures[0].left, (Color{255, 0, 0}));
+    EXPECT_EQ(color_of(d.structures[0], "leftcolor"), (Color{255, 0, 0}));
     EXPECT_EQ(d.structures[0].fold.end.at, (Vec2{0, 40}));
     EXPECT_EQ(d.lines[0].thickness_pt, 3);
     EXPECT_EQ(d.lines[0].color, (Color{255, 0, 0}));

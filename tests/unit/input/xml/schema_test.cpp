@@ -56,7 +56,7 @@ TEST(Schema, WhatTheWriterWritesIsValid) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Design design = test::generate(seed, 40);
         design.left = Color{1, 2, 3};
-        design.structures.front().left_tab = Color{};
+        design.structures.front().argument(2).value = Color{};
         DrawnLine line;
         line.points.resize(2);
         line.points[1].at = {1e-7, 1e6};

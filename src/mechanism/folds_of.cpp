@@ -27,15 +27,19 @@ bool is_line(const Segment& s) {
 
 }  // namespace
 
-std::pair<int, int> pages_of_fold(const Element& element, FoldRole role) {
+std::pair<int, int> pages_of_fold(const Element& element, const FoldInfo& fold) {
     const Site& site = element.site;
     if (!element.info->glued) return {site.left_page, site.left_page};
-    return {role == kLeftFold ? site.left_page : element.extra_page,
-            role == kRightFold ? site.right_page : element.extra_page};
+    return {fold.on_left == PointPage::fold ? site.left_page : element.extra_page,
+            fold.on_right == PointPage::fold ? site.right_page : element.extra_page};
 }
 
-std::optional<std::array<PageFold, 3>> folds_made(const ElementInfo& info, const PageFold& parent,
-                                                  int extra_page, std::span<const Vec2> points) {
+bool is_seam(const ElementInfo& info, const FoldInfo& fold) {
+    return info.glued && fold.on_left != fold.on_right;
+}
+
+std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
+                                              std::span<const Vec2> points) {
     POPUP_INVARIANT(points.size() == info.points.size());
     static const Tolerances kTolerances;
     Element element;
@@ -44,6 +48,7 @@ std::optional<std::array<PageFold, 3>> folds_made(const ElementInfo& info, const
     element.extra_page = extra_page;
     element.inverted = info.inverted;
     element.tolerances = &kTolerances;
+    element.arguments.resize(info.parameters.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (info.points[i].page == PointPage::extra) {
             element.extra.push_back(points[i]);
@@ -53,15 +58,16 @@ std::optional<std::array<PageFold, 3>> folds_made(const ElementInfo& info, const
         }
     }
     const FoldLines lines = element_row(info).fold_lines(element);
-    std::array<PageFold, 3> made;
-    for (const FoldRole role : {kLeftFold, kCentreFold, kRightFold}) {
-        PageFold& fold = made[role];
-        fold.on_left = lines[role].on_left;
-        fold.on_right = lines[role].on_right;
+    POPUP_INVARIANT(lines.size() == info.folds.size());
+    std::vector<PageFold> made;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        PageFold& fold = made.emplace_back();
+        fold.on_left = lines[i].on_left;
+        fold.on_right = lines[i].on_right;
         if (!is_line(fold.on_left) || !is_line(fold.on_right)) return std::nullopt;
-        std::tie(fold.left_page, fold.right_page) = pages_of_fold(element, role);
-        fold.seam = info.glued && role != kCentreFold;
-        fold.closed_deg = lines[role].closed_deg;
+        std::tie(fold.left_page, fold.right_page) = pages_of_fold(element, info.folds[i]);
+        fold.seam = is_seam(info, info.folds[i]);
+        fold.closed_deg = lines[i].closed_deg;
     }
     return made;
 }

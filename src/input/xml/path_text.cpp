@@ -1,0 +1,94 @@
+#include "input/xml/path_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/geometry/regions.h"
+#include "input/drawing/path.h"
+#include "input/text.h"
+#include "input/xml/number.h"
+
+namespace popup::xml {
+namespace {
+
+// Smaller areas are drawn by mistake, in mm².
+constexpr double kLeastArea = 1e-3;
+
+std::string point_text(Vec2 mm, Unit unit) {
+    return format_number(mm.x / unit.mm) + " " + format_number(mm.y / unit.mm);
+}
+
+std::string ring_text(const Ring& ring, Unit unit) {
+    std::string text;
+    for (const Vec2 p : ring) text += (text.empty() ? "M " : " L ") + point_text(p, unit);
+    return text + " Z";
+}
+
+}  // namespace
+
+std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath& path) {
+    path = {};
+    path.text = text;
+    drawing::Path drawn;
+    if (const auto fault = drawing::parse_path(text, drawn)) {
+        if (fault->too_long)
+            return PathRefusal{fmt::format("has more than {} steps", drawing::kStepsLimit), true};
+        const std::string_view rest = text.substr(std::min(fault->at, text.size()));
+        return PathRefusal{rest.empty() ? std::string("ends where a number is missing")
+                                        : fmt::format("cannot be read at \"{}\"", shown(rest))};
+    }
+    std::size_t points = 0;
+    std::vector<drawing::Polyline> lines;
+    switch (drawing::flatten(drawn, {unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0}, points, lines)) {
+        case drawing::FlatteningFault::none:
+            break;
+        case drawing::FlatteningFault::too_far:
+            return PathRefusal{fmt::format("leads further out than {} mm", format_number(drawing::kReachMm))};
+        case drawing::FlatteningFault::too_many:
+            return PathRefusal{fmt::format("has more than {} points", drawing::kPointsLimit), true};
+    }
+    std::vector<Ring> rings;
+    for (drawing::Polyline& line : lines) rings.push_back(std::move(line.points));
+    path.areas = filled(rings, FillRule::even_odd);
+    if (area(path.areas) < kLeastArea) {
+        path.areas.clear();
+        return PathRefusal{"encloses nothing"};
+    }
+    return std::nullopt;
+}
+
+std::string path_text(const DrawnPath& path, Unit unit) {
+    std::string text;
+    const auto append = [&](const std::string& more) { text += (text.empty() ? "" : " ") + more; };
+    if (path.text.empty()) {
+        for (const Polygon& area : path.areas) {
+            append(ring_text(area.outer, unit));
+            for (const Ring& hole : area.holes) append(ring_text(hole, unit));
+        }
+        return text;
+    }
+    const std::array<double, 6>& m = path.placed;
+    if (m == std::array<double, 6>{1, 0, 0, 1, 0, 0}) return path.text;
+    drawing::Path drawn;
+    const bool readable = !drawing::parse_path(path.text, drawn);
+    POPUP_INVARIANT(readable);
+    const drawing::Affine moved =
+        drawing::Affine{m[0], m[1], m[2], m[3], m[4], m[5]}.after({unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0});
+    for (const drawing::Subpath& subpath : drawn.subpaths()) {
+        append("M " + point_text(moved(subpath.start), unit));
+        for (const drawing::PathStep& step : subpath.steps) {
+            std::string where = point_text(moved(step.to), unit);
+            if (step.curve) {
+                where = point_text(moved(step.control_1), unit) + " " +
+                        point_text(moved(step.control_2), unit) + " " + where;
+            }
+            append((step.curve ? "C " : "L ") + where);
+        }
+        if (subpath.closed) append("Z");
+    }
+    return text;
+}
+
+}  // namespace popup::xml

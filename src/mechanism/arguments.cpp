@@ -1,0 +1,53 @@
+#include "mechanism/arguments.h"
+
+#include <algorithm>
+
+#include "mechanism/element.h"
+
+namespace popup {
+namespace {
+
+Vec2 mapped(const Placed& m, Vec2 p) {
+    return {m[0] * p.x + m[2] * p.y + m[4], m[1] * p.x + m[3] * p.y + m[5]};
+}
+
+// First `first`, then `then`.
+Placed composed(const Placed& then, const Placed& first) {
+    const Vec2 x = mapped(then, {first[0], first[1]}) - Vec2{then[4], then[5]};
+    const Vec2 y = mapped(then, {first[2], first[3]}) - Vec2{then[4], then[5]};
+    const Vec2 at = mapped(then, {first[4], first[5]});
+    return {x.x, x.y, y.x, y.y, at.x, at.y};
+}
+
+}  // namespace
+
+void move_argument(Argument& argument, const Placed& by) {
+    if (auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
+        for (DesignPoint& point : *points) point.at = mapped(by, point.at);
+    }
+    auto* path = std::get_if<DrawnPath>(&argument.value);
+    if (path == nullptr) return;
+    path->placed = composed(by, path->placed);
+    const bool turned_over = by[0] * by[3] - by[1] * by[2] < 0.0;
+    const auto move_ring = [&](Ring& ring) {
+        for (Vec2& p : ring) p = mapped(by, p);
+        if (turned_over) std::reverse(ring.begin(), ring.end());
+    };
+    for (Polygon& area : path->areas) {
+        move_ring(area.outer);
+        for (Ring& hole : area.holes) move_ring(hole);
+    }
+}
+
+void mirror_piece(Element& element) {
+    for (Vec2& p : element.extra) p.x = -p.x;
+    for (std::size_t i = 0; i < element.arguments.size(); ++i) {
+        if (element.info->parameters[i].page != PointPage::extra) continue;
+        Argument& argument = element.arguments[i];
+        move_argument(argument, kMirrored);
+        argument.changed = argument.changed || is_drawn(argument);
+    }
+    element.piece_mirrored = true;
+}
+
+}  // namespace popup
