@@ -180,11 +180,15 @@ bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
         const auto n = static_cast<std::size_t>(slot_[static_cast<std::size_t>(t.opposite)]);
         if (Bends{pool_[range.bends + n], pool_[range.bends + needed_.size() + n]}.passes()) return false;
     }
-    const Ring& hull = shapes_[static_cast<std::size_t>(t.plate)].hull;
+    // The line is on the page of the turn's plate. What lies on that, or moves as it does, reaches elsewhere.
+    const int plate = linkage_.twin(a_) == t.plate ? a_ : b_;
+    const Frame& page = pose_frames_[static_cast<std::size_t>(t.plate)];
+    const Frame& frame = pose_frames_[static_cast<std::size_t>(plate)];
     double left = 0.0;
     double right = 0.0;
-    for (const Vec2 p : hull) {
-        const double across = cross(t.dir, p - t.at);
+    for (const Vec2 p : shapes_[static_cast<std::size_t>(plate)].hull) {
+        const Vec2 at = plate == t.plate ? p : on_page(page, frame.point(p));
+        const double across = cross(t.dir, at - t.at);
         left = std::max(left, across);
         right = std::max(right, -across);
     }
