@@ -127,7 +127,7 @@ struct Assembly {
     // the left first; empty: nothing covers it.
     std::vector<int> covers;
     std::vector<Trace> traces;  // at most one a piece, in the order of the pieces, then those of none
-    CurveTable curves;          // that chords of all pieces stand for
+    CurveTable curves = {};     // that chords of all pieces stand for
 };
 
 // Whether any of it moves. What does not has no motion, and stands in models as its plates do.

@@ -51,7 +51,7 @@ struct FlatPart {
 struct FlatParts {
     std::vector<FlatPart> parts;  // at least one
     std::vector<Trace> traces;    // those of no part
-    CurveTable curves;            // that chords of all parts stand for
+    CurveTable curves = {};       // that chords of all parts stand for
 };
 
 // A piece of each part, in their order, that nothing moves. Its plates are its faces, which stand; where

@@ -264,8 +264,7 @@ class Unfolder {
         const Plate& base = in_.plates[at(glued.base_plate)];
         Work& under = pieces_[at(base.piece)];
         const auto label = [&](const TextSpot& spot) {
-            under.piece.labels.push_back(
-                {LabelKind::target, glued.label, spot.at, spot.height, spot.angle});
+            under.piece.labels.push_back({LabelKind::target, glued.label, spot.at, spot.height, spot.angle});
         };
         bool labelled = false;
         for (const Polygon& part : glued.on_base) {
@@ -275,7 +274,8 @@ class Unfolder {
             insert_ring(on_plate(glued.base_plate), obstacle);
             const auto spot =
                 labelled ? std::nullopt
-                         : place_on_plate(EdgeIndex(edges_of(part), {}), {}, bounds(part.outer), glued.label);
+                         : place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
+                                          bounds(part.outer), glued.label);
             if (spot) label(*spot);
             labelled = labelled || spot;
         }

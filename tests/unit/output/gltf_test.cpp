@@ -71,8 +71,8 @@ Design small_design() {
     Design design = test::card();
     test::add(design, "v-fold",
               {{-60, 20}, {0, -20}, {60, 20}, {-62, 36}, {0, 0}, {62, 36}, {62, 80}, {-62, 80}});
-    design.structures.back().left = Color{255, 204, 0};
-    design.structures.back().right = Color{255, 153, 0};
+    design.structures.back().argument(0).value = Color{255, 204, 0};  // of the left half
+    design.structures.back().argument(1).value = Color{255, 153, 0};  // and of the right one
     test::add(design, "step", {{-30, 60}, {-30, 90}, {20, 60}, {20, 90}});
     test::add(design, "beak", {{0, -30}, {-30, -60}, {30, -60}});
     DrawnLine line;

@@ -151,7 +151,9 @@ TEST(SheetCurves, ProfilesTurnsBacksAndScalesKeepThemNearTheirChords) {
                     SCOPED_TRACE(profile.name + (back ? ", back" : ""));
                     for (const SheetShape& shape : drawing.shapes) {
                         for (const popup::Run& run : drawing.runs_of(shape)) {
-                            if (run.steps > 0) EXPECT_LE(strays(drawing, run), 0.011);
+                            if (run.steps > 0) {
+                                EXPECT_LE(strays(drawing, run), 0.011);
+                            }
                         }
                     }
                     if (back) continue;

@@ -26,10 +26,12 @@ Trail trail_of(std::vector<TrailSegment> segments) {
     return trail;
 }
 
-double between(test::Random& random, double low, double high) { return low + (high - low) * random.unit(); }
+double between(popup::test::Random& random, double low, double high) {
+    return low + (high - low) * random.unit();
+}
 
 // A star of `n` corners in a plane of its own, its sides drawn in any order and direction.
-std::vector<TrailSegment> scattered_star(int n, test::Random& random, double gap) {
+std::vector<TrailSegment> scattered_star(int n, popup::test::Random& random, double gap) {
     const Vec3 u = unit(Vec3{between(random, -1, 1), between(random, -1, 1), 1.5});
     const Vec3 v = unit(cross(u, Vec3{1, 0, 0}));
     std::vector<Vec3> corners;
@@ -57,7 +59,7 @@ double area_of(const std::vector<Vec3>& points) {
 }
 
 TEST(FlatLangStrokes, LoopsAreFoundWhateverOrderTheirSidesAreDrawnIn) {
-    test::Random random(7);
+    popup::test::Random random(7);
     for (int round = 0; round < 200; ++round) {
         const int n = 3 + static_cast<int>(random.below(30));
         const Trail trail = trail_of(scattered_star(n, random, 5e-5));
@@ -70,7 +72,7 @@ TEST(FlatLangStrokes, LoopsAreFoundWhateverOrderTheirSidesAreDrawnIn) {
 }
 
 TEST(FlatLangStrokes, AGapOrACrossingKeepsALoopOpen) {
-    test::Random random(8);
+    popup::test::Random random(8);
     for (int round = 0; round < 50; ++round) {
         const Trail trail = trail_of(scattered_star(4 + static_cast<int>(random.below(9)), random, 5e-4));
         EXPECT_TRUE(loops_of_strokes(trail, all_of(trail)).empty());
@@ -92,7 +94,7 @@ TEST(FlatLangStrokes, SidesOfDifferentPartsOrPlanesCloseNothing) {
 }
 
 TEST(FlatLangStrokes, WhatStrokesCloseIsAPart) {
-    test::Random random(9);
+    popup::test::Random random(9);
     Diagnostics diagnostics("strokes.fl");
     const auto list = make_parts(trail_of(scattered_star(12, random, 0.0)), diagnostics);
     ASSERT_TRUE(list);
