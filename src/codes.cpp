@@ -18,6 +18,7 @@
 #include "mechanism/codes.h"
 #include "motion/codes.h"
 #include "output/codes.h"
+#include "parts/codes.h"
 #include "pattern/codes.h"
 #include "popup/diagnostics.h"
 #include "run/codes.h"
@@ -28,9 +29,9 @@ namespace {
 std::vector<CodeInfo> sorted_rows() {
     std::vector<CodeInfo> rows;
     for (const std::span<const CodeInfo> room :
-         {base_codes(), input_codes(), xml_codes(), drawing_codes(), flatlang_codes(), mechanism_codes(),
-          check_codes(), motion_codes(), pattern_codes(), layout_codes(), fabrication_codes(), output_codes(),
-          run_codes(), findings_codes(), batch_codes(), cli_codes()}) {
+         {base_codes(), input_codes(), xml_codes(), drawing_codes(), flatlang_codes(), parts_codes(),
+          mechanism_codes(), check_codes(), motion_codes(), pattern_codes(), layout_codes(),
+          fabrication_codes(), output_codes(), run_codes(), findings_codes(), batch_codes(), cli_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

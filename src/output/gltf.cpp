@@ -10,14 +10,15 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <streambuf>
 #include <utility>
 
 #include "base/text/numbers.h"
 #include "output/examination_json.h"
+#include "output/gltf_values.h"
 #include "output/keys.h"
 #include "output/mesh.h"
 #include "output/poses.h"
+#include "output/space_mesh.h"
 #include "popup/image.h"
 
 namespace popup {
@@ -39,55 +40,6 @@ std::vector<double> metres(Vec3 mm) {
             rounded(mm.z, kLengthDecimals) / kMetre};
 }
 
-// A colour channel as light; six decimals, because pow() differs between processors in the last bit.
-double linear(std::uint8_t channel) {
-    const double s = channel / 255.0;
-    return rounded(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4), 6);
-}
-
-// glTF text is UTF-8, and names hold file names: bytes that are none become U+FFFD.
-std::string valid_utf8(std::string_view text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t k) {
-            return k < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[k])) : 0U;
-        };
-        const unsigned lead = byte(i);
-        const std::size_t size = lead < 0x80                   ? 1
-                                 : lead >= 0xC2 && lead < 0xE0 ? 2
-                                 : lead >= 0xE0 && lead < 0xF0 ? 3
-                                 : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                               : 0;
-        bool good = size > 0 && i + size <= text.size();
-        for (std::size_t k = 1; good && k < size; ++k) good = (byte(i + k) & 0xC0U) == 0x80U;
-        // Neither overlong forms nor surrogates nor what lies beyond U+10FFFF.
-        if (good && lead == 0xE0) good = byte(i + 1) >= 0xA0;
-        if (good && lead == 0xED) good = byte(i + 1) < 0xA0;
-        if (good && lead == 0xF0) good = byte(i + 1) >= 0x90;
-        if (good && lead == 0xF4) good = byte(i + 1) < 0x90;
-        result += good ? text.substr(i, size) : std::string_view("\xEF\xBF\xBD");
-        i += good ? size : 1;
-    }
-    return result;
-}
-
-// Bytes of one buffer view, and what accessors into it need.
-class View {
- public:
-    template <typename T>
-    std::size_t append(std::span<const T> values) {
-        const std::size_t at = bytes_.size();
-        bytes_.resize(at + values.size_bytes());
-        if (!values.empty()) std::memcpy(bytes_.data() + at, values.data(), values.size_bytes());
-        return at;
-    }
-    [[nodiscard]] const std::vector<unsigned char>& bytes() const { return bytes_; }
-    void release() { bytes_ = {}; }
-
- private:
-    std::vector<unsigned char> bytes_;
-};
-
 enum Surface { kPaper, kDrawn, kColliding, kTrail, kPainted };
 
 enum ViewIndex : std::size_t {
@@ -100,78 +52,6 @@ enum ViewIndex : std::size_t {
     kMotion,
     kViews
 };
-
-// Triangles or lines of one material, as points of space.
-struct SpaceMesh {
-    Color color;
-    const Image* image = nullptr;
-    bool drawn = false;
-    double lift_mm = 0.0;
-    std::vector<Vec3> points;   // mm
-    std::vector<Vec3> normals;  // of lines none
-    std::vector<Vec2> pixels;   // of a picture, at the points
-    std::vector<std::uint32_t> indices;
-};
-
-// Where points of a plate lie in a picture, in pixels.
-std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot) {
-    const Affine& place = image.place;
-    const double scale = 1.0 / cross(place.x, place.y);
-    std::vector<Vec2> pixels;
-    pixels.reserve(points.size());
-    for (const Vec2 p : points) {
-        const Vec2 from = p + pivot - place.origin;
-        pixels.push_back({scale * cross(from, place.y), scale * cross(place.x, from)});
-    }
-    return pixels;
-}
-
-// What of a piece stands, one mesh a material.
-std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& piece) {
-    std::vector<SpaceMesh> meshes;
-    for (const int number : piece.plates) {
-        const Plate& plate = assembly.plates.at(static_cast<std::size_t>(number));
-        if (!plate.stands) continue;
-        for (const MeshPart& part : plate_mesh(plate)) {
-            auto mesh = std::find_if(meshes.begin(), meshes.end(), [&part](const SpaceMesh& one) {
-                return one.color == part.color && one.drawn == part.drawn && one.lift_mm == part.lift_mm &&
-                       one.image == part.image;
-            });
-            if (mesh == meshes.end()) {
-                mesh =
-                    meshes.insert(mesh, {part.color, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
-            }
-            const auto first = static_cast<std::uint32_t>(mesh->points.size());
-            const Vec3 lift = part.drawn ? part.lift_mm * plate.stands->normal() : Vec3{};
-            if (part.image != nullptr) {
-                const std::vector<Vec2> pixels = pixels_at(*part.image, part.points, plate.pivot);
-                mesh->pixels.insert(mesh->pixels.end(), pixels.begin(), pixels.end());
-            }
-            for (const Vec2 p : part.points) {
-                mesh->points.push_back(plate.stands->point(p + plate.pivot) + lift);
-                mesh->normals.push_back(plate.stands->normal());
-            }
-            for (const std::uint32_t index : part.indices) mesh->indices.push_back(first + index);
-        }
-    }
-    return meshes;
-}
-
-// Lines as pairs of points.
-SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines) {
-    SpaceMesh mesh;
-    mesh.color = kTraceColor;
-    for (const std::vector<Vec3>& line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            if (i > 0) {
-                const auto end = static_cast<std::uint32_t>(mesh.points.size());
-                mesh.indices.insert(mesh.indices.end(), {end - 1, end});
-            }
-            mesh.points.push_back(line[i]);
-        }
-    }
-    return mesh;
-}
 
 class SceneBuilder {
  public:
@@ -245,7 +125,7 @@ class SceneBuilder {
     // The material of a picture: the same for all that shows the same file.
     int material(const Image& image) {
         const auto [at, is_new] =
-            pictures_.try_emplace(image.bytes.get(), static_cast<int>(model_.materials.size()));
+            pictures_.try_emplace(*image.bytes, static_cast<int>(model_.materials.size()));
         if (!is_new) return at->second;
         const int number = static_cast<int>(model_.images.size());
         tinygltf::Image file;
@@ -508,7 +388,7 @@ class SceneBuilder {
             std::vector<SpaceMesh> meshes = standing_meshes(assembly, assembly.pieces[i]);
             const bool is_part = !meshes.empty();
             if (trace != assembly.traces.end() && trace->piece == static_cast<int>(i)) {
-                meshes.push_back(mesh_of((trace++)->lines));
+                meshes.push_back(mesh_of((trace++)->lines, kTraceColor));
             }
             if (meshes.empty()) continue;
             const std::string name = valid_utf8(card.prefix + assembly.pieces[i].name);
@@ -519,7 +399,7 @@ class SceneBuilder {
             }
         }
         for (; trace != assembly.traces.end(); ++trace) {
-            add_space_node(valid_utf8(card.prefix + trace->name), {mesh_of(trace->lines)}, root);
+            add_space_node(valid_utf8(card.prefix + trace->name), {mesh_of(trace->lines, kTraceColor)}, root);
         }
     }
 
@@ -641,32 +521,16 @@ class SceneBuilder {
     const OutputOptions& options_;
     tinygltf::Model model_;
     tinygltf::Animation animation_;
-    std::array<View, kViews> views_;
+    std::array<BufferBytes, kViews> views_;
     std::vector<float> times_;
     std::vector<std::array<float, 4>> turns_;  // of one plate; kept for its memory
     std::map<std::array<int, 4>, int> materials_;
-    std::map<const std::string*, int> pictures_;  // the materials of files
+    std::map<std::string_view, int> pictures_;  // the materials of files, whose bytes picture_files_ keeps
     std::vector<std::shared_ptr<const std::string>> picture_files_;
     std::map<std::size_t, int> normals_;
     std::map<std::vector<std::uint32_t>, int> indices_;
     std::size_t largest_mesh_ = 0;
     int time_accessor_ = -1;
-};
-
-// Collects what is written without the copies of a string stream.
-class StringBuffer : public std::streambuf {
- public:
-    std::string text;
-
- protected:
-    std::streamsize xsputn(const char* data, std::streamsize count) override {
-        text.append(data, static_cast<std::size_t>(count));
-        return count;
-    }
-    int_type overflow(int_type c) override {
-        if (c != traits_type::eof()) text += static_cast<char>(c);
-        return c;
-    }
 };
 
 std::optional<std::string> write(std::span<const SceneCard> cards, const OutputOptions& options,

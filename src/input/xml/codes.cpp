@@ -18,7 +18,8 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "export the document anew."},
     {"bad-choice", Severity::error, "a word that is not one of those a value can be",
      "Some values of elements are one word out of a few, like the side of a plate that is glued. The message "
-     "names the words there are."},
+     "names the words there are. Write one of them, in either case, or leave the value out where one of them "
+     "holds without it."},
     {"bad-color", Severity::error, "a colour that cannot be read",
      "Colours are written #rrggbb. Also read are #rgb, three whole numbers r,g,b from 0 to 255, the colour "
      "names of CSS, and the signed 32-bit number that a Java program stores for a colour (-65536 is red; "

@@ -52,8 +52,8 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",  "diagnostics", "geometry", "path",     "curves", "nest",     "files",     "print",
-        "image",  "lines",       "joints",   "assembly", "design", "language", "mechanism", "check",
+        "units",  "diagnostics", "geometry", "path",     "curves", "nest",     "print",     "image",
+        "files",  "lines",       "joints",   "assembly", "design", "language", "mechanism", "check",
         "motion", "pattern",     "layout",   "profile",  "output", "compile",  "write"};
     return order;
 }
@@ -371,6 +371,7 @@ TEST(Headers, NoTwoDefineATypeOfTheSameName) {
                 // Only what begins a line is at the top; "struct Name;" declares and defines nothing.
                 const bool defines =
                     line.find(';') == std::string::npos || line.find('{') != std::string::npos;
+                if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0) continue;
                 if (!(line.rfind("struct ", 0) == 0 || line.rfind("class ", 0) == 0 ||
                       line.rfind("enum ", 0) == 0) ||
                     !defines) {

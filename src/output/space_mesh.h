@@ -1,0 +1,32 @@
+// What stands still, as meshes of points of space.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "popup/assembly.h"
+
+namespace popup {
+
+// Triangles or lines of one material, as points of space.
+struct SpaceMesh {
+    Color color;
+    const Image* image = nullptr;
+    bool drawn = false;
+    double lift_mm = 0.0;
+    std::vector<Vec3> points;   // mm
+    std::vector<Vec3> normals;  // of lines none
+    std::vector<Vec2> pixels;   // of a picture, at the points
+    std::vector<std::uint32_t> indices;
+};
+
+// Where points of a plate, given from its pivot, lie in a picture: in pixels, from its upper left corner.
+std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot);
+
+// What of a piece stands, one mesh a material.
+std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& piece);
+
+// Lines as pairs of points.
+SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines, Color color);
+
+}  // namespace popup
