@@ -103,10 +103,32 @@ struct FourBar {
     }
 };
 
+// A plate that is glued flat on another.
+struct Rigid {
+    int plate = -1;
+    int base = -1;  // the plate that it lies on
+    Vec2 base_at,
+        base_dir;          // a point of the base's page, and a direction (unit): where own_at and own_dir lie
+    Vec2 own_at, own_dir;  // the same on its own page
+    bool back = false;     // it lies on the base's back, with its own front away from it
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.plate("base", self.base);
+        to.point("base_at", self.base_at);
+        to.direction("base_dir", self.base_dir);
+        to.point("own_at", self.own_at);
+        to.direction("own_dir", self.own_dir);
+        to.flag("back", self.back);
+    }
+};
+
 // All kinds, and the names by which files know them: the table. Its row is ROW(struct, name).
 #define POPUP_JOINT_KINDS(ROW) \
     ROW(Drive, "drive")        \
-    ROW(FourBar, "four-bar")
+    ROW(FourBar, "four-bar")   \
+    ROW(Rigid, "rigid")
 
 template <typename Nothing, typename... Kinds>
 using JointVariant = std::variant<Kinds...>;
