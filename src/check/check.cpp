@@ -293,7 +293,7 @@ bool Checker::stand(Structure& structure, Placing& placing) {
 }
 
 PaperQuery Checker::query_of(const Element& element) const {
-    const auto ask = [this, &site = element.site](Side side, const auto& question) {
+    const auto ask = [&site = element.site](Side side, const auto& question) {
         return side == Side::left ? question(site.left_plate, site.left_page, site.left)
                                   : question(site.right_plate, site.right_page, site.right);
     };

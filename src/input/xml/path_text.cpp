@@ -79,12 +79,13 @@ std::string path_text(const DrawnPath& path, Unit unit) {
     for (const Subpath& subpath : drawn.subpaths()) {
         append("M " + point_text(moved(subpath.start), unit));
         for (const PathStep& step : subpath.steps) {
-            std::string where = point_text(moved(step.to), unit);
+            std::string where = step.curve ? "C " : "L ";
             if (step.curve) {
-                where = point_text(moved(step.control_1), unit) + " " +
-                        point_text(moved(step.control_2), unit) + " " + where;
+                for (const Vec2 control : {step.control_1, step.control_2}) {
+                    where.append(point_text(moved(control), unit)).append(" ");
+                }
             }
-            append((step.curve ? "C " : "L ") + where);
+            append(where.append(point_text(moved(step.to), unit)));
         }
         if (subpath.closed) append("Z");
     }
