@@ -1,4 +1,5 @@
-// The paper as it is while elements are put on it: where plates end, what has been cut out, where seams and glued areas lie.
+// The paper as it is while elements are put on it: where plates end, what has been cut out, where seams and
+// glued areas lie.
 #pragma once
 
 #include <vector>
