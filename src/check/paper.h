@@ -16,7 +16,8 @@ class PaperMap {
  public:
     explicit PaperMap(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
-    // Takes in the plates, cut-outs, seams and glued areas that were added to the skeleton since the last call.
+    // Takes in the plates, cut-outs, seams and glued areas that were added to the skeleton since the last
+    // call.
     void update(const Skeleton& skeleton);
 
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.

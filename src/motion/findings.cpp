@@ -51,11 +51,11 @@ class Findings {
                 assembly_.plates.size() > kMostPlates)
                 continue;
             if (const auto move = freeing_move(assembly_, shapes_, all_pairs(joints), budget_)) {
-                finding.hint(
-                    fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, "
-                                "frees the two",
-                                assembly_.joints[static_cast<std::size_t>(move->joint)].name,
-                                rounded_up(length(move->by)), move->along, move->by.x + 0.0, move->by.y + 0.0));
+                finding.hint(fmt::format(
+                    "moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, "
+                    "frees the two",
+                    assembly_.joints[static_cast<std::size_t>(move->joint)].name,
+                    rounded_up(length(move->by)), move->along, move->by.x + 0.0, move->by.y + 0.0));
             }
         }
     }

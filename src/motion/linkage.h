@@ -65,8 +65,8 @@ class Linkage {
     // caller at a time.
     void joints_under(std::span<const int> plates, std::vector<std::size_t>& joints);
 
-    // How far a turn is bent from flat, radians in [-π, π]; 0 where that is no more than rounding, so that what lies
-    // flat all the time passes nothing. 0 for turns against the world, too: they move with the
+    // How far a turn is bent from flat, radians in [-π, π]; 0 where that is no more than rounding, so that
+    // what lies flat all the time passes nothing. 0 for turns against the world, too: they move with the
     // card.
     [[nodiscard]] double bend(int turn, std::span<const Frame> frames) const;
 

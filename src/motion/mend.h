@@ -15,8 +15,8 @@ namespace popup {
 // An element moved along its parent fold, as if its points had been drawn there. Whether there is paper at
 // the new place is not looked at.
 struct Move {
-    int joint = 0;  // which element
-    Vec2 by;        // mm, on the page of its left driving plate
+    int joint = 0;           // which element
+    Vec2 by;                 // mm, on the page of its left driving plate
     std::string_view along;  // what it moves along: "fold"
 };
 
