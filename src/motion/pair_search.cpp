@@ -180,7 +180,8 @@ bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
         const auto n = static_cast<std::size_t>(slot_[static_cast<std::size_t>(t.opposite)]);
         if (Bends{pool_[range.bends + n], pool_[range.bends + needed_.size() + n]}.passes()) return false;
     }
-    // The line is on the page of the turn's plate. What lies on that, or moves as it does, reaches elsewhere.
+    // The line is on the page of the turn's plate. A plate that is glued on that one, or moves as it does,
+    // may reach further.
     const int plate = linkage_.twin(a_) == t.plate ? a_ : b_;
     const Frame& page = pose_frames_[static_cast<std::size_t>(t.plate)];
     const Frame& frame = pose_frames_[static_cast<std::size_t>(plate)];

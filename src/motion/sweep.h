@@ -1,4 +1,4 @@
-// Openings of a sweep that the passes over a motion look at first.
+// Which openings of a sweep the passes over a motion look at.
 #pragma once
 
 #include "popup/assembly.h"

@@ -1,5 +1,8 @@
-// What the passes over a motion ask of a joint. Each kind answers in its own file beside this one; what a
-// kind of popup/joints.h does not answer does not link.
+// What the passes over a motion ask of a joint. Each kind answers all of it in its own file beside this one;
+// a kind that leaves an answer out does not link.
+//
+//     for (const Joint& joint : assembly.joints)               // in their order
+//         if (!place_plates(joint, opening, frames)) ...       // it cannot get there
 #pragma once
 
 #include <array>
@@ -46,7 +49,8 @@ JointTurns turns_of(const Joint& joint);
 // one a plate of the assembly.
 bool place_plates(const Joint& joint, Angle theta, std::span<Frame> frames);
 
-// Equal for joints whose plates move alike, plate for plate: as one body. Empty: like no other.
+// Two joints with equal values move their plates alike, plate for plate, as one body. Empty: it is like no
+// other.
 using Likeness = std::vector<long long>;
 Likeness likeness(const Joint& joint);
 
