@@ -10,6 +10,7 @@
 #include "cli/codes.h"
 #include "fabrication/codes.h"
 #include "findings/codes.h"
+#include "input/assembly/codes.h"
 #include "input/codes.h"
 #include "input/drawing/codes.h"
 #include "input/flatlang/codes.h"
@@ -29,8 +30,8 @@ namespace {
 std::vector<CodeInfo> sorted_rows() {
     std::vector<CodeInfo> rows;
     for (const std::span<const CodeInfo> room :
-         {base_codes(), input_codes(), xml_codes(), drawing_codes(), flatlang_codes(), parts_codes(),
-          mechanism_codes(), check_codes(), motion_codes(), pattern_codes(), layout_codes(),
+         {base_codes(), input_codes(), xml_codes(), drawing_codes(), flatlang_codes(), assembly_codes(),
+          parts_codes(), mechanism_codes(), check_codes(), motion_codes(), pattern_codes(), layout_codes(),
           fabrication_codes(), output_codes(), run_codes(), findings_codes(), batch_codes(), cli_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }

@@ -21,7 +21,8 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     one.design = std::move(reading.design);
     one.assembly = std::move(reading.assembly);
     if (one.assembly) {
-        one.assembly->file = one.source.name;
+        if (one.assembly->file.empty()) one.assembly->file = one.source.name;
+        one.diagnostics.set_places_file(one.assembly->file);
         one.assembly->stem = one.stem;
     } else {
         if (!one.design) return;

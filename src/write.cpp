@@ -94,20 +94,28 @@ bool are_files_of_their_own(const OutputRequest& request, Diagnostics& diagnosti
     return true;
 }
 
-// Parts that do not move have sheets and a report; also a model, where their language says how they stand.
-bool can_be_made_of_parts(const std::string& input, bool has_model, const OutputPlan& plan,
-                          Diagnostics& diagnostics) {
+// What is read as an assembly has no document. Parts that do not move have sheets and a report; also a model,
+// where their language says how they stand.
+enum class Read { assembly, standing_parts, parts };
+
+bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
         if (std::holds_alternative<SceneWriter>(output.format->write)) {
-            if (!output.format->takes_stills) lacking = "motion";
-            if (!has_model) lacking = "moving model";
+            if (what != Read::assembly && !output.format->takes_stills) lacking = "motion";
+            if (what == Read::parts) lacking = "moving model";
         }
         if (std::holds_alternative<DocumentWriter>(output.format->write)) lacking = "popup document";
         if (lacking.empty()) continue;
-        refuse(diagnostics, fmt::format("{}: this describes flat parts, and has no {} for {}", input, lacking,
-                                        output.path))
-            .hint(outputs_of_parts(has_model));
+        Diagnostic& told = refuse(
+            diagnostics, fmt::format("{}: this {}, and has no {} for {}", input,
+                                     what == Read::assembly ? "is an assembly" : "describes flat parts",
+                                     lacking, output.path));
+        if (what == Read::assembly) {
+            told.hint("a document is written of the design that the assembly was made of");
+        } else {
+            told.hint(outputs_of_parts(what == Read::standing_parts));
+        }
         return false;
     }
     return true;
@@ -200,21 +208,25 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
     for (const std::string& name : request.inputs) {
         const Language* language = find_language(Source{name, {}}, request.language);
         if (name == "-" || language == nullptr || !language->only_parts) continue;
-        if (!can_be_made_of_parts(name, false, plan, diagnostics)) return std::nullopt;
+        if (!can_be_made_of(Read::parts, name, plan, diagnostics)) return std::nullopt;
     }
     return plan;
 }
 
 bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics) {
     return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
-        return !one.assembly || moves(*one.assembly) ||
-               can_be_made_of_parts(one.source.name, has_model(*one.assembly), plan, diagnostics);
+        if (one.design || !one.assembly) return true;
+        const Read what = moves(*one.assembly)       ? Read::assembly
+                          : has_model(*one.assembly) ? Read::standing_parts
+                                                     : Read::parts;
+        return can_be_made_of(what, one.source.name, plan, diagnostics);
     });
 }
 
 std::string outputs_of_parts(bool has_model) {
     return fmt::format(
-        "of flat parts there are sheets (.svg, .pdf), {}the report (.json), and --emit pattern or layout",
+        "of flat parts there are sheets (.svg, .pdf), {}the report (.json), and --emit assembly, pattern or "
+        "layout",
         has_model ? "the still model (.glb, .gltf), " : "");
 }
 

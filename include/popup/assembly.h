@@ -25,7 +25,7 @@ struct Plate {
     std::string name;  // "page/left", "bird/right"; unique
     int piece = 0;     // index into Assembly::pieces
     Polygon outline;   // what is left of it once all cut-outs are made
-    Ring uncut = {};   // its outer ring before any cut-out; empty where nothing moves
+    Ring uncut = {};   // its outer ring before any cut-out; means nothing where nothing moves
     // The colour in which all of it is printed, under its prints; none: bare paper. No Area, for it is as
     // large as the plate whatever is cut out of it.
     std::optional<Color> fill = {};
@@ -141,12 +141,19 @@ inline bool has_model(const Assembly& assembly) {
     return false;
 }
 
+// Which joint-placed plates hang on which, as the joints say: sets parent, pivot and lying of each plate that
+// the joint places. Whoever adds joints to an assembly calls it for each.
+//
+//     assembly.joints.push_back({"flap", {}, Drive{flap, {0, -40}, {0, 1}, 1}});
+//     hang_plates(assembly.joints.back(), assembly.plates);
+void hang_plates(const Joint& joint, std::vector<Plate>& plates);
+
 struct AssembleOptions {};
 
 // Makes the plates' final outlines (cut-outs taken away, all at once a plate), cuts fills and drawn lines to
 // the plates they lie on, and drops what a later cut took away from a fold. Guarantees: every plate has an
 // outline with an area; every hinge's plates share its line; joints are in order. Cost: near linear in plates
-// and lines.
+// and lines. Its numbers are those of its text: settle_numbers() would change none of them.
 std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& options,
                                  Diagnostics& diagnostics);
 

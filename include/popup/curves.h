@@ -40,6 +40,9 @@ class CurveTable {
 
     [[nodiscard]] bool empty() const { return corners_.empty(); }
     [[nodiscard]] std::size_t size() const { return cubics_.size(); }  // how many curves it knows
+    // What it knows: a table made of it knows the same. Corners of a curve are sorted by t, then by where
+    // they are. Precondition: it was not scaled.
+    [[nodiscard]] std::vector<FlatCurve> curves() const;
 
     // Corners at `a` of a segment have been moved to its `b`: there the curves are to be found, too.
     void move(std::span<const Segment> moves);

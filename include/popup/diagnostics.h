@@ -96,6 +96,9 @@ class Diagnostics {
     [[nodiscard]] bool has_errors() const { return errors_ > 0; }
     [[nodiscard]] bool has_findings() const { return findings_ > 0; }  // warnings or errors
     [[nodiscard]] const std::string& file() const { return file_; }
+    // From now on places are those of another file, of which file() was made. Findings keep file(), with
+    // which everything that reads them goes on, and say the place in words.
+    void set_places_file(const std::string& file) { places_file_ = file; }
     [[nodiscard]] const DiagnosticPolicy& policy() const { return *policy_; }
     // Takes in what the document allows. What is for the whole file is dropped from now on; what is for an
     // element with the next apply_allowances(), because a finding is complete only after add(). Of several
@@ -114,12 +117,14 @@ class Diagnostics {
  private:
     struct Entry {
         Diagnostic diagnostic;
-        bool may_go = true;    // no error as it was given, and not denied
-        bool allowed = false;  // dropped; kept for repairs() only
+        bool may_go = true;      // no error as it was given, and not denied
+        bool allowed = false;    // dropped; kept for repairs() only
+        bool elsewhere = false;  // its places are of places_file_
     };
     void count(Severity severity, int step);
     [[nodiscard]] Allowance* allowance_for_all(std::string_view code);
     std::string file_;
+    std::string places_file_;  // empty: file_
     // Thousands of these are held at once, most of them empty: what is seldom there takes no room here.
     std::shared_ptr<const DiagnosticPolicy> policy_;
     std::list<Entry> list_;

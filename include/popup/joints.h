@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -168,5 +169,10 @@ struct JointPlates {
     std::vector<int> needs;  // plates that must have been placed before
 };
 JointPlates plates_of(const Joint& joint);
+
+// What is wrong with the joint's own values, as half a sentence with the numbers: "near_deg is 30, but its
+// lines make 31.5". nullopt: nothing; then it moves as the kind promises, if its plates are hinged as it
+// says. For joints that others wrote.
+std::optional<std::string> fault_of(const Joint& joint);
 
 }  // namespace popup

@@ -43,8 +43,8 @@ struct ReadOptions {
 };
 
 // What a source describes: the design of a card, which is still to be checked and assembled, or an assembly
-// that needs neither, as flat parts do. At most one of them; none where there are errors, or only definitions
-// for others.
+// that needs neither: flat parts, and assemblies that were written as such. At most one of them; none where
+// there are errors, or only definitions for others.
 struct Reading {
     std::optional<Design> design;
     std::optional<Assembly> assembly;  // its pieces have paper; file and stem are not set

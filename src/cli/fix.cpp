@@ -54,7 +54,9 @@ void check_usage(const Options& options, const InputFiles& files) {
 void check_language(const Language& language, const std::string& name) {
     if (language.patch != nullptr) return;
     throw UsageError(fmt::format("{}: fix mends popup documents, and this {}", name,
-                                 language.trail != nullptr ? "is a program" : "describes flat parts"),
+                                 language.trail != nullptr ? "is a program"
+                                 : language.only_parts     ? "describes flat parts"
+                                                           : "is an assembly"),
                      {"popupc check tells what is wrong with it; popupc build writes its sheets"});
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/diagnostics/further_findings.h"
 #include "base/text/fingerprint.h"
+#include "base/text/place_at.h"
 #include "findings/repository.h"
 
 namespace popup {
@@ -102,16 +103,6 @@ std::vector<std::size_t> entries_in(std::string_view text) {
         }
     }
     return found;
-}
-
-Place place_at(std::string_view text, std::size_t offset) {
-    const std::string_view before = text.substr(0, offset);
-    const std::size_t begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-    // Bytes that continue a character do not count.
-    const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-    return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-            1 + static_cast<int>(std::count_if(before.begin() + static_cast<std::ptrdiff_t>(begin),
-                                               before.end(), starts))};
 }
 
 bool is_digest(const std::string& text) {

@@ -21,8 +21,8 @@ constexpr std::array kInputCodes = std::to_array<CodeInfo>({
      "is left is what both leave, and the outline of that is cut. Unite the two contours if one opening is "
      "meant, or move them apart if they are two."},
     {"no-design", Severity::error, "an input that is not the design of a card",
-     "The input describes flat parts that do not move: a drawing. What was asked for needs the design of a "
-     "pop-up card, which a drawing is not. Give it to popupc build for sheets (.svg, .pdf) or the report "
+     "The input is a drawing of flat parts, or an assembly. What was asked for needs the design of a pop-up "
+     "card, which these do not have. Give it to popupc build for sheets (.svg, .pdf) or the report "
      "(.json), or name a popup document."},
     {"unknown-language", Severity::error, "an input whose language is not known",
      "The language of an input is told by the suffix of its name. This name has none that is known, or it "

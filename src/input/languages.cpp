@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "assembly/settle.h"
+#include "input/assembly/read.h"
 #include "input/drawing/read.h"
 #include "input/flatlang/read.h"
 #include "input/text.h"
@@ -45,6 +47,12 @@ std::vector<Language> const& language_table() {
          .only_parts = true,
          .walked = false,
          .recognises = drawing::recognises},
+        {.name = "assembly",
+         .suffix = ".assembly.json",
+         .about = "assembly of plates and joints, as --emit assembly prints it",
+         .read = assembly_of<assembly_text::read>,
+         .walked = false,
+         .recognises = assembly_text::recognises},
         {.name = "flatlang",
          .suffix = ".fl",
          .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",
@@ -77,7 +85,9 @@ std::string known_languages() {
 
 Reading read_source_text(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     if (const Language* language = find_language(source, options.language)) {
-        return language->read(source, options, diagnostics);
+        Reading reading = language->read(source, options, diagnostics);
+        if (reading.assembly) settle_numbers(*reading.assembly);
+        return reading;
     }
     diagnostics
         .error("unknown-language", {},
@@ -97,7 +107,10 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
     const Language* language = find_language(source, options.language);
     if (language != nullptr && language->only_parts) return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
-    if (reading.assembly) return refuse("this describes flat parts");
+    if (reading.assembly) {
+        return refuse(moves(*reading.assembly) ? "this is an assembly, made of a design or by hand"
+                                               : "this describes flat parts");
+    }
     if (!reading.design && !diagnostics.has_errors()) return refuse("this only defines functions");
     return std::move(reading.design);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "assembly/settle.h"
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "mechanism/builder.h"
@@ -167,6 +168,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     }
     add_fold_lines(skeleton, assembly);
     spread_lines(skeleton, design.design(), assembly);
+    settle_numbers(assembly);
     return assembly;
 }
 

@@ -117,12 +117,7 @@ void Builder::add_gone(int fold, double lo, double hi, const std::string& by) {
 }
 
 void Builder::add_joint(Joint joint) {
-    for (const PlacedPlate& one : plates_of(joint).places) {
-        Plate& plate = skeleton_.draft.plates[static_cast<std::size_t>(one.plate)];
-        plate.parent = one.parent;
-        plate.pivot = one.pivot;
-        plate.lying = one.lying;
-    }
+    hang_plates(joint, skeleton_.draft.plates);
     skeleton_.draft.joints.push_back(std::move(joint));
 }
 

@@ -20,27 +20,6 @@ namespace {
 using namespace emitted;
 using emitted::json;  // joins those below
 
-// --- assembly
-
-// The name of the plate or piece that `index` means, null for none.
-template <typename T>
-Json named(const std::vector<T>& all, int index) {
-    return index < 0 ? Json() : Json(all.at(static_cast<std::size_t>(index)).name);
-}
-
-Json json(const Stroke& stroke) {
-    return {
-        {"points", json(stroke.points)}, {"width_mm", mm(stroke.width_mm)}, {"color", json(stroke.color)}};
-}
-
-Json strokes(const std::vector<Print>& prints) {
-    Json result = Json::array();
-    for (const Print& print : prints) {
-        if (const auto* stroke = std::get_if<Stroke>(&print)) result.push_back(json(*stroke));
-    }
-    return result;
-}
-
 // The file itself is left out: it is told by its length and digest.
 Json json(const Image& image) {
     const Affine& place = image.place;
@@ -50,95 +29,6 @@ Json json(const Image& image) {
             {"pixels", Json::array({image.width, image.height})},
             {"place", Json::array({json(place.x), json(place.y), json(place.origin)})},
             {"clip", list(image.clip, [](const Polygon& polygon) { return json(polygon); })}};
-}
-
-Json json(const Plate& plate, const Assembly& assembly) {
-    Json one{{"name", plate.name},
-             {"piece", named(assembly.pieces, plate.piece)},
-             {"outline", json(plate.outline)},
-             {"fill", json(plate.fill)},
-             {"strokes", strokes(plate.prints)},
-             {"parent", named(assembly.plates, plate.parent)},
-             {"pivot", json(plate.pivot)}};
-    for (const Print& print : plate.prints) {
-        if (const auto* image = std::get_if<Image>(&print)) one["images"].push_back(json(*image));
-    }
-    return one;
-}
-
-Json json(const Line& line, const Assembly& assembly) {
-    return {{"kind", to_string(line.kind)},
-            {"at", json(line.at)},
-            {"piece", named(assembly.pieces, line.piece)},
-            {"plate", named(assembly.plates, line.plate)},
-            {"other_plate", named(assembly.plates, line.other_plate)}};
-}
-
-Json json(const Hinge& hinge, const Assembly& assembly) {
-    return {{"a", named(assembly.plates, hinge.a)},
-            {"b", named(assembly.plates, hinge.b)},
-            {"a_line", json(hinge.a_line)},
-            {"b_line", json(hinge.b_line)},
-            {"glued", hinge.glued}};
-}
-
-Json json(const GluedArea& area, const Assembly& assembly) {
-    return {{"plate", named(assembly.plates, area.plate)},
-            {"base_plate", named(assembly.plates, area.base_plate)},
-            {"on_base", list(area.on_base, [](const Polygon& part) { return json(part); })},
-            {"label", area.label},
-            {"element", area.element},
-            {"place", json(area.place)}};
-}
-
-Json json(const Glue& glue, const Assembly& assembly) {
-    return {{"piece_plate", named(assembly.plates, glue.piece_plate)},
-            {"base_plate", named(assembly.plates, glue.base_plate)},
-            {"on_piece", json(glue.on_piece)},
-            {"on_base", json(glue.on_base)},
-            {"label", glue.label},
-            {"fill", json(glue.fill)},
-            {"element", glue.element},
-            {"place", json(glue.place)}};
-}
-
-// The values of a joint, by the names its kind gives them.
-struct JointJson {
-    const Assembly& assembly;
-    Json& to;
-
-    void plate(const char* name, int index) { to[name] = named(assembly.plates, index); }
-    void point(const char* name, Vec2 at) { to[name] = json(at); }
-    void direction(const char* name, Vec2 along) { to[name] = unit_vector(along); }
-    void length(const char* name, double value) { to[name] = mm(value); }
-    void angle(const char* name, double radians) { to[name] = degrees(radians); }
-    void sign(const char* name, int value) { to[name] = value; }
-    void flag(const char* name, bool value) { to[name] = value; }
-    template <typename Word, std::size_t N>
-    void word(const char* name, Word value, const std::array<std::string_view, N>& words) {
-        to[name] = words.at(static_cast<std::size_t>(value));
-    }
-    template <typename Inside>
-    void object(const char* name, const Inside& inside) {
-        Json value = Json::object();
-        JointJson fields{assembly, value};
-        inside(fields);
-        to[name] = std::move(value);
-    }
-};
-
-Json json(const Joint& joint, const Assembly& assembly) {
-    Json result{
-        {"kind", kJointNames.at(joint.how.index())}, {"name", joint.name}, {"place", json(joint.place)}};
-    JointJson fields{assembly, result};
-    std::visit([&](const auto& how) { how.fields(how, fields); }, joint.how);
-    return result;
-}
-
-Json json(const Sweep& sweep) {
-    return {{"from_deg", rounded(sweep.from_deg, kAngle)},
-            {"to_deg", rounded(sweep.to_deg, kAngle)},
-            {"closed_flat", sweep.closed_flat}};
 }
 
 // --- motion, written straight into text: a value of it all would take many times the text's memory
@@ -306,26 +196,6 @@ Json json(const Placement& placement, const Layout& layout) {
 }
 
 }  // namespace
-
-std::string emit_assembly(const Assembly& assembly) {
-    const auto member = [&assembly](const auto& value) { return json(value, assembly); };
-    const auto piece = [&assembly](const Piece& one) {
-        const auto name = [&assembly](int plate) { return named(assembly.plates, plate); };
-        return Json{{"name", one.name}, {"plates", list(one.plates, name)}};
-    };
-    Json whole{{"file", assembly.file},
-               {"stem", assembly.stem},
-               {"pieces", list(assembly.pieces, piece)},
-               {"plates", list(assembly.plates, member)},
-               {"lines", list(assembly.lines, member)},
-               {"hinges", list(assembly.hinges, member)},
-               {"glue", list(assembly.glue, member)},
-               {"joints", list(assembly.joints, member)},
-               {"sweep", json(assembly.sweep)},
-               {"covers", list(assembly.covers, [&](int cover) { return named(assembly.plates, cover); })}};
-    if (!assembly.glued_areas.empty()) whole["glued_areas"] = list(assembly.glued_areas, member);
-    return json_text(whole);
-}
 
 std::string emit_motion(const Assembly& assembly, const Motion& motion) {
     fmt::memory_buffer out;

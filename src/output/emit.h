@@ -17,17 +17,8 @@
 
 namespace popup {
 
-// {file, stem,
-//  pieces: [{name, plates}],
-//  plates: [{name, piece, outline: polygon, fill, strokes: [{points, width_mm, color}], parent, pivot,
-//    images where there are any: [{format, bytes: their number, sha256, pixels: [width, height],
-//      place: the vectors of x and y and the origin, clip: [polygon]}]}],
-//  lines: [{kind, at, piece, plate, other_plate}],
-//  hinges: [{a, b, a_line, b_line, glued}],
-//  glue: [{piece_plate, base_plate, on_piece, on_base, label, fill, element, place}],
-//  joints: [{kind, name, place, and what fields() of the kind in popup/joints.h names}],
-//  sweep: {from_deg, to_deg, closed_flat}, covers: [names of plates],
-//  glued_areas where there are any: [{plate, base_plate, on_base: [polygon], label, element, place}]}
+// As docs/assembly.md describes it, and input/assembly/read.h reads it: with the digits of
+// assembly/settle.h, so that what is read is the same assembly. Files of pictures are in it.
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,

@@ -24,7 +24,6 @@ inline constexpr int kClosure = 9;    // of a millimetre
 inline Json mm(double value) { return rounded(value, kLength); }
 inline Json degrees(double radians) { return rounded(radians * 180.0 / std::numbers::pi, kAngle); }
 inline Json json(Vec2 p) { return Json::array({mm(p.x), mm(p.y)}); }
-inline Json unit_vector(Vec2 d) { return Json::array({rounded(d.x, kDirection), rounded(d.y, kDirection)}); }
 inline Json json(const Segment& s) { return Json::array({json(s.a), json(s.b)}); }
 inline Json json(Place place) { return Json::array({place.line, place.column}); }
 inline Json json(Color color) { return to_string(color); }

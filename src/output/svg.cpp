@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "base/diagnostics/render_diagnostics.h"
+#include "base/text/base64.h"
 #include "base/text/numbers.h"
-#include "output/base64.h"
 #include "output/sheet_drawing.h"
 #include "popup/image.h"
 

@@ -93,7 +93,9 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
         if (overflow_.empty()) overflow_.emplace_back();
         return overflow_.front() = std::move(made);
     }
-    return list_.emplace_back(Entry{std::move(made), may_go, allowed}).diagnostic;
+    return list_
+        .emplace_back(Entry{std::move(made), may_go, allowed, !places_file_.empty() && places_file_ != file_})
+        .diagnostic;
 }
 
 void Diagnostics::count(Severity severity, int step) {
@@ -143,10 +145,30 @@ Diagnostic& Diagnostics::remark(std::string_view code, Place place, std::string 
     return add(Severity::remark, code, place, std::move(message));
 }
 
+namespace {
+
+// Places of another file, in words.
+void say_places(const std::string& file, Diagnostic& told) {
+    const auto at = [&file](Place place) {
+        return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+    };
+    for (Related& other : told.related) {
+        if (other.place.line > 0) other.text += " (" + at(other.place) + ")";
+        other.place = {};
+    }
+    if (told.place.line > 0)
+        told.hints.insert(told.hints.begin(), "it was made of what stands at " + at(told.place));
+    told.place = {};
+}
+
+}  // namespace
+
 std::vector<Diagnostic> Diagnostics::sorted() const {
     std::vector<Diagnostic> result;
     for (const Entry& entry : list_) {
-        if (!entry.allowed) result.push_back(entry.diagnostic);
+        if (entry.allowed) continue;
+        result.push_back(entry.diagnostic);
+        if (entry.elsewhere) say_places(places_file_, result.back());
     }
     std::stable_sort(result.begin(), result.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tuple(-static_cast<int>(a.severity), a.place.line, a.place.column) <

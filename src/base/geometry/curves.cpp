@@ -5,6 +5,8 @@
 #include <optional>
 #include <tuple>
 
+#include "popup/diagnostics.h"
+
 namespace popup {
 namespace {
 
@@ -222,10 +224,25 @@ CurveTable::CurveTable(const std::vector<FlatCurve>& curves) {
     sort();
 }
 
+std::vector<FlatCurve> CurveTable::curves() const {
+    POPUP_INVARIANT(scale_ == 1.0);
+    std::vector<FlatCurve> all;
+    for (const Cubic& cubic : cubics_) all.push_back({cubic, {}});
+    for (const Corner& corner : corners_)
+        all[static_cast<std::size_t>(corner.curve)].corners.push_back({corner.at, corner.t});
+    for (FlatCurve& one : all) {
+        std::sort(one.corners.begin(), one.corners.end(), [](const auto& a, const auto& b) {
+            return std::tuple(a.t, a.at.x, a.at.y) < std::tuple(b.t, b.at.x, b.at.y);
+        });
+    }
+    return all;
+}
+
 void CurveTable::sort() {
     for (Corner& corner : corners_) corner.column = column_of(corner.at.x);
     std::sort(corners_.begin(), corners_.end(), [](const Corner& a, const Corner& b) {
-        return std::tuple(a.column, a.at.y, a.curve, a.t) < std::tuple(b.column, b.at.y, b.curve, b.t);
+        return std::tuple(a.column, a.at.y, a.curve, a.t, a.at.x) <
+               std::tuple(b.column, b.at.y, b.curve, b.t, b.at.x);
     });
 }
 

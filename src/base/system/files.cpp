@@ -313,6 +313,10 @@ std::string Source::stem() const {
     std::string last = slash == std::string::npos ? name : name.substr(slash + 1);
     const std::size_t dot = last.rfind('.');
     if (dot != std::string::npos && dot > 0) last.resize(dot);
+    // Of an assembly's two.
+    constexpr std::string_view kAssembly = ".assembly";
+    if (name.ends_with(".assembly.json") && last.size() > kAssembly.size())
+        last.resize(last.size() - kAssembly.size());
     return last;
 }
 

@@ -52,10 +52,8 @@ std::string emitted(Emit what, const Options& options, const Compilation& compil
 
 // Of flat parts there are no values of the stages that fold and move a card.
 void check_emitted(Emit what, const std::string& input, bool has_model) {
-    if (what != Emit::design && what != Emit::assembly && what != Emit::motion) return;
-    const std::string_view stage = what == Emit::design     ? "design"
-                                   : what == Emit::assembly ? "assembly"
-                                                            : "motion";
+    if (what != Emit::design && what != Emit::motion) return;
+    const std::string_view stage = what == Emit::design ? "design" : "motion";
     throw UsageError(fmt::format("{}: this describes flat parts, and has no {}", input, stage),
                      {outputs_of_parts(has_model)});
 }
@@ -157,8 +155,12 @@ std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const O
     if (!can_be_made(plan, compilation, told)) refuse_usage(told);
     const std::optional<Emit> emit = options.build.emit;
     for (const CompiledDesign& one : compilation.designs) {
-        if (emit && one.assembly && !moves(*one.assembly)) {
+        if (!emit || one.design || !one.assembly) continue;
+        if (!moves(*one.assembly)) {
             check_emitted(*emit, one.source.name, has_model(*one.assembly));
+        } else if (*emit == Emit::design) {
+            throw UsageError(fmt::format("{}: this is an assembly, and has no design", one.source.name),
+                             {"it has --emit assembly, motion, pattern or layout"});
         }
     }
     auto files = make_files(plan, options.compile.output, compilation);

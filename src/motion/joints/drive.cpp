@@ -49,4 +49,9 @@ Likeness likeness(const Drive& /*how*/) { return {}; }
 
 std::optional<Slid> slid(const Drive& /*how*/, double /*mm*/) { return std::nullopt; }
 
+std::optional<std::string> fault_of(const Drive& how) {
+    if (!is_unit(how.axis_dir)) return "axis_dir is no unit vector";
+    return std::nullopt;
+}
+
 }  // namespace popup

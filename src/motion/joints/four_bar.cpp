@@ -1,6 +1,9 @@
 #include "motion/joints/four_bar.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <numbers>
 
 #include "motion/joints/joint.h"
 
@@ -221,6 +224,64 @@ std::optional<Slid> slid(const FourBar& how, double mm) {
     }
     const Vec2 by = mm * how.left.fold_dir;
     return Slid{moved, by, "fold"};
+}
+
+namespace {
+
+double in_degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+double angle_between(Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+
+std::optional<std::string> fault_of(const Bar& bar, bool parallel) {
+    for (const auto& [name, direction] :
+         {std::pair("fold_dir", bar.fold_dir), std::pair("fold_out", bar.fold_out),
+          std::pair("seam_dir", bar.seam_dir), std::pair("own_seam", bar.own_seam),
+          std::pair("own_centre", bar.own_centre)}) {
+        if (!is_unit(direction)) return fmt::format("{} is no unit vector", name);
+    }
+    if (!are_square(bar.fold_dir, bar.fold_out)) return "fold_out is not square to fold_dir";
+    if (!(bar.near > 0.0)) return "its near side is not more than 0";
+    if (!(bar.far > 0.0)) return "its far side is not more than 0";
+    if (!parallel) {
+        if (!same_length(distance(bar.seam_at, bar.fold_at), 0.0)) return "seam_at is not the apex, fold_at";
+        const double near = std::atan2(dot(bar.seam_dir, bar.fold_out), dot(bar.seam_dir, bar.fold_dir));
+        if (!same_angle(near, bar.near))
+            return fmt::format("near_deg is {:.7f}, but fold_dir and seam_dir make {:.7f}",
+                               in_degrees(bar.near), in_degrees(near));
+        const double far = angle_between(bar.own_seam, bar.own_centre);
+        if (!same_angle(far, bar.far))
+            return fmt::format("far_deg is {:.7f}, but own_seam and own_centre make {:.7f}",
+                               in_degrees(bar.far), in_degrees(far));
+        // Flat, or folded onto itself: it has no turn of its own.
+        if (same_angle(std::sin(near), 0.0) || same_angle(std::sin(far), 0.0))
+            return "its lines lie on one another";
+        return std::nullopt;
+    }
+    if (!same_length(distance(bar.seam_dir, bar.fold_dir), 0.0)) return "seam_dir is not fold_dir";
+    if (!are_square(bar.own_seam, bar.own_centre)) return "own_centre is not square to own_seam";
+    const double near = dot(bar.seam_at - bar.fold_at, bar.fold_out);
+    if (!same_length(near, bar.near))
+        return fmt::format("near_mm is {:.6f}, but the seam is {:.6f} from the fold", bar.near, near);
+    return std::nullopt;
+}
+
+}  // namespace
+
+// It folds flat as it says: motion/joints/four_bar.h.
+std::optional<std::string> fault_of(const FourBar& how) {
+    const Bar& l = how.left;
+    const Bar& r = how.right;
+    if (l.drive == r.drive || l.plate == r.plate) return "its left and its right side are one plate";
+    for (const auto& [side, bar] : {std::pair("left", &l), std::pair("right", &r)}) {
+        if (const auto fault = fault_of(*bar, how.parallel)) return fmt::format("{}: {}", side, *fault);
+    }
+    const double sign = how.closing == Closing::outside ? -1.0 : 1.0;
+    const bool half_turn = how.closing == Closing::half_turn;
+    const double a = half_turn ? l.near - r.far : l.near + sign * l.far;
+    const double b = half_turn ? l.far - r.near : r.near + sign * r.far;
+    const double off = half_turn ? std::max(std::abs(a), std::abs(b)) : std::abs(a - b);
+    if (how.parallel ? same_length(off, 0.0) : same_angle(off, 0.0)) return std::nullopt;
+    return fmt::format("it does not fold flat: its sides differ by {:.6f}{}",
+                       how.parallel ? off : in_degrees(off), how.parallel ? " mm" : "°");
 }
 
 }  // namespace popup

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,15 +65,22 @@ struct Slid {
 };
 std::optional<Slid> slid(const Joint& joint, double mm);
 
-// What each kind answers, for the functions above (and plates_of() of popup/joints.h).
+// What each kind answers, for the functions above (and plates_of() and fault_of() of popup/joints.h).
 #define POPUP_KIND_ANSWERS(Kind, name)                                        \
     JointPlates plates_of(const Kind& how);                                   \
     JointTurns turns_of(const Kind& how);                                     \
     bool place_plates(const Kind& how, Angle theta, std::span<Frame> frames); \
     Likeness likeness(const Kind& how);                                       \
-    std::optional<Slid> slid(const Kind& how, double mm);
+    std::optional<Slid> slid(const Kind& how, double mm);                     \
+    std::optional<std::string> fault_of(const Kind& how);
 POPUP_JOINT_KINDS(POPUP_KIND_ANSWERS)
 #undef POPUP_KIND_ANSWERS
+
+// For fault_of(): whether a direction is one, lengths and angles (radians) are equal, and directions square.
+bool is_unit(Vec2 direction);
+bool same_length(double a, double b);
+bool same_angle(double a, double b);
+bool are_square(Vec2 a, Vec2 b);
 
 // A length or the part of a direction as likeness() compares it: to 1e-9.
 long long to_compare(double value);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "output/base64.h"
+#include "base/text/base64.h"
 #include "output/emit.h"
 #include "popup/output.h"
 #include "popup/pattern.h"

@@ -257,14 +257,14 @@ TEST(JsonText, PutsListsOfNumbersOnOneLineAndIsTheSameValue) {
 
 TEST(Emit, AssemblyNamesPlatesAndPieces) {
     const Json value = Json::parse(emit_assembly(example_assembly()));
-    EXPECT_EQ(keys(value), (Keys{"file", "stem", "pieces", "plates", "lines", "hinges", "glue", "joints",
-                                 "sweep", "covers"}));
+    EXPECT_EQ(keys(value), (Keys{"assembly", "file", "stem", "pieces", "plates", "lines", "hinges", "glue",
+                                 "joints", "sweep", "covers"}));
     EXPECT_EQ(value["pieces"][0]["plates"], Json::array({"page/left", "page/right"}));
     EXPECT_EQ(value["plates"][0]["piece"], "page");
     EXPECT_EQ(value["plates"][0]["fill"], "#0102ff");
     EXPECT_TRUE(value["plates"][1]["fill"].is_null());
     EXPECT_TRUE(value["plates"][1]["parent"].is_null());
-    EXPECT_EQ(value["plates"][1]["strokes"][0]["points"], Json::array({{1.0, 1.0}, {2.0, 2.0}}));
+    EXPECT_EQ(value["plates"][1]["prints"][0]["points"], Json::array({{1.0, 1.0}, {2.0, 2.0}}));
     EXPECT_EQ(value["lines"][0]["kind"], "valley");
     EXPECT_EQ(value["lines"][0]["other_plate"], "page/right");
     EXPECT_EQ(value["hinges"][0]["b"], "page/right");
