@@ -37,6 +37,11 @@ void move_argument(Argument& argument, const Placed& by) {
         move_ring(area.outer);
         for (Ring& hole : area.holes) move_ring(hole);
     }
+    for (FlatCurve& curve : path->curves) {
+        Cubic& c = curve.cubic;
+        c = {mapped(by, c.from), mapped(by, c.control_1), mapped(by, c.control_2), mapped(by, c.to)};
+        for (FlatCurve::Corner& corner : curve.corners) corner.at = mapped(by, corner.at);
+    }
 }
 
 void mirror_piece(Element& element) {

@@ -168,6 +168,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     }
     add_fold_lines(skeleton, assembly);
     spread_lines(skeleton, design.design(), assembly);
+    assembly.curves = CurveTable(skeleton.curves);
     settle_numbers(assembly);
     return assembly;
 }

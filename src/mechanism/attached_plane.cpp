@@ -135,6 +135,8 @@ void lower(const Element& e, Builder& builder) {
     const int piece = builder.add_piece(e.paint.id);
     const int plate = builder.add_cut_plate(e.paint.id, piece, e.extra_page, areas_of(e, "outline").front(),
                                             color_of(e, "color"));
+    builder.add_curves(curves_of(e, "outline"));
+    builder.add_curves(curves_of(e, "glue"));
     builder.add_joint(
         {e.paint.id, e.paint.place,
          Rigid{plate, e.site.left_plate, lay.to, lay.base_dir, lay.from, lay.own_dir, lay.back}});

@@ -92,6 +92,10 @@ void Builder::add_cut(int piece, Segment at) {
     skeleton_.draft.lines.push_back({LineKind::cut, at, piece, -1, -1});
 }
 
+void Builder::add_curves(std::span<const FlatCurve> curves) {
+    skeleton_.curves.insert(skeleton_.curves.end(), curves.begin(), curves.end());
+}
+
 int Builder::add_fold(Fold fold) {
     skeleton_.draft.hinges.push_back(
         {fold.left_plate, fold.right_plate, fold.on_left, fold.on_right, fold.seam});

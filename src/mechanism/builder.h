@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ struct Skeleton {
     std::vector<int> plate_page;                // of each plate
     std::vector<std::vector<CutOut>> cut_outs;  // of each plate; disjoint, with paper between them
     std::vector<bool> page_mirrored;            // of each page: the author drew it mirrored
+    std::vector<FlatCurve> curves;              // what chords of outlines stand for
 };
 
 // The names and colours of the two plates an element makes.
@@ -84,6 +86,8 @@ class Builder {
     int add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
                       std::optional<Color> fill);
     void add_cut(int piece, Segment at);
+    // Outlines have chords of these, on whatever page: sheets show the curves where nobody has cut them.
+    void add_curves(std::span<const FlatCurve> curves);
     // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
     int add_fold(Fold fold);
     void add_glue(Glue glue);

@@ -98,6 +98,8 @@ double number_of(const Element& element, std::string_view name);  // of lengths,
 std::string_view choice_of(const Element& element, std::string_view name);  // else the row's first word
 // What a path encloses, curves as chords; empty when it was not given.
 std::span<const Polygon> areas_of(const Element& element, std::string_view name);
+// What its chords stand for: for Builder::add_curves(), where they become edges of paper.
+std::span<const FlatCurve> curves_of(const Element& element, std::string_view name);
 
 // Mirrors the element's own piece (x to -x), with everything that is drawn on its page.
 void mirror_piece(Element& element);

@@ -124,4 +124,10 @@ std::span<const Polygon> areas_of(const Element& element, std::string_view name)
     return std::get<DrawnPath>(argument.value).areas;
 }
 
+std::span<const FlatCurve> curves_of(const Element& element, std::string_view name) {
+    const Argument& argument = argument_of(element, name);
+    if (!argument.given()) return {};
+    return std::get<DrawnPath>(argument.value).curves;
+}
+
 }  // namespace popup

@@ -52,8 +52,10 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
     std::vector<Ring> rings;
     for (Polyline& line : flat.lines) rings.push_back(std::move(line.points));
     path.areas = filled(rings, FillRule::even_odd);
+    path.curves = std::move(flat.curves);
     if (area(path.areas) < kLeastArea) {
         path.areas.clear();
+        path.curves.clear();
         return PathRefusal{"encloses nothing"};
     }
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include "popup/motion.h"
 #include "popup/pattern.h"
 #include "support/designs.h"
+#include "support/restored.h"
 
 namespace popup::test {
 namespace {
@@ -167,6 +168,22 @@ TEST(AttachedPlane, OneStandsOnAnotherToAnyDepth) {
     }
     EXPECT_TRUE(std::is_sorted(pieces.begin(), pieces.end()) ||
                 std::is_sorted(pieces.rbegin(), pieces.rend()));
+}
+
+// Curves that are drawn reach the sheet as curves, also of a piece that was turned over.
+TEST(AttachedPlane, CurvesOfItsOutlineAreTheAssemblys) {
+    constexpr std::string_view kRound = "M 5 7 H 25 C 32 0 20 -8 15 -6 S 0 0 5 7 Z";
+    for (const std::string side : {"front", "back"}) {
+        const Made made = make(std::string(kTrunk) + leaf("side='" + side + "'", kRound));
+        ASSERT_TRUE(made.assembly) << made.text;
+        EXPECT_EQ(made.assembly->curves.size(), 2U);
+        const Plate& piece = made.assembly->plates.back();
+        const Restored restored = made.assembly->curves.restored(piece.outline.outer, true, false);
+        std::size_t curves = 0;
+        for (const CurveStep& step : restored.steps) curves += step.curve ? 1 : 0;
+        EXPECT_EQ(curves, 2U) << side;
+        EXPECT_LE(strays(piece.outline.outer, true, restored), 0.0105);
+    }
 }
 
 }  // namespace
