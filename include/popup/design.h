@@ -55,11 +55,10 @@ struct ParentPlate {
 
 // What path data encloses.
 struct DrawnPath {
-    std::string text;  // SVG path data as written: in the document's unit, y up
-    // Where what `text` says is meant to be: its point (x, y), in mm, at (a x + c y + e, b x + d y + f).
-    std::array<double, 6> placed{1, 0, 0, 1, 0, 0};
-    std::vector<Polygon> areas;          // as meant, in mm; chords stray from curves by at most 0.01 mm
-    std::vector<FlatCurve> curves = {};  // as meant: what some of these chords stand for
+    std::string text;    // as written: SVG path data in the document's unit, y up
+    bool moved = false;  // `path` is not what `text` says
+    Path path;           // as meant, in mm
+    Enclosed inside;     // of `path`
 };
 
 // The value of one parameter of an element's row (popup/mechanism.h), outer points aside.

@@ -51,6 +51,8 @@ struct ParameterInfo {
     double least = 0.0, most = 0.0;                // of a length (mm) or number, both included
     double standard = 0.0;                         // where none is given
     std::span<const std::string_view> words = {};  // of a choice; the first is what holds where none is given
+    std::string_view since =
+        "2.0";  // the version of the document that has it first, if that is later than the row's
 };
 
 // Of nearly all elements: the colours of both halves and of their tabs.
@@ -107,6 +109,8 @@ std::optional<std::size_t> find_parameter(const ElementInfo& info, std::string_v
 // The argument of that name; null when the row has no such parameter or nothing was given.
 const Argument* find_argument(const ElementInfo& info, std::span<const Argument> arguments,
                               std::string_view name);
+// The version of the document that has the element and all values that are given.
+std::string_view version_needed(const ElementInfo& info, std::span<const Argument> arguments);
 // The colour that a structure gives under that name.
 std::optional<Color> color_of(const Structure& structure, std::string_view parameter);
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -54,10 +55,14 @@ class Path {
     void arc(double rx, double ry, double turn, bool large, bool sweep, Vec2 to);
     // Ends the subpath at its start; what follows begins there.
     void close();
+    // Moves each end of a step that is within `within` of one of these points to the nearest of them, and the
+    // controls beside it by as much. Returns where each was and is.
+    std::vector<Segment> snap(std::span<const Vec2> to, double within);
 
     [[nodiscard]] Vec2 at() const { return at_; }
     [[nodiscard]] std::size_t size() const { return size_; }  // steps of all subpaths
     [[nodiscard]] const std::vector<Subpath>& subpaths() const { return subpaths_; }
+    [[nodiscard]] bool empty() const { return subpaths_.empty(); }
     // The path with each of its points replaced by what `map` makes of it. Precondition: the map is affine.
     template <typename Map>
     [[nodiscard]] Path mapped(const Map& map) const {
@@ -128,5 +133,13 @@ enum class FlatteningFault { none, too_far, too_many };
 // Appends the subpaths of a path in mm; those with fewer than two points are left out. Cost: linear in
 // chords.
 FlatteningFault flatten(const Path& path, Flattened& into);
+
+// What a path in mm encloses by the even-odd rule; subpaths that do not end at their start are closed.
+struct Enclosed {
+    std::vector<Polygon> areas;     // that do not overlap
+    std::vector<FlatCurve> curves;  // what some of their chords stand for
+};
+// Sets `into`, to nothing where there is a fault. Cost: near linear in chords and crossings.
+FlatteningFault enclose(const Path& path, Enclosed& into);
 
 }  // namespace popup

@@ -270,6 +270,11 @@ Change Placing::take_change(const Tolerances& tolerances) {
         change.after += fmt::format("{}{} {}", space, letters_[i], text(now[i].at));
         reported_[i] = now[i];
     }
+    for (const Segment& snapped : std::exchange(element.snapped, {})) {
+        const std::string_view space = change.before.empty() ? "" : " ";
+        change.before += fmt::format("{}{}", space, text(snapped.a));
+        change.after += fmt::format("{}{}", space, text(snapped.b));
+    }
     if (change.before.empty()) {  // a repair of the form, or of the fold
         change.before = std::string(element.info->name);
         const bool inverted = ends_inverted();

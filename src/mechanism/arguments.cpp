@@ -11,14 +11,6 @@ Vec2 mapped(const Placed& m, Vec2 p) {
     return {m[0] * p.x + m[2] * p.y + m[4], m[1] * p.x + m[3] * p.y + m[5]};
 }
 
-// First `first`, then `then`.
-Placed composed(const Placed& then, const Placed& first) {
-    const Vec2 x = mapped(then, {first[0], first[1]}) - Vec2{then[4], then[5]};
-    const Vec2 y = mapped(then, {first[2], first[3]}) - Vec2{then[4], then[5]};
-    const Vec2 at = mapped(then, {first[4], first[5]});
-    return {x.x, x.y, y.x, y.y, at.x, at.y};
-}
-
 }  // namespace
 
 void move_argument(Argument& argument, const Placed& by) {
@@ -27,17 +19,18 @@ void move_argument(Argument& argument, const Placed& by) {
     }
     auto* path = std::get_if<DrawnPath>(&argument.value);
     if (path == nullptr) return;
-    path->placed = composed(by, path->placed);
+    path->moved = true;
+    path->path = path->path.mapped([&by](Vec2 p) { return mapped(by, p); });
     const bool turned_over = by[0] * by[3] - by[1] * by[2] < 0.0;
     const auto move_ring = [&](Ring& ring) {
         for (Vec2& p : ring) p = mapped(by, p);
         if (turned_over) std::reverse(ring.begin(), ring.end());
     };
-    for (Polygon& area : path->areas) {
+    for (Polygon& area : path->inside.areas) {
         move_ring(area.outer);
         for (Ring& hole : area.holes) move_ring(hole);
     }
-    for (FlatCurve& curve : path->curves) {
+    for (FlatCurve& curve : path->inside.curves) {
         Cubic& c = curve.cubic;
         c = {mapped(by, c.from), mapped(by, c.control_1), mapped(by, c.control_2), mapped(by, c.to)};
         for (FlatCurve::Corner& corner : curve.corners) corner.at = mapped(by, corner.at);

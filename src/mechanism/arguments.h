@@ -7,7 +7,7 @@
 
 namespace popup {
 
-// A map of the plane, as of DrawnPath::placed.
+// A map of the plane: the point (x, y) comes to (a x + c y + e, b x + d y + f).
 using Placed = std::array<double, 6>;
 inline constexpr Placed kMirrored{-1, 0, 0, 1, 0, 0};  // x to -x
 

@@ -40,6 +40,25 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "The points of an element, in the order of its type, do not go round a piece of paper: two edges "
      "cross where the message says, so there is no telling which side of them is paper. Usually two points "
      "are exchanged; the manual page popup(5) gives the order for each type."},
+    {"outline-off-fold", Severity::error, "a drawn outline that its centre fold does not divide",
+     "The outline of a v-fold, tent or layer is cut as drawn and folded along the centre fold, whose line "
+     "follows "
+     "from the seams. That line must cross the outline exactly twice, with one seam on each side, so that "
+     "two "
+     "halves come of it; holes lie in one half or the other. Draw the outline so that each side of the fold "
+     "is "
+     "one area."},
+    {"outline-off-seam", Severity::error, "a drawn outline that does not run along a seam",
+     "A piece is glued along its seams, so these must be part of its border: the outline goes through both "
+     "ends "
+     "of each seam, with a straight line between them. Points that miss an end by up to 0.5 mm are moved "
+     "there. "
+     "Draw the outline through the points that the message names, or move these."},
+    {"outline-snapped", Severity::warning, "points of a drawn outline that miss the ends of a seam",
+     "An outline goes through the ends of the piece's seams. Points of it that missed them by up to 0.5 mm "
+     "were "
+     "moved there, and curves that end in them with them. Draw them where the seams end, or take over what "
+     "`popupc fix` writes."},
     {"piece-mirrored", Severity::warning, "an extra piece was drawn from the back",
      "Pieces are drawn with their printed side up. This one runs the wrong way round (a v-fold's G E H J I "
      "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands "

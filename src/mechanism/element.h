@@ -44,8 +44,9 @@ struct Element {
     // The other values, in the row's order, one a parameter. Paths and points are in page coordinates.
     // constrain() may change them, and then sets `changed`.
     std::vector<Argument> arguments;
-    bool inverted = false;        // the form it turned out to be; constrain() may correct it
-    bool piece_mirrored = false;  // constrain() has mirrored the extra points (x to -x)
+    std::vector<Segment> snapped;  // ends of a path's lines that were moved, and are not yet told
+    bool inverted = false;         // the form it turned out to be; constrain() may correct it
+    bool piece_mirrored = false;   // constrain() has mirrored the extra points (x to -x)
 
     // Services of check().
     const Tolerances* tolerances = nullptr;
@@ -98,6 +99,9 @@ double number_of(const Element& element, std::string_view name);  // of lengths,
 std::string_view choice_of(const Element& element, std::string_view name);  // else the row's first word
 // What a path encloses, curves as chords; empty when it was not given.
 std::span<const Polygon> areas_of(const Element& element, std::string_view name);
+// Moves ends of lines and curves of a path that is given to the nearest of these points, if that is within
+// `within` mm; returns by how much the furthest moved. More than rounding is a change.
+double snap_path(Element& element, std::string_view name, std::span<const Vec2> to, double within);
 // What its chords stand for: for Builder::add_curves(), where they become edges of paper.
 std::span<const FlatCurve> curves_of(const Element& element, std::string_view name);
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "mechanism/rows.h"
+#include "mechanism/silhouette.h"
 #include "mechanism/site_lines.h"
 #include "mechanism/two_seams.h"
 
@@ -55,7 +56,7 @@ bool constrain(Element& e) {
     make_even(e);
     if (!constrain_piece(e)) return false;
     make_flat(e);
-    return true;
+    return constrain_outline(e);
 }
 
 void lower(const Element& e, Builder& builder) { two_seams::lower(e, builder, !e.site.mountain); }
@@ -72,6 +73,7 @@ const ElementRow kLayer = {{.name = "layer",
                             .points = kPoints,
                             .partners = kPartners,
                             .grounds = {.seam = true},
+                            .parameters = kDrawnHalves,
                             .since = "3.0",
                             .also = "strap"},
                            stands_on,

@@ -89,6 +89,14 @@ std::optional<std::size_t> find_parameter(const ElementInfo& info, std::string_v
     return static_cast<std::size_t>(found - info.parameters.begin());
 }
 
+std::string_view version_needed(const ElementInfo& info, std::span<const Argument> arguments) {
+    std::string_view needed = info.since;
+    for (std::size_t i = 0; i < arguments.size() && i < info.parameters.size(); ++i) {
+        if (arguments[i].given()) needed = std::max(needed, info.parameters[i].since);
+    }
+    return needed;
+}
+
 const Argument* find_argument(const ElementInfo& info, std::span<const Argument> arguments,
                               std::string_view name) {
     const auto number = find_parameter(info, name);
@@ -121,13 +129,31 @@ std::string_view choice_of(const Element& element, std::string_view name) {
 std::span<const Polygon> areas_of(const Element& element, std::string_view name) {
     const Argument& argument = argument_of(element, name);
     if (!argument.given()) return {};
-    return std::get<DrawnPath>(argument.value).areas;
+    return std::get<DrawnPath>(argument.value).inside.areas;
+}
+
+double snap_path(Element& element, std::string_view name, std::span<const Vec2> to, double within) {
+    const auto number = find_parameter(*element.info, name);
+    POPUP_INVARIANT(number && *number < element.arguments.size());
+    Argument& argument = element.arguments[*number];
+    DrawnPath snapped = std::get<DrawnPath>(argument.value);
+    const std::vector<Segment> moves = snapped.path.snap(to, within);
+    double most = 0.0;
+    for (const Segment& move : moves) most = std::max(most, distance(move.a, move.b));
+    if (most == 0.0 || enclose(snapped.path, snapped.inside) != FlatteningFault::none) return 0.0;
+    snapped.moved = true;
+    argument.value = std::move(snapped);
+    if (most > element.tolerances->rounding_mm) argument.changed = true;
+    for (const Segment& move : moves) {
+        if (distance(move.a, move.b) > element.tolerances->rounding_mm) element.snapped.push_back(move);
+    }
+    return most;
 }
 
 std::span<const FlatCurve> curves_of(const Element& element, std::string_view name) {
     const Argument& argument = argument_of(element, name);
     if (!argument.given()) return {};
-    return std::get<DrawnPath>(argument.value).curves;
+    return std::get<DrawnPath>(argument.value).inside.curves;
 }
 
 }  // namespace popup

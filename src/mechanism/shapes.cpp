@@ -1,6 +1,11 @@
 #include "mechanism/shapes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+
+#include "base/nth.h"
+#include "mechanism/silhouette.h"
 
 namespace popup {
 
@@ -88,9 +93,15 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const std::string& id = element.paint.id;
     const int page = element.extra_page;
     const int piece = builder.add_piece(id);
-    const int left = builder.add_plate(id + "/left", piece, page, std::move(shape.left), element.paint.left);
-    const int right =
-        builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
+    const auto plate = [&](std::string_view side, Polygon& half, std::optional<Color> fill) {
+        const int made =
+            builder.add_plate(fmt::format("{}/{}", id, side), piece, page, std::move(half.outer), fill);
+        nth(builder.skeleton().draft.plates, made).outline.holes = std::move(half.holes);
+        return made;
+    };
+    const int left = plate("left", shape.left, element.paint.left);
+    const int right = plate("right", shape.right, element.paint.right);
+    if (has_silhouette(element)) builder.add_curves(curves_of(element, "outline"));
     for (const Segment& edge : shape.edges) builder.add_cut(piece, edge);
 
     const FoldLine& l = folds[kLeftFold];

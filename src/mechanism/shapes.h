@@ -37,7 +37,7 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
 
 // A 180° element's shape.
 struct GluedShape {
-    Ring left, right;            // extra page coordinates
+    Polygon left, right;         // extra page coordinates; rings of holes run clockwise
     std::vector<Segment> edges;  // free edges of the piece
     bool parallel = false;
     bool right_angle = false;  // moves as a parallelogram, so that it is flat on the open card, too

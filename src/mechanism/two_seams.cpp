@@ -6,6 +6,7 @@
 
 #include "mechanism/fitting.h"
 #include "mechanism/shapes.h"
+#include "mechanism/silhouette.h"
 
 namespace popup::two_seams {
 namespace {
@@ -129,6 +130,17 @@ void match_ends(Element& e) {
     }
 }
 
+PieceLines piece_lines(const Element& e) {
+    const double wide = width(e);
+    const double t = std::abs(wide) > 1e-9 ? left_far(e) / wide : 0.5;
+    return {{e.extra[G], e.extra[H]},
+            {e.extra[K], e.extra[L]},
+            "G–H",
+            "K–L",
+            lerp(e.extra[G], e.extra[K], t),
+            axes(e).along};
+}
+
 }  // namespace
 
 std::pair<double, double> stands_on(const Element& e) {
@@ -190,6 +202,8 @@ bool constrain_piece(Element& e) {
     return true;
 }
 
+bool constrain_outline(Element& e) { return !has_silhouette(e) || constrain_silhouette(e, piece_lines(e)); }
+
 void set_width(Element& e, double wide) {
     const Vec2 out = 0.5 * (wide - width(e)) * axes(e).across;
     e.extra[G] = e.extra[G] - out;
@@ -203,7 +217,8 @@ FoldLines fold_lines(const Element& e) {
     const auto line = [&](const Segment& s) { return up ? s : Segment{s.b, s.a}; };
     const double wide = width(e);
     const double t = std::abs(wide) > 1e-9 ? left_far(e) / wide : 0.5;
-    const Segment centre = line({lerp(e.extra[G], e.extra[K], t), lerp(e.extra[H], e.extra[L], t)});
+    Segment centre = line({lerp(e.extra[G], e.extra[K], t), lerp(e.extra[H], e.extra[L], t)});
+    if (const auto drawn = silhouette_of(e, piece_lines(e))) centre = drawn->centre;
     const int seams = e.site.mountain ? 180 : 0;
     FoldLines folds(kThreeFolds.size());
     folds[kLeftFold] = {line(e.site.segment(Side::left, e.on[A], e.on[B])), line({e.extra[G], e.extra[H]}),
@@ -222,9 +237,15 @@ void lower(const Element& e, Builder& builder, bool right_angle) {
     const auto [along, across] = axes(e);
     const double far = left_far(e);
     GluedShape shape;
-    shape.left = {left.a, left.b, centre.b, centre.a};
-    shape.right = {centre.a, centre.b, right.b, right.a};
-    shape.edges = {{left.a, right.a}, {left.b, right.b}};
+    if (auto drawn = silhouette_of(e, piece_lines(e))) {
+        shape.left = std::move(drawn->left);
+        shape.right = std::move(drawn->right);
+        shape.edges = std::move(drawn->edges);
+    } else {
+        shape.left.outer = {left.a, left.b, centre.b, centre.a};
+        shape.right.outer = {centre.a, centre.b, right.b, right.a};
+        shape.edges = {{left.a, right.a}, {left.b, right.b}};
+    }
     shape.parallel = true;
     shape.right_angle = right_angle;
     shape.left_bar = parallel_bar(e.site, Side::left, e.on[A], e.extra[G], along, across, far);

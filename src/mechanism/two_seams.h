@@ -40,6 +40,8 @@ double apart(const Element& e);
 bool constrain_page(Element& e);
 // Makes the piece face up, its seams parallel, and its ends match the page's; false after failed().
 bool constrain_piece(Element& e);
+// Makes the outline that is drawn, if any, fit the seams as they are then; false after failed().
+bool constrain_outline(Element& e);
 // Moves both seams of the piece apart, or together, alike.
 void set_width(Element& e, double wide);
 

@@ -12,6 +12,7 @@
 #include "mechanism/fitting.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
+#include "mechanism/silhouette.h"
 
 namespace popup {
 namespace {
@@ -90,6 +91,16 @@ std::optional<CentreEnd> centre_end(const Element& e) {
     look(e.extra[G], e.extra[I], TopEdge::left);
     look(e.extra[J], e.extra[H], TopEdge::right);
     return best;
+}
+
+PieceLines piece_lines(const Element& e) {
+    const Vec2 from = e.extra[E];
+    return {{from, e.extra[G]},
+            {from, e.extra[H]},
+            "G–E",
+            "E–H",
+            from,
+            rotated(unit(e.extra[G] - from), -left_far(e, direction(e)))};
 }
 
 bool constrain_v(Element& e) {
@@ -200,7 +211,8 @@ bool constrain_piece(Element& e) {
         return false;
     }
     const double far = left_far(e, dir);
-    if (std::min(far, piece_angle(e) - far) < tol.min_angle_deg * kDegree || !centre_end(e)) {
+    if (std::min(far, piece_angle(e) - far) < tol.min_angle_deg * kDegree ||
+        (!has_silhouette(e) && !centre_end(e))) {
         e.failed(
             "degenerate",
             fmt::format("its centre fold would run {} from the left seam of a piece of {}, beside the paper",
@@ -208,7 +220,7 @@ bool constrain_piece(Element& e) {
             "make the V more even, or the piece wider");
         return false;
     }
-    return true;
+    return !has_silhouette(e) || constrain_silhouette(e, piece_lines(e));
 }
 
 bool constrain(Element& e) { return constrain_v(e) && constrain_piece(e); }
@@ -216,7 +228,8 @@ bool constrain(Element& e) { return constrain_v(e) && constrain_piece(e); }
 FoldLines fold_lines(const Element& e) {
     const Vec2 from = e.extra[E];
     const auto end = centre_end(e);
-    const Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
+    Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
+    if (const auto drawn = silhouette_of(e, piece_lines(e))) f = drawn->centre.b;
     // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
     // inverted one's.
     const int centre = e.inverted ? 0 : 360;
@@ -228,34 +241,50 @@ FoldLines fold_lines(const Element& e) {
     return folds;
 }
 
-void lower(const Element& e, Builder& builder) {
-    const int dir = direction(e);
+// The piece between straight free edges.
+GluedShape straight_shape(const Element& e) {
     const CentreEnd end = centre_end(e).value();
     const Vec2 f = end.at;
     const auto& x = e.extra;
     GluedShape shape;
     switch (end.edge) {
         case TopEdge::left:
-            shape.left = {x[G], x[E], f};
-            shape.right = {x[E], x[H], x[J], x[I], f};
+            shape.left.outer = {x[G], x[E], f};
+            shape.right.outer = {x[E], x[H], x[J], x[I], f};
             break;
         case TopEdge::top:
-            shape.left = {x[G], x[E], f, x[I]};
-            shape.right = {x[E], x[H], x[J], f};
+            shape.left.outer = {x[G], x[E], f, x[I]};
+            shape.right.outer = {x[E], x[H], x[J], f};
             break;
         case TopEdge::right:
-            shape.left = {x[G], x[E], f, x[J], x[I]};
-            shape.right = {x[E], x[H], f};
+            shape.left.outer = {x[G], x[E], f, x[J], x[I]};
+            shape.right.outer = {x[E], x[H], f};
             break;
     }
     shape.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
+    return shape;
+}
+
+void lower(const Element& e, Builder& builder) {
+    const int dir = direction(e);
+    const auto& x = e.extra;
+    const FoldLines folds = fold_lines(e);
+    const Vec2 f = folds[kCentreFold].on_left.b;
+    GluedShape shape;
+    if (auto drawn = silhouette_of(e, piece_lines(e))) {
+        shape.left = std::move(drawn->left);
+        shape.right = std::move(drawn->right);
+        shape.edges = std::move(drawn->edges);
+    } else {
+        shape = straight_shape(e);
+    }
     shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
-    lower_glued(e, builder, fold_lines(e), std::move(shape));
+    lower_glued(e, builder, folds, std::move(shape));
 }
 
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners, {.seam = true}},
+    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners, {.seam = true}, kDrawnHalves},
             stands_on,
             constrain,
             fold_lines,

@@ -54,7 +54,7 @@ class DocumentText {
     [[nodiscard]] std::string_view version() const {
         std::string_view version = design_.version;
         for (const Structure& s : design_.structures) {
-            if (!s.dropped) version = std::max(version, info_of(s).since);
+            if (!s.dropped) version = std::max(version, version_needed(info_of(s), s.arguments));
         }
         return version;
     }

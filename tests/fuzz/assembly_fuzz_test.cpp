@@ -179,7 +179,7 @@ TEST(AssemblyFuzz, SeedsThemselvesAreRead) {
     }
 }
 
-TEST(AssemblyFuzz, MutatedTexts) { fuzz(1, 300); }
+TEST(AssemblyFuzz, MutatedTexts) { fuzz(1, 120); }
 
 TEST(LongAssemblyFuzz, ManyMutatedTexts) {
     for (std::uint64_t seed = 2; seed < 8; ++seed) fuzz(seed, 2'000);

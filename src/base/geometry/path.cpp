@@ -38,6 +38,34 @@ void Path::quadratic(Vec2 control, Vec2 to) {
     cubic(lerp(at_, control, 2.0 / 3.0), lerp(to, control, 2.0 / 3.0), to);
 }
 
+std::vector<Segment> Path::snap(std::span<const Vec2> to, double within) {
+    std::vector<Segment> moves;
+    const auto moved = [&](Vec2& at) {
+        const Vec2* nearest = nullptr;
+        for (const Vec2& p : to) {
+            if (distance(p, at) <= within && (nearest == nullptr || distance(p, at) < distance(*nearest, at)))
+                nearest = &p;
+        }
+        if (nearest == nullptr || *nearest == at) return Vec2{};
+        const Vec2 by = *nearest - at;
+        moves.push_back({at, *nearest});
+        at = *nearest;
+        return by;
+    };
+    for (Subpath& subpath : subpaths_) {
+        Vec2 by = moved(subpath.start);
+        for (PathStep& step : subpath.steps) {
+            step.control_1 = step.control_1 + by;
+            by = moved(step.to);
+            step.control_2 = step.control_2 + by;
+        }
+    }
+    const std::size_t count = moves.size();
+    moved(at_);
+    moves.resize(count);
+    return moves;
+}
+
 void Path::close() {
     if (moved_) return;
     subpaths_.back().closed = true;
@@ -315,6 +343,17 @@ FlatteningFault flatten(const Path& path, Flattened& into) {
         const FlatteningFault fault = Flattener(subpath, into).run();
         if (fault != FlatteningFault::none) return fault;
     }
+    return FlatteningFault::none;
+}
+
+FlatteningFault enclose(const Path& path, Enclosed& into) {
+    into = {};
+    Flattened flat;
+    if (const FlatteningFault fault = flatten(path, flat); fault != FlatteningFault::none) return fault;
+    std::vector<Ring> rings;
+    rings.reserve(flat.lines.size());
+    for (Polyline& line : flat.lines) rings.push_back(std::move(line.points));
+    into = {filled(rings, FillRule::even_odd), std::move(flat.curves)};
     return FlatteningFault::none;
 }
 

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "base/geometry/regions.h"
-#include "input/drawing/transform.h"
 #include "input/text.h"
 #include "input/xml/number.h"
 #include "popup/path.h"
@@ -39,9 +36,8 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
         return PathRefusal{rest.empty() ? std::string("ends where a number is missing")
                                         : fmt::format("cannot be read at \"{}\"", shown(rest))};
     }
-    Flattened flat;
-    const drawing::Affine to_mm{unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0};
-    switch (flatten(drawn.mapped(to_mm), flat)) {
+    path.path = drawn.mapped([&unit](Vec2 p) { return unit.mm * p; });
+    switch (enclose(path.path, path.inside)) {
         case FlatteningFault::none:
             break;
         case FlatteningFault::too_far:
@@ -49,13 +45,8 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
         case FlatteningFault::too_many:
             return PathRefusal{fmt::format("has more than {} points", kFlatPointsLimit), true};
     }
-    std::vector<Ring> rings;
-    for (Polyline& line : flat.lines) rings.push_back(std::move(line.points));
-    path.areas = filled(rings, FillRule::even_odd);
-    path.curves = std::move(flat.curves);
-    if (area(path.areas) < kLeastArea) {
-        path.areas.clear();
-        path.curves.clear();
+    if (area(path.inside.areas) < kLeastArea) {
+        path.inside = {};
         return PathRefusal{"encloses nothing"};
     }
     return std::nullopt;
@@ -64,30 +55,23 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
 std::string path_text(const DrawnPath& path, Unit unit) {
     std::string text;
     const auto append = [&](const std::string& more) { text += (text.empty() ? "" : " ") + more; };
-    if (path.text.empty()) {
-        for (const Polygon& area : path.areas) {
+    if (!path.moved && !path.text.empty()) return path.text;
+    if (path.path.empty()) {
+        for (const Polygon& area : path.inside.areas) {
             append(ring_text(area.outer, unit));
             for (const Ring& hole : area.holes) append(ring_text(hole, unit));
         }
         return text;
     }
-    const std::array<double, 6>& m = path.placed;
-    if (m == std::array<double, 6>{1, 0, 0, 1, 0, 0}) return path.text;
-    Path drawn;
-    const bool readable = !parse_path(path.text, drawn);
-    POPUP_INVARIANT(readable);
-    const drawing::Affine moved =
-        drawing::Affine{m[0], m[1], m[2], m[3], m[4], m[5]}.after({unit.mm, 0.0, 0.0, unit.mm, 0.0, 0.0});
-    for (const Subpath& subpath : drawn.subpaths()) {
-        append("M " + point_text(moved(subpath.start), unit));
+    for (const Subpath& subpath : path.path.subpaths()) {
+        append("M " + point_text(subpath.start, unit));
         for (const PathStep& step : subpath.steps) {
             std::string where = step.curve ? "C " : "L ";
             if (step.curve) {
-                for (const Vec2 control : {step.control_1, step.control_2}) {
-                    where.append(point_text(moved(control), unit)).append(" ");
-                }
+                for (const Vec2 control : {step.control_1, step.control_2})
+                    where.append(point_text(control, unit)).append(" ");
             }
-            append(where.append(point_text(moved(step.to), unit)));
+            append(where.append(point_text(step.to, unit)));
         }
         if (subpath.closed) append("Z");
     }

@@ -198,6 +198,13 @@ class DocumentReader {
             const ParameterInfo& parameter = info.parameters[i];
             if (const Field* field = fields.find(parameter.name)) {
                 if (auto value = values_.argument(*field, parameter)) made.argument(i) = std::move(*value);
+                if (parameter.since > design_.version && parameter.since > info.since) {
+                    reporter_
+                        .warning("newer-element", field->place,
+                                 fmt::format("a {} has no {} in version {}", info.name, parameter.name,
+                                             design_.version))
+                        .hint(fmt::format("write version=\"{}\"", parameter.since));
+                }
             } else if (parameter.required) {
                 reporter_
                     .error("missing-value", made.place,

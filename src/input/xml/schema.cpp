@@ -220,16 +220,23 @@ std::string types() {
     return out + "    </xs:restriction>\n  </xs:simpleType>\n";
 }
 
-// Each parameter of any row once, in the order of the table, that is `wanted`.
+// Each parameter of any row once that is `wanted`, each row's in its own order.
 template <class Wanted>
 std::vector<const ParameterInfo*> parameters(Wanted wanted) {
     std::vector<const ParameterInfo*> found;
+    const auto at = [&found](const ParameterInfo& parameter) {
+        return std::find_if(found.begin(), found.end(),
+                            [&](const ParameterInfo* p) { return p->name == parameter.name; });
+    };
     for (const ElementInfo& info : element_table()) {
-        for (const ParameterInfo& parameter : info.parameters) {
-            if (wanted(parameter.kind) &&
-                std::none_of(found.begin(), found.end(),
-                             [&](const ParameterInfo* p) { return p->name == parameter.name; }))
-                found.push_back(&parameter);
+        for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+            const ParameterInfo& parameter = info.parameters[i];
+            if (!wanted(parameter.kind) || at(parameter) != found.end()) continue;
+            // Before what comes after it in this row and is there from another.
+            auto place = found.end();
+            for (std::size_t k = i + 1; k < info.parameters.size(); ++k)
+                place = std::min(place, at(info.parameters[k]));
+            found.insert(place, &parameter);
         }
     }
     return found;

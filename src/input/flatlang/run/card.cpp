@@ -223,7 +223,8 @@ std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::op
     if (auto refusal = give_values(made, info, wanted)) return refusal;
     const PageFold fold = ground_of(card, wanted, made);
     if (info.glued) ++card.glued;
-    if (info.since > design.version) design.version = info.since;
+    if (const std::string_view needed = version_needed(info, made.arguments); needed > design.version)
+        design.version = needed;
     std::vector<Vec2> on_pages;
     for (std::size_t i = 0; i < beside->size(); ++i) {
         const bool right = info.points[i].side == 'R';

@@ -1,0 +1,243 @@
+#include "mechanism/silhouette.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "mechanism/site_lines.h"
+
+namespace popup {
+namespace {
+
+// Ends of seams that an outline misses by no more are meant.
+constexpr double kSnapMm = 0.5;
+// Holes nearer to the centre fold, or to another edge, leave nothing that holds.
+constexpr double kNearMm = 1e-3;
+
+std::size_t next(std::size_t i, const Ring& ring) { return i + 1 == ring.size() ? 0 : i + 1; }
+
+// The ring with a corner at p, which is on its border up to `tolerance`: the corner that is there, moved, or
+// a new one. nullopt: the border is further away.
+std::optional<std::size_t> put_corner(Ring& ring, Vec2 p, double tolerance) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < ring.size(); ++i) {
+        if (distance(ring[i], p) < distance(ring[nearest], p)) nearest = i;
+    }
+    if (distance(ring[nearest], p) <= tolerance) {
+        ring[nearest] = p;
+        return nearest;
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (distance(p, Segment{ring[i], ring[next(i, ring)]}) > tolerance) continue;
+        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, p);
+        return i + 1;
+    }
+    return std::nullopt;
+}
+
+// The ring begun at this corner.
+void begin_at(Ring& ring, std::size_t corner) {
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(corner), ring.end());
+}
+
+double border_distance(const Ring& ring, Vec2 p) {
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        least = std::min(least, distance(p, Segment{ring[i], ring[next(i, ring)]}));
+    return least;
+}
+
+// Why a border does not have a seam; `away` of the end that is further from it.
+struct SeamFault {
+    std::string_view name;
+    double away = 0.0;  // within the tolerance: the ends are on the border, what is between them is not
+};
+
+// Puts the seam into the border as one edge, whichever way round.
+std::optional<SeamFault> put_seam(Ring& ring, const Segment& seam, std::string_view name, double tolerance) {
+    const double away = std::max(border_distance(ring, seam.a), border_distance(ring, seam.b));
+    if (!put_corner(ring, seam.a, tolerance)) return SeamFault{name, away};
+    const auto b = put_corner(ring, seam.b, tolerance);
+    if (!b) return SeamFault{name, away};
+    const auto a = std::find(ring.begin(), ring.end(), seam.a);
+    if (a == ring.end()) return SeamFault{name, 0.0};
+    begin_at(ring, static_cast<std::size_t>(a - ring.begin()));
+    const auto end = std::find(ring.begin(), ring.end(), seam.b) - ring.begin();
+    const auto straight = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
+        return std::all_of(ring.begin() + from, ring.begin() + to,
+                           [&](Vec2 p) { return distance(p, seam) <= tolerance; });
+    };
+    if (straight(1, end)) {
+        ring.erase(ring.begin() + 1, ring.begin() + end);
+    } else if (straight(end + 1, std::ssize(ring))) {
+        ring.erase(ring.begin() + end + 1, ring.end());
+    } else {
+        return SeamFault{name, 0.0};
+    }
+    return std::nullopt;
+}
+
+// Where the border crosses the line of the centre fold, in order along it. Corners that lie on the line are
+// put there exactly.
+struct Crossing {
+    double along = 0.0;
+    std::size_t corner = 0;
+};
+std::vector<Crossing> put_crossings(Ring& ring, const PieceLines& lines) {
+    const auto off = [&](Vec2 p) {
+        const double d = cross(lines.centre_dir, p - lines.centre_at);
+        return std::abs(d) < kNearMm ? 0.0 : d;
+    };
+    Ring made;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 p = ring[i];
+        const Vec2 q = ring[next(i, ring)];
+        made.push_back(p);
+        const double from = off(p);
+        const double to = off(q);
+        if (from * to < 0.0) made.push_back(lerp(p, q, from / (from - to)));
+    }
+    std::vector<Crossing> found;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (off(made[i]) != 0.0) continue;
+        const double before = off(made[i == 0 ? made.size() - 1 : i - 1]);
+        const double after = off(made[next(i, made)]);
+        // Where it only touches, or runs along it, nothing is divided.
+        if (before * after >= 0.0) continue;
+        const Vec2 away = made[i] - lines.centre_at;
+        const double along = dot(lines.centre_dir, away);
+        // Off by more than rounding it is no end of a seam, which stays where it is.
+        if (std::abs(cross(lines.centre_dir, away)) > 1e-9)
+            made[i] = lines.centre_at + along * lines.centre_dir;
+        found.push_back({along, i});
+    }
+    ring = std::move(made);
+    std::sort(found.begin(), found.end(),
+              [](const Crossing& a, const Crossing& b) { return a.along < b.along; });
+    return found;
+}
+
+struct SilhouetteFault {
+    std::string code, what, hint;
+};
+
+std::string_view divided_hint() {
+    return "draw the outline so that the line of the centre fold crosses its border twice, once on each side";
+}
+
+bool on_seam(const Segment& edge, const PieceLines& lines) {
+    for (const Segment& seam : {lines.left_seam, lines.right_seam}) {
+        if ((edge.a == seam.a && edge.b == seam.b) || (edge.a == seam.b && edge.b == seam.a)) return true;
+    }
+    return false;
+}
+
+// Gives each hole to the half that it is in.
+std::optional<SilhouetteFault> give_holes(const Polygon& drawn, const PieceLines& lines, Silhouette& made) {
+    for (const Ring& hole : drawn.holes) {
+        double least = HUGE_VAL;
+        double most = -HUGE_VAL;
+        for (const Vec2 p : hole) {
+            const double d = cross(lines.centre_dir, p - lines.centre_at);
+            least = std::min(least, d);
+            most = std::max(most, d);
+        }
+        if (least < kNearMm && most > -kNearMm) {
+            return SilhouetteFault{"outline-off-fold",
+                                   fmt::format("its hole at ({:.2f}, {:.2f}) mm lies across its centre fold",
+                                               hole.front().x, hole.front().y),
+                                   "draw it on one side of the fold, or two holes, one on each side"};
+        }
+        (least > 0.0 ? made.left : made.right).holes.push_back(hole);
+        for (std::size_t i = 0; i < hole.size(); ++i) made.edges.push_back({hole[i], hole[next(i, hole)]});
+    }
+    return std::nullopt;
+}
+
+std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines, Silhouette& made) {
+    const std::span<const Polygon> areas = areas_of(e, "outline");
+    if (areas.size() != 1) {
+        return SilhouetteFault{
+            "outline-crosses",
+            fmt::format("its outline encloses {} areas that do not hang together", areas.size()),
+            "draw one area, with holes where it has any"};
+    }
+    Ring ring = areas.front().outer;
+    const double tolerance = e.tolerances->rounding_mm;
+    for (const auto& [seam, name] :
+         {std::pair(lines.left_seam, lines.left_name), std::pair(lines.right_seam, lines.right_name)}) {
+        const auto fault = put_seam(ring, seam, name, tolerance);
+        if (!fault) continue;
+        return SilhouetteFault{
+            "outline-off-seam",
+            fault->away > tolerance
+                ? fmt::format(
+                      "its outline is {} away from an end of the seam {}, which must be on its border",
+                      mm(fault->away), name)
+                : fmt::format(
+                      "its outline has the ends of the seam {} on its border, and does not run along it",
+                      name),
+            fmt::format("draw it through both ends of {}, with a straight line between them", name)};
+    }
+    const std::vector<Crossing> crossings = put_crossings(ring, lines);
+    if (crossings.size() != 2) {
+        return SilhouetteFault{
+            "outline-off-fold",
+            fmt::format("the line of its centre fold crosses its outline {} times, and must divide it in two",
+                        crossings.size()),
+            std::string(divided_hint())};
+    }
+    made.centre = {ring[crossings[0].corner], ring[crossings[1].corner]};
+    // The outline runs counter-clockwise, so from the end of the fold to its begin it is on the left.
+    begin_at(ring, crossings[1].corner);
+    const auto begin = std::find(ring.begin(), ring.end(), made.centre.a);
+    made.left.outer.assign(ring.begin(), begin + 1);
+    made.right.outer.assign(begin, ring.end());
+    made.right.outer.push_back(ring.front());
+    const auto has = [](const Ring& half, const Segment& seam) {
+        return std::find(half.begin(), half.end(), seam.a) != half.end() &&
+               std::find(half.begin(), half.end(), seam.b) != half.end();
+    };
+    if (!has(made.left.outer, lines.left_seam) || !has(made.right.outer, lines.right_seam)) {
+        return SilhouetteFault{"outline-off-fold",
+                               "the line of its centre fold does not divide its outline between the seams",
+                               std::string(divided_hint())};
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Segment edge{ring[i], ring[next(i, ring)]};
+        if (!on_seam(edge, lines)) made.edges.push_back(edge);
+    }
+    return give_holes(areas.front(), lines, made);
+}
+
+}  // namespace
+
+bool has_silhouette(const Element& e) { return !areas_of(e, "outline").empty(); }
+
+std::optional<Silhouette> silhouette_of(const Element& e, const PieceLines& lines) {
+    Silhouette made;
+    if (!has_silhouette(e) || divide(e, lines, made)) return std::nullopt;
+    return made;
+}
+
+bool constrain_silhouette(Element& e, const PieceLines& lines) {
+    const std::array<Vec2, 4> ends{lines.left_seam.a, lines.left_seam.b, lines.right_seam.a,
+                                   lines.right_seam.b};
+    if (const double moved = snap_path(e, "outline", ends, kSnapMm); moved > e.tolerances->rounding_mm) {
+        e.repaired(
+            "outline-snapped",
+            fmt::format("its outline misses ends of its seams by up to {}; its points were moved there",
+                        mm(moved)),
+            fmt::format("draw the outline through the ends of {} and {}", lines.left_name, lines.right_name));
+    }
+    Silhouette made;
+    const auto fault = divide(e, lines, made);
+    if (!fault) return true;
+    e.failed(fault->code, fault->what, fault->hint);
+    return false;
+}
+
+}  // namespace popup
