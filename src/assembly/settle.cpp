@@ -14,6 +14,7 @@ namespace {
 // Below this a double that is multiplied or divided by a power of ten is off by less than a quarter of a
 // step.
 constexpr double kSteps = 1125899906842624.0;  // 2^50
+constexpr double kWhole = 6755399441055744.0;  // 1.5 * 2^52
 
 double mm(double value) { return settled(value, kLengthsPerMm); }
 double part(double value) { return settled(value, kDirectionsPerUnit); }
@@ -116,7 +117,8 @@ struct Settler {
 double settled(double value, double per_unit) {
     const double scaled = value * per_unit;
     if (!(std::abs(scaled) < kSteps)) return value;
-    return std::round(scaled) / per_unit + 0.0;  // + 0.0 makes -0 a 0
+    // To the nearest whole number, ties to even: beyond 2^52 doubles have no parts.
+    return ((scaled + kWhole) - kWhole) / per_unit + 0.0;  // + 0.0 makes -0 a 0
 }
 
 double settled_degrees(double radians) {

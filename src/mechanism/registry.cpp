@@ -61,6 +61,10 @@ std::span<const ElementRow> element_rows() { return table().rows; }
 std::span<const ElementInfo> element_table() { return table().infos; }
 
 const ElementInfo* find_element(std::string_view name_or_code) {
+    // As the rows have it, which is how designs name their elements.
+    for (const ElementInfo& info : element_table()) {
+        if (info.name == name_or_code) return &info;
+    }
     int code = -1;
     const char* end = name_or_code.data() + name_or_code.size();
     const auto parsed = std::from_chars(name_or_code.data(), end, code);
