@@ -10,7 +10,8 @@
 //         ...
 //     };
 //
-//   text, flag, count, word     as they are; a word is one of a list
+//   text, flag, sign, word      as they are; a sign is -1 or 1, a word one of a list
+//   kind                        which of a variant's it is; its own values come after it
 //   length, angle, degrees      mm; radians, in degrees in the text; degrees
 //   point, direction, value     a point in mm; a unit vector; anything made of points, colours and places
 //   plate, piece, plates        indices, names in the text

@@ -61,11 +61,11 @@ class TreeMaker {
         if (members.size() == kMembersLimit) {
             return refuse(at, fmt::format("an object has more than {} members", kMembersLimit));
         }
-        const auto same = [&](const auto& member) { return member.first == name; };
+        const auto same = [&](const JsonMember& member) { return member.name == name; };
         if (std::any_of(members.begin(), members.end(), same)) {
             return refuse(at, fmt::format("the object has two members \"{}\"", shown(name)));
         }
-        members.emplace_back(std::move(name), JsonValue{});
+        members.push_back({std::move(name), {}});
         return true;
     }
     bool parse_error(std::size_t /*position*/, const std::string& /*last*/,
@@ -104,7 +104,7 @@ class TreeMaker {
         if (open_.empty()) return root_ = std::move(value);
         if (auto* list = std::get_if<JsonList>(&open_.back()->value))
             return list->emplace_back(std::move(value));
-        return std::get<JsonObject>(open_.back()->value).back().second = std::move(value);
+        return std::get<JsonObject>(open_.back()->value).back().value = std::move(value);
     }
     bool counted() {
         if (++values_ <= kValuesLimit) return true;
@@ -155,8 +155,8 @@ const JsonValue* JsonValue::member(std::string_view name) const {
     const JsonObject* members = object();
     if (members == nullptr) return nullptr;
     const auto found = std::find_if(members->begin(), members->end(),
-                                    [name](const auto& member) { return member.first == name; });
-    return found == members->end() ? nullptr : &found->second;
+                                    [name](const JsonMember& member) { return member.name == name; });
+    return found == members->end() ? nullptr : &found->value;
 }
 
 std::optional<JsonValue> read_json(std::string_view text, Diagnostics& diagnostics) {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,8 +16,9 @@
 namespace popup::assembly_text {
 
 struct JsonValue;
+struct JsonMember;
 using JsonList = std::vector<JsonValue>;
-using JsonObject = std::vector<std::pair<std::string, JsonValue>>;  // in the order of the text; names differ
+using JsonObject = std::vector<JsonMember>;  // in the order of the text; names differ
 
 struct JsonValue {
     std::variant<std::monostate, bool, double, std::string, JsonList, JsonObject> value;
@@ -32,6 +32,11 @@ struct JsonValue {
     [[nodiscard]] const JsonObject* object() const { return std::get_if<JsonObject>(&value); }
     // The member of that name; null: there is none, or it is no object.
     [[nodiscard]] const JsonValue* member(std::string_view name) const;
+};
+
+struct JsonMember {
+    std::string name;
+    JsonValue value;
 };
 
 // Values deeper than this, objects with more members and documents with more values are refused.

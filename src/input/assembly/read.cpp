@@ -465,7 +465,7 @@ std::optional<Assembly> read(const Source& source, const ReadOptions& options, D
 
 bool recognises(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\n";
-    const auto take = [&text](std::string_view word) {
+    const auto take = [&](std::string_view word) {
         text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
         if (!text.starts_with(word)) return false;
         text.remove_prefix(word.size());
