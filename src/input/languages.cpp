@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "assembly/settle.h"
 #include "input/assembly/read.h"
 #include "input/drawing/read.h"
 #include "input/flatlang/read.h"
@@ -85,9 +84,7 @@ std::string known_languages() {
 
 Reading read_source_text(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     if (const Language* language = find_language(source, options.language)) {
-        Reading reading = language->read(source, options, diagnostics);
-        if (reading.assembly) settle_numbers(*reading.assembly);
-        return reading;
+        return language->read(source, options, diagnostics);
     }
     diagnostics
         .error("unknown-language", {},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/nth.h"
+
 namespace popup {
 
 const CutSpan* Fold::cut_within(double lo, double hi) const {
@@ -33,8 +35,9 @@ void Builder::add_base_page(double width_mm, double height_mm, std::optional<Col
     const double h = 0.5 * height_mm;
     const int piece = add_piece("page");
     skeleton_.page_mirrored.push_back(false);
-    const int left_plate = add_plate("page/left", piece, 0, {{-w, -h}, {0, -h}, {0, h}, {-w, h}}, left);
-    const int right_plate = add_plate("page/right", piece, 0, {{0, -h}, {w, -h}, {w, h}, {0, h}}, right);
+    const int left_plate = add_plate("page/left", piece, 0, {{{-w, -h}, {0, -h}, {0, h}, {-w, h}}, {}}, left);
+    const int right_plate =
+        add_plate("page/right", piece, 0, {{{0, -h}, {w, -h}, {w, h}, {0, h}}, {}}, right);
     const Ring corners{{-w, -h}, {w, -h}, {w, h}, {-w, h}};
     for (std::size_t i = 0; i < 4; ++i) add_cut(piece, {corners[i], corners[(i + 1) % 4]});
 
@@ -56,14 +59,17 @@ int Builder::add_piece(const std::string& name) {
     return static_cast<int>(skeleton_.draft.pieces.size()) - 1;
 }
 
-int Builder::add_plate(const std::string& name, int piece, int page, Ring outline,
+int Builder::add_plate(const std::string& name, int piece, int page, Polygon outline,
                        std::optional<Color> fill) {
     const int index = static_cast<int>(skeleton_.draft.plates.size());
-    if (signed_area(outline) < 0.0) std::reverse(outline.begin(), outline.end());
+    if (signed_area(outline.outer) < 0.0) std::reverse(outline.outer.begin(), outline.outer.end());
+    for (Ring& hole : outline.holes) {
+        if (signed_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
+    }
     Plate plate;
     plate.name = name;
     plate.piece = piece;
-    plate.outline.outer = std::move(outline);
+    plate.outline = std::move(outline);
     plate.fill = fill;
     skeleton_.draft.plates.push_back(std::move(plate));
     skeleton_.draft.pieces[static_cast<std::size_t>(piece)].plates.push_back(index);
@@ -74,17 +80,13 @@ int Builder::add_plate(const std::string& name, int piece, int page, Ring outlin
 
 int Builder::add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
                            std::optional<Color> fill) {
-    const int index = add_plate(name, piece, page, std::move(outline.outer), fill);
-    Polygon& made = skeleton_.draft.plates[static_cast<std::size_t>(index)].outline;
-    made.holes = std::move(outline.holes);
+    const int index = add_plate(name, piece, page, std::move(outline), fill);
+    const Polygon& made = nth(skeleton_.draft.plates, index).outline;
     const auto cut_round = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) add_cut(piece, {ring[i], ring[(i + 1) % ring.size()]});
     };
     cut_round(made.outer);
-    for (Ring& hole : made.holes) {
-        if (signed_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
-        cut_round(hole);
-    }
+    for (const Ring& hole : made.holes) cut_round(hole);
     return index;
 }
 

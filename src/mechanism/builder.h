@@ -80,9 +80,9 @@ class Builder {
     void add_base_page(double width_mm, double height_mm, std::optional<Color> left,
                        std::optional<Color> right);
     int add_piece(const std::string& name);
-    // Adds a plate; its outline is made counter-clockwise.
-    int add_plate(const std::string& name, int piece, int page, Ring outline, std::optional<Color> fill);
-    // The same of a plate with holes, whose whole edge is cut.
+    // Adds a plate; its outline is made counter-clockwise, its holes clockwise.
+    int add_plate(const std::string& name, int piece, int page, Polygon outline, std::optional<Color> fill);
+    // The same of a plate whose whole edge is cut.
     int add_cut_plate(const std::string& name, int piece, int page, Polygon outline,
                       std::optional<Color> fill);
     void add_cut(int piece, Segment at);

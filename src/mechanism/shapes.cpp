@@ -1,10 +1,7 @@
 #include "mechanism/shapes.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "base/nth.h"
 #include "mechanism/silhouette.h"
 
 namespace popup {
@@ -55,9 +52,10 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     const int page = site.left_page;
     const int piece = builder.skeleton().draft.plates[static_cast<std::size_t>(site.left_plate)].piece;
     const std::string& id = element.paint.id;
-    const int left = builder.add_plate(id + "/left", piece, page, std::move(shape.left), element.paint.left);
+    const int left =
+        builder.add_plate(id + "/left", piece, page, {std::move(shape.left), {}}, element.paint.left);
     const int right =
-        builder.add_plate(id + "/right", piece, page, std::move(shape.right), element.paint.right);
+        builder.add_plate(id + "/right", piece, page, {std::move(shape.right), {}}, element.paint.right);
     builder.add_cut_out(site.left_plate, site.fold, std::move(shape.gone_left));
     builder.add_cut_out(site.right_plate, site.fold, std::move(shape.gone_right));
     for (const Segment& cut : shape.cuts) builder.add_cut(piece, cut);
@@ -93,16 +91,12 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const std::string& id = element.paint.id;
     const int page = element.extra_page;
     const int piece = builder.add_piece(id);
-    const auto plate = [&](std::string_view side, Polygon& half, std::optional<Color> fill) {
-        const int made =
-            builder.add_plate(fmt::format("{}/{}", id, side), piece, page, std::move(half.outer), fill);
-        nth(builder.skeleton().draft.plates, made).outline.holes = std::move(half.holes);
-        return made;
-    };
-    const int left = plate("left", shape.left, element.paint.left);
-    const int right = plate("right", shape.right, element.paint.right);
+    Halves& halves = shape.halves;
+    const int left = builder.add_plate(id + "/left", piece, page, std::move(halves.left), element.paint.left);
+    const int right =
+        builder.add_plate(id + "/right", piece, page, std::move(halves.right), element.paint.right);
     if (has_silhouette(element)) builder.add_curves(curves_of(element, "outline"));
-    for (const Segment& edge : shape.edges) builder.add_cut(piece, edge);
+    for (const Segment& edge : halves.edges) builder.add_cut(piece, edge);
 
     const FoldLine& l = folds[kLeftFold];
     const FoldLine& c = folds[kCentreFold];

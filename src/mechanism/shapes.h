@@ -35,10 +35,15 @@ struct SlitShape {
 };
 void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape);
 
+// A piece that its centre fold divides, in coordinates of its own page.
+struct Halves {
+    Polygon left, right;
+    std::vector<Segment> edges;  // what is cut: free edges, and those of holes
+};
+
 // A 180° element's shape.
 struct GluedShape {
-    Polygon left, right;         // extra page coordinates; rings of holes run clockwise
-    std::vector<Segment> edges;  // free edges of the piece
+    Halves halves;
     bool parallel = false;
     bool right_angle = false;  // moves as a parallelogram, so that it is flat on the open card, too
     Bar left_bar, right_bar;

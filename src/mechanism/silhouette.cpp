@@ -151,8 +151,9 @@ std::optional<SilhouetteFault> give_holes(const Polygon& drawn, const PieceLines
                                                hole.front().x, hole.front().y),
                                    "draw it on one side of the fold, or two holes, one on each side"};
         }
-        (least > 0.0 ? made.left : made.right).holes.push_back(hole);
-        for (std::size_t i = 0; i < hole.size(); ++i) made.edges.push_back({hole[i], hole[next(i, hole)]});
+        (least > 0.0 ? made.halves.left : made.halves.right).holes.push_back(hole);
+        for (std::size_t i = 0; i < hole.size(); ++i)
+            made.halves.edges.push_back({hole[i], hole[next(i, hole)]});
     }
     return std::nullopt;
 }
@@ -194,21 +195,21 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
     // The outline runs counter-clockwise, so from the end of the fold to its begin it is on the left.
     begin_at(ring, crossings[1].corner);
     const auto begin = std::find(ring.begin(), ring.end(), made.centre.a);
-    made.left.outer.assign(ring.begin(), begin + 1);
-    made.right.outer.assign(begin, ring.end());
-    made.right.outer.push_back(ring.front());
+    made.halves.left.outer.assign(ring.begin(), begin + 1);
+    made.halves.right.outer.assign(begin, ring.end());
+    made.halves.right.outer.push_back(ring.front());
     const auto has = [](const Ring& half, const Segment& seam) {
         return std::find(half.begin(), half.end(), seam.a) != half.end() &&
                std::find(half.begin(), half.end(), seam.b) != half.end();
     };
-    if (!has(made.left.outer, lines.left_seam) || !has(made.right.outer, lines.right_seam)) {
+    if (!has(made.halves.left.outer, lines.left_seam) || !has(made.halves.right.outer, lines.right_seam)) {
         return SilhouetteFault{"outline-off-fold",
                                "the line of its centre fold does not divide its outline between the seams",
                                std::string(divided_hint())};
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Segment edge{ring[i], ring[next(i, ring)]};
-        if (!on_seam(edge, lines)) made.edges.push_back(edge);
+        if (!on_seam(edge, lines)) made.halves.edges.push_back(edge);
     }
     return give_holes(areas.front(), lines, made);
 }

@@ -9,9 +9,9 @@
 #include <array>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "mechanism/element.h"
+#include "mechanism/shapes.h"
 
 namespace popup {
 
@@ -33,12 +33,10 @@ struct PieceLines {
     Vec2 centre_at, centre_dir;              // a point of the centre fold, and its direction (unit)
 };
 
-// A piece that is divided. Rings run counter-clockwise, and each has the centre fold as one edge. The left
-// one has the left seam.
+// Rings run counter-clockwise, and each has the centre fold as one edge. The left half has the left seam.
 struct Silhouette {
-    Polygon left, right;
-    Segment centre;              // along PieceLines::centre_dir
-    std::vector<Segment> edges;  // what is cut: the outline but for its seams, and the holes
+    Halves halves;
+    Segment centre;  // along PieceLines::centre_dir
 };
 
 bool has_silhouette(const Element& e);

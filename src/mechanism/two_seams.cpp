@@ -238,13 +238,11 @@ void lower(const Element& e, Builder& builder, bool right_angle) {
     const double far = left_far(e);
     GluedShape shape;
     if (auto drawn = silhouette_of(e, piece_lines(e))) {
-        shape.left = std::move(drawn->left);
-        shape.right = std::move(drawn->right);
-        shape.edges = std::move(drawn->edges);
+        shape.halves = std::move(drawn->halves);
     } else {
-        shape.left.outer = {left.a, left.b, centre.b, centre.a};
-        shape.right.outer = {centre.a, centre.b, right.b, right.a};
-        shape.edges = {{left.a, right.a}, {left.b, right.b}};
+        shape.halves = {{{left.a, left.b, centre.b, centre.a}, {}},
+                        {{centre.a, centre.b, right.b, right.a}, {}},
+                        {{left.a, right.a}, {left.b, right.b}}};
     }
     shape.parallel = true;
     shape.right_angle = right_angle;

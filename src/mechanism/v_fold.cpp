@@ -242,27 +242,27 @@ FoldLines fold_lines(const Element& e) {
 }
 
 // The piece between straight free edges.
-GluedShape straight_shape(const Element& e) {
+Halves straight_halves(const Element& e) {
     const CentreEnd end = centre_end(e).value();
     const Vec2 f = end.at;
     const auto& x = e.extra;
-    GluedShape shape;
+    Halves made;
     switch (end.edge) {
         case TopEdge::left:
-            shape.left.outer = {x[G], x[E], f};
-            shape.right.outer = {x[E], x[H], x[J], x[I], f};
+            made.left.outer = {x[G], x[E], f};
+            made.right.outer = {x[E], x[H], x[J], x[I], f};
             break;
         case TopEdge::top:
-            shape.left.outer = {x[G], x[E], f, x[I]};
-            shape.right.outer = {x[E], x[H], x[J], f};
+            made.left.outer = {x[G], x[E], f, x[I]};
+            made.right.outer = {x[E], x[H], x[J], f};
             break;
         case TopEdge::right:
-            shape.left.outer = {x[G], x[E], f, x[J], x[I]};
-            shape.right.outer = {x[E], x[H], f};
+            made.left.outer = {x[G], x[E], f, x[J], x[I]};
+            made.right.outer = {x[E], x[H], f};
             break;
     }
-    shape.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
-    return shape;
+    made.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
+    return made;
 }
 
 void lower(const Element& e, Builder& builder) {
@@ -271,13 +271,8 @@ void lower(const Element& e, Builder& builder) {
     const FoldLines folds = fold_lines(e);
     const Vec2 f = folds[kCentreFold].on_left.b;
     GluedShape shape;
-    if (auto drawn = silhouette_of(e, piece_lines(e))) {
-        shape.left = std::move(drawn->left);
-        shape.right = std::move(drawn->right);
-        shape.edges = std::move(drawn->edges);
-    } else {
-        shape = straight_shape(e);
-    }
+    auto drawn = silhouette_of(e, piece_lines(e));
+    shape.halves = drawn ? std::move(drawn->halves) : straight_halves(e);
     shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
     lower_glued(e, builder, folds, std::move(shape));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -338,7 +339,7 @@ class Examiner {
         }
     }
 
-    static constexpr double kHalfTurn = 3.14159265358979323846 + 1e-9;
+    static constexpr double kHalfTurn = std::numbers::pi + 1e-9;
 
     const Assembly& in_;
     Work work_;

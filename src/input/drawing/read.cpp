@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "assembly/settle.h"
 #include "input/drawing/trace.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"
@@ -25,7 +26,9 @@ std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& opt
 std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     std::optional<FlatParts> parts = read_parts(source, options, diagnostics);
     if (!parts) return std::nullopt;
-    return assembly_of(std::move(*parts));
+    Assembly assembly = assembly_of(std::move(*parts));
+    settle_numbers(assembly);
+    return assembly;
 }
 
 bool recognises(std::string_view text) {

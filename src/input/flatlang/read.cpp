@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "assembly/settle.h"
 #include "input/flatlang/pieces/pieces.h"
 #include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
@@ -50,8 +51,10 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     if (!run.card) {
         // It may be there for others to load, and is nothing by itself: a design as little as parts.
         if (run.trail.segments.empty() && run.defines) return reading;
-        if (auto parts = make_parts(run.trail, diagnostics))
+        if (auto parts = make_parts(run.trail, diagnostics)) {
             reading.assembly = assembly_of(std::move(*parts));
+            settle_numbers(*reading.assembly);
+        }
         return reading;
     }
     if (!run.trail.segments.empty()) {

@@ -135,7 +135,7 @@ void fan_lower(const Element& e, Builder& builder) {
     std::vector<int> plates{e.site.left_plate};
     for (std::size_t n = 0; n + 1 < lines.size(); ++n) {
         const Ring ring{e.extra[0], lines[n].on_right.b, lines[n + 1].on_left.b};
-        plates.push_back(builder.add_plate(e.paint.id + "/x", piece, e.extra_page, ring, std::nullopt));
+        plates.push_back(builder.add_plate(e.paint.id + "/x", piece, e.extra_page, {ring, {}}, std::nullopt));
     }
     plates.push_back(e.site.right_plate);
     for (std::size_t n = 0; n < lines.size(); ++n) {
