@@ -96,8 +96,8 @@ class Diagnostics {
     [[nodiscard]] bool has_errors() const { return errors_ > 0; }
     [[nodiscard]] bool has_findings() const { return findings_ > 0; }  // warnings or errors
     [[nodiscard]] const std::string& file() const { return file_; }
-    // From now on places are those of another file, of which file() was made. Findings keep file(), with
-    // which everything that reads them goes on, and say the place in words.
+    // From now on, places are those of `file`, from which file() was made. Findings still name file(); a hint
+    // says where in the other file to look.
     void set_places_file(const std::string& file) { places_file_ = file; }
     [[nodiscard]] const DiagnosticPolicy& policy() const { return *policy_; }
     // Takes in what the document allows. What is for the whole file is dropped from now on; what is for an

@@ -15,12 +15,10 @@ inline constexpr double kLengthsPerMm = 1e10;
 inline constexpr double kDirectionsPerUnit = 1e14;
 inline constexpr double kAnglesPerDegree = 1e11;
 
-// `value` rounded to multiples of 1 / per_unit, never -0; as it is from 1e15 of them on, where doubles hardly
-// have any between. Settling it again changes nothing, and the shortest decimal of it that a double can be
-// read back from has no more digits than that.
+// `value` rounded to multiples of 1 / per_unit, never -0. A value of more than 1e15 such steps stays as it is.
+// Settling it again changes nothing, and JSON writes it in no more decimals than the steps have.
 double settled(double value, double per_unit);
-// The angle, in degrees, that the text has for so many radians; and back. settled_radians() of what
-// settled_degrees() gives has the same settled_degrees().
+// An angle as the text has it, in degrees; and back. There and back again it is the same number.
 double settled_degrees(double radians);
 double radians_of(double settled_degrees);
 

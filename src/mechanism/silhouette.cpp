@@ -175,11 +175,10 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
         return SilhouetteFault{
             "outline-off-seam",
             fault->away > tolerance
-                ? fmt::format(
-                      "its outline is {} away from an end of the seam {}, which must be on its border",
-                      mm(fault->away), name)
+                ? fmt::format("its outline passes an end of the seam {1} {0} away, and must go through it",
+                              mm(fault->away), name)
                 : fmt::format(
-                      "its outline has the ends of the seam {} on its border, and does not run along it",
+                      "its outline goes through both ends of the seam {}, but not straight between them",
                       name),
             fmt::format("draw it through both ends of {}, with a straight line between them", name)};
     }
@@ -187,7 +186,7 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
     if (crossings.size() != 2) {
         return SilhouetteFault{
             "outline-off-fold",
-            fmt::format("the line of its centre fold crosses its outline {} times, and must divide it in two",
+            fmt::format("the line of its centre fold crosses its outline {} times; it must cross it twice",
                         crossings.size()),
             std::string(divided_hint())};
     }
@@ -230,8 +229,9 @@ bool constrain_silhouette(Element& e, const PieceLines& lines) {
     if (const double moved = snap_path(e, "outline", ends, kSnapMm); moved > e.tolerances->rounding_mm) {
         e.repaired(
             "outline-snapped",
-            fmt::format("its outline misses ends of its seams by up to {}; its points were moved there",
-                        mm(moved)),
+            fmt::format(
+                "points of its outline lie up to {} beside the ends of its seams; they were moved there",
+                mm(moved)),
             fmt::format("draw the outline through the ends of {} and {}", lines.left_name, lines.right_name));
     }
     Silhouette made;

@@ -156,8 +156,7 @@ void say_places(const std::string& file, Diagnostic& told) {
         if (other.place.line > 0) other.text += " (" + at(other.place) + ")";
         other.place = {};
     }
-    if (told.place.line > 0)
-        told.hints.insert(told.hints.begin(), "it was made of what stands at " + at(told.place));
+    if (told.place.line > 0) told.hints.insert(told.hints.begin(), "its source is at " + at(told.place));
     told.place = {};
 }
 

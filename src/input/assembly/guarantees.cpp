@@ -92,11 +92,13 @@ class Examiner {
         double sum = 0.0;
         double around = 0.0;
         for (const Polygon& region : regions) {
-            if (!near(region)) return fmt::format("reaches further out than {:.0f} mm", kAssemblyReachMm);
-            if (region.outer.size() < 3) return "has fewer than three corners";
-            if (!(signed_area(region.outer) > 0.0)) return "does not run counter-clockwise round an area";
+            if (!near(region))
+                return fmt::format("an outline reaches further out than {:.0f} mm", kAssemblyReachMm);
+            if (region.outer.size() < 3) return "an outline has fewer than three corners";
+            if (!(signed_area(region.outer) > 0.0))
+                return "an outline does not run counter-clockwise round an area";
             for (const Ring& hole : region.holes) {
-                if (!(signed_area(hole) < 0.0)) return "has a hole that does not run clockwise round an area";
+                if (!(signed_area(hole) < 0.0)) return "a hole does not run clockwise round an area";
             }
             sum += signed_area(region.outer);
             rings.push_back(region.outer);
@@ -109,13 +111,14 @@ class Examiner {
             for (std::size_t i = 0; i < ring.size(); ++i)
                 around += distance(ring[i], ring[(i + 1) % ring.size()]);
         }
-        if (!work_.sweep(regions)) return "is too involved to be examined";
+        if (!work_.sweep(regions)) return "there are too many edges side by side to examine them";
         const double painted = area(filled(rings, FillRule::non_zero));
         const double off = std::abs(painted - sum);
         // What rounding to the grid may make of it.
         if (off <= 1e-6 * sum + kOnGridLineMm * around) return {};
-        return fmt::format("crosses or overlaps itself: it holds {:.4f} mm², and its rings {:.4f} mm²",
-                           painted, sum);
+        return fmt::format(
+            "the areas cross or overlap: they cover {:.4f} mm², and their rings enclose {:.4f} mm²", painted,
+            sum);
     }
 
     // --- part by part
@@ -147,10 +150,10 @@ class Examiner {
             }
             if (piece.plates.empty() && piece.paper.empty()) return say("has neither plates nor paper");
             if (const std::string wrong = fault_of(piece.paper); !wrong.empty())
-                return say("has paper that " + wrong);
+                return say("has wrong paper: " + wrong);
             if (piece.paper.empty()) {
                 if (const std::string wrong = fault_of(plates); !wrong.empty())
-                    return say("has plates of which one, or all together, " + wrong);
+                    return say("has wrong plates: " + wrong);
             }
             for (const std::vector<Vec2>& slit : piece.slits) {
                 if (slit.size() < 2 || !near(slit)) return say("has a slit of one point, or far out");
@@ -172,10 +175,10 @@ class Examiner {
         };
         // Where the piece has paper of its own, its plates were not looked at with it.
         if (const std::string wrong = fault_of({plate.outline}); !wrong.empty())
-            return say("has an outline that " + wrong);
+            return say("is wrong: " + wrong);
         if (!plate.uncut.empty()) {
             if (const std::string wrong = fault_of({Polygon{plate.uncut, {}}}); !wrong.empty())
-                return say("has an uncut outline that " + wrong);
+                return say("is wrong before its cut-outs: " + wrong);
         }
         if (!std::all_of(plate.prints.begin(), plate.prints.end(), [](const Print& p) { return near(p); }))
             say("has a print that has no extent, or is far out");
@@ -250,8 +253,7 @@ class Examiner {
         };
         if (area.plate == area.base_plate) return say("glues a plate to itself");
         if (area.on_base.empty()) return say("covers nothing");
-        if (const std::string wrong = fault_of(area.on_base); !wrong.empty())
-            say("covers an area that " + wrong);
+        if (const std::string wrong = fault_of(area.on_base); !wrong.empty()) say("is wrong: " + wrong);
     }
 
     static std::pair<int, int> pair_of(int a, int b) { return std::minmax({a, b}); }

@@ -240,7 +240,7 @@ struct Wrong {
 TEST(Silhouette, WhatCannotBeDividedIsRefusedWithItsNumbers) {
     for (const Wrong& wrong : std::vector<Wrong>{
              {"M 0 0 L 42 30 L 0 90 L -42 30 Z", "outline-off-seam", "of the seam G–E"},
-             {"M 0 0 L 20 5 L 40 30 L 0 90 L -40 30 Z", "outline-off-seam", "does not run along it"},
+             {"M 0 0 L 20 5 L 40 30 L 0 90 L -40 30 Z", "outline-off-seam", "not straight between them"},
              {"M 0 0 L 40 30 L 30 90 L 0 50 L -5 90 L 20 95 L 20 96 L -40 96 L -40 30 Z", "outline-off-fold",
               "times"},
              {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 h 10 v 10 h -10 Z", "outline-off-fold", "its hole at"},

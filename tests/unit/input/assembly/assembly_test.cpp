@@ -175,7 +175,7 @@ TEST(AssemblyReading, PlacesOfLaterFindingsAreSaidInWords) {
     EXPECT_EQ(first.file, "card.assembly.json");
     EXPECT_EQ(first.place, Place{});
     ASSERT_FALSE(first.hints.empty());
-    EXPECT_EQ(first.hints.front(), "it was made of what stands at card.xml:7:9");
+    EXPECT_EQ(first.hints.front(), "its source is at card.xml:7:9");
 }
 
 // --- what is refused
@@ -228,14 +228,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"/plates/0/name", "\"a\\u0007b\"", "assembly-value", "control characters"},
         Mistake{"/plates/0/piece", "\"tent\"", "assembly-fault", "not its own"},
         Mistake{"/plates/0/outline/outer/0", "[1, 2, 3]", "assembly-value", "\"outer\": a ring"},
-        Mistake{"/plates/0/outline/outer/0/0", "2e6", "assembly-fault", "reaches further out"},
-        Mistake{"/plates/0/outline/outer", "[[0,0],[0,9],[9,9]]", "assembly-fault", "counter-clockwise"},
+        Mistake{"/plates/0/outline/outer/0/0", "2e6", "assembly-fault", "an outline reaches further out"},
+        Mistake{"/plates/0/outline/outer", "[[0,0],[0,9],[9,9]]", "assembly-fault",
+                "an outline does not run counter-clockwise"},
         Mistake{"/plates/0/outline/outer", "[[0,0],[12,0],[0,9],[9,9]]", "assembly-fault",
-                "crosses or overlaps"},
+                "the areas cross or overlap"},
         Mistake{"/plates/0/outline/holes", "[[[-200,0],[-200,9],[-190,9]]]", "assembly-fault",
-                "overlaps itself"},
+                "the areas cross or overlap"},
         Mistake{"/plates/3/outline/outer", "[[20,-15],[20,15],[-20,15],[-20,-15]]", "assembly-fault",
-                "all together"},
+                "has wrong plates: the areas cross or overlap"},
         Mistake{"/plates/0/fill", "\"red\"", "assembly-value", "a colour"},
         Mistake{"/plates/0/stands", R"({"axes":[[1,0,0],[0,1,0],[0,0,-1]],"origin":[0,0,0]})",
                 "assembly-fault", "three unit vectors"},
