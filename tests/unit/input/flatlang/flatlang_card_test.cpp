@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "popup/mechanism.h"
 #include "support/designs.h"
 #include "support/random.h"
-#include "support/run_program.h"
 
 namespace popup {
 namespace {
@@ -588,26 +586,6 @@ TEST(FlatLangCard, ElementsOfTheKitNeedNoRepair) {
     Diagnostics diagnostics;
     EXPECT_TRUE(check(design, {}, diagnostics));
     EXPECT_EQ(test::findings(diagnostics), "");
-}
-
-TEST(FlatLangCard, SamplesAndTheirFamiliesCheckWithoutFindings) {
-    const std::filesystem::path samples = std::filesystem::path(POPUP_SOURCE_DIR) / "samples";
-    const std::vector<std::vector<std::string>> runs{
-        {"staircase.fl"},
-        {"staircase.fl", "-D", "steps=9", "-D", "width=6"},
-        {"street.fl"},
-        {"street.fl", "-D", "houses=8", "-D", "floors=6"},
-        {"street.fl", "-D", "houses=3", "-D", "floors=2", "-D", "seed=3"},
-        {"valley.fl"},
-        {"valley.fl", "-D", "peaks=4", "-D", "long=10"},
-    };
-    for (const auto& words : runs) {
-        std::vector<std::string> arguments{"check", (samples / words[0]).string()};
-        arguments.insert(arguments.end(), words.begin() + 1, words.end());
-        const auto result = test::popupc(arguments);
-        EXPECT_EQ(result.exit, 0) << words[0];
-        EXPECT_EQ(result.out + result.err, "") << words[0];
-    }
 }
 
 }  // namespace
