@@ -15,8 +15,8 @@ inline constexpr double kLengthsPerMm = 1e10;
 inline constexpr double kDirectionsPerUnit = 1e14;
 inline constexpr double kAnglesPerDegree = 1e11;
 
-// `value` rounded to multiples of 1 / per_unit, never -0. A value of more than 1e15 such steps stays as it is.
-// Settling it again changes nothing, and JSON writes it in no more decimals than the steps have.
+// `value` rounded to multiples of 1 / per_unit, never -0. A value of more than 1e15 such steps stays as it
+// is. Settling it again changes nothing, and JSON writes it in no more decimals than the steps have.
 double settled(double value, double per_unit);
 // An angle as the text has it, in degrees; and back. There and back again it is the same number.
 double settled_degrees(double radians);
