@@ -33,6 +33,8 @@ struct Plate {
     int parent = -1;                 // plate it is hinged to; -1: stands in the world
     Vec2 pivot = {};                 // a point of the hinge line, in this plate's page coordinates
     Lying lying = Lying::free;       // whether it is glued flat on its parent, and on which side
+    // The point of its page about which it is turned by hand: it is looked at for collisions at all turns.
+    std::optional<Vec2> rivet = {};
     // Where it stands, when no joint moves it and that is known: then it is shown in models.
     std::optional<Frame> stands = {};
 };
@@ -85,6 +87,9 @@ struct Glue {
     std::optional<Color> fill;  // of the tab
     std::string element;
     Place place;  // of the element, for findings about the tab
+    // It lies on the base's back, with its front against it: then it covers the left of `on_base`, as seen
+    // from the base's front, and nobody sees a target.
+    bool on_back = false;
 };
 
 // A piece that is glued flat on a plate of another, over an area and not by tabs.

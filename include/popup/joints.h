@@ -112,6 +112,7 @@ struct Rigid {
         base_dir;          // a point of the base's page, and a direction (unit): where own_at and own_dir lie
     Vec2 own_at, own_dir;  // the same on its own page
     bool back = false;     // it lies on the base's back, with its own front away from it
+    bool behind = false;   // it lies on the base's back, with its own front towards it; not both
 
     template <typename Self, typename Fields>
     static void fields(Self& self, Fields& to) {
@@ -122,6 +123,110 @@ struct Rigid {
         to.point("own_at", self.own_at);
         to.direction("own_dir", self.own_dir);
         to.flag("back", self.back);
+        to.flag_if_set("behind", self.behind);
+    }
+};
+
+// A plate that stands on a driving plate along a line parallel to the parent fold, upright: in the direction
+// of the bisector of the two driving plates.
+struct Upright {
+    int drive = -1;     // driving plate
+    int plate = -1;     // plate this joint places
+    Vec2 fold_at;       // on the driving plate's page: any point of the fold
+    Vec2 fold_dir;      // unit, along the parent fold
+    Vec2 fold_out;      // unit, perpendicular to fold_dir, from the fold into the driving plate
+    Vec2 foot_at;       // a point of the line that it stands on, on the driving plate's page
+    Vec2 own_at;        // the same point on its own page
+    Vec2 own_along;     // unit, on its own page: along fold_dir
+    Vec2 own_across;    // unit, on its own page: up
+    double near = 0.0;  // from the fold to that line, mm. > 0
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("drive", self.drive);
+        to.plate("plate", self.plate);
+        to.point("fold_at", self.fold_at);
+        to.direction("fold_dir", self.fold_dir);
+        to.direction("fold_out", self.fold_out);
+        to.point("foot_at", self.foot_at);
+        to.point("own_at", self.own_at);
+        to.direction("own_along", self.own_along);
+        to.direction("own_across", self.own_across);
+        to.length("near_mm", self.near);
+    }
+};
+
+// A plate that hangs on others by its joint: a point of it and two directions on its own page, which say what
+// the joint makes of them.
+struct Leaf {
+    int plate = -1;
+    Vec2 own_at;
+    Vec2 own_along, own_across;  // unit, perpendicular
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.point("own_at", self.own_at);
+        to.direction("own_along", self.own_along);
+        to.direction("own_across", self.own_across);
+    }
+};
+
+// One end of a prism: two plates, each as wide as the walls are from the fold, hinged to the walls along
+// lines that stand up from the fold's planes, and to each other along the middle fold.
+struct PrismEnd {
+    double along = 0.0;  // of its hinges to the walls, from foot_at in fold_dir, mm
+    int into = 1;        // the middle fold goes along fold_dir (1) or against it (-1) as the card closes
+    Leaf left, right;    // own_at: the foot of the hinge to the wall; own_along: up it; own_across: towards
+                         // the middle fold
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.length("along_mm", self.along);
+        to.sign("into", self.into);
+        to.object("left", [&](auto& inside) { Leaf::fields(self.left, inside); });
+        to.object("right", [&](auto& inside) { Leaf::fields(self.right, inside); });
+    }
+};
+
+// Two walls at one distance on either side of a fold, and two ends that fold in their middle: the box. The
+// hinges of the ends are parallel and hold the walls in the bisector: motion/joints/prism.cpp.
+struct Prism {
+    bool outside = false;  // over a mountain fold (closed dihedral 360°); else over a valley fold (0°)
+    Upright left, right;
+    PrismEnd begin, end;  // in the order in which they stand along fold_dir
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.flag("outside", self.outside);
+        to.object("left", [&](auto& inside) { Upright::fields(self.left, inside); });
+        to.object("right", [&](auto& inside) { Upright::fields(self.right, inside); });
+        to.object("begin", [&](auto& inside) { PrismEnd::fields(self.begin, inside); });
+        to.object("end", [&](auto& inside) { PrismEnd::fields(self.end, inside); });
+    }
+};
+
+// Two walls and a pillar on the fold, all equally high, and on them a top of two halves, each parallel to its
+// driving plate: the floating layer. Walls and pillar may lean together, one way: it is shown in the
+// bisector, where its symmetry has it.
+struct Lift {
+    bool outside = false;  // as of Prism
+    double height = 0.0;   // of walls and pillar, mm. > 0
+    Upright left, right;   // the walls
+    // Halves of the top. own_at: the point over the wall's foot_at; own_along: along fold_dir; own_across:
+    // towards the centre fold, which is `near` of the wall away.
+    Leaf top_left, top_right;
+    Leaf pillar;  // own_at: the point at fold_at of the left wall; own_along: along fold_dir; own_across: up
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.flag("outside", self.outside);
+        to.length("height_mm", self.height);
+        to.object("left", [&](auto& inside) { Upright::fields(self.left, inside); });
+        to.object("right", [&](auto& inside) { Upright::fields(self.right, inside); });
+        to.object("top_left", [&](auto& inside) { Leaf::fields(self.top_left, inside); });
+        to.object("top_right", [&](auto& inside) { Leaf::fields(self.top_right, inside); });
+        to.object("pillar", [&](auto& inside) { Leaf::fields(self.pillar, inside); });
     }
 };
 
@@ -129,7 +234,9 @@ struct Rigid {
 #define POPUP_JOINT_KINDS(ROW) \
     ROW(Drive, "drive")        \
     ROW(FourBar, "four-bar")   \
-    ROW(Rigid, "rigid")
+    ROW(Rigid, "rigid")        \
+    ROW(Prism, "prism")        \
+    ROW(Lift, "lift")
 
 template <typename Nothing, typename... Kinds>
 using JointVariant = std::variant<Kinds...>;

@@ -46,8 +46,9 @@ struct ParameterInfo {
     ParameterKind kind = ParameterKind::colour;
     std::string_view about;  // one line
     bool required = false;
-    PointPage page = PointPage::extra;             // of a path or of points, where they name none
-    std::string_view partner = {};                 // what it changes places with when left and right do
+    PointPage page = PointPage::extra;  // of a path or of points, where they name none
+    // What it changes places with when left and right do; of a choice between the two, itself: its words do.
+    std::string_view partner = {};
     double least = 0.0, most = 0.0;                // of a length (mm) or number, both included
     double standard = 0.0;                         // where none is given
     std::span<const std::string_view> words = {};  // of a choice; the first is what holds where none is given
@@ -96,8 +97,8 @@ struct ElementInfo {
     Grounds grounds = {};
     std::span<const ParameterInfo> parameters = kHalfColours;
     std::span<const FoldInfo> folds = kThreeFolds;
-    std::string_view since = "2.0";  // the version of the document that has it first
-    std::string_view also = {};      // another name that is read
+    std::string_view since = "2.0";               // the version of the document that has it first
+    std::span<const std::string_view> also = {};  // other names that are read
 };
 
 // All rows, by code.
@@ -127,8 +128,10 @@ struct PageFold {
 // stands on them. `extra_page` is the page of its own piece, of cut elements without meaning. nullopt: points
 // like these make no folds. Preconditions: as many points as the row has, in its order, each in the
 // coordinates of its page (a point of the fold: of the left one); the parent has a length. Of an element on a
-// plate the parent is any line of the plate's page.
+// plate the parent is any line of the plate's page. `arguments`: in the order of the row's parameters; what
+// lies behind the end was not given.
 std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
-                                              std::span<const Vec2> points);
+                                              std::span<const Vec2> points,
+                                              std::span<const Argument> arguments = {});
 
 }  // namespace popup

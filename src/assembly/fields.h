@@ -18,7 +18,8 @@
 //   object, list                parts within parts
 //   picture                     the file of an image
 //
-// What ends in `_if_any` is left out of the text where there is nothing of it, what ends in `_unless` where
+// What ends in `_if_any` is left out of the text where there is nothing of it, a `flag_if_set` where it is
+// not, what ends in `_unless` where
 // it is the same as another value; what ends in `_or_none` is then null.
 #pragma once
 
@@ -98,6 +99,7 @@ void fields(Self& plate, To& to) {
     to.value_unless("uncut", plate.uncut, plate.outline.outer);
     to.value("fill", plate.fill);
     to.list_if_any("prints", plate.prints);
+    to.value_if_any("rivet", plate.rivet);
     to.value_if_any("stands", plate.stands);
     to.plate_or_none("parent", plate.parent);
     to.value_if_any("pivot", plate.pivot);
@@ -132,6 +134,7 @@ void fields(Self& glue, To& to) {
     to.value("fill", glue.fill);
     to.text("element", glue.element);
     to.value("place", glue.place);
+    to.flag_if_set("on_back", glue.on_back);
 }
 
 template <Of<GluedArea> Self, typename To>

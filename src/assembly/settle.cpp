@@ -60,6 +60,7 @@ void settle(Polygon& polygon) {
 struct Settler {
     void text(const char* /*name*/, std::string& /*value*/) {}
     void flag(const char* /*name*/, bool /*value*/) {}
+    void flag_if_set(const char* /*name*/, bool /*value*/) {}
     void sign(const char* /*name*/, int /*value*/) {}
     template <typename Word, typename Words>
     void word(const char* /*name*/, Word /*value*/, const Words& /*words*/) {}

@@ -150,13 +150,12 @@ bool Checker::may_stand(const Structure& structure, const Placing& placing) {
     if (fold.closed_deg == 180) {
         diagnostics
             .error("seam-stays-flat", structure.place,
-                   fmt::format("\"{}\" stands on a seam of \"{}\" that is flat (180°) when the card is "
-                               "closed, so nothing "
-                               "on it can fold",
-                               structure.id, fold.owner))
-            .hint(
-                "only seams of v-folds and tents on valley folds, and of inverted v-folds on mountain folds, "
-                "open and close")
+                   fmt::format("\"{}\" stands on a {} of \"{}\" that is flat (180°) when the card is "
+                               "closed, so nothing on it can fold",
+                               structure.id, fold.seam ? "seam" : "fold", fold.owner))
+            .hint(fold.seam ? "only seams of v-folds and tents on valley folds, and of inverted v-folds on "
+                              "mountain folds, open and close"
+                            : "choose a fold that is folded when the card is closed")
             .about(structure.id);
         return false;
     }
@@ -300,6 +299,16 @@ PaperQuery Checker::query_of(const Element& element) const {
     return {[this, ask](Side side, const Ring& ring, Fit fit) {
                 return ask(side, [&](int plate, int page, const DirectedLine& line) {
                     return paper.may_cut(plate, page, line, ring, fit);
+                });
+            },
+            [this, ask](Side side, const Ring& ring, const Segment& edge, Fit fit) {
+                return ask(side, [&](int plate, int page, const DirectedLine& line) {
+                    return paper.may_cut(plate, page, line, ring, fit, &edge);
+                });
+            },
+            [this, ask](Side side, const Segment& at) {
+                return ask(side, [&](int plate, int page, const DirectedLine&) {
+                    return paper.edge_along(plate, page, at);
                 });
             },
             [this, ask, &site = element.site](Side side, const Segment& seam, Fit fit) {

@@ -79,6 +79,19 @@ void PaperMap::update(const Skeleton& skeleton) {
             for (const Segment& edge : edges_of(part)) add(number, edge, area.base_plate, true);
         }
     }
+    for (; feet_seen_ < skeleton.feet.size(); ++feet_seen_) {
+        const Foot& foot = skeleton.feet[feet_seen_];
+        add(skeleton.plate_page[static_cast<std::size_t>(foot.plate)], foot.inside, foot.plate, true);
+    }
+    for (; holes_seen_ < skeleton.holes.size(); ++holes_seen_) {
+        const Hole& hole = skeleton.holes[holes_seen_];
+        const int number = skeleton.plate_page[static_cast<std::size_t>(hole.plate)];
+        add_ring(number, hole.ring, hole.plate);
+        PageEdges& edges = page(number);
+        const Box box = bounds(hole.ring);
+        edges.cut_boxes.insert({box.min, box.max}, false);
+        edges.cuts.emplace_back(hole.plate, hole.ring);
+    }
     for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
         const Fold& fold = skeleton.folds[folds_seen_];
         // Only the plates that lost paper or got a seam have changed: those on either side of a new fold.
@@ -99,8 +112,8 @@ void PaperMap::update(const Skeleton& skeleton) {
     }
 }
 
-bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint,
-                       Fit fit) const {
+bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, const Ring& footprint, Fit fit,
+                       const Segment* open) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     const Polygon& outline = outlines_[static_cast<std::size_t>(plate)];
     if (!std::all_of(footprint.begin(), footprint.end(), [&](Vec2 p) { return inside(outline, p, kOnLine); }))
@@ -113,8 +126,24 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[number];
         if (obstacle.plate != plate || along_line(line, edge)) return false;
+        if (open != nullptr && along_line({open->a, unit(open->b - open->a)}, edge)) return false;
         return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
     });
+}
+
+std::optional<Segment> PaperMap::edge_along(int plate, int page_number, const Segment& at) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    std::vector<int> found;
+    page_edges.edges.query(box_around({at.a, at.b}, tolerances_.rounding_mm), found);
+    for (const int number : found) {
+        const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
+        const Segment& edge = page_edges.edges[number];
+        if (obstacle.plate != plate || obstacle.seam || edge.a == edge.b) continue;
+        if (distance(at.a, edge) <= tolerances_.rounding_mm &&
+            distance(at.b, edge) <= tolerances_.rounding_mm)
+            return edge;
+    }
+    return std::nullopt;
 }
 
 bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, const Segment& seam,

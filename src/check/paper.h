@@ -21,8 +21,10 @@ class PaperMap {
     void update(const Skeleton& skeleton);
 
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
-    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint,
-                               Fit fit) const;
+    // Nor are edges along `open`, if it is given.
+    [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint, Fit fit,
+                               const Segment* open = nullptr) const;
+    [[nodiscard]] std::optional<Segment> edge_along(int plate, int page, const Segment& at) const;
     // Without `line` no edge is passed over.
     [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine* line, const Segment& seam,
                                 Fit fit) const;
@@ -46,7 +48,7 @@ class PaperMap {
     std::vector<Polygon> outlines_;       // raw, of each plate
     std::vector<std::size_t> cuts_seen_;  // of each plate
     std::size_t folds_seen_ = 0;
-    std::size_t areas_seen_ = 0;
+    std::size_t areas_seen_ = 0, feet_seen_ = 0, holes_seen_ = 0;
 };
 
 }  // namespace popup

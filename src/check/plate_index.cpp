@@ -20,6 +20,10 @@ bool on_paper(const Skeleton& skeleton, int plate, Vec2 p, double slack) {
     const Polygon& outline = skeleton.draft.plates[number].outline;
     if (!contains(outline, p) && edge_distance(outline.outer, p) > slack) return false;
     const auto& cuts = skeleton.cut_outs[number];
+    for (const int hole : skeleton.holes_of[number]) {
+        const Ring& ring = skeleton.holes[static_cast<std::size_t>(hole)].ring;
+        if (contains({ring, {}}, p) && edge_distance(ring, p) > slack) return false;
+    }
     return std::none_of(cuts.begin(), cuts.end(), [&](const CutOut& cut) {
         return contains({cut.path, {}}, p) && edge_distance(cut.path, p) > slack;
     });
@@ -97,6 +101,10 @@ std::vector<Polygon> paper_of(const Skeleton& skeleton, int plate, double inset)
     const auto number = static_cast<std::size_t>(plate);
     std::vector<Polygon> cuts;
     for (const CutOut& cut : skeleton.cut_outs[number]) cuts.push_back({cut.path, {}});
+    for (const int hole : skeleton.holes_of[number]) {
+        const Ring& ring = skeleton.holes[static_cast<std::size_t>(hole)].ring;
+        cuts.push_back({{ring.rbegin(), ring.rend()}, {}});
+    }
     std::vector<Polygon> paper = subtract({skeleton.draft.plates[number].outline}, cuts);
     return inset > 0.0 ? offset(paper, -inset, Corners::sharp) : paper;
 }

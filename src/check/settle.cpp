@@ -81,6 +81,11 @@ void Placing::exchange_arguments() {
         if (parameters[i].page == PointPage::extra) move_argument(element.arguments[i], kMirrored);
         const auto partner = find_parameter(*element.info, parameters[i].partner);
         if (partner && *partner > i) std::swap(element.arguments[i], element.arguments[*partner]);
+        if (partner && *partner == i) {
+            const auto words = parameters[i].words;
+            const bool first = choice_of(element, parameters[i].name) == words[0];
+            element.arguments[i].value = std::string(words[first ? 1 : 0]);
+        }
     }
 }
 

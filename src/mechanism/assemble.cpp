@@ -14,6 +14,26 @@
 namespace popup {
 namespace {
 
+// Takes out corners at which the ring goes back the way it came: a cut-out that reaches an edge of its plate
+// goes to the end of its fold, where the edge takes it back.
+void without_spikes(Ring& ring) {
+    constexpr double kOnWayMm = 1e-6;
+    for (std::size_t i = 0; i < ring.size() && ring.size() > 3;) {
+        const std::size_t n = ring.size();
+        const Vec2 to = ring[(i + n - 1) % n] - ring[i];
+        const Vec2 from = ring[(i + 1) % n] - ring[i];
+        const double reach = std::max(length(to), length(from));
+        const bool doubled = length(from) <= kOnWayMm;
+        const bool back = dot(to, from) > 0.0 && std::abs(cross(to, from)) <= kOnWayMm * reach;
+        if (!doubled && !back) {
+            ++i;
+            continue;
+        }
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+        i = i == 0 ? 0 : i - 1;
+    }
+}
+
 // A plate's outline with its cut-outs taken away. They are disjoint and touch the rest of it only along
 // folds, so each edge that is a fold is replaced by the way round its cut-outs, whose own side folds may be
 // interrupted in turn. Exact, and linear but for sorting.
@@ -65,6 +85,7 @@ Ring without_cut_outs(const Skeleton& skeleton, int plate, const Ring& outline) 
         used += fold.last - fold.first;
     }
     POPUP_INVARIANT(used == cuts.size());
+    without_spikes(ring);
     return ring;
 }
 
@@ -78,7 +99,8 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
                 {LineKind::seam, fold.on_right, piece_of(fold.right_plate), fold.right_plate, -1});
             continue;
         }
-        const LineKind kind = fold.closed_deg == 360 ? LineKind::mountain : LineKind::valley;
+        const LineKind kind =
+            fold.closed_deg == 360 || fold.bends_back ? LineKind::mountain : LineKind::valley;
         const double size = fold.length();
         const auto stretch = [&](double lo, double hi) {
             if (hi - lo < kGridMm) return;
@@ -166,6 +188,8 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
         assembly.plates[i].uncut = outline;
         if (!skeleton.cut_outs[i].empty()) outline = without_cut_outs(skeleton, static_cast<int>(i), outline);
     }
+    for (const Hole& hole : skeleton.holes)
+        assembly.plates[static_cast<std::size_t>(hole.plate)].outline.holes.push_back(hole.ring);
     add_fold_lines(skeleton, assembly);
     spread_lines(skeleton, design.design(), assembly);
     assembly.curves = CurveTable(skeleton.curves);

@@ -4,6 +4,8 @@
 // Points A (apex), B left, E right; B–E is the cut. With a and b the angles of the side folds to the parent
 // fold, the centre fold leaves the left side fold at the angle b (so the right one at a), which makes every
 // angle foldable.
+#include "mechanism/beak.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +13,10 @@
 #include "mechanism/angled.h"
 #include "mechanism/fitting.h"
 #include "mechanism/rows.h"
-#include "mechanism/shapes.h"
 
 namespace popup {
-namespace {
 
-constexpr std::array<PointInfo, 3> kPoints{
-    {{"A", PointPage::fold, '-'}, {"B", PointPage::fold, 'L'}, {"E", PointPage::fold, 'R'}}};
-constexpr std::array<int, 3> kPartners{0, 2, 1};
-enum : std::size_t { A, B, E };
+namespace beak {
 
 int direction(const Element& e) {
     return angle_at(e.on[A].s, 1, e.on[B]) + angle_at(e.on[A].s, 1, e.on[E]) <= std::numbers::pi ? 1 : -1;
@@ -35,7 +32,7 @@ Ring half(const Element& e, Side side) {
             e.site.on_page(side, {crossing(e.on[B], e.on[E]), 0.0})};
 }
 
-bool constrain(Element& e) {
+bool constrain_sides(Element& e) {
     const Tolerances& tol = *e.tolerances;
     if (!put_apex_on_fold(e, A, "A")) return false;
     for (const std::size_t i : {B, E}) {
@@ -46,8 +43,14 @@ bool constrain(Element& e) {
             return angled_degenerate(e, i == B ? "A–B" : "A–E", reach, angle);
         }
     }
+    return close_opening(e, e.on[A].s, direction(e), {B}, {E}, kWidestSlit);
+}
+
+bool opens_within_limit(const Element& e) { return opens_within(e, e.on[A].s, direction(e), B, E); }
+
+bool constrain(Element& e) {
+    if (!constrain_sides(e)) return false;
     const int dir = direction(e);
-    if (!close_opening(e, e.on[A].s, dir, {B}, {E}, kWidestSlit)) return false;
     return fit_cut(e, {half, span, e.on[A].s,
                        [dir](const Element& x) { return opens_within(x, x.on[A].s, dir, B, E); }});
 }
@@ -63,9 +66,8 @@ FoldLines fold_lines(const Element& e) {
     return slit_folds(e.site, line(b), line(c), line(end));
 }
 
-void lower(const Element& e, Builder& builder) {
+SlitShape shape_of(const Element& e, const FoldLines& folds) {
     const int dir = direction(e);
-    const FoldLines folds = fold_lines(e);
     const Vec2 a = e.site.on_page(Side::left, e.on[A]);
     const Vec2 b = e.site.on_page(Side::left, e.on[B]);
     const Vec2 end = e.site.on_page(Side::right, e.on[E]);
@@ -80,14 +82,37 @@ void lower(const Element& e, Builder& builder) {
     shape.span = span(e);
     shape.left_bar = angled_bar(e.site, Side::left, e.on[A].s, dir, e.on[B], a, b, c);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[A].s, dir, e.on[E], a, end, c);
-    lower_slit(e, builder, folds, std::move(shape));
+    return shape;
 }
 
-constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "beak", inverted, false, about, kPoints, kPartners},
-            span,
-            constrain,
-            fold_lines,
+}  // namespace beak
+
+namespace {
+
+constexpr std::array<PointInfo, 3> kPoints{
+    {{"A", PointPage::fold, '-'}, {"B", PointPage::fold, 'L'}, {"E", PointPage::fold, 'R'}}};
+constexpr std::array<int, 3> kPartners{0, 2, 1};
+// Glassner's (sections 3 and 5).
+constexpr std::array<std::string_view, 2> kOtherNames{"single-slit", "asymmetric-slit"};
+void lower(const Element& e, Builder& builder) {
+    const FoldLines folds = beak::fold_lines(e);
+    lower_slit(e, builder, folds, beak::shape_of(e, folds));
+}
+
+constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about,
+                         std::span<const std::string_view> also = {}) {
+    return {{.name = name,
+             .code = code,
+             .family = "beak",
+             .inverted = inverted,
+             .glued = false,
+             .about = about,
+             .points = kPoints,
+             .partners = kPartners,
+             .also = also},
+            beak::span,
+            beak::constrain,
+            beak::fold_lines,
             nullptr,
             lower};
 }
@@ -95,7 +120,7 @@ constexpr ElementRow row(std::string_view name, int code, bool inverted, std::st
 }  // namespace
 
 const ElementRow kBeak =
-    row("beak", 2, false, "one cut across a valley fold; a mouth whose folds meet in a point");
+    row("beak", 2, false, "one cut across a valley fold; a mouth whose folds meet in a point", kOtherNames);
 const ElementRow kInvertedBeak =
     row("inverted-beak", 3, true, "a beak on a mountain fold; it sinks behind it");
 

@@ -75,6 +75,7 @@ int Builder::add_plate(const std::string& name, int piece, int page, Polygon out
     skeleton_.draft.pieces[static_cast<std::size_t>(piece)].plates.push_back(index);
     skeleton_.plate_page.push_back(page);
     skeleton_.cut_outs.emplace_back();
+    skeleton_.holes_of.emplace_back();
     return index;
 }
 
@@ -108,6 +109,23 @@ int Builder::add_fold(Fold fold) {
 void Builder::add_glued_area(GluedArea area) { skeleton_.draft.glued_areas.push_back(std::move(area)); }
 
 void Builder::add_glue(Glue glue) { skeleton_.draft.glue.push_back(std::move(glue)); }
+
+void Builder::add_foot(Glue glue) {
+    constexpr double kBesideFootMm = 1.0;
+    skeleton_.draft.hinges.push_back({glue.piece_plate, glue.base_plate, glue.on_piece, glue.on_base, true});
+    const Vec2 along = unit(glue.on_base.b - glue.on_base.a);
+    const Vec2 in = kBesideFootMm * (glue.on_back ? left_of(along) : right_of(along));
+    skeleton_.feet.push_back({glue.base_plate, {glue.on_base.a + in, glue.on_base.b + in}});
+    add_glue(std::move(glue));
+}
+
+void Builder::add_hole(int plate, Ring ring) {
+    if (signed_area(ring) > 0.0) std::reverse(ring.begin(), ring.end());
+    const int piece = nth(skeleton_.draft.plates, plate).piece;
+    for (std::size_t i = 0; i < ring.size(); ++i) add_cut(piece, {ring[i], ring[(i + 1) % ring.size()]});
+    nth(skeleton_.holes_of, plate).push_back(static_cast<int>(skeleton_.holes.size()));
+    skeleton_.holes.push_back({plate, std::move(ring)});
+}
 
 void Builder::add_cut_out(int plate, int fold, Ring path) {
     const Fold& from = skeleton_.folds[static_cast<std::size_t>(fold)];

@@ -31,6 +31,7 @@ struct Fold {
     bool seam = false;
     std::string owner;               // element's id, or "page"
     std::map<double, CutSpan> gone;  // by begin, mm along the fold, disjoint
+    bool bends_back = false;         // of those closed at 180°: they are drawn as mountain folds
 
     [[nodiscard]] double length() const { return distance(on_left.a, on_left.b); }
     // The cut that takes away some of [lo, hi], if any.
@@ -55,9 +56,25 @@ struct FoldLine {
 // All that an element makes, in the order of its row's `folds`.
 using FoldLines = std::vector<FoldLine>;
 
+// A seam that nothing can stand on: that of a pillar. `inside` lies beside it, on the plate that it is glued
+// to.
+struct Foot {
+    int plate = -1;
+    Segment inside;
+};
+
+// A hole in a plate, off its edges and folds.
+struct Hole {
+    int plate = -1;
+    Ring ring;  // page coordinates, clockwise
+};
+
 struct Skeleton {
     Assembly draft;  // plates with raw outlines; lines: cuts only
     std::vector<Fold> folds;
+    std::vector<Foot> feet;
+    std::vector<Hole> holes;
+    std::vector<std::vector<int>> holes_of;     // of each plate: numbers of its holes
     std::vector<int> plate_page;                // of each plate
     std::vector<std::vector<CutOut>> cut_outs;  // of each plate; disjoint, with paper between them
     std::vector<bool> page_mirrored;            // of each page: the author drew it mirrored
@@ -91,7 +108,12 @@ class Builder {
     // Adds a fold between two plates; it becomes a hinge and, where it is not cut away, a line.
     int add_fold(Fold fold);
     void add_glue(Glue glue);
+    // Glues a plate of a piece on along a line that is no fold for others: its hinge, its tab, and the paper
+    // that it takes.
+    void add_foot(Glue glue);
     void add_glued_area(GluedArea area);
+    // Cuts a hole into a plate. Its ring may run either way round.
+    void add_hole(int plate, Ring ring);
     // `path` runs from the fold through the plate back to the fold, either way round.
     void add_cut_out(int plate, int fold, Ring path);
     void add_gone(int fold, double lo, double hi, const std::string& by);

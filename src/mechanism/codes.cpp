@@ -23,6 +23,12 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
      "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
      "longer."},
+    {"ends-meet", Severity::warning, "the ends of a box would meet inside it",
+     "The ends of a box fold in their middle as the card closes, and the middle folds move inwards by as "
+     "much "
+     "as its walls are away from the fold. Walls that are not twice as long as that leave no room for both "
+     "ends. The walls were moved nearer to the fold, as far as they need. Make them longer, or let the ends "
+     "fold outwards: ends=\"out\"."},
     {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
      "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
      "apart. A "
@@ -80,11 +86,11 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "elements may stand on them; the ends of the piece's seams were moved along their lines until they "
      "fit. Draw both seams equally long."},
     {"seams-uneven", Severity::warning, "seams that must be at the same distance from the fold are not",
-     "A layer is wrapped round a mountain fold and must not slide on it, which it does not where both seams "
-     "are "
-     "at the same distance from the fold. The farther seam was moved to the nearer one's distance, and the "
-     "piece "
-     "narrowed with it."},
+     "A layer that is wrapped round a mountain fold must not slide on it, and the walls of a box fold flat "
+     "only "
+     "where both seams are at the same distance from the fold. The farther seam was moved to the nearer "
+     "one's "
+     "distance, and the piece of a layer narrowed with it. Put both at one distance to begin with."},
     {"should-be-step", Severity::error, "an angled step has parallel sides",
      "The side folds of an angled step meet in an apex on the parent fold. Here they are parallel to it, "
      "or meet further away than 20 page heights, so that rounding would decide where. An element with "
@@ -96,6 +102,10 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
     {"tent-too-narrow", Severity::warning, "a tent's piece is narrower than its seams are apart",
      "The piece of a tent must be at least as wide as the distance between its two seams on the open page, "
      "or it stops the card from opening. It was widened alike on both sides, to lie flat on the open page."},
+    {"walls-not-opposite", Severity::warning, "the walls of a box do not stand opposite each other",
+     "The ends of a box run straight from one wall to the other, square to the fold, so both walls begin and "
+     "end at the same places along it. What one wall reached further than the other was taken off. Draw A–B "
+     "and E–F as mirror images in the fold."},
     {"wrong-form", Severity::warning, "an element's form does not match its fold",
      "Inverted steps, beaks and angled steps are those that stand on mountain folds. A v-fold's V opens "
      "towards the end of its parent fold, an inverted one's towards its begin. The type was corrected; no "

@@ -23,6 +23,11 @@ struct PaperQuery {
     // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
     // parent fold, and no earlier seam under it.
     std::function<bool(Side, const Ring&, Fit)> may_cut;
+    // The same of a footprint that reaches a straight edge of the plate, where no paper need be left.
+    std::function<bool(Side, const Ring&, const Segment& edge, Fit)> may_cut_to;
+    // A straight edge of the plate, or of what has been cut out of it, on which both ends of a segment (page
+    // coordinates) lie, up to rounding.
+    std::function<std::optional<Segment>(Side, const Segment&)> edge_along;
     // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
     std::function<bool(Side, const Segment&, Fit)> may_glue;
     // The plate's paper (page coordinates) at least `inset` mm away from its folds and edges, cut-outs

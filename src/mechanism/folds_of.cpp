@@ -39,7 +39,8 @@ bool is_seam(const ElementInfo& info, const FoldInfo& fold) {
 }
 
 std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
-                                              std::span<const Vec2> points) {
+                                              std::span<const Vec2> points,
+                                              std::span<const Argument> arguments) {
     POPUP_INVARIANT(points.size() == info.points.size());
     static const Tolerances kTolerances;
     Element element;
@@ -48,6 +49,7 @@ std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const Pag
     element.extra_page = extra_page;
     element.inverted = info.inverted;
     element.tolerances = &kTolerances;
+    element.arguments.assign(arguments.begin(), arguments.end());
     element.arguments.resize(info.parameters.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (info.points[i].page == PointPage::extra) {

@@ -20,22 +20,7 @@ namespace {
 
 using namespace two_seams;
 
-// Over a mountain fold the farther seam comes as near as the other, where there
-// is paper for certain.
-void make_even(Element& e) {
-    const double p = e.on[A].w;
-    const double q = e.on[E].w;
-    if (!e.site.mountain || p == q) return;
-    const double both = std::min(p, q);
-    e.on[A].w = e.on[B].w = e.on[E].w = e.on[F].w = both;
-    if (std::abs(p - q) <= e.tolerances->rounding_mm) return;
-    e.repaired("seams-uneven",
-               fmt::format("its seams are {} and {} away from the mountain fold, "
-                           "which hold it only at the same "
-                           "distance; both are now {} away",
-                           mm(p), mm(q), mm(both)),
-               "put both seams at the same distance from the fold");
-}
+constexpr std::array<std::string_view, 1> kOtherNames{"strap"};
 
 // As wide as the seams are apart, neither less nor more.
 void make_flat(Element& e) {
@@ -53,7 +38,7 @@ void make_flat(Element& e) {
 
 bool constrain(Element& e) {
     if (!constrain_page(e)) return false;
-    make_even(e);
+    if (e.site.mountain) make_even(e, "mountain fold, which hold it only at the same distance");
     if (!constrain_piece(e)) return false;
     make_flat(e);
     return constrain_outline(e);
@@ -75,7 +60,7 @@ const ElementRow kLayer = {{.name = "layer",
                             .grounds = {.seam = true},
                             .parameters = kDrawnHalves,
                             .since = "3.0",
-                            .also = "strap"},
+                            .also = kOtherNames},
                            stands_on,
                            constrain,
                            fold_lines,

@@ -72,7 +72,9 @@ const ElementInfo* find_element(std::string_view name_or_code) {
     const std::string name = plain(name_or_code);
     for (const ElementInfo& info : element_table()) {
         if (number ? info.code == code
-                   : plain(info.name) == name || (!info.also.empty() && plain(info.also) == name))
+                   : plain(info.name) == name ||
+                         std::any_of(info.also.begin(), info.also.end(),
+                                     [&](std::string_view also) { return plain(also) == name; }))
             return &info;
     }
     return nullptr;

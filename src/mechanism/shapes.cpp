@@ -47,7 +47,7 @@ FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment rig
     return {{left, left, like}, {centre, centre, 360 - like}, {right, right, like}};
 }
 
-void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
+SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
     const Site& site = element.site;
     const int page = site.left_page;
     const int piece = builder.skeleton().draft.plates[static_cast<std::size_t>(site.left_plate)].piece;
@@ -84,6 +84,7 @@ void lower_slit(const Element& element, Builder& builder, const FoldLines& folds
     bars.left.plate = left;
     bars.right.plate = right;
     builder.add_joint({id, element.paint.place, bars});
+    return {left, right};
 }
 
 void lower_glued(const Element& element, Builder& builder, const FoldLines& folds, GluedShape shape) {

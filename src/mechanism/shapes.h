@@ -33,7 +33,10 @@ struct SlitShape {
     bool parallel = false;
     Bar left_bar, right_bar;
 };
-void lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape);
+struct SlitPlates {
+    int left, right;
+};
+SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape);
 
 // A piece that its centre fold divides, in coordinates of its own page.
 struct Halves {

@@ -128,8 +128,20 @@ void lower(const Element& e, Builder& builder) {
     lower_slit(e, builder, folds, std::move(shape));
 }
 
-constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "step", inverted, false, about, kPoints, kPartners},
+// Glassner's (section 7).
+constexpr std::array<std::string_view, 1> kOtherNames{"double-slit"};
+
+constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about,
+                         std::span<const std::string_view> also = {}) {
+    return {{.name = name,
+             .code = code,
+             .family = "step",
+             .inverted = inverted,
+             .glued = false,
+             .about = about,
+             .points = kPoints,
+             .partners = kPartners,
+             .also = also},
             span,
             constrain,
             fold_lines,
@@ -140,7 +152,7 @@ constexpr ElementRow row(std::string_view name, int code, bool inverted, std::st
 }  // namespace
 
 const ElementRow kStep =
-    row("step", 0, false, "two cuts across a valley fold; a box that stands out of the page");
+    row("step", 0, false, "two cuts across a valley fold; a box that stands out of the page", kOtherNames);
 const ElementRow kInvertedStep =
     row("inverted-step", 1, true, "a step on a mountain fold; it sinks behind it");
 

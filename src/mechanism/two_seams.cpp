@@ -167,7 +167,7 @@ bool constrain_page(Element& e) {
     if (heading(e) * (e.on[F].s - e.on[E].s) < 0.0) {
         e.failed("outline-crosses",
                  "the seams A–B and E–F run in opposite directions, so that the free edges cross",
-                 "exchange E with F, and K with L");
+                 e.extra.empty() ? "exchange E with F" : "exchange E with F, and K with L");
         return false;
     }
     return fit_seam(e, Side::left, A, B, "A–B") && fit_seam(e, Side::right, E, F, "E–F");
@@ -203,6 +203,27 @@ bool constrain_piece(Element& e) {
 }
 
 bool constrain_outline(Element& e) { return !has_silhouette(e) || constrain_silhouette(e, piece_lines(e)); }
+
+void make_even(Element& e, std::string_view why) {
+    const double p = e.on[A].w;
+    const double q = e.on[E].w;
+    if (p == q) return;
+    const double both = std::min(p, q);
+    e.on[A].w = e.on[B].w = e.on[E].w = e.on[F].w = both;
+    if (std::abs(p - q) <= e.tolerances->rounding_mm) return;
+    e.repaired("seams-uneven",
+               fmt::format("its seams are {} and {} away from the {}; both are now {} away", mm(p), mm(q),
+                           why, mm(both)),
+               "put both seams at the same distance from the fold");
+}
+
+std::pair<double, double> common_stretch(const Element& e) {
+    const auto [left_lo, left_hi] = std::minmax(e.on[A].s, e.on[B].s);
+    const auto [right_lo, right_hi] = std::minmax(e.on[E].s, e.on[F].s);
+    return {std::max(left_lo, right_lo), std::min(left_hi, right_hi)};
+}
+
+bool runs_along(const Element& e) { return heading(e) > 0.0; }
 
 void set_width(Element& e, double wide) {
     const Vec2 out = 0.5 * (wide - width(e)) * axes(e).across;

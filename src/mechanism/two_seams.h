@@ -42,6 +42,13 @@ bool constrain_page(Element& e);
 bool constrain_piece(Element& e);
 // Makes the outline that is drawn, if any, fit the seams as they are then; false after failed().
 bool constrain_outline(Element& e);
+// Over a fold that needs both seams at one distance, the farther comes as near as the other, where there is
+// most likely paper. `why` ends the sentence "its seams are 10.00 mm and 12.00 mm away from the".
+void make_even(Element& e, std::string_view why);
+// The stretch along the fold that both seams on the page have in common: from, to. Empty where to < from.
+std::pair<double, double> common_stretch(const Element& e);
+// Whether A–B runs in the fold's direction.
+bool runs_along(const Element& e);
 // Moves both seams of the piece apart, or together, alike.
 void set_width(Element& e, double wide);
 

@@ -85,7 +85,7 @@ std::vector<Protrusion> protrusions(const Assembly& assembly, const ClosedPlane&
     std::vector<Protrusion> result;
     for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
         const Frame& frame = frames[i];
-        std::vector<Ring> outside{flattened(i, assembly.plates[i].outline.outer)};
+        std::vector<Ring> outside{flattened(i, reach_of(assembly.plates[i]).outer)};
         if (!convex) {
             std::vector<Ring> rings;
             for (const Polygon& part : subtract({{outside[0], {}}}, card)) rings.push_back(part.outer);

@@ -1,6 +1,8 @@
 #include "motion/plate_shape.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/geometry/hull.h"
@@ -30,21 +32,55 @@ Patches::Patches(std::vector<Triangle2> triangles) : triangles_(std::move(triang
     boxes_ = EdgeIndex({}, diagonals);
 }
 
+Polygon reach_of(const Plate& plate) {
+    if (!plate.rivet) return plate.outline;
+    constexpr double kMoreMm = 0.005;
+    double most = 0.0;
+    for (const Vec2 p : plate.outline.outer) most = std::max(most, distance(p, *plate.rivet));
+    // Where the rivet is beside it, it leaves a circle free.
+    double least = 0.0;
+    if (!contains({plate.outline.outer, {}}, *plate.rivet)) {
+        least = most;
+        for (const Segment& edge : edges_of({plate.outline.outer, {}}))
+            least = std::min(least, distance(*plate.rivet, edge));
+    }
+    const auto circle = [&](double radius, int corners) {
+        Ring ring;
+        for (int i = 0; i < corners; ++i) {
+            const double turn = 2.0 * std::numbers::pi * i / corners;
+            ring.push_back(*plate.rivet + radius * Vec2{std::cos(turn), std::sin(turn)});
+        }
+        return ring;
+    };
+    // The sides of the polygon round the outer circle touch it, those of the one in the inner circle are its
+    // chords.
+    const double half = std::acos(most / (most + kMoreMm));
+    const int corners = std::max(8, static_cast<int>(std::ceil(std::numbers::pi / half)));
+    Polygon swept{circle(most / std::cos(std::numbers::pi / corners), corners), {}};
+    if (least > kMoreMm) {
+        Ring hole = circle(least, corners);
+        std::reverse(hole.begin(), hole.end());
+        swept.holes.push_back(std::move(hole));
+    }
+    return swept;
+}
+
 PlateShape plate_shape(const Plate& plate) {
+    const Polygon reach = reach_of(plate);
     PlateShape shape;
-    shape.hull = convex_hull(plate.outline.outer);
-    shape.box = bounds(plate.outline.outer);
+    shape.hull = convex_hull(reach.outer);
+    shape.box = bounds(reach.outer);
     shape.radius = 0.5 * std::min(shape.box.width(), shape.box.height());
     std::vector<Triangle2> whole;
-    append(plate.outline, whole);
+    append(reach, whole);
     std::vector<Triangle2> core;
     // At notches the arcs of what is taken away are chords, so that too little is taken and not too much.
-    for (const Polygon& part : offset({plate.outline}, -kTouchMm, Corners::rounded)) append(part, core);
+    for (const Polygon& part : offset({reach}, -kTouchMm, Corners::rounded)) append(part, core);
     shape.whole = Patches(std::move(whole));
     shape.core = Patches(std::move(core));
-    shape.edges = EdgeIndex(edges_of(plate.outline));
-    shape.rings.push_back(plate.outline.outer);
-    for (const Ring& hole : plate.outline.holes) shape.rings.push_back(hole);
+    shape.edges = EdgeIndex(edges_of(reach));
+    shape.rings.push_back(reach.outer);
+    for (const Ring& hole : reach.holes) shape.rings.push_back(hole);
     return shape;
 }
 

@@ -31,6 +31,10 @@ class Patches {
     EdgeIndex boxes_;  // by their diagonals
 };
 
+// All the paper that a plate may be at while the card stands still: its outline, or of one that is turned by
+// hand all that it sweeps, and up to 0.005 mm more. Coordinates of its page.
+Polygon reach_of(const Plate& plate);
+
 // Coordinates of the plate's page.
 struct PlateShape {
     Ring hull;            // convex, of the whole plate

@@ -77,6 +77,9 @@ struct Writer {
 
     void text(const char* name, const std::string& value) { to[name] = value; }
     void flag(const char* name, bool value) { to[name] = value; }
+    void flag_if_set(const char* name, bool value) {
+        if (value) flag(name, value);
+    }
     void sign(const char* name, int value) { to[name] = value; }
     template <typename Word, typename Words>
     void word(const char* name, Word value, const Words& words) {

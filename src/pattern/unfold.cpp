@@ -222,7 +222,7 @@ class Unfolder {
 
     void add_tab(const Glue& glue) {
         const SeamFrame on_piece(glue.on_piece, true);
-        const SeamFrame on_base(glue.on_base, false);
+        const SeamFrame on_base(glue.on_base, glue.on_back);
         const int piece_number = in_.plates[at(glue.piece_plate)].piece;
         Work& work = pieces_[at(piece_number)];
         EdgeIndex& base = on_plate(glue.base_plate);
@@ -242,16 +242,18 @@ class Unfolder {
             add_part(glue, on_piece, part, work);
             Ring target;
             for (const Vec2 p : part) target.push_back(on_base.to_page(p));
+            if (glue.on_back) continue;
             // The base sees the tab from the other side: what was counter-clockwise is clockwise.
             insert_ring(base, target);
             std::reverse(target.begin(), target.end());
             under.piece.targets.push_back({std::move(target), glue.base_plate});
         }
         add_rest_of_seam(on_piece, parts, work);
-        base.insert(glue.on_base, false);
+        if (!glue.on_back) base.insert(glue.on_base, false);
         if (const auto spot = place_in_tab(parts, glue.label)) {
             work.piece.labels.push_back({LabelKind::tab, glue.label, on_piece.to_page(spot->at), spot->height,
                                          on_piece.text_angle()});
+            if (glue.on_back) return;
             under.piece.labels.push_back({LabelKind::target, glue.label, on_base.to_page(spot->at),
                                           spot->height, on_base.text_angle()});
         }

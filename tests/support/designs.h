@@ -38,6 +38,10 @@ Design generate(std::uint64_t seed, int elements, double width_mm = 279.4, doubl
 // or seams.
 Design generate_of(const ElementInfo& info, std::uint64_t seed, int elements);
 
+// A random design of all elements of the table on all that they may stand on, with drawn outlines on half of
+// the pieces that may have one; as of generate().
+Design generate_any(std::uint64_t seed, int elements);
+
 // A long card, to see what size costs: groups of five along the gutter, a step, a smaller one on its side
 // fold, one on its centre fold, a tent beside it, and a v-fold on the tent's centre fold. Nothing collides.
 // At least five elements.

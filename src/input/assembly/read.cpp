@@ -131,6 +131,7 @@ bool get(const JsonValue& json, std::optional<T>& value) {
 
 // What a value of the type looks like, for messages.
 constexpr std::string_view looks(const Vec2& /*of*/) { return "a point, [x, y]"; }
+constexpr std::string_view looks(const std::optional<Vec2>& /*of*/) { return "a point, [x, y]"; }
 constexpr std::string_view looks(const Segment& /*of*/) { return "a line, [[x, y], [x, y]]"; }
 constexpr std::string_view looks(const Ring& /*of*/) { return "a list of points, [[x, y], ...]"; }
 constexpr std::string_view looks(const Polygon& /*of*/) { return R"({"outer": a ring, "holes": [rings]})"; }
@@ -182,6 +183,9 @@ class Reader {
         if (json == nullptr) return;
         if (json->flag() == nullptr) return wrong(name, *json, "true or false");
         value = *json->flag();
+    }
+    void flag_if_set(const char* name, bool& value) {
+        if (found(name) != nullptr) flag(name, value);
     }
     void sign(const char* name, int& value) {
         const JsonValue* json = needed(name);

@@ -246,6 +246,20 @@ bool is_attribute(ParameterKind kind) {
     return kind == ParameterKind::length || kind == ParameterKind::number || kind == ParameterKind::choice;
 }
 
+// Of a choice of that name, in all rows that have one.
+std::vector<std::string_view> words_of(std::string_view name) {
+    std::vector<std::string_view> words;
+    for (const ElementInfo& info : element_table()) {
+        for (const ParameterInfo& parameter : info.parameters) {
+            if (parameter.name != name) continue;
+            for (const std::string_view word : parameter.words) {
+                if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+            }
+        }
+    }
+    return words;
+}
+
 std::string value_elements() {
     std::string out;
     for (const ParameterInfo* parameter :
@@ -270,7 +284,7 @@ std::string value_attributes() {
             "    <xs:attribute name=\"{}\">\n      <xs:simpleType>\n        <xs:restriction "
             "base=\"xs:string\">\n",
             parameter->name);
-        for (const std::string_view word : parameter->words)
+        for (const std::string_view word : words_of(parameter->name))
             out += fmt::format("          <xs:enumeration value=\"{}\"/>\n", word);
         out += "        </xs:restriction>\n      </xs:simpleType>\n    </xs:attribute>\n";
     }

@@ -83,25 +83,6 @@ std::optional<Vec2> parallel_centre(const FourBar& bars, const FoldFrame& fold) 
 
 }  // namespace
 
-FoldFrame fold_frame(const FourBar& bars, const Frame& left, const Frame& right) {
-    const Vec3 out_l = left.direction(bars.left.fold_out);
-    const Vec3 out_r = right.direction(bars.right.fold_out);
-    const Vec3 normals = left.normal() + right.normal();
-    const Vec3 outs = out_l + out_r;
-    FoldFrame fold;
-    fold.along = left.direction(bars.left.fold_dir);
-    fold.s = 0.5 * length(out_r - out_l);
-    // Near 0° and 360° the normals' sum vanishes: there the kind of closing says which of the two it is.
-    if (fold.s > 0.5) {
-        fold.c = 0.5 * dot(outs, unit(normals));
-    } else {
-        fold.c = 0.5 * length(outs) * (bars.closing == Closing::outside ? -1.0 : 1.0);
-    }
-    fold.bisector = 0.5 * (fold.s * normals + fold.c * outs);
-    fold.across = 0.5 * (fold.s * (out_r - out_l) + fold.c * (left.normal() - right.normal()));
-    return fold;
-}
-
 Frame plate_frame(const Bar& bar, Vec3 seam, Vec3 centre, Vec3 at) {
     const Vec3 e1 = unit(seam);
     const Vec3 e2 = unit(centre - dot(centre, e1) * e1);
@@ -136,7 +117,8 @@ std::optional<PlatePair> solve(const FourBar& bars, const Frame& left, const Fra
             break;
         case Closing::inside:
         case Closing::outside: {
-            const FoldFrame fold = fold_frame(bars, left, right);
+            const FoldFrame fold = fold_frame({left, l.fold_dir, l.fold_out}, {right, r.fold_dir, r.fold_out},
+                                              bars.closing == Closing::outside);
             if (bars.parallel) {
                 const auto centre = parallel_centre(bars, fold);
                 if (!centre) return std::nullopt;

@@ -14,16 +14,10 @@
 
 #include <optional>
 
+#include "motion/joints/fold_frame.h"
 #include "popup/joints.h"
 
 namespace popup {
-
-// The parent fold in the world, from the frames of the two driving plates.
-struct FoldFrame {
-    Vec3 along, bisector, across;  // unit, mutually perpendicular to rounding
-    double c = 0.0, s = 1.0;       // of half the dihedral angle on the front side; s ≥ 0
-};
-FoldFrame fold_frame(const FourBar& bars, const Frame& left, const Frame& right);
 
 // The frames of the element's plates; nullopt when the linkage cannot reach this dihedral angle.
 struct PlatePair {

@@ -4,7 +4,7 @@
 namespace popup {
 
 JointPlates plates_of(const Rigid& how) {
-    const Lying lying = how.back ? Lying::on_back : Lying::on_front;
+    const Lying lying = how.back || how.behind ? Lying::on_back : Lying::on_front;
     return {{{how.plate, how.base, how.own_at, lying}}, {how.base}};
 }
 
@@ -37,6 +37,7 @@ std::optional<Slid> slid(const Rigid& how, double mm) {
 std::optional<std::string> fault_of(const Rigid& how) {
     if (!is_unit(how.base_dir)) return "base_dir is no unit vector";
     if (!is_unit(how.own_dir)) return "own_dir is no unit vector";
+    if (how.back && how.behind) return "its front cannot face both ways: back and behind exclude each other";
     return std::nullopt;
 }
 

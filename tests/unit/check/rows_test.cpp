@@ -22,6 +22,7 @@ constexpr std::array<PointInfo, 4> kFlagPoints{{{"A", PointPage::fold, '-'},
                                                 {"B", PointPage::fold, '-'},
                                                 {"G", PointPage::extra, '-'},
                                                 {"H", PointPage::extra, '-'}}};
+constexpr std::array<std::string_view, 1> kFlagNames{"banner"};
 constexpr std::array<int, 4> kFlagPartners{0, 1, 2, 3};
 constexpr std::array<std::string_view, 2> kSides{"front", "back"};
 constexpr std::array<ParameterInfo, 6> kFlagParameters{
@@ -98,7 +99,7 @@ const ElementRow kFlag = {{.name = "flag",
                            .parameters = kFlagParameters,
                            .folds = {},
                            .since = "3.0",
-                           .also = "banner"},
+                           .also = kFlagNames},
                           [](const Element&) {
                               return std::pair{0.0, 0.0};
                           },

@@ -450,8 +450,8 @@ struct Rows {
         rows.push_back({"drawline", 1, -1, draw_line});
         for (const ElementInfo& info : element_table()) {
             std::vector<std::string> spellings = names_of(info.name);
-            if (!info.also.empty()) {
-                for (std::string& name : names_of(info.also)) spellings.push_back(std::move(name));
+            for (const std::string_view also : info.also) {
+                for (std::string& name : names_of(also)) spellings.push_back(std::move(name));
             }
             for (std::string& name : spellings) {
                 names.push_back(std::move(name));

@@ -241,7 +241,8 @@ std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::op
     paint_element(card, design.structures.size() - 1, wanted.paint);
 
     folds.reset();
-    if (const auto lines = folds_of(info, fold, card.glued, on_pages)) {
+    const Structure& added = design.structures.back();
+    if (const auto lines = folds_of(info, fold, card.glued, on_pages, added.arguments)) {
         folds = card.folds.size();
         card.folds.insert(card.folds.end(), lines->begin(), lines->end());
     }

@@ -103,7 +103,7 @@ TEST(Schema, WhatIsNotCanonicalIsInvalid) {
         {"page=\"0\"", "page=\"0.5\""},
         {"#ffcc00", "gold"},
         {"<point x=\"0\" y=\"1.5\"/>", "<point>0,1.5</point>"},
-        {"<point x=\"0\" y=\"1.5\"/>", ""},
+        {"<point x=\"0\" y=\"1.5\"/><point x=\"-1.25\" y=\"0.5\"/>", ""},
         {"<end x=\"0\" y=\"4.25\"/>", ""},
         {"thickness=\"2\"", "thickness=\"-1\""},
         {"<point x=\"-3\" y=\"-2\"/>", ""},

@@ -1,0 +1,116 @@
+#include "mechanism/attach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/geometry/regions.h"
+#include "mechanism/site_lines.h"
+
+namespace popup {
+namespace {
+
+enum { G, H };  // of `extra`
+
+constexpr double kGlueInsetMm = 1.0;  // glue stays this far away from folds and edges
+constexpr double kLeastGlueMm2 = 25.0;
+constexpr double kLostGlueMm2 = 0.5;  // more of a given area may not lie beside the paper
+
+// Where points of the piece's page lie on the plate's page.
+struct Laid {
+    Vec2 from, own_dir, to, base_dir;
+    bool back;
+
+    [[nodiscard]] Vec2 operator()(Vec2 p) const {
+        const Vec2 d = p - from;
+        const double aside = cross(own_dir, d);
+        return to + dot(own_dir, d) * base_dir + (back ? -aside : aside) * left_of(base_dir);
+    }
+};
+
+Laid laid(const Element& e, const Bed& bed) {
+    return {e.extra[G], unit(e.extra[H] - e.extra[G]), bed.line.a, unit(bed.line.b - bed.line.a), bed.back};
+}
+
+std::vector<Polygon> glued_area(const Element& e, const Bed& bed) {
+    const Laid lay = laid(e, bed);
+    std::vector<Polygon> piece;
+    for (Polygon part : areas_of(e, "outline")) {
+        for (Vec2& p : part.outer) p = lay(p);
+        for (Ring& hole : part.holes) {
+            for (Vec2& p : hole) p = lay(p);
+        }
+        piece.push_back(std::move(part));
+    }
+    const std::span<const Polygon> given = areas_of(e, "glue");
+    if (given.empty()) return intersect(piece, bed.paper(kGlueInsetMm));
+    const std::vector<Polygon> on_piece = intersect(piece, {given.begin(), given.end()});
+    return intersect(on_piece, bed.paper(0.0));
+}
+
+}  // namespace
+
+bool constrain_line(Element& e, const Bed& bed, std::string_view name) {
+    const double least = e.tolerances->min_length_mm;
+    const double base = distance(bed.line.a, bed.line.b);
+    const double own = distance(e.extra[G], e.extra[H]);
+    if (std::min(base, own) < least) {
+        e.failed("degenerate",
+                 fmt::format("the lines {} and G–H are {} and {} long; the least is {}", name, mm(base),
+                             mm(own), mm(least)),
+                 "draw both at least that long, so that they say how the piece is turned");
+        return false;
+    }
+    e.extra[H] = e.extra[G] + (base / own) * (e.extra[H] - e.extra[G]);
+    if (std::abs(base - own) > e.tolerances->rounding_mm) {
+        e.repaired("seam-length",
+                   fmt::format("G–H is {} long and {}, on which it lies, {}; H was moved along the line",
+                               mm(own), name, mm(base)),
+                   fmt::format("make G–H as long as {}", name));
+    }
+    return true;
+}
+
+bool constrain_attached(Element& e, const Bed& bed) {
+    const std::span<const Polygon> outline = areas_of(e, "outline");
+    if (outline.size() != 1) {
+        e.failed("outline-crosses",
+                 fmt::format("its outline encloses {} areas that do not hang together", outline.size()),
+                 "draw one area, with holes where it has any");
+        return false;
+    }
+    const std::vector<Polygon> glue = glued_area(e, bed);
+    const double good = area(glue);
+    double given = 0.0;
+    for (const Polygon& part : areas_of(e, "glue")) given += area(part);
+    if (given - good > kLostGlueMm2) {
+        e.failed(
+            "does-not-fit",
+            fmt::format("{:.1f} mm² of its glue area of {:.1f} mm² lie beside the plate or beside the piece",
+                        given - good, given),
+            "draw the glue area where the piece lies on the plate's paper, or leave it out");
+        return false;
+    }
+    if (good >= kLeastGlueMm2) return true;
+    e.failed("does-not-fit",
+             fmt::format(
+                 "only {:.1f} mm² of it lie on its plate, {} away from folds and edges; {:.0f} mm² are the "
+                 "least that holds",
+                 good, mm(kGlueInsetMm), kLeastGlueMm2),
+             "move its line further onto the plate, or make the piece larger there");
+    return false;
+}
+
+void lower_attached(const Element& e, const Bed& bed, Builder& builder, int base) {
+    const Laid lay = laid(e, bed);
+    const int piece = builder.add_piece(e.paint.id);
+    const int plate = builder.add_cut_plate(e.paint.id, piece, e.extra_page, areas_of(e, "outline").front(),
+                                            color_of(e, "color"));
+    builder.add_curves(curves_of(e, "outline"));
+    builder.add_curves(curves_of(e, "glue"));
+    builder.add_joint({e.paint.id, e.paint.place,
+                       Rigid{plate, base, lay.to, lay.base_dir, lay.from, lay.own_dir, lay.back}});
+    builder.add_glued_area({plate, base, glued_area(e, bed), e.label, e.paint.id, e.paint.place});
+}
+
+}  // namespace popup
