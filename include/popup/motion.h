@@ -104,14 +104,24 @@ struct Examination {
     std::size_t poses = 0;  // poses of pairs that were looked at
 };
 
+// Plates that the opening does not force, and that hang together: where they are is not settled by how far
+// the card is open, although every fold and seam is. Pushed by a finger they move, and the card stands still.
+struct FreePlates {
+    std::vector<int> plates;  // ascending
+    int ways = 1;             // how many: so many numbers settle, besides the opening, where the plates are
+    int lines = 0;            // folds and seams that hold them, among themselves and to others
+    bool parallel = false;    // all of these run in one direction
+};
+
 // What the simulation found. Frames are not stored (they cost 96 bytes a plate and angle): ask for them
 // again.
 struct Motion {
     std::vector<Angle> angles;  // those asked for, and the first and last angle of every contact
     Solver solver = Solver::closed_form;
-    double max_closure_mm = 0.0;  // largest opening of any fold or seam at any of the angles asked for
-    double flat_error_deg = 0.0;  // largest angle of a plate to the closed card, at 0°
-    bool flat_closed = false;     // flat_error_deg within tolerance
+    double max_closure_mm = 0.0;         // largest opening of any fold or seam at any of the angles asked for
+    double flat_error_deg = 0.0;         // largest angle of a plate to the closed card, at 0°
+    bool flat_closed = false;            // flat_error_deg within tolerance
+    std::vector<FreePlates> not_forced;  // as free_plates() has them; none with Solver::iterative
     std::optional<Examination> examination;  // none: not examined
 };
 
@@ -148,10 +158,23 @@ double closure_error(const Assembly& assembly, std::span<const Frame> frames, in
 // near linear in plates, for plates that each have few others near.
 Examination examine(const Assembly& assembly, const MotionOptions& options);
 
+// Which plates the opening does not force, by their first plates; empty: it forces all of them. Each plate is
+// in at most one of the groups, and groups move independently of one another. A floating layer on a pillar
+// and two walls, all parallel and of one height, is one group of five plates and one way.
+//
+// Known from the rank of the loop closures' Jacobian (motion/forced.h has the formula): nothing is asked of
+// elements or kinds of joints, but what the hinges, glued areas and drives of the assembly hold. A plate is
+// named when it is free at each of three openings that have nothing to do with each other, for at single ones
+// a linkage may lie so that it is free for a moment; `ways` is the least of theirs. Thickness and bending of
+// paper, and friction, force nothing. Openings that a joint cannot reach are left out. Cost: near linear in
+// plates, as long as not many of them are free together.
+std::vector<FreePlates> free_plates(const Assembly& assembly);
+
 // Simulates and judges. Errors name the element that is not flat at 0° (`not-flat`), whose seams do not meet
 // (`seam-open`), that jumps to its mirror image (`jumps`), or that stops before the card is open (`locks`):
 // at any angle, not only at those asked for. Warnings: `collision`, `protrusion`, `layer-order`,
-// `clearance-low`; remark: `undecided`. With Solver::iterative only figures are taken; its inaccuracy is not
+// `clearance-low`; remarks: `undecided`, and `not-forced` for each of free_plates(), which is looked at
+// whether or not the motion is examined. With Solver::iterative only figures are taken; its inaccuracy is not
 // held against the design, and nothing is examined. Cost: angles × plates, and that of examine().
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics);

@@ -42,6 +42,19 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "At the closed card every plate must lie in one plane, or the card does not shut. An element of this "
      "design does not fold flat; usually its angles were taken as they are because a repair was not "
      "allowed."},
+    {"not-forced", Severity::remark, "the opening does not force where a plate is",
+     "Every fold and seam of these plates is where it should be, and still they can be pushed to and fro "
+     "while the card stands still: the loops of folds and seams leave so many ways open. Known from the rank "
+     "of the equations by which the loops close, at three openings. The model shows one of the motions that "
+     "they may have, and the examination for collisions knows only that one; in paper, gravity, stiff folds "
+     "and whoever opens the card decide. What is meant to be moved by hand needs nothing. Else hold it by "
+     "one "
+     "more linkage for each way. A wall whose folds are parallel to those that are there, and as high, "
+     "forces "
+     "nothing, because it moves along; a v-fold or a box between the plate and what it stands on does, and "
+     "so "
+     "does a wall that is double, with its two halves glued apart from each other. A plate that turns about "
+     "one line only wants a second edge glued."},
     {"protrusion", Severity::warning, "a plate sticks out of the closed card",
      "When the card is closed, every plate should lie between its covers. This one reaches over their "
      "edge: the message says how far, and on which side. It will be seen there before the card is opened, "

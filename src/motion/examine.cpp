@@ -2,19 +2,17 @@
 #include "motion/examine.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "motion/cells.h"
 #include "motion/closed_card.h"
 #include "motion/contacts.h"
+#include "motion/sweep.h"
 
 namespace popup {
 namespace {
 
-// Plates that touch at angles that have nothing to do with each other are joined: they share a fold, a seam,
-// an apex.
-constexpr std::array kTellingDegs{37.3, 91.7, 143.9};  // of a sweep from 0° to 180°
+// Plates that touch at all telling angles are joined: they share a fold, a seam, an apex.
 constexpr double kJoinedMm = 1e-6;
 constexpr double kFlushMm = 1e-3;
 // What is near until the card is closed (or lies flat) is so because it folds, below this angle.

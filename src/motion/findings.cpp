@@ -19,6 +19,26 @@ constexpr std::size_t kMostPlates = 400;
 // What collides from here on is told of as a collision, and not once more as layers without an order.
 constexpr double kClosedDeg = 1.0;
 
+// Other elements that are named in one finding, so that a tall one says no more than can be read.
+constexpr std::size_t kMostOthers = 8;
+
+std::string what_would_force(const FreePlates& one) {
+    if (one.lines <= 1) {
+        return one.lines == 0
+                   ? "fold it or glue it to something that moves with the card"
+                   : "it turns about one line only: glue a second edge of it, glue it flat, or put "
+                     "a v-fold or a box between it and what it stands on";
+    }
+    if (one.parallel) {
+        return "all folds and seams that hold it run in one direction, and one more wall of that direction "
+               "and the same height forces nothing: put a v-fold or a box between, whose folds run across, "
+               "or "
+               "make one wall double";
+    }
+    return fmt::format("hold it by {} more, such as a v-fold or a box between it and what it stands on",
+                       one.ways == 1 ? "one linkage" : fmt::format("{} linkages", one.ways));
+}
+
 class Findings {
  public:
     Findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
@@ -257,6 +277,34 @@ void report_findings(const Assembly& assembly, const Linkage& linkage, std::span
     findings.layers(found);
     if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);
     findings.undecided(found);
+}
+
+void report_not_forced(const Assembly& assembly, const Linkage& linkage, std::span<const FreePlates> all,
+                       Diagnostics& diagnostics) {
+    for (const FreePlates& one : all) {
+        const auto name = [&](std::size_t i) -> const std::string& {
+            return assembly.plates[static_cast<std::size_t>(one.plates[i])].name;
+        };
+        const std::size_t count = one.plates.size();
+        std::string who = fmt::format("\"{}\"", name(0));
+        if (count == 2) who += fmt::format(" and \"{}\"", name(1));
+        if (count > 2) who += fmt::format(" and {} plates that hang together with it", count - 1);
+        const Joint& first = linkage.element(one.plates[0]);
+        Diagnostic& finding =
+            diagnostics.remark("not-forced", first.place,
+                               fmt::format("the opening of the card does not force {}: free in {} {}", who,
+                                           one.ways, one.ways == 1 ? "way" : "ways"));
+        finding.about(first.name).hint(what_would_force(one));
+        std::vector<int> told{linkage.joint_of(one.plates[0])};
+        for (const int plate : one.plates) {
+            const int joint = linkage.joint_of(plate);
+            if (std::find(told.begin(), told.end(), joint) != told.end()) continue;
+            if (told.size() > kMostOthers) break;
+            told.push_back(joint);
+            const Joint& other = linkage.element(plate);
+            finding.with(other.place, fmt::format("\"{}\"", other.name));
+        }
+    }
 }
 
 }  // namespace popup

@@ -14,4 +14,8 @@ namespace popup {
 void report_findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
                      const Examination& found, const MotionOptions& options, Diagnostics& diagnostics);
 
+// One remark for each group of plates that the opening does not force, at the element of its first plate.
+void report_not_forced(const Assembly& assembly, const Linkage& linkage, std::span<const FreePlates> all,
+                       Diagnostics& diagnostics);
+
 }  // namespace popup

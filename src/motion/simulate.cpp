@@ -125,6 +125,8 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
         }
         if (!judge.closes(at, motion.max_closure_mm)) return std::nullopt;
     }
+    motion.not_forced = free_plates(assembly);
+    report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
     if (!options.examine) return motion;
     const std::vector<PlateShape> shapes = plate_shapes(assembly);
     motion.examination = examine(assembly, judge.linkage, shapes, options);

@@ -1,6 +1,8 @@
 // Which openings of a sweep the passes over a motion look at.
 #pragma once
 
+#include <array>
+
 #include "popup/assembly.h"
 
 namespace popup {
@@ -19,5 +21,9 @@ inline double least_opening(const Sweep& sweep) {
 inline double opening_at(const Sweep& sweep, double deg) {
     return sweep.from_deg + deg * ((sweep.to_deg - sweep.from_deg) / 180.0);
 }
+
+// Openings that have nothing to do with each other, of a sweep from 0° to 180°: what holds at all of them
+// holds of the linkage, and not of one of its poses.
+inline constexpr std::array kTellingDegs{37.3, 91.7, 143.9};
 
 }  // namespace popup

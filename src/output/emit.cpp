@@ -208,6 +208,10 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion) {
     append(out, motion.flat_closed ? ",\n  \"flat_closed\": true" : ",\n  \"flat_closed\": false");
     append(out, ",\n  \"flat_error_deg\": ");
     append_value(out, motion.flat_error_deg, kAngle);
+    if (!motion.not_forced.empty()) {
+        append(out, ",\n  \"not_forced\": ");
+        append(out, json_text_within(not_forced_json(assembly, motion.not_forced), 1));
+    }
     append(out, ",\n  \"examination\": ");
     append(out, motion.examination ? json_text_within(examination_json(assembly, motion.examination), 1)
                                    : std::string("null"));

@@ -22,6 +22,7 @@ namespace popup {
 std::string emit_assembly(const Assembly& assembly);
 
 // {stem, solver: "closed-form" or "iterative", max_closure_error_mm, flat_closed, flat_error_deg,
+//  not_forced: as not_forced_json() says, left out where there is nothing of it,
 //  examination: as examination_json() says, null when there was none,
 //  frames: [{angle_deg, closure_error_mm,
 //    plates: [{name, frame: {axes: [x, y, front], origin}, outline: [[x, y, z] …]}]}]}

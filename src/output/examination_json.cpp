@@ -56,6 +56,9 @@ class Rows {
         row["point_mm"] = vector(one.point, kPoint);
         return row;
     }
+    [[nodiscard]] Json row(const FreePlates& one) const {
+        return {{"plates", names(one.plates)}, {"free", one.ways}};
+    }
     [[nodiscard]] Json row(const Undecided& one) const { return pair(one); }
     [[nodiscard]] Json row(const Approach& one) const {
         Json row = pair(one);
@@ -86,6 +89,10 @@ class Rows {
 
 double told_deg(double angle_deg) { return rounded(angle_deg, kAngle); }
 double told_mm(double length_mm) { return rounded(length_mm, kLength); }
+
+Json not_forced_json(const Assembly& assembly, const std::vector<FreePlates>& all) {
+    return Rows(assembly).list(all);
+}
 
 Json examination_json(const Assembly& assembly, const std::optional<Examination>& examination) {
     if (!examination) {

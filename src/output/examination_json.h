@@ -23,6 +23,9 @@ namespace popup {
 nlohmann::ordered_json examination_json(const Assembly& assembly,
                                         const std::optional<Examination>& examination);
 
+// The plates that the opening does not force: [{plates: [plate …], free}], `free` being in how many ways.
+nlohmann::ordered_json not_forced_json(const Assembly& assembly, const std::vector<FreePlates>& all);
+
 // The values that a collision shows wherever it is told, rounded as above.
 double told_deg(double angle_deg);
 double told_mm(double length_mm);

@@ -46,6 +46,7 @@ Json motion(const Assembly& assembly, const Motion& motion) {
              {"max_closure_error_mm", rounded(motion.max_closure_mm, kClosure)},
              {"flat_closed", motion.flat_closed},
              {"flat_error_deg", rounded(motion.flat_error_deg, kAngle)}};
+    if (!motion.not_forced.empty()) row["not_forced"] = not_forced_json(assembly, motion.not_forced);
     row.update(examination_json(assembly, motion.examination));
     return row;
 }
