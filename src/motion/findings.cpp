@@ -23,20 +23,19 @@ constexpr double kClosedDeg = 1.0;
 constexpr std::size_t kMostOthers = 8;
 
 std::string what_would_force(const FreePlates& one) {
-    if (one.lines <= 1) {
-        return one.lines == 0
-                   ? "fold it or glue it to something that moves with the card"
-                   : "it turns about one line only: glue a second edge of it, glue it flat, or put "
-                     "a v-fold or a box between it and what it stands on";
+    if (one.lines == 0) return "fold it or glue it to something that moves with the card";
+    if (one.lines == 1) {
+        return "it turns about one line only: glue a second edge of it, or glue it flat on what it stands on";
     }
+    const std::string more = one.ways == 1 ? "one linkage more" : fmt::format("{} linkages more", one.ways);
     if (one.parallel) {
-        return "all folds and seams that hold it run in one direction, and one more wall of that direction "
-               "and the same height forces nothing: put a v-fold or a box between, whose folds run across, "
-               "or "
-               "make one wall double";
+        return fmt::format(
+            "the folds and seams that hold it all run in one direction, and a further wall of "
+            "that direction and height forces nothing: hold it by {}, such as a v-fold or a "
+            "box on the fold below that is glued to it",
+            more);
     }
-    return fmt::format("hold it by {} more, such as a v-fold or a box between it and what it stands on",
-                       one.ways == 1 ? "one linkage" : fmt::format("{} linkages", one.ways));
+    return fmt::format("hold it by {}, such as a v-fold or a box that is glued to it", more);
 }
 
 class Findings {

@@ -248,6 +248,7 @@ int main(int argc, char** argv) {
     add_stage("assemble", [](const Stages& s) { return assemble(*s.checked, {}, ignored); });
     add_stage("simulate, 37 angles",
               [](const Stages& s) { return simulate(*s.assembly, unexamined(), ignored); });
+    add_stage("simulate: what is forced", [](const Stages& s) { return free_plates(*s.assembly); });
     // bench_collide says more of this one.
     add_stage(
         "examine", [](const Stages& s) { return examine(*s.assembly, {}); }, 10000);

@@ -220,6 +220,7 @@ TEST(Forced, FurtherParallelWallOfTheSameHeightForcesNothing) {
     EXPECT_EQ(found[0].plates.size(), 6u);
 }
 
+// At this pose: a triangle that a card could not open.
 TEST(Forced, SlantingStrutForcesTheWholeLayer) {
     FloatingLayer card;
     const Vec2 foot = card.on_page(1, 15.0);

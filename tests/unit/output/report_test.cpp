@@ -193,6 +193,17 @@ TEST(Report, WhatWasExaminedAndNotFoundIsEmptyOrZero) {
     EXPECT_EQ(motion["layer_cycle"], Json::array({"page/right", "page/left"}));
 }
 
+TEST(Report, NamesPlatesThatTheOpeningDoesNotForce) {
+    Compilation run = example_run();
+    EXPECT_FALSE(Json::parse(text_of(run))["inputs"][0]["motion"].contains("not_forced"));
+    run.designs[0].motion->not_forced = {{{1}, 1, 1, true}, {{0, 1}, 12, 3, false}};
+    const Json expected = Json::parse(
+        R"([{"plates": ["page/right"], "free": 1}, {"plates": ["page/left", "page/right"], "free": 12}])");
+    EXPECT_EQ(Json::parse(text_of(run))["inputs"][0]["motion"]["not_forced"], expected);
+    const std::string stage = emit_motion(*run.designs[0].assembly, *run.designs[0].motion);
+    EXPECT_EQ(Json::parse(stage)["not_forced"], expected);
+}
+
 TEST(Report, WhatWasNotExaminedIsNull) {
     const Json motion = Json::parse(text_of(example_run()))["inputs"][0]["motion"];
     for (const char* key :
