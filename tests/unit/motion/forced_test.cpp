@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -89,8 +91,8 @@ NullSpace all_at_once(const Assembly& assembly, const std::vector<Frame>& frames
         const Vec3 p = (1.0 / kUnitMm) * where;
         const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
         for (Column& column : columns) column.resize(column.size() + 3);
-        for (const auto& [plate, sign] : {std::pair{a, 1.0}, std::pair{b, -1.0}}) {
-            if (first[at(plate)] < 0) continue;
+        const auto move = [&](int plate, double sign) {
+            if (first[at(plate)] < 0) return;
             for (std::size_t i = 0; i < 3; ++i) {
                 const auto put = [&](int unknown, Vec3 v) {
                     Column& column = columns[at(first[at(plate)] + unknown) + i];
@@ -101,7 +103,9 @@ NullSpace all_at_once(const Assembly& assembly, const std::vector<Frame>& frames
                 put(0, cross(axes.at(i), p));
                 put(3, axes.at(i));
             }
-        }
+        };
+        move(a, 1.0);
+        move(b, -1.0);
     };
     for (const Hinge& hinge : assembly.hinges) {
         const Frame& frame = frames[at(hinge.a)];
@@ -414,43 +418,92 @@ TEST(Forced, AgreesWithTheWholeSystemOfEquations) {
 
 // --- what is said of it
 
-Built tent_without_its_centre_fold(bool bridged) {
+// A tent on the gutter, and on its centre fold what `design` is given; that fold is cut through.
+Built slit_tent(const std::function<void(Design&)>& add_more) {
     Design design = card();
     add(design, "tent",
         {{-18, -35}, {-18, 35}, {18, -35}, {18, 35}, {-30, -35}, {-30, 35}, {30, -35}, {30, 35}});
+    add_more(design);
     Built built = build(design);
     auto& hinges = built.assembly->hinges;
-    const auto centre = std::find_if(hinges.begin(), hinges.end(),
-                                     [&](const Hinge& hinge) { return hinge.a >= 2 && hinge.b >= 2; });
+    const auto centre = std::find_if(hinges.begin(), hinges.end(), [](const Hinge& hinge) {
+        return std::minmax({hinge.a, hinge.b}) == std::pair{2, 3};
+    });
     EXPECT_NE(centre, hinges.end());
-    if (!bridged) hinges.erase(centre);
+    hinges.erase(centre);
     return built;
 }
 
-TEST(Forced, RemarkNamesThePlatesTheWaysAndWhatWouldForceThem) {
-    const Built built = tent_without_its_centre_fold(false);
-    for (const bool examine : {false, true}) {
-        Diagnostics diagnostics;
-        MotionOptions options;
-        options.examine = examine;
-        const auto motion = simulate(*built.assembly, options, diagnostics);
-        ASSERT_TRUE(motion) << findings(diagnostics);
-        ASSERT_EQ(motion->not_forced.size(), 2u);
-        EXPECT_EQ(motion->not_forced[0].plates, std::vector<int>{2});
-        EXPECT_EQ(motion->not_forced[1].plates, std::vector<int>{3});
-        std::vector<Diagnostic> remarks;
-        for (const Diagnostic& one : diagnostics.sorted()) {
-            if (one.code == "not-forced") remarks.push_back(one);
-        }
-        ASSERT_EQ(remarks.size(), 2u);
-        EXPECT_EQ(remarks[0].severity, Severity::remark);
-        EXPECT_EQ(remarks[0].element, "e1");
-        EXPECT_EQ(remarks[0].message, "the opening of the card does not force \"e1/left\": free in 1 way");
-    }
+struct Told {
+    Motion motion;
+    std::vector<Diagnostic> remarks;
+};
+Told told_of(const Built& built, bool examine) {
     Diagnostics diagnostics;
-    const auto motion = simulate(*tent_without_its_centre_fold(true).assembly, {}, diagnostics);
-    EXPECT_TRUE(motion->not_forced.empty());
-    EXPECT_EQ(findings(diagnostics), "");
+    MotionOptions options;
+    options.examine = examine;
+    auto motion = simulate(*built.assembly, options, diagnostics);
+    EXPECT_TRUE(motion) << findings(diagnostics);
+    Told told{motion.value_or(Motion{}), {}};
+    for (const Diagnostic& one : diagnostics.sorted()) {
+        if (one.code == "not-forced") told.remarks.push_back(one);
+    }
+    return told;
+}
+
+TEST(Forced, RemarkNamesThePlatesTheWaysAndWhatWouldForceThem) {
+    const Built built = slit_tent([](Design&) {});
+    for (const bool examine : {false, true}) {
+        const Told told = told_of(built, examine);
+        ASSERT_EQ(told.motion.not_forced.size(), 2u);
+        EXPECT_EQ(told.motion.not_forced[0].plates, std::vector<int>{2});
+        EXPECT_EQ(told.motion.not_forced[1].plates, std::vector<int>{3});
+        ASSERT_EQ(told.remarks.size(), 2u);
+        const Diagnostic& first = told.remarks[0];
+        EXPECT_EQ(first.severity, Severity::remark);
+        EXPECT_EQ(first.element, "e1");
+        EXPECT_EQ(first.message, "the opening of the card does not force \"e1/left\": free in 1 way");
+        ASSERT_EQ(first.hints.size(), 1u);
+        EXPECT_NE(first.hints[0].find("one line only"), std::string::npos) << first.hints[0];
+    }
+}
+
+// Two flaps joined by the halves of a tent: five parallel lines in one loop, three conditions.
+TEST(Forced, RemarkOnParallelLinesSaysThatMoreOfThemWouldNotDo) {
+    const Built built = slit_tent([](Design& design) {
+        add(design, "tent",
+            {{-8, -20}, {-8, 20}, {8, -20}, {8, 20}, {-12, -20}, {-12, 20}, {12, -20}, {12, 20}}, {0, -35},
+            {0, 35}, 1);
+    });
+    const Told told = told_of(built, false);
+    ASSERT_EQ(told.motion.not_forced.size(), 1u);
+    EXPECT_EQ(told.motion.not_forced[0].plates, (std::vector<int>{2, 3, 4, 5}));
+    EXPECT_EQ(told.motion.not_forced[0].ways, 2);
+    ASSERT_EQ(told.remarks.size(), 1u);
+    const Diagnostic& remark = told.remarks[0];
+    EXPECT_EQ(remark.message,
+              "the opening of the card does not force \"e1/left\" and 3 plates that hang together with it: "
+              "free in 2 ways");
+    ASSERT_EQ(remark.hints.size(), 1u);
+    EXPECT_NE(remark.hints[0].find("all run in one direction"), std::string::npos) << remark.hints[0];
+    EXPECT_NE(remark.hints[0].find("2 linkages more"), std::string::npos) << remark.hints[0];
+    ASSERT_EQ(remark.related.size(), 1u);
+    EXPECT_EQ(remark.related[0].text, "\"e2\"");
+}
+
+// The same bridge, but two of its lines parallel and three through one point: five lines without a way.
+TEST(Forced, VFoldAcrossASlitForcesBothSides) {
+    const Vec2 e{0, -30};
+    const double seam = std::hypot(6, 6);
+    const Vec2 g = e + rotated({0, seam}, std::numbers::pi / 3);
+    const Vec2 h = e + rotated({0, seam}, -std::numbers::pi / 3);
+    const Built built = slit_tent([&](Design& design) {
+        add(design, "v-fold", {{-6, 6}, {0, 0}, {6, 6}, g, e, h, h + Vec2{0, 12}, g + Vec2{0, 12}}, {0, -35},
+            {0, 35}, 1);
+    });
+    const Told told = told_of(built, false);
+    EXPECT_TRUE(told.motion.not_forced.empty());
+    EXPECT_TRUE(told.remarks.empty());
 }
 
 }  // namespace
