@@ -22,7 +22,10 @@ constexpr double kClosedDeg = 1.0;
 // Other elements that are named in one finding, so that a tall one says no more than can be read.
 constexpr std::size_t kMostOthers = 8;
 
-std::string what_would_force(const FreePlates& one) {
+std::string what_would_force(const Assembly& assembly, const FreePlates& one) {
+    const bool by_hand = assembly.plates[static_cast<std::size_t>(one.plates[0])].rivet.has_value();
+    if (by_hand && one.lines == 1)
+        return "it is turned by hand about its rivet: glue it where it is not to be";
     if (one.lines == 0) return "fold it or glue it to something that moves with the card";
     if (one.lines == 1) {
         return "it turns about one line only: glue a second edge of it, or glue it flat on what it stands on";
@@ -293,7 +296,7 @@ void report_not_forced(const Assembly& assembly, const Linkage& linkage, std::sp
             diagnostics.remark("not-forced", first.place,
                                fmt::format("the opening of the card does not force {}: free in {} {}", who,
                                            one.ways, one.ways == 1 ? "way" : "ways"));
-        finding.about(first.name).hint(what_would_force(one));
+        finding.about(first.name).hint(what_would_force(assembly, one));
         std::vector<int> told{linkage.joint_of(one.plates[0])};
         for (const int plate : one.plates) {
             const int joint = linkage.joint_of(plate);

@@ -71,7 +71,7 @@ struct Bodies {
             for (const PlacedPlate& one : plates_of(joint).places) {
                 if (one.parent < 0) {
                     driven.push_back(one.plate);
-                } else if (one.lying != Lying::free) {
+                } else if (one.lying != Lying::free && !assembly.plates[at(one.plate)].rivet) {
                     glued.unite(one.plate, one.parent);
                 }
             }
@@ -112,22 +112,28 @@ class Look {
             return bodies_.forced[at(body)] != 0 ? ground_ : body;
         };
         Sets hanging(at(ground_) + 1);
+        const auto set = [&](Line& line, int a, int b, Vec3 from, Vec3 to) {
+            const double size = distance(from, to);
+            if (node(a) == node(b) || !(size > kShortMm)) return;
+            line.at = from;
+            line.size = size;
+            line.along = (1.0 / size) * (to - from);
+            line.from = node(a);
+            line.to = node(b);
+            line.in_tree = hanging.unite(line.from, line.to);
+        };
         lines_.resize(assembly_.hinges.size());
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             const Hinge& hinge = assembly_.hinges[i];
-            const int from = node(hinge.a);
-            const int to = node(hinge.b);
-            if (from == to) continue;
-            Line& line = lines_[i];
             const Frame& frame = frames[at(hinge.a)];
-            line.at = frame.point(hinge.a_line.a);
-            const Vec3 way = frame.point(hinge.a_line.b) - line.at;
-            line.size = length(way);
-            if (!(line.size > kShortMm)) continue;
-            line.along = (1.0 / line.size) * way;
-            line.from = from;
-            line.to = to;
-            line.in_tree = hanging.unite(from, to);
+            set(lines_[i], hinge.a, hinge.b, frame.point(hinge.a_line.a), frame.point(hinge.a_line.b));
+        }
+        // A rivet is a hinge across its plate.
+        for (std::size_t i = 0; i < assembly_.plates.size(); ++i) {
+            const Plate& plate = assembly_.plates[i];
+            if (!plate.rivet || plate.parent < 0) continue;
+            const Vec3 from = frames[i].point(*plate.rivet);
+            set(lines_.emplace_back(), static_cast<int>(i), plate.parent, from, from + frames[i].normal());
         }
     }
 
@@ -294,7 +300,7 @@ class Look {
     const Assembly& assembly_;
     const Bodies& bodies_;
     int ground_;
-    std::vector<Line> lines_;        // by hinge
+    std::vector<Line> lines_;        // by hinge, then those of rivets
     std::vector<int> order_;         // nodes, each after the one that it hangs on
     std::vector<int> up_, up_line_;  // by node; -1: a root
     std::vector<int> depth_;         // by node

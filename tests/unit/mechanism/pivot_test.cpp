@@ -180,6 +180,15 @@ TEST(Disc, LooksThroughItsWindow) {
     EXPECT_NEAR(area(made.assembly->plates[plate].outline), std::numbers::pi * 900.0 - hole, 1.3);
 }
 
+TEST(Disc, TurnsOneWayByHand) {
+    const Made made = make(disc("radius='30'", "<point x='50' y='10'/>"));
+    ASSERT_TRUE(made.assembly) << made.text;
+    const auto free = free_plates(*made.assembly);
+    ASSERT_EQ(free.size(), 1U);
+    EXPECT_EQ(free[0].ways, 1);
+    EXPECT_EQ(free[0].plates, (std::vector<int>{static_cast<int>(made.plate("disc"))}));
+}
+
 // What a later element would stand on, or be glued to, is looked at with the window gone.
 TEST(Disc, ItsWindowCarriesNothing) {
     const std::string with_window =

@@ -143,6 +143,19 @@ TEST(FloatingLayer, HasItsTopParallelToThePlanesUnderIt) {
     }
 }
 
+// Its walls and its pillar may lean together: one way, by hand. A box holds itself, and what stands on a
+// floating layer does not hold it.
+TEST(FloatingLayer, LeansOneWay) {
+    const Built built = build(with_walls("floating-layer", kP));
+    ASSERT_TRUE(built.assembly);
+    const auto free = free_plates(*built.assembly);
+    ASSERT_EQ(free.size(), 1U);
+    EXPECT_EQ(free[0].ways, 1);
+    EXPECT_EQ(free[0].plates.size(), 5U);
+    EXPECT_TRUE(free[0].parallel);
+    EXPECT_TRUE(free_plates(*build(with_walls("box", kP)).assembly).empty());
+}
+
 TEST(FloatingLayer, IsAStripAndAPillar) {
     const Built built = build(with_walls("floating-layer", kP));
     ASSERT_TRUE(built.assembly);

@@ -64,6 +64,8 @@ TEST(Schema, WhatTheWriterWritesIsValid) {
         design.lines.push_back(line);
         EXPECT_EQ(violations(write_document(design)), "");
     }
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+        EXPECT_EQ(violations(write_document(test::generate_any(seed, 12))), "");
     EXPECT_EQ(violations(write_document(test::card())), "");
 }
 
