@@ -29,6 +29,12 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "as its walls are away from the fold. Walls that are not twice as long as that leave no room for both "
      "ends. The walls were moved nearer to the fold, as far as they need. Make them longer, or let the ends "
      "fold outwards: ends=\"out\"."},
+    {"hole-off-piece", Severity::error, "a hole that leaves its piece, or no fold to hold it together",
+     "Holes of a v-fold, tent or layer are cut out of the paper inside its edges, and leave it one piece: "
+     "each "
+     "lies inside the outline, off its edges and seams, and has no island in it. A hole may cross the centre "
+     "fold, which then is folded before and behind it; it crosses it twice, and 1 mm of the fold is left at "
+     "both ends and between two holes. What opens to the edge belongs into the outline."},
     {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
      "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
      "apart. A "
@@ -51,7 +57,7 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "follows "
      "from the seams. That line must cross the outline exactly twice, with one seam on each side, so that "
      "two "
-     "halves come of it; holes lie in one half or the other. Draw the outline so that each side of the fold "
+     "halves come of it. Draw the outline so that each side of the fold "
      "is "
      "one area."},
     {"outline-off-seam", Severity::error, "a drawn outline that does not run along a seam",

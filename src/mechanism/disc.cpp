@@ -38,7 +38,7 @@ constexpr std::array<ParameterInfo, 6> kParameters{
       .kind = ParameterKind::path,
       .about = "window in the plate that shows the disc, on the plate's page",
       .page = PointPage::fold},
-     {.name = "hole",
+     {.name = "rivet",
       .kind = ParameterKind::length,
       .about = "diameter of the rivet's hole, in the disc and in the plate",
       .least = 0.5,
@@ -66,7 +66,7 @@ Enclosed circle(Vec2 middle, double radius) {
 Vec2 on_plate(const Element& e, std::size_t point) { return e.site.on_page(Side::left, e.on[point]); }
 // The rivet on the disc's own page.
 Vec2 own_rivet(const Element& e) { return on_plate(e, B) - on_plate(e, A); }
-double hole_radius(const Element& e) { return 0.5 * number_of(e, "hole"); }
+double hole_radius(const Element& e) { return 0.5 * number_of(e, "rivet"); }
 
 bool is_behind(const Element& e) {
     const Argument* given = find_argument(*e.info, e.arguments, "side");
@@ -105,7 +105,7 @@ bool constrain(Element& e) {
             "does-not-fit",
             fmt::format("its rivet at {} on its own page is not on the disc with {} of paper round its hole "
                         "of {}",
-                        at_mm(own_rivet(e)), mm(kAroundMm), mm(number_of(e, "hole"))),
+                        at_mm(own_rivet(e)), mm(kAroundMm), mm(number_of(e, "rivet"))),
             "move B towards A, or make the disc larger there");
         return false;
     }
@@ -128,7 +128,7 @@ bool constrain(Element& e) {
     if (!lies_on(circle(on_plate(e, B), hole_radius(e)).areas.front().outer, paper)) {
         e.failed("does-not-fit",
                  fmt::format("its rivet at {} is not on the plate with {} of paper round its hole of {}",
-                             at_mm(on_plate(e, B)), mm(kAroundMm), mm(number_of(e, "hole"))),
+                             at_mm(on_plate(e, B)), mm(kAroundMm), mm(number_of(e, "rivet"))),
                  "move B onto the plate, off its folds and edges and off the window");
         return false;
     }

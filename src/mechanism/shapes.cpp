@@ -93,10 +93,14 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const int page = element.extra_page;
     const int piece = builder.add_piece(id);
     Halves& halves = shape.halves;
+    halves.left.holes = std::move(shape.holes.left);
+    halves.right.holes = std::move(shape.holes.right);
+    halves.edges.insert(halves.edges.end(), shape.holes.edges.begin(), shape.holes.edges.end());
     const int left = builder.add_plate(id + "/left", piece, page, std::move(halves.left), element.paint.left);
     const int right =
         builder.add_plate(id + "/right", piece, page, std::move(halves.right), element.paint.right);
-    if (has_silhouette(element)) builder.add_curves(curves_of(element, "outline"));
+    builder.add_curves(curves_of(element, "outline"));
+    builder.add_curves(curves_of(element, "hole"));
     for (const Segment& edge : halves.edges) builder.add_cut(piece, edge);
 
     const FoldLine& l = folds[kLeftFold];
@@ -104,7 +108,13 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     const FoldLine& r = folds[kRightFold];
     builder.add_fold(
         {site.left_plate, left, site.left_page, page, l.on_left, l.on_right, l.closed_deg, true, id, {}});
-    builder.add_fold({left, right, page, page, c.on_left, c.on_right, c.closed_deg, false, id, {}});
+    const int centre =
+        builder.add_fold({left, right, page, page, c.on_left, c.on_right, c.closed_deg, false, id, {}});
+    for (HoleAcross& hole : shape.holes.across) {
+        builder.add_cut_out(left, centre, std::move(hole.left));
+        builder.add_cut_out(right, centre, std::move(hole.right));
+        builder.add_gone(centre, hole.from, hole.to, id);
+    }
     builder.add_fold(
         {right, site.right_plate, page, site.right_page, r.on_left, r.on_right, r.closed_deg, true, id, {}});
 

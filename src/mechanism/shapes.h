@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mechanism/element.h"
+#include "mechanism/holes.h"
 #include "mechanism/site_lines.h"
 
 namespace popup {
@@ -38,15 +39,10 @@ struct SlitPlates {
 };
 SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape);
 
-// A piece that its centre fold divides, in coordinates of its own page.
-struct Halves {
-    Polygon left, right;
-    std::vector<Segment> edges;  // what is cut: free edges, and those of holes
-};
-
 // A 180° element's shape.
 struct GluedShape {
     Halves halves;
+    PieceHoles holes;
     bool parallel = false;
     bool right_angle = false;  // moves as a parallelogram, so that it is flat on the open card, too
     Bar left_bar, right_bar;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mechanism/holes.h"
 #include "mechanism/site_lines.h"
 
 namespace popup {
@@ -14,9 +15,6 @@ namespace {
 
 // Ends of seams that an outline misses by no more are meant.
 constexpr double kSnapMm = 0.5;
-// Holes nearer to the centre fold, or to another edge, leave nothing that holds.
-constexpr double kNearMm = 1e-3;
-
 std::size_t next(std::size_t i, const Ring& ring) { return i + 1 == ring.size() ? 0 : i + 1; }
 
 // The ring with a corner at p, which is on its border up to `tolerance`: the corner that is there, moved, or
@@ -80,46 +78,6 @@ std::optional<SeamFault> put_seam(Ring& ring, const Segment& seam, std::string_v
     return std::nullopt;
 }
 
-// Where the border crosses the line of the centre fold, in order along it. Corners that lie on the line are
-// put there exactly.
-struct Crossing {
-    double along = 0.0;
-    std::size_t corner = 0;
-};
-std::vector<Crossing> put_crossings(Ring& ring, const PieceLines& lines) {
-    const auto off = [&](Vec2 p) {
-        const double d = cross(lines.centre_dir, p - lines.centre_at);
-        return std::abs(d) < kNearMm ? 0.0 : d;
-    };
-    Ring made;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 p = ring[i];
-        const Vec2 q = ring[next(i, ring)];
-        made.push_back(p);
-        const double from = off(p);
-        const double to = off(q);
-        if (from * to < 0.0) made.push_back(lerp(p, q, from / (from - to)));
-    }
-    std::vector<Crossing> found;
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        if (off(made[i]) != 0.0) continue;
-        const double before = off(made[i == 0 ? made.size() - 1 : i - 1]);
-        const double after = off(made[next(i, made)]);
-        // Where it only touches, or runs along it, nothing is divided.
-        if (before * after >= 0.0) continue;
-        const Vec2 away = made[i] - lines.centre_at;
-        const double along = dot(lines.centre_dir, away);
-        // Off by more than rounding it is no end of a seam, which stays where it is.
-        if (std::abs(cross(lines.centre_dir, away)) > 1e-9)
-            made[i] = lines.centre_at + along * lines.centre_dir;
-        found.push_back({along, i});
-    }
-    ring = std::move(made);
-    std::sort(found.begin(), found.end(),
-              [](const Crossing& a, const Crossing& b) { return a.along < b.along; });
-    return found;
-}
-
 struct SilhouetteFault {
     std::string code, what, hint;
 };
@@ -133,29 +91,6 @@ bool on_seam(const Segment& edge, const PieceLines& lines) {
         if ((edge.a == seam.a && edge.b == seam.b) || (edge.a == seam.b && edge.b == seam.a)) return true;
     }
     return false;
-}
-
-// Gives each hole to the half that it is in.
-std::optional<SilhouetteFault> give_holes(const Polygon& drawn, const PieceLines& lines, Silhouette& made) {
-    for (const Ring& hole : drawn.holes) {
-        double least = HUGE_VAL;
-        double most = -HUGE_VAL;
-        for (const Vec2 p : hole) {
-            const double d = cross(lines.centre_dir, p - lines.centre_at);
-            least = std::min(least, d);
-            most = std::max(most, d);
-        }
-        if (least < kNearMm && most > -kNearMm) {
-            return SilhouetteFault{"outline-off-fold",
-                                   fmt::format("its hole at ({:.2f}, {:.2f}) mm lies across its centre fold",
-                                               hole.front().x, hole.front().y),
-                                   "draw it on one side of the fold, or two holes, one on each side"};
-        }
-        (least > 0.0 ? made.halves.left : made.halves.right).holes.push_back(hole);
-        for (std::size_t i = 0; i < hole.size(); ++i)
-            made.halves.edges.push_back({hole[i], hole[next(i, hole)]});
-    }
-    return std::nullopt;
 }
 
 std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines, Silhouette& made) {
@@ -182,7 +117,7 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
                       name),
             fmt::format("draw it through both ends of {}, with a straight line between them", name)};
     }
-    const std::vector<Crossing> crossings = put_crossings(ring, lines);
+    const std::vector<FoldCrossing> crossings = put_crossings(ring, {lines.centre_at, lines.centre_dir});
     if (crossings.size() != 2) {
         return SilhouetteFault{
             "outline-off-fold",
@@ -210,7 +145,7 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
         const Segment edge{ring[i], ring[next(i, ring)]};
         if (!on_seam(edge, lines)) made.halves.edges.push_back(edge);
     }
-    return give_holes(areas.front(), lines, made);
+    return std::nullopt;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace popup {
 
 // The parameters of rows of such elements.
-inline constexpr std::array<ParameterInfo, 5> kDrawnHalves{
+inline constexpr std::array<ParameterInfo, 6> kDrawnHalves{
     {kHalfColours[0],
      kHalfColours[1],
      kHalfColours[2],
@@ -24,6 +24,10 @@ inline constexpr std::array<ParameterInfo, 5> kDrawnHalves{
      {.name = "outline",
       .kind = ParameterKind::path,
       .about = "shape of the piece, on its own page, in place of its straight free edges",
+      .since = "3.0"},
+     {.name = "hole",
+      .kind = ParameterKind::path,
+      .about = "holes of the piece, on its own page; they may cross its centre fold",
       .since = "3.0"}}};
 
 // What an outline must have, on the piece's own page.
@@ -33,7 +37,8 @@ struct PieceLines {
     Vec2 centre_at, centre_dir;              // a point of the centre fold, and its direction (unit)
 };
 
-// Rings run counter-clockwise, and each has the centre fold as one edge. The left half has the left seam.
+// Rings run counter-clockwise, and each has the centre fold as one edge. The left half has the left seam. Its
+// holes are for mechanism/holes.h.
 struct Silhouette {
     Halves halves;
     Segment centre;  // along PieceLines::centre_dir

@@ -141,6 +141,16 @@ PieceLines piece_lines(const Element& e) {
             axes(e).along};
 }
 
+Halves halves_of(const Element& e, const FoldLines& folds) {
+    if (auto drawn = silhouette_of(e, piece_lines(e))) return std::move(drawn->halves);
+    const Segment& left = folds[kLeftFold].on_right;
+    const Segment& centre = folds[kCentreFold].on_left;
+    const Segment& right = folds[kRightFold].on_left;
+    return {{{left.a, left.b, centre.b, centre.a}, {}},
+            {{centre.a, centre.b, right.b, right.a}, {}},
+            {{left.a, right.a}, {left.b, right.b}}};
+}
+
 }  // namespace
 
 std::pair<double, double> stands_on(const Element& e) {
@@ -202,7 +212,11 @@ bool constrain_piece(Element& e) {
     return true;
 }
 
-bool constrain_outline(Element& e) { return !has_silhouette(e) || constrain_silhouette(e, piece_lines(e)); }
+bool constrain_outline(Element& e) {
+    if (has_silhouette(e) && !constrain_silhouette(e, piece_lines(e))) return false;
+    const FoldLines folds = fold_lines(e);
+    return constrain_holes(e, halves_of(e, folds), folds[kCentreFold].on_left);
+}
 
 void make_even(Element& e, std::string_view why) {
     const double p = e.on[A].w;
@@ -252,19 +266,11 @@ FoldLines fold_lines(const Element& e) {
 
 void lower(const Element& e, Builder& builder, bool right_angle) {
     const FoldLines folds = fold_lines(e);
-    const Segment left = folds[kLeftFold].on_right;
-    const Segment centre = folds[kCentreFold].on_left;
-    const Segment right = folds[kRightFold].on_left;
     const auto [along, across] = axes(e);
     const double far = left_far(e);
     GluedShape shape;
-    if (auto drawn = silhouette_of(e, piece_lines(e))) {
-        shape.halves = std::move(drawn->halves);
-    } else {
-        shape.halves = {{{left.a, left.b, centre.b, centre.a}, {}},
-                        {{centre.a, centre.b, right.b, right.a}, {}},
-                        {{left.a, right.a}, {left.b, right.b}}};
-    }
+    shape.halves = halves_of(e, folds);
+    shape.holes = holes_of(e, shape.halves, folds[kCentreFold].on_left).value();
     shape.parallel = true;
     shape.right_angle = right_angle;
     shape.left_bar = parallel_bar(e.site, Side::left, e.on[A], e.extra[G], along, across, far);

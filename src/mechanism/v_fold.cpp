@@ -147,6 +147,51 @@ bool constrain_v(Element& e) {
     return true;
 }
 
+FoldLines fold_lines(const Element& e) {
+    const Vec2 from = e.extra[E];
+    const auto end = centre_end(e);
+    Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
+    if (const auto drawn = silhouette_of(e, piece_lines(e))) f = drawn->centre.b;
+    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
+    // inverted one's.
+    const int centre = e.inverted ? 0 : 360;
+    const int seams = e.inverted == e.site.mountain ? 0 : 180;
+    FoldLines folds(kThreeFolds.size());
+    folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}, seams};
+    folds[kCentreFold] = {{from, f}, {from, f}, centre};
+    folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C]), seams};
+    return folds;
+}
+
+// The piece between straight free edges.
+Halves straight_halves(const Element& e) {
+    const CentreEnd end = centre_end(e).value();
+    const Vec2 f = end.at;
+    const auto& x = e.extra;
+    Halves made;
+    switch (end.edge) {
+        case TopEdge::left:
+            made.left.outer = {x[G], x[E], f};
+            made.right.outer = {x[E], x[H], x[J], x[I], f};
+            break;
+        case TopEdge::top:
+            made.left.outer = {x[G], x[E], f, x[I]};
+            made.right.outer = {x[E], x[H], x[J], f};
+            break;
+        case TopEdge::right:
+            made.left.outer = {x[G], x[E], f, x[J], x[I]};
+            made.right.outer = {x[E], x[H], f};
+            break;
+    }
+    made.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
+    return made;
+}
+
+Halves halves_of(const Element& e) {
+    auto drawn = silhouette_of(e, piece_lines(e));
+    return drawn ? std::move(drawn->halves) : straight_halves(e);
+}
+
 bool constrain_piece(Element& e) {
     const Tolerances& tol = *e.tolerances;
     if (front(e) < 0.0) {
@@ -220,50 +265,11 @@ bool constrain_piece(Element& e) {
             "make the V more even, or the piece wider");
         return false;
     }
-    return !has_silhouette(e) || constrain_silhouette(e, piece_lines(e));
+    if (has_silhouette(e) && !constrain_silhouette(e, piece_lines(e))) return false;
+    return constrain_holes(e, halves_of(e), fold_lines(e)[kCentreFold].on_left);
 }
 
 bool constrain(Element& e) { return constrain_v(e) && constrain_piece(e); }
-
-FoldLines fold_lines(const Element& e) {
-    const Vec2 from = e.extra[E];
-    const auto end = centre_end(e);
-    Vec2 f = end ? end->at : 0.5 * (e.extra[I] + e.extra[J]);
-    if (const auto drawn = silhouette_of(e, piece_lines(e))) f = drawn->centre.b;
-    // The printed side faces a reader at the fold's begin: the outside of a v-fold's V, the inside of an
-    // inverted one's.
-    const int centre = e.inverted ? 0 : 360;
-    const int seams = e.inverted == e.site.mountain ? 0 : 180;
-    FoldLines folds(kThreeFolds.size());
-    folds[kLeftFold] = {e.site.segment(Side::left, e.on[B], e.on[A]), {from, e.extra[G]}, seams};
-    folds[kCentreFold] = {{from, f}, {from, f}, centre};
-    folds[kRightFold] = {{from, e.extra[H]}, e.site.segment(Side::right, e.on[B], e.on[C]), seams};
-    return folds;
-}
-
-// The piece between straight free edges.
-Halves straight_halves(const Element& e) {
-    const CentreEnd end = centre_end(e).value();
-    const Vec2 f = end.at;
-    const auto& x = e.extra;
-    Halves made;
-    switch (end.edge) {
-        case TopEdge::left:
-            made.left.outer = {x[G], x[E], f};
-            made.right.outer = {x[E], x[H], x[J], x[I], f};
-            break;
-        case TopEdge::top:
-            made.left.outer = {x[G], x[E], f, x[I]};
-            made.right.outer = {x[E], x[H], x[J], f};
-            break;
-        case TopEdge::right:
-            made.left.outer = {x[G], x[E], f, x[J], x[I]};
-            made.right.outer = {x[E], x[H], f};
-            break;
-    }
-    made.edges = {{x[H], x[J]}, {x[J], x[I]}, {x[I], x[G]}};
-    return made;
-}
 
 void lower(const Element& e, Builder& builder) {
     const int dir = direction(e);
@@ -271,8 +277,8 @@ void lower(const Element& e, Builder& builder) {
     const FoldLines folds = fold_lines(e);
     const Vec2 f = folds[kCentreFold].on_left.b;
     GluedShape shape;
-    auto drawn = silhouette_of(e, piece_lines(e));
-    shape.halves = drawn ? std::move(drawn->halves) : straight_halves(e);
+    shape.halves = halves_of(e);
+    shape.holes = holes_of(e, shape.halves, folds[kCentreFold].on_left).value();
     shape.left_bar = angled_bar(e.site, Side::left, e.on[B].s, dir, e.on[A], x[E], x[G], f);
     shape.right_bar = angled_bar(e.site, Side::right, e.on[B].s, dir, e.on[C], x[E], x[H], f);
     lower_glued(e, builder, folds, std::move(shape));

@@ -231,6 +231,17 @@ void draw_outline(Dice& random, Design& design) {
     }
 }
 
+// The same of holes: one round the middle of its piece.
+void draw_hole(Dice& random, Design& design) {
+    Structure& made = design.structures.back();
+    const auto hole = find_parameter(*find_element(made.type), "hole");
+    if (!hole || made.points.size() != 8) return;
+    Vec2 middle;
+    for (std::size_t i = 3; i < 8; ++i) middle = middle + 0.2 * made.points[i].at;
+    const double size = distance(made.points[6].at, made.points[7].at);
+    made.argument(*hole) = star_path(random, middle, 0.05 * size, 0.3 * size);
+}
+
 }  // namespace
 
 Design generate_any(std::uint64_t seed, int elements) {
@@ -268,6 +279,9 @@ Design generate_any(std::uint64_t seed, int elements) {
         if (!random.chance(0.5)) continue;
         trial = design;
         draw_outline(random, trial);
+        take(trial);
+        trial = design;
+        draw_hole(random, trial);
         take(trial);
     }
     return design;

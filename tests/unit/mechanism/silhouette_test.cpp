@@ -49,8 +49,8 @@ Made make(std::string_view type, std::string_view points, const std::string& out
                                         "' units='mm'><mainpage width='200' height='200'/><structurelist>"
                                         "<structure type='" +
                                         std::string(type) + "' id='piece'>" + std::string(points) +
-                                        "<outline d='" + outline +
-                                        "'/><parentfold page='0'><begin x='0' y='-100'/><end x='0' y='100'/>"
+                                        (outline.empty() ? "" : "<outline d='" + outline + "'/>") +
+                                        "<parentfold page='0'><begin x='0' y='-100'/><end x='0' y='100'/>"
                                         "</parentfold></structure>" +
                                         std::string(more) + "</structurelist></popup>"};
     const auto design = xml::read(source, {}, diagnostics);
@@ -243,7 +243,12 @@ TEST(Silhouette, WhatCannotBeDividedIsRefusedWithItsNumbers) {
              {"M 0 0 L 20 5 L 40 30 L 0 90 L -40 30 Z", "outline-off-seam", "not straight between them"},
              {"M 0 0 L 40 30 L 30 90 L 0 50 L -5 90 L 20 95 L 20 96 L -40 96 L -40 30 Z", "outline-off-fold",
               "times"},
-             {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 h 10 v 10 h -10 Z", "outline-off-fold", "its hole at"},
+             {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 h 10 v 39.5 h -10 Z", "hole-off-piece",
+              "leaves 0.50 mm of its centre fold at one end"},
+             {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 H 5 V 50 H -5 V 48 H 3 V 42 H -5 Z", "hole-off-piece",
+              "crosses its centre fold 4 times"},
+             {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 h 10 v 9 h -10 Z M -5 49.5 h 10 v 9 h -10 Z",
+              "hole-off-piece", "leave 0.50 mm of its centre fold between them"},
              {"M 0 0 L 40 30 V 80 H -40 V 30 Z M 70 40 h 10 v 10 h -10 Z", "outline-crosses", "2 areas"}}) {
         SCOPED_TRACE(wrong.outline);
         const Made made = make("v-fold", kVFold, wrong.outline);
@@ -253,6 +258,57 @@ TEST(Silhouette, WhatCannotBeDividedIsRefusedWithItsNumbers) {
         EXPECT_EQ(told->severity, Severity::error);
         EXPECT_NE(told->message.find(wrong.said), std::string::npos) << told->message;
         EXPECT_FALSE(told->hints.empty());
+    }
+}
+
+// A hole across the centre fold takes as much from either half as lies there, and interrupts the fold.
+TEST(Silhouette, HolesMayCrossTheCentreFold) {
+    // Symmetric: the fold is the line x = 0 of the piece's page.
+    const std::string outline = "M 0 0 L 40 30 V 80 H -40 V 30 Z";
+    const std::string holes =
+        "<hole d='M -6 40 H 10 V 52 H -6 Z M -20 60 h 5 v 5 h -5 Z M -3 60 L 4 60 L 0 70 Z'/>";
+    const Made whole = make("v-fold", kVFold, outline);
+    const Made made = make("v-fold", std::string(kVFold) + holes, outline);
+    ASSERT_TRUE(whole.assembly && made.assembly) << made.text;
+    EXPECT_EQ(made.text, "");
+    const auto lost = [&](std::string_view name) {
+        return area(plate_named(*whole.assembly, name).outline) -
+               area(plate_named(*made.assembly, name).outline);
+    };
+    const double triangle_left = 0.5 * 3.0 * 10.0;
+    const double triangle_right = 0.5 * 4.0 * 10.0;
+    EXPECT_NEAR(lost("piece/left"), 6.0 * 12.0 + 25.0 + triangle_left, 1e-6);
+    EXPECT_NEAR(lost("piece/right"), 10.0 * 12.0 + triangle_right, 1e-6);
+    const Polygon& left = plate_named(*made.assembly, "piece/left").outline;
+    const Polygon& right = plate_named(*made.assembly, "piece/right").outline;
+    EXPECT_EQ(left.holes.size(), 1U);
+    EXPECT_TRUE(right.holes.empty());
+    EXPECT_NEAR(area(unite({left, right})), area(left) + area(right), 1e-6) << "the halves overlap";
+    // What is left of the fold: 0 to 40, 52 to 60, 70 to 80.
+    std::vector<std::pair<double, double>> folded;
+    for (const Line& line : made.assembly->lines) {
+        if (line.kind == LineKind::mountain) folded.emplace_back(line.at.a.y, line.at.b.y);
+    }
+    std::sort(folded.begin(), folded.end());
+    ASSERT_EQ(folded.size(), 3U);
+    const std::vector<std::pair<double, double>> wanted{{0.0, 40.0}, {52.0, 60.0}, {70.0, 80.0}};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_NEAR(folded[i].first, wanted[i].first, 1e-6);
+        EXPECT_NEAR(folded[i].second, wanted[i].second, 1e-6);
+    }
+}
+
+TEST(Silhouette, HolesNeedNoDrawnOutline) {
+    for (const auto& [type, points] : {std::pair("v-fold", kVFold), std::pair("tent", kTent)}) {
+        const Made whole = make(type, points, "");
+        const Made made = make(type, std::string(points) + "<hole d='M -4 6 H 4 V 12 H -4 Z'/>", "");
+        ASSERT_TRUE(whole.assembly && made.assembly) << made.text;
+        double lost = 0.0;
+        for (const std::string_view half : {"piece/left", "piece/right"}) {
+            lost += area(plate_named(*whole.assembly, half).outline) -
+                    area(plate_named(*made.assembly, half).outline);
+        }
+        EXPECT_NEAR(lost, 8.0 * 6.0, 1e-6) << type;
     }
 }
 
