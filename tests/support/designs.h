@@ -42,6 +42,17 @@ Design generate_of(const ElementInfo& info, std::uint64_t seed, int elements);
 // the pieces that may have one; as of generate().
 Design generate_any(std::uint64_t seed, int elements);
 
+// An element of one row, and one of another that stands on it, on a fold or plate chosen at random, if
+// check() finds room for it in one try.
+struct OnAnother {
+    Design design;
+    std::vector<std::size_t> wanted;       // folds that it may stand on, by the ground's row; 0: a plate
+    std::optional<std::size_t> stands_on;  // that on which it does
+};
+OnAnother generate_on(const ElementInfo& info, const ElementInfo& ground, std::uint64_t seed);
+// Elements of which each stands on the one before, `depth` of them if there is room.
+Design generate_tower(std::uint64_t seed, int depth);
+
 // A long card, to see what size costs: groups of five along the gutter, a step, a smaller one on its side
 // fold, one on its centre fold, a tent beside it, and a v-fold on the tent's centre fold. Nothing collides.
 // At least five elements.

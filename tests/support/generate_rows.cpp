@@ -147,8 +147,8 @@ struct Spot {
     Vec2 at;
     double room = 0.0;  // of the plate's box
 };
-std::optional<Spot> spot_on_plate(Dice& random, const Skeleton& skeleton) {
-    const std::size_t plate = random.below(skeleton.draft.plates.size());
+std::optional<Spot> spot_on_plate(Dice& random, const Skeleton& skeleton, std::size_t first = 0) {
+    const std::size_t plate = first + random.below(skeleton.draft.plates.size() - first);
     const Polygon& outline = skeleton.draft.plates[plate].outline;
     const Box box = bounds(outline.outer);
     for (int tries = 0; tries < 8; ++tries) {
@@ -283,6 +283,134 @@ Design generate_any(std::uint64_t seed, int elements) {
         trial = design;
         draw_hole(random, trial);
         take(trial);
+    }
+    return design;
+}
+
+namespace {
+
+// A card with room for what stands on what stands on it: lengths shrink with each.
+constexpr double kLargeMm = 2000.0;
+
+// An element of that row put on a fold or a plate of the skeleton, mended; nullopt if it cannot be.
+std::optional<Design> with_one_on(Dice& random, const Design& design, const Skeleton& skeleton,
+                                  const ElementInfo& info, std::optional<std::size_t> fold,
+                                  std::size_t first_plate) {
+    Design trial = design;
+    trial.version = "3.0";
+    if (fold) {
+        put(trial, skeleton.folds[*fold], propose_of(random, skeleton.folds[*fold], info));
+    } else {
+        const auto spot = spot_on_plate(random, skeleton, first_plate);
+        if (!spot) return std::nullopt;
+        put_on_plate(random, trial, info, *spot);
+    }
+    Diagnostics mended;
+    const auto repaired = check(trial, {}, mended);
+    if (!repaired) return std::nullopt;
+    Diagnostics diagnostics;
+    if (!check(repaired->design(), {}, diagnostics) || diagnostics.has_findings()) return std::nullopt;
+    return repaired->design();
+}
+
+}  // namespace
+
+OnAnother generate_on(const ElementInfo& info, const ElementInfo& ground, std::uint64_t seed) {
+    Dice random{seed * 0xd1342543de82ef95ull + 3};
+    OnAnother made;
+    made.design = card(kLargeMm, kLargeMm);
+    Diagnostics ignored;
+    // Mountain folds are the centre folds of tents: inverted elements that are cut need one.
+    std::optional<Design> below = made.design;
+    const bool on_tent = ground.inverted && !ground.glued;
+    if (on_tent) {
+        const auto bare = check(made.design, {}, ignored);
+        below = with_one_on(random, made.design, bare->skeleton(), *find_element("tent"), 0, 0);
+        if (!below) return made;
+    }
+    const auto under = check(*below, {}, ignored);
+    const std::size_t parent = on_tent ? 2 : 0;
+    const auto first = with_one_on(random, *below, under->skeleton(), ground,
+                                   ground.grounds.plate ? std::nullopt : std::optional(parent), 0);
+    if (!first) return made;
+    const auto checked = check(*first, {}, ignored);
+    const Skeleton& skeleton = checked->skeleton();
+    const std::size_t own = skeleton.folds.size() - ground.folds.size();
+    if (info.grounds.plate) {
+        made.wanted.push_back(0);
+        std::size_t plate = skeleton.draft.plates.size() - 1;
+        while (plate > 0 &&
+               skeleton.draft.plates[plate - 1].name.starts_with(first->structures.back().id + "/"))
+            --plate;
+        if (auto both = with_one_on(random, *first, skeleton, info, std::nullopt, plate)) {
+            made.design = std::move(*both);
+            made.stands_on = 0;
+        }
+        return made;
+    }
+    for (std::size_t i = 0; i < ground.folds.size(); ++i) {
+        const Fold& fold = skeleton.folds[own + i];
+        const bool inverse =
+            info.inverted != (fold.closed_deg == 360) && !info.glued && info.family != "pivot";
+        // The pillar of a floating layer stands under all of its centre fold: nothing is cut from there.
+        const bool taken = ground.name == "floating-layer" && fold.closed_deg == 0 && !info.grounds.seam;
+        if (fold.closed_deg != 180 && !inverse && !taken && stands_on(info, fold)) made.wanted.push_back(i);
+    }
+    if (made.wanted.empty()) return made;
+    const std::size_t chosen = made.wanted[random.below(made.wanted.size())];
+    if (auto both = with_one_on(random, *first, skeleton, info, own + chosen, 0)) {
+        made.design = std::move(*both);
+        made.stands_on = chosen;
+    }
+    return made;
+}
+
+Design generate_tower(std::uint64_t seed, int depth) {
+    constexpr int kKinds = 12;  // tried, until one stands
+    constexpr int kTries = 40;  // of one kind: the largest is taken
+    Dice random{seed * 0xaf251af3b0f025b5ull + 5};
+    Design design = card(kLargeMm, kLargeMm);
+    Diagnostics ignored;
+    auto checked = check(design, {}, ignored);
+    std::size_t first_fold = 0;
+    std::size_t first_plate = 0;
+    const auto longest = [&](const Design& made) {
+        const auto here = check(made, {}, ignored);
+        double size = 0.0;
+        for (std::size_t i = checked->skeleton().folds.size(); i < here->skeleton().folds.size(); ++i) {
+            const Fold& fold = here->skeleton().folds[i];
+            if (fold.closed_deg != 180) size = std::max(size, fold.length());
+        }
+        return size;
+    };
+    for (int level = 0; level < depth; ++level) {
+        const Skeleton& skeleton = checked->skeleton();
+        std::optional<Design> best;
+        for (int kind = 0; kind < kKinds && !best; ++kind) {
+            const ElementInfo& info = element_table()[random.below(element_table().size())];
+            // What has no folds ends a tower.
+            if (info.folds.empty() && level + 1 < depth) continue;
+            double size = 0.0;
+            for (int tries = 0; tries < kTries; ++tries) {
+                std::optional<std::size_t> fold;
+                if (!info.grounds.plate) {
+                    fold = first_fold + random.below(skeleton.folds.size() - first_fold);
+                    const Fold& on = skeleton.folds[*fold];
+                    if (on.closed_deg == 180 || !stands_on(info, on)) continue;
+                }
+                auto taller = with_one_on(random, design, skeleton, info, fold, first_plate);
+                if (!taller) continue;
+                const double own = longest(*taller);
+                if (best && own <= size) continue;
+                size = own;
+                best = std::move(taller);
+            }
+        }
+        if (!best) break;
+        first_fold = skeleton.folds.size();
+        first_plate = skeleton.draft.plates.size();
+        design = std::move(*best);
+        checked = check(design, {}, ignored);
     }
     return design;
 }
