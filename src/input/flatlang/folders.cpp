@@ -1,8 +1,6 @@
 #include "input/flatlang/folders.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "input/flatlang/kit_table.h"
@@ -11,31 +9,10 @@
 namespace popup::flatlang {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::string_view kKitPrefix = "kit/";
 constexpr std::size_t kLargestMiB = 4;
 constexpr std::size_t kLargest = kLargestMiB << 20;
-
-// True when `path` names something below `folder`. Both are canonical, or both normal as text.
-bool is_below(const fs::path& path, const fs::path& folder) {
-    auto rest = path.begin();
-    if (folder == ".") {
-        if (path.is_absolute()) return false;
-    } else {
-        const auto ends = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-        if (ends.first != folder.end()) return false;
-        rest = ends.second;
-    }
-    // What is left of a normal name begins with ".." when it leads out again.
-    return rest != path.end() && *rest != ".." && *rest != ".";
-}
-
-std::string normal(const std::string& path) {
-    std::string text = fs::path(path).lexically_normal().string();
-    while (text.size() > 1 && text.ends_with('/')) text.pop_back();
-    return text;
-}
+constexpr std::string_view kOutOf = "the folders that programs may load from";
 
 // The path of a name below a folder, as the user would write it. Always below, as far as the text goes:
 // names that begin with "/" too.
@@ -59,59 +36,32 @@ std::string list_of(const std::vector<std::string>& names) {
 }  // namespace
 
 Folders::Folders(const Source& program, const ProgramOptions& options) : read_(options.read_file) {
-    std::vector<std::string> shown{fs::path(program.name).parent_path().string()};
-    shown.insert(shown.end(), options.folders.begin(), options.folders.end());
-    for (std::string& folder : shown) {
-        while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
-        const std::string place = folder.empty() ? "." : folder;
-        std::error_code trouble;
-        std::string canonical = read_ ? normal(place) : fs::canonical(place, trouble).string();
-        if (trouble) canonical.clear();
-        if (folder == ".") folder.clear();
-        folders_.push_back({std::move(folder), std::move(canonical)});
-    }
+    folders_.push_back(input_folder(folder_of(program.name), !read_));
+    for (const std::string& folder : options.folders) folders_.push_back(input_folder(folder, !read_));
 }
 
-bool Folders::allows(const std::string& path) const {
-    return std::any_of(folders_.begin(), folders_.end(), [&](const Folder& folder) {
-        return !folder.canonical.empty() && is_below(path, folder.canonical);
-    });
-}
-
-std::optional<LoadedFile> Folders::from_disk(const Folder& folder, const std::string& shown,
-                                             std::string& trouble, bool& there) const {
-    std::error_code error;
-    const fs::path path = fs::canonical(shown, error);
-    // What is not there is not worth a word of its own: other folders may have it.
-    if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory ||
-        error == std::errc::filename_too_long || folder.canonical.empty()) {
-        there = false;
+std::optional<LoadedFile> Folders::load(const std::string& shown, std::string& trouble,
+                                        std::set<std::string>* missing) const {
+    if (!read_) {
+        FileBelow file = read_file_below(shown, folders_, kOutOf, kLargestMiB);
+        trouble = std::move(file.trouble);
+        if (file.text) return LoadedFile{shown, std::move(*file.text)};
+        // What is not there is not worth a word of its own: other folders may have it.
+        if (trouble.empty() && missing != nullptr) missing->insert(shown);
         return std::nullopt;
     }
-    if (error) {
-        trouble = in_quotes(shown) + " cannot be read: " + error.message();
+    const std::string path = normal_path(shown);
+    if (!is_below(path, folders_)) {
+        trouble = in_quotes(shown) + " leads out of " + std::string(kOutOf);
         return std::nullopt;
     }
-    if (!allows(path.string())) {
-        trouble = in_quotes(shown) + " leads out of the folders that programs may load from";
+    std::optional<Source> source = read_(path);
+    if (!source) return std::nullopt;
+    if (source->text.size() > kLargest) {
+        trouble = in_quotes(shown) + " has more than " + std::to_string(kLargestMiB) + " MiB";
         return std::nullopt;
     }
-    // Looked at before it is opened: a pipe would keep the program waiting, and some devices act when opened.
-    if (!fs::is_regular_file(path, error)) {
-        trouble =
-            in_quotes(shown) + (fs::is_directory(path, error) ? " is a directory" : " is not a regular file");
-        return std::nullopt;
-    }
-    Diagnostics unread;
-    std::optional<Source> source = read_source(path.string(), unread, kLargest);
-    if (!source) {
-        const bool large = fs::file_size(path, error) > kLargest && !error;
-        const std::vector<Diagnostic> found = unread.sorted();
-        trouble = large ? in_quotes(shown) + " has more than " + std::to_string(kLargestMiB) + " MiB"
-                        : in_quotes(shown) + " " + found.front().message;
-        return std::nullopt;
-    }
-    return LoadedFile{shown, std::move(source->text)};
+    return LoadedFile{path, std::move(source->text)};
 }
 
 std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why,
@@ -129,7 +79,7 @@ std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why,
     }
     std::string trouble;
     std::vector<std::string> places;
-    for (const Folder& folder : folders_) {
+    for (const InputFolder& folder : folders_) {
         std::string shown = joined(folder.shown, name);
         std::string place =
             folder.shown.empty() ? std::string("the working directory") : in_quotes(folder.shown);
@@ -137,18 +87,7 @@ std::optional<LoadedFile> Folders::find(std::string_view name, std::string& why,
             places.push_back(std::move(place));
         }
         std::string what;
-        std::optional<LoadedFile> file;
-        if (!read_) {
-            bool there = true;
-            file = from_disk(folder, shown, what, there);
-            if (!there && missing != nullptr) missing->insert(shown);
-        } else if (const std::string path = normal(shown); !allows(path)) {
-            what = in_quotes(shown) + " leads out of the folders that programs may load from";
-        } else if (std::optional<Source> source = read_(path); source && source->text.size() > kLargest) {
-            what = in_quotes(shown) + " has more than " + std::to_string(kLargestMiB) + " MiB";
-        } else if (source) {
-            file = LoadedFile{path, std::move(source->text)};
-        }
+        std::optional<LoadedFile> file = load(shown, what, missing);
         if (file) {
             return file;
         }

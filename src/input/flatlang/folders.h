@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/files_below.h"
 #include "popup/language.h"
 
 namespace popup::flatlang {
@@ -39,17 +40,12 @@ class Folders {
                                    std::set<std::string>* missing = nullptr) const;
 
  private:
-    struct Folder {
-        std::string shown;      // as the user named it; empty: the working directory
-        std::string canonical;  // empty: there is none
-    };
-    // True when a path, canonical or normal as text, is in one of the folders.
-    [[nodiscard]] bool allows(const std::string& path) const;
-    // `there`: whether the path names anything.
-    std::optional<LoadedFile> from_disk(const Folder& folder, const std::string& shown, std::string& trouble,
-                                        bool& there) const;
+    // The file at a path, from the disk or from what the options read with; else what kept it from being
+    // read, or nothing of what is not there.
+    std::optional<LoadedFile> load(const std::string& shown, std::string& trouble,
+                                   std::set<std::string>* missing) const;
 
-    std::vector<Folder> folders_;
+    std::vector<InputFolder> folders_;
     std::function<std::optional<Source>(const std::string& path)> read_;
 };
 
