@@ -53,8 +53,8 @@ struct Piece {
     // same. Tabs are part of it, and seams the folds of its tabs: such a piece has no Glue.
     std::vector<Polygon> paper = {};
     std::vector<std::vector<Vec2>> slits = {};  // of `paper`: cuts besides, open, each of at least two points
-    // What is printed on it, wherever its plates are; over what is printed on these. A piece with texts is
-    // not labelled with its name.
+    // What is printed on it, wherever its plates are; over what is printed on these. A piece with texts that
+    // have no colour of their own is not labelled with its name.
     std::vector<Print> prints = {};
 };
 
@@ -153,10 +153,14 @@ inline bool has_model(const Assembly& assembly) {
 //     hang_plates(assembly.joints.back(), assembly.plates);
 void hang_plates(const Joint& joint, std::vector<Plate>& plates);
 
-struct AssembleOptions {};
+struct AssembleOptions {
+    // All pictures are to be levelled; height of the horizon of those that do not say it, in mm.
+    std::optional<double> horizon_mm = {};
+};
 
 // Makes the plates' final outlines (cut-outs taken away, all at once a plate), cuts fills and drawn lines to
-// the plates they lie on, and drops what a later cut took away from a fold. Guarantees: every plate has an
+// the plates they lie on, gives areas and pictures to the plates they lie on and texts to their piece, and
+// drops what a later cut took away from a fold. Guarantees: every plate has an
 // outline with an area; every hinge's plates share its line; joints are in order. Cost: near linear in plates
 // and lines. Its numbers are those of its text: settle_numbers() would change none of them.
 std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& options,

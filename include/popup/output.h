@@ -24,9 +24,11 @@ struct OutputOptions {
     Profile profile = profile_table().front();  // how lines of sheets are drawn
     bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there
     ScoreSide score_side = ScoreSide::front;
-    bool print_and_cut = false;      // what is printed and what is cut are files of their own
-    double reference_mm = 0.0;       // > 0: a bar of this length on each sheet, to measure
-    double dpi = 300.0;              // of raster pictures
+    bool print_and_cut = false;  // what is printed and what is cut are files of their own
+    double reference_mm = 0.0;   // > 0: a bar of this length on each sheet, to measure
+    double dpi = 300.0;          // of raster pictures
+    // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
+    bool outlined_print = false;
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 

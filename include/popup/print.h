@@ -11,6 +11,8 @@
 //   plate.prints.push_back(Stroke{{{0, 0}, {20, 0}}, 0.5, Color{0, 0, 0}});
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#include "popup/diagnostics.h"
 #include "popup/geometry.h"
 
 namespace popup {
@@ -47,13 +50,25 @@ struct Stroke {
     Color color;
 };
 
-// A line of text, in the colour that the profile has for labels. `at` is its middle: half its length, half
-// the height of its capitals.
+// The fonts that texts are set in, all of DejaVu, so that no output depends on what a system chooses.
+enum class TextFont { sans, sans_bold, serif, serif_bold, mono, mono_bold };
+inline constexpr std::array<std::string_view, 6> kTextFontNames{"sans",       "sans-bold", "serif",
+                                                                "serif-bold", "mono",      "mono-bold"};
+// "serif-bold".
+constexpr std::string_view to_string(TextFont font) {
+    return kTextFontNames.at(static_cast<std::size_t>(font));
+}
+
+// A line of text. `at` is its middle: half its length, half the height of its capitals.
 struct Text {
     std::string text;  // UTF-8; writers replace what is not
     Vec2 at;
     double height_mm = 4.0;  // of the capitals, > 0
     double angle = 0.0;      // radians, counter-clockwise
+    // Of a text that is a part of the picture: it is drawn in this colour, as strokes are, and models show
+    // it. None: a note for who builds the piece, in the colour that the profile has for labels.
+    std::optional<Color> color = {};
+    TextFont font = TextFont::sans;
 };
 
 enum class ImageFormat { png, jpeg };
@@ -65,6 +80,14 @@ struct Affine {
     Vec2 origin;
     [[nodiscard]] Vec2 point(Vec2 p) const { return origin + p.x * x + p.y * y; }
     friend bool operator==(const Affine&, const Affine&) = default;
+};
+
+// The horizon of a picture, before it is levelled: level_horizons() of popup/motion.h takes it away.
+struct Horizon {
+    std::optional<double> row;        // of the picture, 0 its lower edge, 1 its upper one; none: all of them
+    std::optional<double> height_mm;  // above the open card; none: where it is on the fold
+    int number = 0;                   // the same of all copies of one picture on the plates of a piece
+    Place place;                      // of the picture in the source
 };
 
 // A picture. Its file is kept as it is and shared by all copies, so that cutting a picture at folds costs
@@ -79,6 +102,9 @@ struct Image {
     Affine place;
     // What of the picture is to be seen, as regions of the page that do not overlap; empty: all of it.
     std::vector<Polygon> clip;
+    // Set of pictures that are still to be levelled. Then `place` and `clip` are as they were drawn, and
+    // plates of the page have the picture that it does not reach yet.
+    std::optional<Horizon> horizon = {};
 };
 
 // What is printed.

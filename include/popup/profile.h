@@ -62,7 +62,8 @@ Operation operation_of(const PatternLine& line, const Profile& profile);
 // Of a contour: an outer cut when it is closed and lies in no other of its piece. Open ones are slits where
 // inner cuts are moved for the kerf, so that the two can be told apart, else inner cuts.
 Operation operation_of(const Contour& cut, const Profile& profile);
-// What is done with print of a piece: areas and images are filled, strokes drawn; texts are labels.
+// What is done with print of a piece: areas and images are filled, strokes and texts of a colour drawn; other
+// texts are labels.
 Operation operation_of(const Print& print);
 
 // What becomes of valley folds, mountain folds and seams.

@@ -18,9 +18,9 @@
 //   object, list                parts within parts
 //   picture                     the file of an image
 //
-// What ends in `_if_any` is left out of the text where there is nothing of it, a `flag_if_set` where it is
-// not, what ends in `_unless` where
-// it is the same as another value; what ends in `_or_none` is then null.
+// `flag_if_set` leaves out what is false, `word_if_any` the first word of the list. What ends in `_if_any` is
+// left out of the text where there is nothing of it, what ends in `_unless` where it is the same as another
+// value; what ends in `_or_none` is then null.
 #pragma once
 
 #include <array>
@@ -66,6 +66,8 @@ void fields(Self& text, To& to) {
     to.point("at", text.at);
     to.length("height_mm", text.height_mm);
     to.angle("angle_deg", text.angle);
+    to.value_if_any("color", text.color);
+    to.word_if_any("font", text.font, kTextFontNames);
 }
 
 template <Of<Image> Self, typename To>

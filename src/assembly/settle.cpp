@@ -64,6 +64,8 @@ struct Settler {
     void sign(const char* /*name*/, int /*value*/) {}
     template <typename Word, typename Words>
     void word(const char* /*name*/, Word /*value*/, const Words& /*words*/) {}
+    template <typename Word, typename Words>
+    void word_if_any(const char* /*name*/, Word /*value*/, const Words& /*words*/) {}
     template <typename Names, typename Variant>
     void kind(const char* /*name*/, const Names& /*names*/, Variant& /*value*/) {}
     void plate(const char* /*name*/, int /*index*/) {}

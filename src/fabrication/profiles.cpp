@@ -266,7 +266,8 @@ Operation operation_of(const PatternLine& line, const Profile& profile) {
 
 Operation operation_of(const Print& print) {
     if (std::holds_alternative<Stroke>(print)) return Operation::draw;
-    return std::holds_alternative<Text>(print) ? Operation::label : Operation::fill;
+    if (const Text* text = std::get_if<Text>(&print)) return text->color ? Operation::draw : Operation::label;
+    return Operation::fill;
 }
 
 Operation operation_of(const Contour& cut, const Profile& profile) {

@@ -3,9 +3,11 @@
 #include <cairo-ft.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <set>
 
 #include "base/system/digest.h"
 #include "output/font_file.h"
@@ -65,7 +67,7 @@ class Painter {
         for (const SheetLayer& layer : drawing_.layers) {
             for (const SheetShape& one : drawing_.shapes_of(layer)) shape(one);
             for (const SheetText& one : drawing_.texts_of(layer)) {
-                color(profile_.pen(one.operation).color);
+                color(one.color);
                 text(one);
             }
         }
@@ -122,9 +124,19 @@ class Painter {
         trace(shape);
         cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
         cairo_clip(cairo_);
+        // Each use of a picture names it among the resources of what is painted on, and a page must not name
+        // a thing twice: later uses are on a page within the page.
+        const bool again = !painted_.insert(surface).second;
+        const bool apart =
+            again && cairo_surface_get_type(cairo_get_target(cairo_)) == CAIRO_SURFACE_TYPE_PDF;
+        if (apart) cairo_push_group(cairo_);
         cairo_transform(cairo_, &matrix);
         cairo_set_source_surface(cairo_, surface, 0.0, 0.0);
         cairo_paint(cairo_);
+        if (apart) {
+            cairo_pop_group_to_source(cairo_);
+            cairo_paint(cairo_);
+        }
         cairo_restore(cairo_);
     }
 
@@ -148,10 +160,18 @@ class Painter {
         cairo_stroke(cairo_);
     }
 
+    // A font other than the labels'; in its place theirs, where there is none: views_of() has told.
+    cairo_font_face_t* face_of(TextFont font) {
+        FontFace& face = fonts_.at(static_cast<std::size_t>(font));
+        if (face == nullptr) face = open_font(font_path(font));
+        return face == nullptr ? cairo_get_font_face(cairo_) : face.get();
+    }
+
     void text(const SheetText& text) {
         cairo_save(cairo_);
         cairo_translate(cairo_, text.at.x, drawing_.height_mm - text.at.y);
         cairo_rotate(cairo_, -text.angle);
+        if (text.font != TextFont::sans) cairo_set_font_face(cairo_, face_of(text.font));
         cairo_set_font_size(cairo_, text.cap_mm / kCapHeight);
         cairo_text_extents_t extents{};
         cairo_text_extents(cairo_, text.text.c_str(), &extents);
@@ -165,6 +185,8 @@ class Painter {
     const SheetDrawing& drawing_;
     const Profile& profile_;
     std::map<const std::string*, Surface> pictures_;  // of this sheet
+    std::set<const cairo_surface_t*> painted_;
+    std::array<FontFace, kTextFontNames.size()> fonts_;
 };
 
 }  // namespace

@@ -359,7 +359,7 @@ class DxfText {
     }
 
     void label(const SheetText& text) {
-        begin_entity("TEXT", text.operation, profile_.pen(text.operation).color);
+        begin_entity("TEXT", text.operation, text.color);
         group(100, "AcDbText");
         point(10, text.at);
         group(40, text.cap_mm);

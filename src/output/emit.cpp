@@ -117,12 +117,12 @@ Json json(const Label& label) {
             {"angle_deg", degrees(label.angle)}};
 }
 
-// A text of the source stands among the labels: it is printed as they are.
+// A text of the source without a colour stands among the labels: it is printed as they are.
 Json labels(const PatternPiece& piece) {
     Json result = Json::array();
     for (const PatternPrint& one : piece.prints) {
         const auto* text = std::get_if<Text>(&one.print);
-        if (text == nullptr) continue;
+        if (text == nullptr || text->color) continue;
         result.push_back(json(Label{LabelKind::piece, text->text, text->at, text->height_mm, text->angle}));
     }
     for (const Label& label : piece.labels) result.push_back(json(label));
@@ -176,6 +176,16 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
         if (image == nullptr) continue;
         one["images"].push_back(json(*image));
         one["images"].back()["plate"] = plate(print.plate);
+    }
+    for (const PatternPrint& print : piece.prints) {
+        const auto* text = std::get_if<Text>(&print.print);
+        if (text == nullptr || !text->color) continue;
+        one["texts"].push_back({{"text", text->text},
+                                {"at", json(text->at)},
+                                {"height_mm", mm(text->height_mm)},
+                                {"angle_deg", degrees(text->angle)},
+                                {"color", json(*text->color)},
+                                {"font", to_string(text->font)}});
     }
     return one;
 }

@@ -85,6 +85,10 @@ struct Writer {
     void word(const char* name, Word value, const Words& words) {
         to[name] = words.at(static_cast<std::size_t>(value));
     }
+    template <typename Word, typename Words>
+    void word_if_any(const char* name, Word value, const Words& words) {
+        if (static_cast<std::size_t>(value) != 0) word(name, value, words);
+    }
     template <typename Names, typename Variant>
     void kind(const char* name, const Names& names, const Variant& value) {
         to[name] = names.at(value.index());

@@ -1,4 +1,5 @@
-// The font of labels, read from its file, so that no output depends on how a system chooses fonts.
+// The fonts of labels and texts, read from their files, so that no output depends on how a system chooses
+// fonts.
 #pragma once
 
 #include <ft2build.h>
@@ -7,7 +8,12 @@
 #include <memory>
 #include <string>
 
+#include "popup/print.h"
+
 namespace popup {
+
+// The file of a font: those of texts stand beside that of the labels.
+std::string font_path(TextFont font);
 
 // A font file as FreeType has it. Null from open() when the file cannot be read as a font.
 struct FontFile {

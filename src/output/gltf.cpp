@@ -40,7 +40,7 @@ std::vector<double> metres(Vec3 mm) {
             rounded(mm.z, kLengthDecimals) / kMetre};
 }
 
-enum Surface { kPaper, kDrawn, kColliding, kTrail, kPainted };
+enum Surface { kPaper, kDrawn, kColliding, kTrail, kPainted, kWritten };
 
 enum ViewIndex : std::size_t {
     kPositions,
@@ -105,12 +105,13 @@ class SceneBuilder {
         const auto [at, is_new] = materials_.try_emplace({surface, color.r, color.g, color.b},
                                                          static_cast<int>(model_.materials.size()));
         if (!is_new) return at->second;
-        const bool drawn = surface == kDrawn || surface == kPainted;
+        const bool drawn = surface == kDrawn || surface == kPainted || surface == kWritten;
         tinygltf::Material material;
         material.name = surface == kColliding ? "collision"
                         : surface == kTrail   ? "trail"
                                               : to_string(color) + (surface == kDrawn     ? " line"
                                                                     : surface == kPainted ? " area"
+                                                                    : surface == kWritten ? " text"
                                                                                           : "");
         material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g), linear(color.b),
                                                          1.0};
@@ -158,7 +159,10 @@ class SceneBuilder {
 
     int material_of(const Image* image, Color color, bool drawn, double lift_mm) {
         if (image != nullptr) return material(*image);
-        return material(color, !drawn ? kPaper : lift_mm == kDrawnLiftMm ? kDrawn : kPainted);
+        return material(color, !drawn                      ? kPaper
+                               : lift_mm == kDrawnLiftMm   ? kDrawn
+                               : lift_mm == kWrittenLiftMm ? kWritten
+                                                           : kPainted);
     }
 
     // The accessor of places in a picture, as parts of its width and height.
@@ -275,10 +279,10 @@ class SceneBuilder {
                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
     }
 
-    int add_mesh(const Plate& plate, const std::string& name, bool collides) {
+    int add_mesh(const Plate& plate, const Piece& piece, const std::string& name, bool collides) {
         tinygltf::Mesh mesh;
         mesh.name = name;
-        for (const MeshPart& part : plate_mesh(plate))
+        for (const MeshPart& part : plate_mesh(plate, piece.prints))
             mesh.primitives.push_back(primitive(part, plate.pivot, collides));
         if (mesh.primitives.empty()) return -1;
         model_.meshes.push_back(std::move(mesh));
@@ -418,7 +422,8 @@ class SceneBuilder {
             const Plate& plate = assembly.plates[i];
             tinygltf::Node one;
             one.name = valid_utf8(card.prefix + plate.name);
-            one.mesh = add_mesh(plate, one.name, !collisions[i].empty());
+            one.mesh = add_mesh(plate, assembly.pieces.at(static_cast<std::size_t>(plate.piece)), one.name,
+                                !collisions[i].empty());
             if (!(tree.offset[i] == Vec3{})) one.translation = metres(tree.offset[i]);
             const auto& turn = track.turns[rest * count + i];
             one.rotation.assign(turn.begin(), turn.end());

@@ -120,8 +120,10 @@ class Plot {
 std::optional<std::vector<SheetFile>> write_hpgl(const Layout& layout, const OutputOptions& options,
                                                  Diagnostics& diagnostics) {
     std::int64_t reach = 0;
+    OutputOptions outlined = options;
+    outlined.outlined_print = true;
     auto files =
-        file_per_view(layout, options, diagnostics, [&](const SheetDrawing& drawing, const SheetView&) {
+        file_per_view(layout, outlined, diagnostics, [&](const SheetDrawing& drawing, const SheetView&) {
             Plot plot(drawing, options);
             std::string text = plot.sheet();
             reach = std::max(reach, plot.reach());

@@ -5,10 +5,12 @@
 #include <polyclipping/clipper.hpp>
 #include <utility>
 
+#include "base/diagnostics/render_diagnostics.h"
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
+#include "output/text_outlines.h"
 #include "popup/image.h"
 
 namespace popup {
@@ -155,9 +157,29 @@ std::vector<MeshPart> painted_parts(const Plate& plate) {
     return parts;
 }
 
+// The letters of a text that lie on the plate.
+std::optional<MeshPart> written_part(const Text& text, const Plate& plate) {
+    // No letter is wider than two capitals are high.
+    const double reach = text.height_mm * (2.0 + 2.0 * static_cast<double>(text.text.size()));
+    const Box box = bounds(plate.outline.outer);
+    if (text.at.x + reach < box.min.x || text.at.x - reach > box.max.x || text.at.y + reach < box.min.y ||
+        text.at.y - reach > box.max.y)
+        return std::nullopt;
+    MeshPart part;
+    part.color = *text.color;
+    part.drawn = true;
+    part.lift_mm = kWrittenLiftMm;
+    const std::string written = visible(text.text);
+    const Region letters =
+        filled(text_outlines(written, text.at, text.height_mm, text.angle, text.font), FillRule::non_zero);
+    for (const Polygon& polygon : intersect(letters, {plate.outline})) append(polygon, plate.pivot, part);
+    if (part.indices.empty()) return std::nullopt;
+    return part;
+}
+
 }  // namespace
 
-std::vector<MeshPart> plate_mesh(const Plate& plate) {
+std::vector<MeshPart> plate_mesh(const Plate& plate, std::span<const Print> of_piece) {
     std::vector<MeshPart> parts;
     MeshPart paper;
     if (plate.fill) paper.color = *plate.fill;
@@ -179,6 +201,13 @@ std::vector<MeshPart> plate_mesh(const Plate& plate) {
         }
         for (const Polygon& polygon : unite(region)) append(polygon, plate.pivot, part);
         if (!part.indices.empty()) parts.push_back(std::move(part));
+    }
+    for (const std::span<const Print> prints : {std::span<const Print>(plate.prints), of_piece}) {
+        for (const Print& print : prints) {
+            const Text* text = std::get_if<Text>(&print);
+            if (text == nullptr || !text->color) continue;
+            if (auto part = written_part(*text, plate)) parts.push_back(std::move(*part));
+        }
     }
     return parts;
 }

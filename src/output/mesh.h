@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "popup/assembly.h"
@@ -12,6 +13,7 @@ namespace popup {
 inline constexpr double kPaintedLiftMm = 0.01;
 inline constexpr double kClearLiftMm = 0.015;  // of pictures that may be transparent
 inline constexpr double kDrawnLiftMm = 0.02;
+inline constexpr double kWrittenLiftMm = 0.025;  // of texts
 
 // Triangles of one colour, or of a picture, in the plane of the plate, counter-clockwise seen from the front.
 struct MeshPart {
@@ -25,11 +27,13 @@ struct MeshPart {
 
 // The paper first (white where the plate has no fill), then its areas and pictures in their order, each cut
 // off at the plate's outline and without what later ones cover, then its drawn lines, one part a colour in
-// the order of their first use: each line as wide as it is drawn, with round ends and corners, cut off at the
+// the order of their first use, and last its texts that have a colour, and those of its piece (`of_piece`), a
+// part each. A text is the outlines of its letters, cut off at the plate's outline; a line is as wide as it
+// is drawn, with round ends and corners, cut off at the
 // plate's outline. Where lines of several colours cross, only the last is there, so that no two parts
 // overlap; plates with more than fifty crossings a line are left as they are. Parts without triangles are
 // left out. Cost: near linear in the corners of the outline and of the lines, times the colours of lines at
 // the outline, and in the square of the number of areas and pictures.
-std::vector<MeshPart> plate_mesh(const Plate& plate);
+std::vector<MeshPart> plate_mesh(const Plate& plate, std::span<const Print> of_piece = {});
 
 }  // namespace popup

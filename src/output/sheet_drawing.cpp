@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/diagnostics/render_diagnostics.h"
+#include "base/geometry/regions.h"
 #include "base/text/numbers.h"
 #include "fabrication/marks.h"
 #include "output/machine_order.h"
@@ -119,20 +120,51 @@ class Drawer {
     }
 
     void text(const std::string& written, Vec2 at, double cap_mm, double angle, Operation operation) {
-        SheetText text{visible(written),        carrier_.at(at), cap_mm,
-                       turned(carrier_, angle), operation,       number_};
-        if (!drawing_.profile.outlined_text) {
+        text({visible(written), carrier_.at(at), cap_mm, turned(carrier_, angle), operation, number_,
+              drawing_.profile.pen(operation).color},
+             drawing_.profile.outlined_text);
+    }
+    void text(const Text& own, const std::vector<Polygon>& paper) {
+        if (own.text.empty() || own.height_mm <= 0.0) return;
+        if (!own.color) return text(own.text, own.at, own.height_mm, own.angle, Operation::label);
+        // What is to be read is on the front alone, and turned as its author wanted it.
+        if (carrier_.back()) return;
+        const std::vector<Polygon> letters = filled(
+            text_outlines(visible(own.text), own.at, own.height_mm, own.angle, own.font), FillRule::non_zero);
+        // Letters that stick out are cut off at the edge of the paper, so they are outlines in every format.
+        constexpr double kNothing = 1e-3;  // mm²
+        if (popup::area(subtract(letters, paper)) > kNothing) {
+            const std::vector<Polygon> left = intersect(letters, paper);
+            if (left.empty()) return;
+            begin(Operation::draw, -1, *own.color, 0.0);
+            drawing_.shapes.back().filled = true;
+            for (const Polygon& one : left) region(one);
+            return;
+        }
+        text({visible(own.text), carrier_.at(own.at), own.height_mm, own.angle + carrier_.angle(),
+              Operation::draw, number_, *own.color, own.font},
+             drawing_.profile.outlined_text || options_.outlined_print);
+    }
+    void text(SheetText text, bool outlined) {
+        if (!outlined) {
             drawing_.texts.push_back(std::move(text));
             return;
         }
-        begin(operation, -1);
+        begin(text.operation, -1);
         drawing_.shapes.back().filled = true;
-        for (const Ring& letter : text_outlines(text.text, text.at, text.cap_mm, text.angle)) {
+        drawing_.shapes.back().color = text.color;
+        for (const Ring& letter : text_outlines(text.text, text.at, text.cap_mm, text.angle, text.font)) {
             drawing_.runs.push_back({drawing_.points.size(), letter.size(), true});
             drawing_.points.insert(drawing_.points.end(), letter.begin(), letter.end());
             ++drawing_.shapes.back().runs;
         }
         if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
+    }
+    void texts(const PatternPiece& piece, Operation operation) {
+        for (const PatternPrint& one : piece.prints) {
+            const Text* own = std::get_if<Text>(&one.print);
+            if (own != nullptr && operation_of(one.print) == operation) text(*own, piece.silhouette);
+        }
     }
 
     void lines(const PatternPiece& piece, Operation operation) {
@@ -182,6 +214,7 @@ class Drawer {
                     begin(operation, one.plate, stroke->color, stroke->width_mm);
                     run(stroke->points, false);
                 }
+                texts(piece, operation);
                 return lines(piece, operation);
             case Operation::glue:
                 for (const GlueTarget& target : piece.targets) {
@@ -190,11 +223,7 @@ class Drawer {
                 }
                 return lines(piece, operation);
             case Operation::label:
-                for (const PatternPrint& one : piece.prints) {
-                    const Text* own = std::get_if<Text>(&one.print);
-                    if (own == nullptr || own->text.empty() || own->height_mm <= 0.0) continue;
-                    text(own->text, own->at, own->height_mm, own->angle, operation);
-                }
+                texts(piece, operation);
                 for (const Label& label : piece.labels) {
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);

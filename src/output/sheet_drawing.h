@@ -65,9 +65,12 @@ struct SheetText {
     std::string text;     // valid UTF-8 without control characters, not empty
     Vec2 at;              // the middle of the text: half its length, half the height of its capitals
     double cap_mm = 0.0;  // height of the capitals
-    double angle = 0.0;   // radians, counter-clockwise, in (-90°, 90°]: read from below or from the right
+    double angle = 0.0;  // radians, counter-clockwise; of labels in (-90°, 90°]: read from below or from the
+                         // right
     Operation operation = Operation::label;
     int piece = -1;  // as of shapes
+    Color color;
+    TextFont font = TextFont::sans;
 };
 
 // One placed piece. Names are valid UTF-8 without control characters.
@@ -156,7 +159,7 @@ std::string layout_title(const Layout& layout);
 // "popupc 0.1.0".
 std::string_view generator();
 
-// Height of DejaVu Sans' capitals as a part of its font size.
+// Height of the capitals of all DejaVu fonts as a part of the font size.
 inline constexpr double kCapHeight = 1493.0 / 2048.0;
 
 }  // namespace popup

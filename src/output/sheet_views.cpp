@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text/numbers.h"
 #include "fabrication/count_operations.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
+#include "output/font_file.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
 
@@ -29,6 +31,24 @@ bool has_room(const Layout& layout, const OutputOptions& options, Diagnostics& d
         return false;
     }
     return true;
+}
+
+// A font that a printed text of the layout is in, and that cannot be read. That of labels is looked at where
+// they are outlined or painted.
+std::optional<TextFont> missing_font(const Layout& layout) {
+    std::array<bool, kTextFontNames.size()> used{};
+    for (const DesignPattern& design : layout.designs) {
+        for (const PatternPiece& piece : design.pattern.pieces) {
+            for (const PatternPrint& one : piece.prints) {
+                if (const Text* text = std::get_if<Text>(&one.print))
+                    used.at(static_cast<std::size_t>(text->font)) = true;
+            }
+        }
+    }
+    for (std::size_t i = 1; i < used.size(); ++i) {
+        if (used.at(i) && !can_outline_text(static_cast<TextFont>(i))) return static_cast<TextFont>(i);
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -97,6 +117,10 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
     if (!has_room(layout, options, diagnostics)) return std::nullopt;
     if (options.profile.outlined_text && !can_outline_text()) {
         report_missing_font(POPUP_FONT_FILE, diagnostics);
+        return std::nullopt;
+    }
+    if (const auto font = missing_font(layout)) {
+        report_missing_font(font_path(*font), diagnostics);
         return std::nullopt;
     }
     using Part = SheetView::Part;

@@ -23,7 +23,7 @@ std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& pi
     for (const int number : piece.plates) {
         const Plate& plate = assembly.plates.at(static_cast<std::size_t>(number));
         if (!plate.stands) continue;
-        for (const MeshPart& part : plate_mesh(plate)) {
+        for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
             auto mesh = std::find_if(meshes.begin(), meshes.end(), [&part](const SpaceMesh& one) {
                 return one.color == part.color && one.drawn == part.drawn && one.lift_mm == part.lift_mm &&
                        one.image == part.image;

@@ -128,7 +128,8 @@ void SvgText::geometry(const SheetShape& shape) {
 
 void SvgText::paint(const SheetShape& shape) {
     if (shape.filled) {
-        if (shape.operation == Operation::registration) raw("stroke=\"none\" ");
+        if (shape.operation == Operation::registration || shape.operation == Operation::draw)
+            raw("stroke=\"none\" ");
         if (shape.operation == Operation::label) return;  // in the layer's colour
         raw("fill=\"");
         color(shape.color);
@@ -220,16 +221,36 @@ void SvgText::shape(const SheetShape& shape) {
     raw("/>\n");
 }
 
+// Of a printed text; labels have those of their layer.
+std::string_view font_attributes(TextFont font) {
+    switch (font) {
+        case TextFont::sans:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Sans\" ";
+        case TextFont::sans_bold:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Sans\" font-weight=\"bold\" ";
+        case TextFont::serif:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Serif\" ";
+        case TextFont::serif_bold:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Serif\" font-weight=\"bold\" ";
+        case TextFont::mono:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Sans Mono\" ";
+        case TextFont::mono_bold:
+            return "text-anchor=\"middle\" font-family=\"DejaVu Sans Mono\" font-weight=\"bold\" ";
+    }
+    broken_invariant("a font is one of its enumerators", __FILE__, __LINE__);
+}
+
 // The text is set on its base line, half the capitals' height below its middle, and turned about the middle.
 void SvgText::text(const SheetText& text) {
     const Vec2 middle{text.at.x, drawing_.height_mm - text.at.y};
     const std::string degrees = number_text(-text.angle * 180.0 / std::numbers::pi, kDecimals);
     raw("   <text ");
-    if (text.operation == Operation::registration) {
+    if (text.operation != Operation::label) {
         raw("stroke=\"none\" fill=\"");
-        color(profile_.pen(text.operation).color);
+        color(text.color);
         raw("\" ");
     }
+    if (text.operation == Operation::draw) raw(font_attributes(text.font));
     raw("x=\"");
     number(middle.x);
     raw("\" y=\"");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -394,17 +395,25 @@ class Unfolder {
         put_in_order(piece.cuts);
     }
 
-    static Drawing drawing_of(const std::vector<Print>& prints) {
+    // What labels stay off: strokes, and texts that are drawn.
+    static Drawing drawing_of(std::span<const Print> on_plate, std::span<const Print> on_piece) {
         std::vector<Segment> lines;
         double half_width = 0.0;
-        for (const Print& print : prints) {
+        const auto add = [&](const Print& print) {
+            if (const Text* text = std::get_if<Text>(&print); text != nullptr && text->color) {
+                const Vec2 along = rotated({0.5 * text_width(text->text, text->height_mm), 0.0}, text->angle);
+                lines.push_back({text->at - along, text->at + along});
+                half_width = std::max(half_width, text->height_mm);
+            }
             const Stroke* stroke = std::get_if<Stroke>(&print);
-            if (stroke == nullptr) continue;
+            if (stroke == nullptr) return;
             for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i) {
                 lines.push_back({stroke->points[i], stroke->points[i + 1]});
             }
             half_width = std::max(half_width, 0.5 * stroke->width_mm);
-        }
+        };
+        std::for_each(on_plate.begin(), on_plate.end(), add);
+        std::for_each(on_piece.begin(), on_piece.end(), add);
         return {EdgeIndex({}, lines), half_width};
     }
 
@@ -413,8 +422,12 @@ class Unfolder {
     // long.
     void name_piece(std::size_t number) {
         const Piece& from = in_.pieces[number];
-        const auto is_text = [](const Print& print) { return std::holds_alternative<Text>(print); };
-        if (std::any_of(from.prints.begin(), from.prints.end(), is_text)) return;
+        // Its source names it.
+        const auto is_note = [](const Print& print) {
+            const Text* text = std::get_if<Text>(&print);
+            return text != nullptr && !text->color;
+        };
+        if (std::any_of(from.prints.begin(), from.prints.end(), is_note)) return;
         const std::string& name = from.name;
         if (!from.paper.empty()) return write_on_paper(number, name);
         const std::string order = glue_number(number);
@@ -445,7 +458,7 @@ class Unfolder {
         for (const std::vector<Vec2>& slit : from.slits) {
             for (std::size_t i = 0; i + 1 < slit.size(); ++i) lines.push_back({slit[i], slit[i + 1]});
         }
-        const Drawing drawing = drawing_of(from.prints);
+        const Drawing drawing = drawing_of({}, from.prints);
         for (std::size_t i = 0; i < std::min(kTried, largest.size()); ++i) {
             const Polygon& paper = from.paper[largest[i].second];
             const EdgeIndex edges(edges_of(paper), lines);
@@ -467,8 +480,9 @@ class Unfolder {
         std::optional<TextSpot> best;
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
-            const auto spot = place_on_plate(on_plate(plate), drawing_of(in_.plates[at(plate)].prints),
-                                             bounds(in_.plates[at(plate)].outline.outer), text);
+            const auto spot = place_on_plate(
+                on_plate(plate), drawing_of(in_.plates[at(plate)].prints, in_.pieces[number].prints),
+                bounds(in_.plates[at(plate)].outline.outer), text);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
         if (!best) return false;

@@ -198,6 +198,10 @@ class Reader {
     void word(const char* name, Word& value, const Words& words) {
         if (const auto number = one_of(name, words)) value = static_cast<Word>(*number);
     }
+    template <typename Word, typename Words>
+    void word_if_any(const char* name, Word& value, const Words& words) {
+        if (found(name) != nullptr) word(name, value, words);
+    }
     template <typename Names, typename Variant>
     void kind(const char* name, const Names& names, Variant& value) {
         if (const auto number = one_of(name, names)) emplace(value, *number);
