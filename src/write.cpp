@@ -308,8 +308,7 @@ bool spares_loaded(const std::string& output, const std::vector<std::string>& lo
                    Diagnostics& diagnostics) {
     for (const std::string& file : loaded) {
         if (!overwrites(output, file)) continue;
-        refuse(diagnostics,
-               fmt::format("{} is loaded by a program of this run, and is not overwritten", file))
+        refuse(diagnostics, fmt::format("{} is read by an input of this run, and is not overwritten", file))
             .hint("give the output another name");
         return false;
     }

@@ -111,6 +111,52 @@ struct DrawnLine {
     bool dropped = false;  // its page went with a dropped structure
 };
 
+// How a picture fills the rectangle that it is given.
+enum class PictureFit {
+    stretch,  // its corners are those of the rectangle
+    contain,  // whole, in the middle, its sides as they are to each other
+    cover     // the same, as large as leaves nothing bare; what sticks out is cut off
+};
+inline constexpr std::array<std::string_view, 3> kPictureFitNames{"stretch", "contain", "cover"};
+
+// A picture from a file, in a rectangle.
+struct DrawnImage {
+    std::string href;  // as written, of a file below the folder of the document
+    Place href_place;
+    double width_mm = 0.0, height_mm = 0.0;  // > 0
+    PictureFit fit = PictureFit::stretch;
+    std::optional<double> horizon;     // 0 the lower edge of the picture, 1 the upper one
+    std::optional<double> horizon_mm;  // above the open card
+    Image picture;                     // the file, opened
+};
+
+struct DrawnText {
+    std::string text;        // UTF-8, one line, not empty
+    double height_mm = 0.0;  // of the capitals, > 0
+    TextFont font = TextFont::sans;
+    Color fill{0, 0, 0};
+};
+
+struct DrawnArea {
+    DrawnPath shape;
+    TextRange d_text;  // the path data as written
+    Color fill{0, 0, 0};
+};
+
+// What is printed beside drawn lines.
+struct DrawnPrint {
+    int page = 0;
+    std::variant<DrawnImage, DrawnText, DrawnArea> what;
+    // Of a picture its lower left corner, about which it is turned; of a text its middle; of an area nothing.
+    DesignPoint at;
+    double rotate_deg = 0.0;  // counter-clockwise
+    TextRange rotate_text;
+    Place place;
+    TextRange page_text, tag_text;  // as of lines
+    bool page_changed = false;
+    bool dropped = false;  // likewise
+};
+
 // Length unit of the document. Numbers in the file times `mm` are millimetres.
 struct Unit {
     std::string_view name = "in";
@@ -128,6 +174,7 @@ struct Design {
     Place page_place;
     std::vector<Structure> structures;  // build order, parents first
     std::vector<DrawnLine> lines;
+    std::vector<DrawnPrint> prints;  // painted before the lines, texts after them, as popup/print.h has it
 };
 
 }  // namespace popup

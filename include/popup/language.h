@@ -32,7 +32,8 @@ struct ProgramOptions {
     std::vector<std::string> folders;  // where `load` looks after the program's own folder, in this order
     bool as_2008 = false;              // the original interpreter's behaviour, oddities included
     ProgramLimits limits;
-    // How a file that `load` names is read: the disk, where it is empty. nullopt: there is none.
+    // How a file that `load` names is read, and a picture that a document names: the disk, where it is empty.
+    // nullopt: there is none.
     std::function<std::optional<Source>(const std::string& path)> read_file;
 };
 

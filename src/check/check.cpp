@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "check/fold_index.h"
@@ -12,6 +13,7 @@
 #include "check/plate_index.h"
 #include "mechanism/element.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/spread_prints.h"
 
 namespace popup {
 
@@ -52,6 +54,7 @@ struct Checker {
     void keep_ghost(const Element& before);
     void drop(Structure& structure);
     void renumber_pages();
+    bool page_is_there(int page, Place place, std::string_view what);
     const Fold& fold_of(const FoldMatch& match) const {
         const auto number = static_cast<std::size_t>(match.fold);
         return match.ghost ? ghosts[number] : skeleton->folds[number];
@@ -430,13 +433,25 @@ void Checker::renumber_pages() {
         for (DesignPoint& point : structure.points) rename_of(point);
         for (Argument& argument : structure.arguments) rename_of(argument);
     }
-    for (DrawnLine& line : design.lines) {
-        const int to = rename(line.page);
-        if (to == line.page) continue;
-        line.dropped = to < 0;
-        line.page_changed = !line.dropped;
-        line.page = std::max(to, 0);
-    }
+    const auto rename_printed = [&rename](auto& printed) {
+        const int to = rename(printed.page);
+        if (to == printed.page) return;
+        printed.dropped = to < 0;
+        printed.page_changed = !printed.dropped;
+        printed.page = std::max(to, 0);
+    };
+    for (DrawnLine& line : design.lines) rename_printed(line);
+    for (DrawnPrint& print : design.prints) rename_printed(print);
+}
+
+// What is printed lies on a page that some piece has.
+bool Checker::page_is_there(int page, Place place, std::string_view what) {
+    if (page >= 0 && page < pages) return true;
+    diagnostics
+        .error("page-not-there", place,
+               fmt::format("{} page {}, but there are pages 0 to {} only", what, page, pages - 1))
+        .hint("page 0 is the base page; every v-fold and tent adds one page");
+    return false;
 }
 
 std::optional<CheckedDesign> Checker::run() {
@@ -449,19 +464,18 @@ std::optional<CheckedDesign> Checker::run() {
     plates.add(*skeleton, 0, std::vector<RigidMove>(skeleton->draft.plates.size()), "page");
     for (std::size_t i = 0; i < design.structures.size(); ++i) check_structure(i);
     for (DrawnLine& line : design.lines) {
-        if (line.page < 0 || line.page >= pages) {
-            diagnostics
-                .error("page-not-there", line.place,
-                       fmt::format("a line is drawn on page {}, but there are pages 0 to {} only", line.page,
-                                   pages - 1))
-                .hint("page 0 is the base page; every v-fold and tent adds one page");
-            continue;
-        }
+        if (!page_is_there(line.page, line.place, "a line is drawn on")) continue;
         if (!redrawn[static_cast<std::size_t>(line.page)]) continue;
         for (DesignPoint& point : line.points) {
             point.at.x = -point.at.x;
             point.changed = true;
         }
+    }
+    for (DrawnPrint& print : design.prints) {
+        constexpr std::array kWhat{"a picture is on", "a text is on", "an area is on"};
+        if (page_is_there(print.page, print.place, kWhat.at(print.what.index())) &&
+            redrawn[static_cast<std::size_t>(print.page)])
+            mirror(print);
     }
     if (options.drop) renumber_pages();
     if (diagnostics.has_errors()) return std::nullopt;

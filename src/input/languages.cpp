@@ -16,13 +16,6 @@
 namespace popup {
 namespace {
 
-template <std::optional<Design> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
-Reading design_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    Reading reading;
-    reading.design = kRead(source, options, diagnostics);
-    return reading;
-}
-
 template <std::optional<Assembly> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
 Reading assembly_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;
@@ -37,7 +30,7 @@ std::vector<Language> const& language_table() {
         {.name = "xml",
          .suffix = ".xml",
          .about = "popup document, as Popup Workshop's thesis describes it",
-         .read = design_of<xml::read>,
+         .read = xml::read_document,
          .patch = xml::patch},
         {.name = "svg",
          .suffix = ".svg",

@@ -1,15 +1,14 @@
-// The skeleton finished: cut-outs taken away, folds interrupted, drawn lines spread over the plates they lie
-// on.
+// The skeleton finished: cut-outs taken away, folds interrupted, what is printed spread over the plates it
+// lies on.
 #include <algorithm>
 #include <map>
 
 #include "assembly/settle.h"
-#include "base/geometry/edge_index.h"
-#include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
 #include "mechanism/builder.h"
+#include "mechanism/spread_prints.h"
 #include "popup/assembly.h"
 #include "popup/check.h"
-#include "popup/units.h"
 
 namespace popup {
 namespace {
@@ -118,49 +117,6 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
     }
 }
 
-// Each page's lines go to the plates whose paper they cross; a plate's lines are clipped together.
-void spread_lines(const Skeleton& skeleton, const Design& design, Assembly& assembly) {
-    if (design.lines.empty()) return;
-    std::vector<EdgeIndex> boxes(skeleton.page_mirrored.size());
-    std::vector<std::vector<int>> plates(boxes.size());
-    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-        const Box box = bounds(assembly.plates[i].outline.outer);
-        const auto page = static_cast<std::size_t>(skeleton.plate_page[i]);
-        boxes[page].insert({box.min, box.max}, false);
-        plates[page].push_back(static_cast<int>(i));
-    }
-    std::vector<std::vector<std::vector<Vec2>>> paths(assembly.plates.size());
-    std::vector<std::vector<const DrawnLine*>> sources(assembly.plates.size());
-    std::vector<int> found;
-    for (const DrawnLine& line : design.lines) {
-        if (line.dropped) continue;
-        const auto page = static_cast<std::size_t>(line.page);
-        std::vector<Vec2> path;
-        Box box;
-        for (const DesignPoint& point : line.points) {
-            path.push_back(skeleton.page_mirrored[page] ? Vec2{-point.at.x, point.at.y} : point.at);
-            box.extend(path.back());
-        }
-        found.clear();
-        boxes[page].query(box, found);
-        for (const int number : found) {
-            const auto plate = static_cast<std::size_t>(plates[page][static_cast<std::size_t>(number)]);
-            paths[plate].push_back(path);
-            sources[plate].push_back(&line);
-        }
-    }
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (paths[i].empty()) continue;
-        auto parts = clip_lines(paths[i], assembly.plates[i].outline);
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            const double width = Length::points(sources[i][k]->thickness_pt).mm;
-            for (auto& part : parts[k]) {
-                assembly.plates[i].prints.emplace_back(Stroke{std::move(part), width, sources[i][k]->color});
-            }
-        }
-    }
-}
-
 }  // namespace
 
 std::string_view to_string(LineKind kind) {
@@ -179,7 +135,7 @@ std::string_view to_string(LineKind kind) {
     return "";
 }
 
-std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& /*options*/,
+std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& options,
                                  Diagnostics& /*diagnostics*/) {
     const Skeleton& skeleton = design.skeleton();
     Assembly assembly = skeleton.draft;
@@ -191,7 +147,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     for (const Hole& hole : skeleton.holes)
         assembly.plates[static_cast<std::size_t>(hole.plate)].outline.holes.push_back(hole.ring);
     add_fold_lines(skeleton, assembly);
-    spread_lines(skeleton, design.design(), assembly);
+    spread_prints(skeleton, design.design(), options, assembly);
     assembly.curves = CurveTable(skeleton.curves);
     settle_numbers(assembly);
     return assembly;

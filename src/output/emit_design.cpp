@@ -70,20 +70,53 @@ Json json(const DrawnLine& line) {
             {"dropped", line.dropped},   {"place", json(line.place)}};
 }
 
+Json json(const DrawnPrint& print) {
+    Json made{{"page", print.page}, {"dropped", print.dropped}, {"place", json(print.place)}};
+    if (const auto* area = std::get_if<DrawnArea>(&print.what)) {
+        made["kind"] = "area";
+        made["d"] = area->shape.text;
+        made["fill"] = json(area->fill);
+        return made;
+    }
+    made["at"] = json(print.at);
+    made["rotate_deg"] = mm(print.rotate_deg);
+    if (const auto* text = std::get_if<DrawnText>(&print.what)) {
+        made["kind"] = "text";
+        made["text"] = text->text;
+        made["height_mm"] = mm(text->height_mm);
+        made["font"] = to_string(text->font);
+        made["fill"] = json(text->fill);
+        return made;
+    }
+    const auto& image = std::get<DrawnImage>(print.what);
+    made["kind"] = "image";
+    made["href"] = image.href;
+    made["width_mm"] = mm(image.width_mm);
+    made["height_mm"] = mm(image.height_mm);
+    made["fit"] = kPictureFitNames.at(static_cast<std::size_t>(image.fit));
+    made["pixels"] = Json::array({image.picture.width, image.picture.height});
+    if (image.horizon) made["horizon"] = mm(*image.horizon);
+    if (image.horizon_mm) made["horizon_mm"] = mm(*image.horizon_mm);
+    return made;
+}
+
 }  // namespace
 
 std::string emit_design(const Design& design) {
-    return json_text({{"file", design.file},
-                      {"stem", design.stem},
-                      {"version", design.version},
-                      {"unit", design.unit.name},
-                      {"width_mm", mm(design.width_mm)},
-                      {"height_mm", mm(design.height_mm)},
-                      {"left", json(design.left)},
-                      {"right", json(design.right)},
-                      {"place", json(design.page_place)},
-                      {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
-                      {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}});
+    Json made{{"file", design.file},
+              {"stem", design.stem},
+              {"version", design.version},
+              {"unit", design.unit.name},
+              {"width_mm", mm(design.width_mm)},
+              {"height_mm", mm(design.height_mm)},
+              {"left", json(design.left)},
+              {"right", json(design.right)},
+              {"place", json(design.page_place)},
+              {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
+              {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}};
+    if (!design.prints.empty())
+        made["prints"] = list(design.prints, [](const DrawnPrint& print) { return json(print); });
+    return json_text(made);
 }
 
 }  // namespace popup

@@ -56,6 +56,9 @@ class DocumentText {
         for (const Structure& s : design_.structures) {
             if (!s.dropped) version = std::max(version, version_needed(info_of(s), s.arguments));
         }
+        const auto kept = [](const DrawnPrint& print) { return !print.dropped; };
+        if (std::any_of(design_.prints.begin(), design_.prints.end(), kept))
+            version = std::max(version, std::string_view("3.0"));
         return version;
     }
 
@@ -138,10 +141,70 @@ class DocumentText {
         line(1, "</structurelist>");
     }
 
+    // The attributes of a place on a page.
+    [[nodiscard]] std::string at(const DrawnPrint& print) const {
+        return fmt::format(" page=\"{}\" x=\"{}\" y=\"{}\"", print.page, length(print.at.at.x),
+                           length(print.at.at.y));
+    }
+    static std::string turn(const DrawnPrint& print) {
+        if (print.rotate_deg == 0.0) return {};
+        return fmt::format(" rotate=\"{}\"", xml::format_number(print.rotate_deg));
+    }
+
+    void printed(const DrawnPrint& print, const DrawnImage& image) {
+        std::string more = turn(print);
+        if (image.fit != PictureFit::stretch)
+            more += fmt::format(" fit=\"{}\"", kPictureFitNames.at(static_cast<std::size_t>(image.fit)));
+        if (image.horizon) more += fmt::format(" horizon=\"{}\"", xml::format_number(*image.horizon));
+        if (image.horizon_mm) more += fmt::format(" horizonheight=\"{}\"", length(*image.horizon_mm));
+        line(2, "<image{} width=\"{}\" height=\"{}\"{} href=\"{}\"/>", at(print), length(image.width_mm),
+             length(image.height_mm), more, escaped(image.href));
+    }
+
+    void printed(const DrawnPrint& print, const DrawnText& text) {
+        std::string more = turn(print);
+        if (text.font != TextFont::sans) more += fmt::format(" font=\"{}\"", to_string(text.font));
+        line(2, "<text{} height=\"{}\"{} fill=\"{}\">{}</text>", at(print), length(text.height_mm), more,
+             to_string(text.fill), escaped(text.text));
+    }
+
+    void printed(const DrawnPrint& print, const DrawnArea& area) {
+        line(2, "<area page=\"{}\" fill=\"{}\" d=\"{}\"/>", print.page, to_string(area.fill),
+             escaped(xml::path_text(area.shape, design_.unit)));
+    }
+
+    static std::string escaped(std::string_view text) {
+        std::string made;
+        for (const char c : text) {
+            switch (c) {
+                case '&':
+                    made += "&amp;";
+                    break;
+                case '<':
+                    made += "&lt;";
+                    break;
+                case '>':
+                    made += "&gt;";
+                    break;
+                case '"':
+                    made += "&quot;";
+                    break;
+                default:
+                    made += c;
+            }
+        }
+        return made;
+    }
+
     void drawn_lines() {
-        const auto kept = [](const DrawnLine& l) { return !l.dropped; };
-        if (std::none_of(design_.lines.begin(), design_.lines.end(), kept)) return;
+        const auto kept = [](const auto& drawn) { return !drawn.dropped; };
+        if (std::none_of(design_.lines.begin(), design_.lines.end(), kept) &&
+            std::none_of(design_.prints.begin(), design_.prints.end(), kept))
+            return;
         line(1, "<drawnlinelist>");
+        for (const DrawnPrint& print : design_.prints) {
+            if (!print.dropped) std::visit([&](const auto& what) { printed(print, what); }, print.what);
+        }
         for (const DrawnLine& l : design_.lines) {
             if (l.dropped) continue;
             line(2, "<drawnline page=\"{}\" thickness=\"{}\" color=\"{}\">", l.page,

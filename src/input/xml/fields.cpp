@@ -18,6 +18,7 @@ bool takes_text(Name context) {
         case Name::begin:
         case Name::end:
         case Name::drawnline:
+        case Name::text:
         case Name::parentplate:
         case Name::argument:
         case Name::value:

@@ -18,12 +18,34 @@ constexpr std::uint64_t in(std::initializer_list<Name> contexts) {
 static_assert(static_cast<unsigned>(Name::value) < 64);
 
 // Everything that is a single value.
-constexpr std::uint64_t kScalars =
-    in({Name::version, Name::units, Name::width, Name::height, Name::leftcolor, Name::rightcolor,
-        Name::lefttabcolor, Name::righttabcolor, Name::type, Name::id, Name::x, Name::y, Name::page,
-        Name::thickness, Name::color, Name::d});
+constexpr std::uint64_t kScalars = in({Name::version,
+                                       Name::units,
+                                       Name::width,
+                                       Name::height,
+                                       Name::leftcolor,
+                                       Name::rightcolor,
+                                       Name::lefttabcolor,
+                                       Name::righttabcolor,
+                                       Name::type,
+                                       Name::id,
+                                       Name::x,
+                                       Name::y,
+                                       Name::page,
+                                       Name::thickness,
+                                       Name::color,
+                                       Name::d,
+                                       Name::href,
+                                       Name::rotate,
+                                       Name::fit,
+                                       Name::horizon,
+                                       Name::horizonheight,
+                                       Name::font,
+                                       Name::fill});
 // Everything that is one point.
 constexpr std::uint64_t kPoints = in({Name::point, Name::begin, Name::end, Name::parentplate});
+
+// What is printed at a place.
+constexpr std::uint64_t kPlaced = in({Name::image, Name::text});
 
 struct Row {
     Name name;
@@ -39,8 +61,8 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::version, "version", "", in({Name::popup}), 0},
     {Name::units, "units", "unit", in({Name::popup}), 0},
     {Name::mainpage, "mainpage", "basepage", in({Name::popup}), 0},
-    {Name::width, "width", "", in({Name::mainpage}), 0},
-    {Name::height, "height", "", in({Name::mainpage}), 0},
+    {Name::width, "width", "", in({Name::mainpage, Name::image}), 0},
+    {Name::height, "height", "", in({Name::mainpage}) | kPlaced, 0},
     {Name::leftcolor, "leftcolor", "leftplanecolor", in({Name::mainpage, Name::structure}), 0},
     {Name::rightcolor, "rightcolor", "rightplanecolor", in({Name::mainpage, Name::structure}), 0},
     {Name::lefttabcolor, "lefttabcolor", "leftgluetabcolor", in({Name::structure}), 0},
@@ -53,19 +75,30 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::point, "point", "outerpoint",
      in({Name::outerpoints, Name::structure, Name::drawnline, Name::argument}),
      in({Name::outerpoints, Name::structure, Name::drawnline, Name::argument})},
-    {Name::x, "x", "", kPoints, 0},
-    {Name::y, "y", "", kPoints, 0},
-    {Name::page, "page", "", kPoints | in({Name::parentfold, Name::drawnline, Name::argument}), 0},
+    {Name::x, "x", "", kPoints | kPlaced, 0},
+    {Name::y, "y", "", kPoints | kPlaced, 0},
+    {Name::page, "page", "",
+     kPoints | kPlaced | in({Name::parentfold, Name::drawnline, Name::argument, Name::area}), 0},
     {Name::parentfold, "parentfold", "", in({Name::structure}), 0},
     {Name::parentplate, "parentplate", "", in({Name::structure}), 0},
-    {Name::d, "d", "", in({Name::argument}), 0},
+    {Name::d, "d", "", in({Name::argument, Name::area}), 0},
     {Name::begin, "begin", "start beginpoint startpoint", in({Name::parentfold}), 0},
     {Name::end, "end", "endpoint", in({Name::parentfold}), 0},
     {Name::drawnlinelist, "drawnlinelist", "drawnlines", in({Name::popup}), 0},
     {Name::drawnline, "drawnline", "line", in({Name::drawnlinelist}), in({Name::drawnlinelist})},
     {Name::thickness, "thickness", "", in({Name::drawnline}), 0},
     {Name::color, "color", "linecolor", in({Name::drawnline}), 0},
-    {Name::value, "value", "", kScalars | kPoints | in({Name::argument}), 0},
+    {Name::image, "image", "picture img", in({Name::drawnlinelist}), in({Name::drawnlinelist})},
+    {Name::text, "text", "caption", in({Name::drawnlinelist}), in({Name::drawnlinelist})},
+    {Name::area, "area", "region", in({Name::drawnlinelist}), in({Name::drawnlinelist})},
+    {Name::href, "href", "src file", in({Name::image}), 0},
+    {Name::rotate, "rotate", "rotation angle", kPlaced, 0},
+    {Name::fit, "fit", "", in({Name::image}), 0},
+    {Name::horizon, "horizon", "", in({Name::image}), 0},
+    {Name::horizonheight, "horizonheight", "", in({Name::image}), 0},
+    {Name::font, "font", "fontfamily", in({Name::text}), 0},
+    {Name::fill, "fill", "fillcolor color", in({Name::text, Name::area}), 0},
+    {Name::value, "value", "", kScalars | kPoints | in({Name::argument, Name::text}), 0},
 });
 
 // Longer than any spelling of the table; longer names are unknown without a look.

@@ -38,7 +38,17 @@ enum class Name : std::uint8_t {
     thickness,
     color,
     parentplate,
-    d,         // of a path: <outline d="M …"/>
+    d,  // of a path: <outline d="M …"/>
+    image,
+    text,
+    area,
+    href,
+    rotate,
+    fit,
+    horizon,
+    horizonheight,
+    font,
+    fill,
     argument,  // a structure's value under the name of a parameter, other than the four colours
     value,     // of anything that is a single value: <leftcolor value="red"/>
 };

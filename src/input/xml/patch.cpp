@@ -33,6 +33,7 @@ class Patch {
             if (line.page_changed) number(line.page_text, line.page);
             for (const DesignPoint& point : line.points) point_edits(point, line.page);
         }
+        for (const DrawnPrint& print : design_.prints) print_edits(print);
         std::sort(edits_.begin(), edits_.end(),
                   [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
         std::string out;
@@ -67,6 +68,17 @@ class Patch {
             if (fold.page_changed) number(end->page_text, fold.page);
             if (end->changed) coordinates(*end);
         }
+    }
+
+    void print_edits(const DrawnPrint& print) {
+        if (print.dropped) return remove(print.tag_text);
+        if (print.page_changed) number(print.page_text, print.page);
+        if (print.at.changed) {
+            coordinates(print.at);
+            number(print.rotate_text, print.rotate_deg);
+        }
+        const auto* area = std::get_if<DrawnArea>(&print.what);
+        if (area != nullptr && area->shape.moved) replace(area->d_text, path_text(area->shape, design_.unit));
     }
 
     void plate_edits(const ParentPlate& plate) {

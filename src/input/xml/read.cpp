@@ -20,6 +20,7 @@
 #include "input/xml/fields.h"
 #include "input/xml/locate.h"
 #include "input/xml/number.h"
+#include "input/xml/read_prints.h"
 #include "input/xml/tree.h"
 #include "input/xml/units.h"
 #include "input/xml/values.h"
@@ -34,10 +35,15 @@ class DocumentReader {
  public:
     DocumentReader(const Source& source, const Located& located, const ReadOptions& options,
                    Diagnostics& diagnostics)
-        : located_(located), reporter_(diagnostics, options.strict), values_(source.text, {}, reporter_) {
+        : located_(located),
+          reporter_(diagnostics, options.strict),
+          values_(source.text, {}, reporter_),
+          pictures_(source, options) {
         design_.file = source.name;
         design_.stem = source.stem();
     }
+
+    [[nodiscard]] const PictureFiles& pictures() const { return pictures_; }
 
     // The design as far as it could be read; it is whole when no error was added.
     Design run() {
@@ -49,7 +55,7 @@ class DocumentReader {
     }
 
  private:
-    using Item = void (DocumentReader::*)(Node);
+    using Item = void (DocumentReader::*)(Name, Node);
 
     bool read_root() {
         const Place place = located_.elements[0].place;
@@ -89,7 +95,8 @@ class DocumentReader {
                 return false;
         }
         if (const Field* field = element_field(fields, Name::drawnlinelist)) {
-            if (!read_list(lines, field->node, Name::drawnlinelist, &DocumentReader::read_line)) return false;
+            if (!read_list(lines, field->node, Name::drawnlinelist, &DocumentReader::read_printed))
+                return false;
         }
         return true;
     }
@@ -107,7 +114,8 @@ class DocumentReader {
         const Offset end = located_.elements[list].after;
         std::size_t items = 0;
         for (Offset child = list + 1; child < end; child = located_.elements[child].after) {
-            if (fields.wants(located_.name(child), located_.elements[child].place) == Name::unknown) continue;
+            const Name found = fields.wants(located_.name(child), located_.elements[child].place);
+            if (found == Name::unknown) continue;
             if (++items > kItemsLimit) {
                 reporter_.error("document-too-large", located_.elements[child].place,
                                 fmt::format("'{}' has more than {} entries", canonical(name), kItemsLimit));
@@ -115,7 +123,7 @@ class DocumentReader {
             }
             const auto tree = Tree::parse(located_, child, Tree::Extent::whole, reporter_.diagnostics());
             if (!tree) return false;
-            (this->*read_item)(tree->root());
+            (this->*read_item)(found, tree->root());
         }
         return true;
     }
@@ -176,7 +184,7 @@ class DocumentReader {
                         format_number(*mm), format_number(kSmallestPage), format_number(kLargestPage)));
     }
 
-    void read_structure(Node node) {
+    void read_structure(Name /*name*/, Node node) {
         const std::size_t n = design_.structures.size();
         reporter_.set_structure(n);
         const Fields fields(node, Name::structure, reporter_);
@@ -362,6 +370,19 @@ class DocumentReader {
                         fmt::format("this parentfold has no {}", canonical(name)));
     }
 
+    void read_printed(Name name, Node node) {
+        if (name == Name::drawnline) return read_line(node);
+        constexpr std::string_view kSince = "3.0";
+        if (design_.version < kSince && design_.prints.empty()) {
+            reporter_
+                .warning(
+                    "newer-element", node.place(),
+                    fmt::format("'{}' is not an element of version {}", canonical(name), design_.version))
+                .hint(fmt::format("write version=\"{}\"", kSince));
+        }
+        design_.prints.push_back(PrintReader(values_, reporter_, pictures_).read(name, node, design_.unit));
+    }
+
     void read_line(Node node) {
         const Fields fields(node, Name::drawnline, reporter_);
         DrawnLine& made = design_.lines.emplace_back();
@@ -407,23 +428,32 @@ class DocumentReader {
     const Located& located_;
     Reporter reporter_;
     Values values_;
+    PictureFiles pictures_;
     Design design_;
     std::unordered_map<std::string, Place> ids_;  // given ids; only looked up, never walked
 };
 
 }  // namespace
 
-std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    if (!check_encoding(source.text, diagnostics)) return std::nullopt;
+Reading read_document(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    Reading reading;
+    if (!check_encoding(source.text, diagnostics)) return reading;
     const auto located = locate(source.text, diagnostics);
-    if (!located) return std::nullopt;
+    if (!located) return reading;
     // What is allowed is known before anything is found, or --werror would end the reading for it.
     std::vector<Allowance> for_elements = read_allowances(*located, AllowanceScope::elements, diagnostics);
-    Design design = DocumentReader(source, *located, options, diagnostics).run();
+    DocumentReader reader(source, *located, options, diagnostics);
+    Design design = reader.run();
+    reading.files = reader.pictures().files();
+    reading.missing.assign(reader.pictures().missing().begin(), reader.pictures().missing().end());
     allow_for_elements(std::move(for_elements), design.structures, diagnostics);
     diagnostics.apply_allowances();
-    if (diagnostics.has_errors()) return std::nullopt;
-    return design;
+    if (!diagnostics.has_errors()) reading.design = std::move(design);
+    return reading;
+}
+
+std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    return read_document(source, options, diagnostics).design;
 }
 
 }  // namespace popup::xml

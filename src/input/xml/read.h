@@ -8,7 +8,9 @@
 
 namespace popup::xml {
 
-// The rows' functions, as language.h promises them.
+// The row's functions, as language.h promises them.
+Reading read_document(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+// The design alone.
 std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 std::string patch(const Source& source, const Design& design);
 

@@ -44,9 +44,12 @@ constexpr std::string_view kHead = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
         </xs:element>
         <xs:element name="drawnlinelist" minOccurs="0">
           <xs:complexType>
-            <xs:sequence>
-              <xs:element name="drawnline" type="drawnline" minOccurs="0" maxOccurs="unbounded"/>
-            </xs:sequence>
+            <xs:choice minOccurs="0" maxOccurs="unbounded">
+              <xs:element name="drawnline" type="drawnline"/>
+              <xs:element name="image" type="image"/>
+              <xs:element name="text" type="text"/>
+              <xs:element name="area" type="area"/>
+            </xs:choice>
           </xs:complexType>
         </xs:element>
       </xs:sequence>
@@ -93,6 +96,81 @@ constexpr std::string_view kStructure = R"xsd(
     </xs:attribute>
     <xs:attribute name="color" type="color" default="#000000"/>
   </xs:complexType>
+
+  <xs:complexType name="image">
+    <xs:annotation>
+      <xs:documentation>A PNG or JPEG file below the folder of the document, in a rectangle with its lower left corner at (x, y).
+        One of width and height is enough: the other follows from the picture.</xs:documentation>
+    </xs:annotation>
+    <xs:attribute name="href" type="xs:string" use="required"/>
+    <xs:attributeGroup ref="place"/>
+    <xs:attribute name="width" type="size"/>
+    <xs:attribute name="height" type="size"/>
+    <xs:attribute name="fit" default="stretch">
+      <xs:simpleType>
+        <xs:restriction base="xs:string">
+{}        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
+    <xs:attribute name="horizon">
+      <xs:annotation>
+        <xs:documentation>Where in the picture its horizon is: 0 at the lower edge, 1 at the upper one.</xs:documentation>
+      </xs:annotation>
+      <xs:simpleType>
+        <xs:restriction base="number">
+          <xs:minInclusive value="0"/>
+          <xs:maxInclusive value="1"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
+    <xs:attribute name="horizonheight" type="number">
+      <xs:annotation>
+        <xs:documentation>How high the horizon is above the base page of the open card.</xs:documentation>
+      </xs:annotation>
+    </xs:attribute>
+  </xs:complexType>
+
+  <xs:complexType name="text">
+    <xs:annotation>
+      <xs:documentation>A line of text with its middle at (x, y), its capitals so high.</xs:documentation>
+    </xs:annotation>
+    <xs:simpleContent>
+      <xs:extension base="xs:string">
+        <xs:attributeGroup ref="place"/>
+        <xs:attribute name="height" type="size"/>
+        <xs:attribute name="font" default="sans">
+          <xs:simpleType>
+            <xs:restriction base="xs:string">
+{}            </xs:restriction>
+          </xs:simpleType>
+        </xs:attribute>
+        <xs:attribute name="fill" type="color" default="#000000"/>
+      </xs:extension>
+    </xs:simpleContent>
+  </xs:complexType>
+
+  <xs:complexType name="area">
+    <xs:attribute name="d" type="xs:string" use="required"/>
+    <xs:attribute name="page" type="page" default="0"/>
+    <xs:attribute name="fill" type="color" default="#000000"/>
+  </xs:complexType>
+
+  <xs:attributeGroup name="place">
+    <xs:attribute name="page" type="page" default="0"/>
+    <xs:attribute name="x" type="number" use="required"/>
+    <xs:attribute name="y" type="number" use="required"/>
+    <xs:attribute name="rotate" default="0">
+      <xs:annotation>
+        <xs:documentation>Degrees, counter-clockwise about (x, y).</xs:documentation>
+      </xs:annotation>
+      <xs:simpleType>
+        <xs:restriction base="number">
+          <xs:minInclusive value="-360"/>
+          <xs:maxInclusive value="360"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
+  </xs:attributeGroup>
 
   <xs:complexType name="mainpage">
     <xs:sequence>
@@ -273,6 +351,13 @@ std::string value_elements() {
     return out;
 }
 
+std::string enumeration(std::span<const std::string_view> words, std::size_t indent) {
+    std::string out;
+    for (const std::string_view word : words)
+        out += fmt::format("{}<xs:enumeration value=\"{}\"/>\n", std::string(indent, ' '), word);
+    return out;
+}
+
 std::string value_attributes() {
     std::string out;
     for (const ParameterInfo* parameter : parameters(is_attribute)) {
@@ -339,7 +424,8 @@ std::string render_schema() {
         [](const ElementInfo& a, const ElementInfo& b) { return a.points.size() < b.points.size(); });
     return std::string(kHead) + units() + types() +
            fmt::format(kStructure, fewest->points.size(), most->points.size(), value_elements(), grounds(),
-                       value_attributes(), format_number(kThickestLine), kPageLimit) +
+                       value_attributes(), format_number(kThickestLine), enumeration(kPictureFitNames, 10),
+                       enumeration(kTextFontNames, 14), kPageLimit) +
            value_types() + "</xs:schema>\n";
 }
 

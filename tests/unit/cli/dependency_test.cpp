@@ -102,6 +102,18 @@ TEST_F(Dependencies, AsJsonTheyNameTheSame) {
     EXPECT_EQ(other["inputs"], nlohmann::json::array({odd}));
 }
 
+TEST_F(Dependencies, PicturesAreInputs) {
+    fs::copy_file(kSource / "samples/harbour.xml", scratch / "harbour.xml");
+    fs::copy(kSource / "samples/pictures", scratch / "pictures");
+    const std::string rule =
+        built({"harbour.xml", "bird.xml", "-o", "b.svg", "-MD", "-MT", "all", "-MF", "b.d"}, "b.d");
+    EXPECT_EQ(rule, "all: harbour.xml bird.xml pictures/water.jpg pictures/sea.png\n");
+    const RunResult result = popupc({"build", "harbour.xml", "-o", "pictures/sea.png"}, options);
+    EXPECT_EQ(result.exit, 2) << "it is not written over";
+    EXPECT_NE(result.err.find("pictures/sea.png is read by an input of this run"), std::string::npos)
+        << result.err;
+}
+
 TEST_F(Dependencies, AFailedBuildKeepsTheOldRuleAndTellsItsInputsAsJson) {
     write_file(scratch / "b.d", "as it was");
     write_file(scratch / "bad.xml", "<popup");

@@ -287,7 +287,7 @@ TEST_F(LoadedFiles, AreNotWrittenOver) {
     fs::create_hard_link(scratch / "lib/size.fl", scratch / "size.svg");
     const auto refuse = [&](std::vector<std::string> words) {
         const RunResult result = ran(std::move(words), 2);
-        EXPECT_TRUE(has(result.err, "lib/size.fl is loaded by a program of this run")) << result.err;
+        EXPECT_TRUE(has(result.err, "lib/size.fl is read by an input of this run")) << result.err;
         EXPECT_EQ(text("lib/size.fl"), kSize);
         EXPECT_FALSE(fs::exists(scratch / "part.svg"));
     };

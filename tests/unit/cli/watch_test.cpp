@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "base/text/base64.h"
 #include "support/background.h"
+#include "support/pictures.h"
 #include "support/run_program.h"
 
 namespace popup::test {
@@ -105,6 +107,22 @@ TEST_F(Watch, BuildsAgainWhenTheProfileChanges) {
     ASSERT_TRUE(has("#123456"));
     replace("mine.toml", "name = \"mine\"\n[pens.outer-cut]\ncolor = \"#654321\"\n");
     EXPECT_TRUE(has("#654321"));
+}
+
+TEST_F(Watch, BuildsAgainWhenAPictureComesOrChanges) {
+    write_file(scratch / "card.xml",
+               "<popup version='3.0' units='mm'><drawnlinelist>"
+               "<image href='sea.png' x='0' y='0' width='20'/></drawnlinelist></popup>");
+    start({"card.xml", "-o", "card.svg"});
+    ASSERT_TRUE(says("picture-missing"));
+    const auto shows = [&](const std::string& file) {
+        return eventually(
+            [&] { return read_file(scratch / "card.svg").find(base64(file)) != std::string::npos; });
+    };
+    write_file(scratch / "sea.png", png_of(8, 4));
+    ASSERT_TRUE(shows(png_of(8, 4)));
+    replace("sea.png", png_of(4, 4));
+    EXPECT_TRUE(shows(png_of(4, 4)));
 }
 
 TEST_F(Watch, AConfigurationMayComeToBe) {

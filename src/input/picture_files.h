@@ -1,0 +1,53 @@
+// The pictures that a document names.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "input/files_below.h"
+#include "popup/image.h"
+#include "popup/language.h"
+
+namespace popup {
+
+// Why there is no picture: a diagnostic, but for its place.
+struct PictureRefusal {
+    std::string code, message, hint;
+};
+
+// Opens the pictures of one document, each file once.
+class PictureFiles {
+ public:
+    PictureFiles(const Source& document, const ReadOptions& options);
+
+    // The picture of a file below the document's folder (of standard input: the working directory); null
+    // with a refusal. Never read are absolute paths, what has "..", URLs, and what a symbolic link leads out
+    // of the folder.
+    const Image* open(std::string_view href, PictureRefusal& refusal);
+
+    // Files that were read, in the order in which they were; and those that are not there, sorted.
+    [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    [[nodiscard]] const std::set<std::string>& missing() const { return missing_; }
+
+ private:
+    struct Entry {
+        const Image* image = nullptr;
+        PictureRefusal refusal;
+    };
+    Entry read(const std::string& shown);
+    Entry opened(const std::string& shown, std::string bytes, const std::string& path);
+
+    std::vector<InputFolder> folder_;
+    std::function<std::optional<Source>(const std::string& path)> read_;
+    std::map<std::string, Entry, std::less<>> by_name_;  // as named from the working directory
+    std::map<std::string, Image> by_path_;               // canonical
+    std::size_t bytes_ = 0;                              // of all of them
+    std::vector<std::string> files_;
+    std::set<std::string> missing_;
+};
+
+}  // namespace popup

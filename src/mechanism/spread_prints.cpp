@@ -1,0 +1,207 @@
+#include "mechanism/spread_prints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
+#include "popup/image.h"
+#include "popup/path.h"
+#include "popup/units.h"
+
+namespace popup {
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+// The direction at an angle in degrees. Quarter turns are exact.
+Vec2 direction_at(double degrees) {
+    const double quarters = degrees / 90.0;
+    if (quarters == std::round(quarters)) {
+        switch (static_cast<int>(std::fmod(quarters, 4.0) + 4.0) % 4) {
+            case 0:
+                return {1.0, 0.0};
+            case 1:
+                return {0.0, 1.0};
+            case 2:
+                return {-1.0, 0.0};
+            default:
+                return {0.0, -1.0};
+        }
+    }
+    return rotated({1.0, 0.0}, radians(degrees));
+}
+
+// The rectangle of a picture, and the picture in it.
+Image placed(const DrawnPrint& print, const DrawnImage& drawn) {
+    const Vec2 right = direction_at(print.rotate_deg);
+    const Vec2 up = left_of(right);
+    const double width = drawn.width_mm;
+    const double height = drawn.height_mm;
+    const double across = drawn.picture.width;
+    const double down = drawn.picture.height;
+    // mm a pixel.
+    Vec2 scale{width / across, height / down};
+    if (drawn.fit == PictureFit::contain) scale.x = scale.y = std::min(scale.x, scale.y);
+    if (drawn.fit == PictureFit::cover) scale.x = scale.y = std::max(scale.x, scale.y);
+    const Vec2 left_over{0.5 * (width - scale.x * across), 0.5 * (height - scale.y * down)};
+    Image image = drawn.picture;
+    image.place.x = scale.x * right;
+    image.place.y = -scale.y * up;
+    image.place.origin = print.at.at + left_over.x * right + (height - left_over.y) * up;
+    if (drawn.fit == PictureFit::cover) {
+        const Vec2 at = print.at.at;
+        image.clip = {
+            Polygon{{at, at + width * right, at + width * right + height * up, at + height * up}, {}}};
+    }
+    return image;
+}
+
+// Each page's plates, found by where their paper is.
+class Pages {
+ public:
+    Pages(const Skeleton& skeleton, const Assembly& assembly)
+        : mirrored_(skeleton.page_mirrored), boxes_(mirrored_.size()), plates_(mirrored_.size()) {
+        for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+            const Box box = bounds(assembly.plates[i].outline.outer);
+            const auto page = static_cast<std::size_t>(skeleton.plate_page[i]);
+            boxes_[page].insert({box.min, box.max}, false);
+            plates_[page].push_back(i);
+        }
+    }
+    [[nodiscard]] bool mirrored(int page) const { return mirrored_[static_cast<std::size_t>(page)]; }
+    [[nodiscard]] const std::vector<std::size_t>& plates(int page) const {
+        return plates_[static_cast<std::size_t>(page)];
+    }
+    // The plates of the page whose paper may reach into the box, in their order.
+    [[nodiscard]] const std::vector<std::size_t>& near(int number, const Box& box) {
+        const auto page = static_cast<std::size_t>(number);
+        boxes_[page].query(box, found_);
+        near_.clear();
+        for (const int one : found_) near_.push_back(plates_[page][static_cast<std::size_t>(one)]);
+        return near_;
+    }
+
+ private:
+    const std::vector<bool>& mirrored_;
+    std::vector<EdgeIndex> boxes_;
+    std::vector<std::vector<std::size_t>> plates_;
+    std::vector<int> found_;
+    std::vector<std::size_t> near_;
+};
+
+// Each page's lines go to the plates whose paper they cross; a plate's lines are clipped together.
+void spread_lines(const Design& design, Pages& pages, Assembly& assembly) {
+    std::vector<std::vector<std::vector<Vec2>>> paths(assembly.plates.size());
+    std::vector<std::vector<const DrawnLine*>> sources(assembly.plates.size());
+    for (const DrawnLine& line : design.lines) {
+        if (line.dropped) continue;
+        std::vector<Vec2> path;
+        Box box;
+        for (const DesignPoint& point : line.points) {
+            path.push_back(pages.mirrored(line.page) ? Vec2{-point.at.x, point.at.y} : point.at);
+            box.extend(path.back());
+        }
+        for (const std::size_t plate : pages.near(line.page, box)) {
+            paths[plate].push_back(path);
+            sources[plate].push_back(&line);
+        }
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].empty()) continue;
+        auto parts = clip_lines(paths[i], assembly.plates[i].outline);
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const double width = Length::points(sources[i][k]->thickness_pt).mm;
+            for (auto& part : parts[k]) {
+                assembly.plates[i].prints.emplace_back(Stroke{std::move(part), width, sources[i][k]->color});
+            }
+        }
+    }
+}
+
+void spread_area(const DrawnArea& drawn, int page, Pages& pages, Assembly& assembly) {
+    for (const Polygon& area : drawn.shape.inside.areas) {
+        for (const std::size_t number : pages.near(page, bounds(area.outer))) {
+            Plate& plate = assembly.plates[number];
+            for (Polygon& part : intersect({area}, {plate.outline})) {
+                plate.prints.emplace_back(Area{std::move(part), drawn.fill});
+            }
+        }
+    }
+}
+
+// Pictures with a horizon go to all plates of their page, until that becomes too much to hold.
+struct Horizons {
+    std::size_t copies = 1'000'000;  // that there may still be
+    int next = 0;
+};
+
+void spread_image(const DrawnPrint& print, const DrawnImage& drawn, const AssembleOptions& options,
+                  Horizons& horizons, Pages& pages, Assembly& assembly) {
+    Image image = placed(print, drawn);
+    if (drawn.horizon || options.horizon_mm) {
+        image.horizon = Horizon{drawn.horizon, drawn.horizon_mm ? drawn.horizon_mm : options.horizon_mm,
+                                horizons.next++, print.place};
+        const std::vector<std::size_t>& all = pages.plates(print.page);
+        if (all.size() <= horizons.copies) {
+            horizons.copies -= all.size();
+            for (const std::size_t plate : all) assembly.plates[plate].prints.emplace_back(image);
+            return;
+        }
+    }
+    const std::vector<Polygon> shown = shown_regions(image);
+    for (const std::size_t number : pages.near(print.page, bounds(shown.front().outer))) {
+        Plate& plate = assembly.plates[number];
+        if (!intersect(shown, {plate.outline}).empty()) plate.prints.emplace_back(image);
+    }
+}
+
+void spread_text(const DrawnPrint& print, const DrawnText& drawn, Pages& pages, Assembly& assembly) {
+    const std::vector<std::size_t>& plates = pages.plates(print.page);
+    if (plates.empty()) return;
+    const int piece = assembly.plates[plates.front()].piece;
+    assembly.pieces[static_cast<std::size_t>(piece)].prints.emplace_back(
+        Text{drawn.text, print.at.at, drawn.height_mm, radians(print.rotate_deg), drawn.fill, drawn.font});
+}
+
+}  // namespace
+
+void mirror(DrawnPrint& print) {
+    if (auto* area = std::get_if<DrawnArea>(&print.what)) {
+        area->shape.path = area->shape.path.mapped([](Vec2 p) { return Vec2{-p.x, p.y}; });
+        area->shape.moved = true;
+        static_cast<void>(enclose(area->shape.path, area->shape.inside));  // as many points as before
+        return;
+    }
+    print.at.at.x = -print.at.at.x;
+    print.at.changed = true;
+    if (print.rotate_deg != 0.0) print.rotate_deg = -print.rotate_deg;
+    // The corner that was the right one is the left one now.
+    if (const auto* image = std::get_if<DrawnImage>(&print.what))
+        print.at.at = print.at.at - image->width_mm * direction_at(print.rotate_deg);
+}
+
+void spread_prints(const Skeleton& skeleton, const Design& design, const AssembleOptions& options,
+                   Assembly& assembly) {
+    if (design.lines.empty() && design.prints.empty()) return;
+    Pages pages(skeleton, assembly);
+    Horizons horizons;
+    for (const DrawnPrint& drawn : design.prints) {
+        if (drawn.dropped) continue;
+        DrawnPrint print = drawn;
+        if (pages.mirrored(print.page)) mirror(print);
+        if (const auto* area = std::get_if<DrawnArea>(&print.what)) {
+            spread_area(*area, print.page, pages, assembly);
+        } else if (const auto* image = std::get_if<DrawnImage>(&print.what)) {
+            spread_image(print, *image, options, horizons, pages, assembly);
+        } else {
+            spread_text(print, std::get<DrawnText>(print.what), pages, assembly);
+        }
+    }
+    spread_lines(design, pages, assembly);
+}
+
+}  // namespace popup
