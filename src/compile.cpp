@@ -32,7 +32,8 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         one.checked = check(*one.design, options.check, one.diagnostics);
         if (!one.checked || options.until == Stage::check) return;
 
-        one.assembly = assemble(*one.checked, AssembleOptions{}, one.diagnostics);
+        one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
+        if (one.assembly) level_horizons(*one.assembly, one.diagnostics);
     }
     if (!one.assembly || options.until <= Stage::assembly) return;
 

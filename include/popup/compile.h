@@ -29,6 +29,7 @@ enum class Stage { design, check, assembly, motion, pattern, layout };
 struct CompileOptions {
     ReadOptions read;
     CheckOptions check;
+    AssembleOptions assemble;
     MotionOptions motion;
     PatternOptions pattern;
     LayoutOptions layout;

@@ -131,6 +131,24 @@ struct Motion {
 // allocation.
 bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* stuck = nullptr);
 
+// Horizon-line correction (Glassner, "Interactive Pop-up Card Design", section 8): seen along the base of the
+// open card, the horizon of a picture is straight and parallel to the base, whatever plates it runs over.
+//
+// On the open card (Sweep::to_deg) lines of constant height on a plate have one direction. On both plates of
+// a piece's first fold that rises there, its centre fold, the picture is sheared along that fold, so that
+// points of the fold stay on it, until its rows have that direction; then it is moved along the fold until
+// the row is at the horizon's height. On what is folded to these plates it is sheared along the fold between
+// them in the same way. Without a fold that rises, it is sheared along the line of steepest rise, about the
+// middle of the row, and moved along it.
+//
+// Afterwards no image has a horizon, those that do not show on a plate are gone from it, and the numbers are
+// settled again. Guarantees: every point of the row is at the height (without a row: every row at the height
+// that it has on the fold) to 1e-6 mm; on either side of a fold over which it was sheared the same points of
+// the picture meet, to 1e-6 mm. Remarks: `horizon-flat`, where a plate is parallel to the base or nothing
+// moves; `horizon-upright`, of rows that no such shear can level. Both leave the picture as it was there.
+// Cost: that of place() once, and linear in images.
+void level_horizons(Assembly& assembly, Diagnostics& diagnostics);
+
 // The iterative baseline. Keeps the last positions as starting points, as Popup Workshop does; the first call
 // starts from its heuristic guess. `repeats` is the limit of figure 5.16, `precision` its "close enough" in
 // mm.

@@ -21,6 +21,16 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "corners and edges or flat on one another, do not. The message gives the first and last angle, and "
      "how far one goes through the other. Real paper would bend, catch or tear there. Move one of the "
      "elements as the hint says, or make one of them smaller."},
+    {"horizon-flat", Severity::remark, "a picture with a horizon lies flat on the open card",
+     "The horizon of a picture is levelled where its paper stands up when the card is open: there, lines of "
+     "one height have one direction, and the picture is sheared until its rows have it. A plate that lies "
+     "flat then, as the base page, straps and what is cut from the page do, has no such direction, so the "
+     "picture stays as it was drawn. Leave the horizon out, or print the picture on a piece that stands."},
+    {"horizon-upright", Severity::remark, "a picture's rows run too steeply to be levelled",
+     "To level its horizon a picture is sheared along the centre fold of its piece, whose points stay. That "
+     "cannot turn rows that run along the fold, or nearly so, and pictures are not sheared by more than ten "
+     "times their width. The picture stays as it was drawn. Turn it, so that its rows run across the fold, "
+     "or leave the horizon out."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: "
      "the linkage passes from one of its two solutions to the other, its mirror image, or is so close to "

@@ -159,6 +159,11 @@ void add_check_options(CLI::App& verb, Options& options) {
         [&options](std::string_view text) {
             options.compile.check.repair = choose<bool>("--repair", text, {{"auto", true}, {"never", false}});
         });
+    value(verb, "--horizon", "HEIGHT",
+          "level all pictures: seen along the base of the open card, their horizons are straight, this high",
+          "Pattern", [&options](std::string_view text) {
+              options.compile.assemble.horizon_mm = length_option("--horizon", text, 0.0).mm;
+          });
     value(verb, "--tab-depth", "LENGTH", "depth of glue tabs (default 10mm)", "Pattern",
           [&options](std::string_view text) {
               options.compile.pattern.tab_depth = length_option("--tab-depth", text, 1e-3);

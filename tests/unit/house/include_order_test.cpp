@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"input", {"base", "assembly", "parts"}},
         {"mechanism", {"base", "assembly"}},
         {"check", {"base", "mechanism"}},
-        {"motion", {"base"}},
+        {"motion", {"base", "assembly"}},
         {"pattern", {"base"}},
         {"nest", {"base"}},
         {"layout", {"base", "nest"}},
