@@ -64,6 +64,7 @@ GlbPart read_part(const tinygltf::Model& model, const tinygltf::Primitive& primi
     for (std::size_t k = 0; k < 3; ++k)
         part.color.at(k) = material.pbrMetallicRoughness.baseColorFactor.at(k);
     part.double_sided = material.doubleSided;
+    part.texture = material.pbrMetallicRoughness.baseColorTexture.index;
     const Values points(model, primitive.attributes.at("POSITION"));
     for (std::size_t i = 0; i < points.count(); ++i) {
         part.points.push_back({points.number(i, 0), points.number(i, 1), points.number(i, 2)});
@@ -74,6 +75,12 @@ GlbPart read_part(const tinygltf::Model& model, const tinygltf::Primitive& primi
         for (std::size_t i = 0; i < all.count(); ++i) {
             part.normals.push_back({all.number(i, 0), all.number(i, 1), all.number(i, 2)});
         }
+    }
+    if (part.texture >= 0) {
+        const Values all(model, primitive.attributes.at("TEXCOORD_0"));
+        expect(all.count() == points.count(), "there are not as many places in the texture as points");
+        for (std::size_t i = 0; i < all.count(); ++i)
+            part.places.push_back({all.number(i, 0), all.number(i, 1)});
     }
     const Values indices(model, primitive.indices);
     if (primitive.mode == TINYGLTF_MODE_LINE) {
@@ -139,6 +146,11 @@ GlbScene read_scene(const tinygltf::Model& model) {
     GlbScene scene;
     scene.generator = model.asset.generator;
     scene.materials = static_cast<int>(model.materials.size());
+    for (const auto& texture : model.textures) {
+        const tinygltf::Image& image = model.images.at(static_cast<std::size_t>(texture.source));
+        expect(image.component == 4 && image.bits == 8, "a texture is not read as four bytes a pixel");
+        scene.textures.push_back({image.width, image.height, image.image});
+    }
     for (const auto& node : model.nodes) scene.nodes.push_back(read_node(model, node));
     scene.order = model.scenes.at(0).nodes;
     for (std::size_t i = 0; i < scene.order.size(); ++i) {

@@ -13,8 +13,16 @@ namespace popup::test {
 
 using Point3 = std::array<double, 3>;  // metres
 
+// A picture as it is laid on triangles.
+struct GlbTexture {
+    int width = 0, height = 0;
+    std::vector<unsigned char> rgba;  // rows from the top, four bytes a pixel
+};
+
 struct GlbPart {
-    Point3 color{};  // linear light, 0 to 1
+    Point3 color{};                             // linear light, 0 to 1
+    int texture = -1;                           // index into GlbScene::textures; -1: it has one colour
+    std::vector<std::array<double, 2>> places;  // of each point in its texture, from its upper left corner
     bool double_sided = false;
     std::vector<Point3> points;
     std::vector<Point3> normals;  // of each point; lines have none
@@ -38,6 +46,7 @@ struct GlbScene {
     std::vector<int> order;          // nodes, parents first
     std::vector<double> times;       // of the keys, seconds
     std::vector<double> angles_deg;  // of the keys, by the animation's extras
+    std::vector<GlbTexture> textures;
     int channels = 0;
     int materials = 0;
 };

@@ -2,10 +2,11 @@
 // any viewer does and knows nothing of the library that wrote it.
 //
 //   glb_view render MODEL.glb -o PICTURE.png [--angle 90] [--size 1200x900] [--from x,y,z] [--up x,y,z]
-//   [--zoom 1] glb_view measure MODEL.glb [--joints N]
+//   [--zoom 1] [--distance 1] glb_view measure MODEL.glb [--joints N]
 //
 // --from is the direction in which the eye lies, --up what is upwards. A card drawn to stand on its right
-// half, with its left half for a back wall, is best seen with --from 0.3,-0.4,0.94 --up -1,0,1. `measure`
+// half, with its left half for a back wall, is best seen with --from 0.3,-0.4,0.94 --up -1,0,1. --distance is
+// how far the eye is, as a multiple of where it sees well: with 1000, rays are as good as parallel. `measure`
 // prints the joints found and the largest opening in mm, at the keys and between them; its exit status is 1
 // when that is more than 0.001 or 0.05 mm, or when fewer than N joints were found.
 #include <cairo.h>
@@ -48,7 +49,7 @@ struct Options {
     double angle_deg = 90.0;
     int width = 1200, height = 900;
     Point3 from{0.35, 0.5, 1.2}, up{0, 1, 0};
-    double zoom = 1.0;
+    double zoom = 1.0, distance = 1.0;
     std::size_t joints = 0;
 };
 
@@ -58,6 +59,8 @@ struct Face {
     Point3 normal;
     Point3 color;
     bool double_sided;
+    const popup::test::GlbTexture* texture = nullptr;
+    std::array<std::array<double, 2>, 3> places{};  // of its corners in the texture
 };
 struct Edge {
     Point3 a, b;
@@ -104,6 +107,10 @@ Shapes shapes_at(const GlbScene& scene, double angle_deg) {
                     part.normals.empty() ? poses[i].axes[2] : poses[i].direction(part.normals[t[0]]);
                 face.color = part.color;
                 face.double_sided = part.double_sided;
+                if (part.texture >= 0) {
+                    face.texture = &scene.textures.at(static_cast<std::size_t>(part.texture));
+                    for (std::size_t k = 0; k < 3; ++k) face.places.at(k) = part.places.at(t.at(k));
+                }
                 shapes.faces.push_back(face);
             }
             if (part.double_sided) add_outline(part, poses[i], shapes);
@@ -232,6 +239,22 @@ double to_srgb(double light) {
     return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
 }
 
+double to_light(unsigned char channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+// The pixel at a place of a texture, in linear light, and how opaque it is.
+std::pair<Point3, double> texture_at(const popup::test::GlbTexture& texture, double u, double v) {
+    const auto pixel = [](double place, int size) {
+        return static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(place * size)), 0, size - 1));
+    };
+    const unsigned char* at =
+        texture.rgba.data() +
+        4 * (pixel(v, texture.height) * static_cast<std::size_t>(texture.width) + pixel(u, texture.width));
+    return {{to_light(at[0]), to_light(at[1]), to_light(at[2])}, at[3] / 255.0};
+}
+
 // The picture at kOver times its size, in linear light.
 constexpr int kOver = 3;
 
@@ -252,7 +275,7 @@ class Picture {
         });
         centre_ = 0.5 * (low + high);
         radius_ = 0.5 * std::sqrt(dot(high - low, high - low));
-        aim(shapes, options.zoom);
+        aim(shapes, options);
         colors_.resize(depth_.depth.size());
         for (int y = 0; y < height_; ++y) {
             const double t = static_cast<double>(y) / height_;
@@ -291,9 +314,9 @@ class Picture {
 
  private:
     // So that everything is in the picture, with a margin.
-    void aim(const Shapes& shapes, double zoom) {
+    void aim(const Shapes& shapes, const Options& options) {
         view_.target = centre_;
-        view_.eye = 5.0 * radius_;
+        view_.eye = 5.0 * options.distance * radius_;
         Point3 low{HUGE_VAL, HUGE_VAL, 0};
         Point3 high{-HUGE_VAL, -HUGE_VAL, 0};
         for_each_point(shapes, [&](const Point3& p) {
@@ -303,7 +326,8 @@ class Picture {
                 high.at(k) = std::max(high.at(k), at.at(k));
             }
         });
-        view_.scale = zoom * 0.88 * std::min(width_ / (high[0] - low[0]), height_ / (high[1] - low[1]));
+        view_.scale =
+            options.zoom * 0.88 * std::min(width_ / (high[0] - low[0]), height_ / (high[1] - low[1]));
         view_.cx = 0.5 * width_ - view_.scale * 0.5 * (low[0] + high[0]);
         view_.cy = 0.5 * height_ - view_.scale * 0.5 * (low[1] + high[1]);
     }
@@ -340,6 +364,16 @@ class Picture {
                     const Point3 p =
                         (1.0 / sum) * (v[0] * face.at[0] + v[1] * face.at[1] + v[2] * face.at[2]);
                     const double light = soft + 0.53 * sun.on(p, normal);
+                    if (face.texture != nullptr) {
+                        std::array<double, 2> place{};
+                        for (std::size_t k = 0; k < 3; ++k) {
+                            for (std::size_t c = 0; c < 2; ++c)
+                                place.at(c) += v.at(k) / sum * face.places.at(k).at(c);
+                        }
+                        const auto [pixel, opaque] = texture_at(*face.texture, place[0], place[1]);
+                        colors_[i] = (1.0 - opaque) * colors_[i] + (opaque * light) * pixel;
+                        return;
+                    }
                     colors_[i] = light * face.color;
                 });
         }
@@ -422,6 +456,8 @@ bool read_options(const std::vector<std::string>& words, Options& options) {
             options.angle_deg = std::stod(value);
         else if (name == "--zoom")
             options.zoom = std::stod(value);
+        else if (name == "--distance")
+            options.distance = std::stod(value);
         else if (name == "--joints")
             options.joints = std::stoul(value);
         else if (name == "--from" || name == "--up") {
@@ -444,7 +480,7 @@ int main(int argc, char** argv) {
         fmt::print(
             stderr,
             "usage: glb_view render MODEL.glb -o PICTURE.png [--angle DEG] [--size WxH] [--from X,Y,Z] "
-            "[--up X,Y,Z] [--zoom N]\n       glb_view measure MODEL.glb [--joints N]\n");
+            "[--up X,Y,Z] [--zoom N] [--distance N]\n       glb_view measure MODEL.glb [--joints N]\n");
         return 2;
     }
     std::ifstream file(options.model, std::ios::binary);
