@@ -367,7 +367,7 @@ OnAnother generate_on(const ElementInfo& info, const ElementInfo& ground, std::u
 
 Design generate_tower(std::uint64_t seed, int depth) {
     constexpr int kKinds = 12;  // tried, until one stands
-    constexpr int kTries = 40;  // of one kind: the largest is taken
+    constexpr int kTries = 20;  // of one kind: the largest is taken
     Dice random{seed * 0xaf251af3b0f025b5ull + 5};
     Design design = card(kLargeMm, kLargeMm);
     Diagnostics ignored;
