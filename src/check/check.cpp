@@ -217,7 +217,7 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
             .error("page-not-there", place,
                    fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only",
                                structure.id, page, pages - (info.glued ? 2 : 1)))
-            .hint("list the structure whose piece is that page first: every v-fold and tent adds one page")
+            .hint("list the structure whose piece is that page first: every glued element adds one page")
             .about(structure.id);
         return false;
     }
@@ -450,7 +450,7 @@ bool Checker::page_is_there(int page, Place place, std::string_view what) {
     diagnostics
         .error("page-not-there", place,
                fmt::format("{} page {}, but there are pages 0 to {} only", what, page, pages - 1))
-        .hint("page 0 is the base page; every v-fold and tent adds one page");
+        .hint("page 0 is the base page; every glued element adds one page");
     return false;
 }
 

@@ -26,15 +26,17 @@ namespace {
 using two_seams::A, two_seams::B, two_seams::E, two_seams::F;
 
 constexpr std::array<std::string_view, 2> kEnds{"in", "out"};
-constexpr std::array<ParameterInfo, 6> kParameters{{kHalfColours[0],
-                                                    kHalfColours[1],
-                                                    kHalfColours[2],
-                                                    kHalfColours[3],
-                                                    walls::kHeight,
-                                                    {.name = "ends",
-                                                     .kind = ParameterKind::choice,
-                                                     .about = "way in which its ends fold as the card closes",
-                                                     .words = kEnds}}};
+constexpr std::array<ParameterInfo, 7> kParameters{
+    {kHalfColours[0],
+     kHalfColours[1],
+     kHalfColours[2],
+     kHalfColours[3],
+     {.name = "endcolor", .about = "colour of both ends; without it each half has its wall\'s"},
+     walls::kHeight,
+     {.name = "ends",
+      .kind = ParameterKind::choice,
+      .about = "way in which its ends fold as the card closes",
+      .words = kEnds}}};
 
 enum BoxFolds : std::size_t {
     kLeft,
@@ -190,11 +192,14 @@ Plates add_plates(const Element& e, const Measures& m, int piece, Builder& build
     };
     Plates made{};
     made.left = plate("left", 0.0, m.front_left(), 0.0, 0.0, e.paint.left);
-    made.front_left = plate("front-left", m.front_left(), m.front(), 0.0, m.rise, e.paint.left);
-    made.front_right = plate("front-right", m.front(), m.front_right(), m.rise, 0.0, e.paint.right);
+    const auto end = color_of(e, "endcolor");
+    const auto left_end = end ? end : e.paint.left;
+    const auto right_end = end ? end : e.paint.right;
+    made.front_left = plate("front-left", m.front_left(), m.front(), 0.0, m.rise, left_end);
+    made.front_right = plate("front-right", m.front(), m.front_right(), m.rise, 0.0, right_end);
     made.right = plate("right", m.front_right(), m.back_right(), 0.0, 0.0, e.paint.right);
-    made.back_right = plate("back-right", m.back_right(), m.back(), 0.0, m.rise, e.paint.right);
-    made.back_left = plate("back-left", m.back(), m.back_left(), m.rise, 0.0, e.paint.left);
+    made.back_right = plate("back-right", m.back_right(), m.back(), 0.0, m.rise, right_end);
+    made.back_left = plate("back-left", m.back(), m.back_left(), m.rise, 0.0, left_end);
     return made;
 }
 

@@ -22,8 +22,14 @@ namespace {
 
 using two_seams::A, two_seams::B, two_seams::E, two_seams::F;
 
-constexpr std::array<ParameterInfo, 5> kParameters{
-    {kHalfColours[0], kHalfColours[1], kHalfColours[2], kHalfColours[3], walls::kHeight}};
+constexpr std::array<ParameterInfo, 7> kParameters{
+    {kHalfColours[0],
+     kHalfColours[1],
+     kHalfColours[2],
+     kHalfColours[3],
+     {.name = "topcolor", .about = "colour of the top; without it each half has its wall's"},
+     {.name = "pillarcolor", .about = "colour of the pillar and of its tabs"},
+     walls::kHeight}};
 
 enum LayerFolds : std::size_t { kLeft, kTopLeft, kCentre, kTopRight, kRight };
 constexpr std::array<FoldInfo, 5> kFolds{{{"left", PointPage::fold, PointPage::extra},
@@ -106,8 +112,9 @@ int add_pillar(const Element& e, const Measures& m, int top_left, Builder& build
     const double foot = m.pillar_foot();
     const double head = foot + m.height;
     const double wide = m.pillar.hi - m.pillar.lo;
+    const auto color = color_of(e, "pillarcolor");
     const int plate = builder.add_plate(name, piece, e.extra_page,
-                                        {{{0.0, foot}, {wide, foot}, {wide, head}, {0.0, head}}, {}}, {});
+                                        {{{0.0, foot}, {wide, foot}, {wide, head}, {0.0, head}}, {}}, color);
     builder.add_cut(piece, {{0.0, foot}, {0.0, head}});
     builder.add_cut(piece, {{wide, foot}, {wide, head}});
     builder.add_foot({plate,
@@ -115,7 +122,7 @@ int add_pillar(const Element& e, const Measures& m, int top_left, Builder& build
                       {{wide, foot}, {0.0, foot}},
                       e.site.segment(Side::left, {m.pillar.hi, 0.0}, {m.pillar.lo, 0.0}),
                       e.label + "P",
-                      {},
+                      color,
                       e.paint.id,
                       e.paint.place});
     builder.add_foot({plate,
@@ -123,7 +130,7 @@ int add_pillar(const Element& e, const Measures& m, int top_left, Builder& build
                       {{0.0, head}, {wide, head}},
                       {{m.middle(), m.y(m.pillar.lo)}, {m.middle(), m.y(m.pillar.hi)}},
                       e.label + "T",
-                      {},
+                      color,
                       e.paint.id,
                       e.paint.place,
                       true});
@@ -144,8 +151,9 @@ void lower(const Element& e, Builder& builder) {
                                  {strip(left, lines[to].on_left), {}}, color);
     };
     const int left = plate("left", kLeft, kTopLeft, e.paint.left);
-    const int top_left = plate("top-left", kTopLeft, kCentre, e.paint.left);
-    const int top_right = plate("top-right", kCentre, kTopRight, e.paint.right);
+    const auto top = color_of(e, "topcolor");
+    const int top_left = plate("top-left", kTopLeft, kCentre, top ? top : e.paint.left);
+    const int top_right = plate("top-right", kCentre, kTopRight, top ? top : e.paint.right);
     const int right = plate("right", kTopRight, kRight, e.paint.right);
     const std::array<Segment, 5> across{lines[kLeft].on_right, lines[kTopLeft].on_left,
                                         lines[kCentre].on_left, lines[kTopRight].on_left,
