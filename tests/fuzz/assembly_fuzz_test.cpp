@@ -40,7 +40,9 @@ const std::vector<std::string>& seeds() {
             const test::Built built = test::build(test::generate(seed, 3));
             all.push_back(emit_assembly(*built.assembly));
         }
-        for (const std::string name : {"samples/parts.svg", "samples/tree.xml", "samples/flatlang/box.fl"}) {
+        for (const std::string name : {"samples/parts.svg", "samples/tree.xml", "tests/cases/box/sound.xml",
+                                       "tests/cases/floating-layer/sound.xml",
+                                       "tests/cases/disc/behind-its-window.xml", "samples/flatlang/box.fl"}) {
             const std::string path = std::string(POPUP_SOURCE_DIR) + "/" + name;
             if (!std::ifstream(path)) continue;
             Diagnostics diagnostics;

@@ -66,7 +66,8 @@ void expect_same_after_reading(const Assembly& assembly) {
 
 TEST(AssemblyReading, GeneratedCardsComeBackAndHoldWhatIsPromised) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-        const test::Built built = test::build(test::generate(seed, 8));
+        const test::Built built =
+            test::build(seed % 2 == 0 ? test::generate(seed, 8) : test::generate_any(seed, 8));
         const std::vector<AssemblyFault> faults = faults_of(*built.assembly);
         EXPECT_TRUE(faults.empty()) << "seed " << seed << ": " << faults.front().what;
         expect_same_after_reading(*built.assembly);
