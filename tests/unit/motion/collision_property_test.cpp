@@ -444,8 +444,11 @@ void compare_of_every_row(int designs, double step) {
         ASSERT_TRUE(simulate(*built.assembly, options, diagnostics)) << seed << "\n" << findings(diagnostics);
         Comparison(fmt::format("seed {}", seed), with_reaches(*built.assembly), tally).at_every(step);
     }
-    for (const ElementInfo& info : element_table())
-        EXPECT_GT(made[std::string(info.name)], designs / 30) << info.name;
+    // Of few designs each kind need not be in one.
+    if (designs >= 30) {
+        for (const ElementInfo& info : element_table())
+            EXPECT_GT(made[std::string(info.name)], designs / 30) << info.name;
+    }
     EXPECT_GT(tally.crossings, 100U * static_cast<std::size_t>(designs)) << "there must be much to find";
     EXPECT_LE(static_cast<double>(tally.undecided), kUndecided * static_cast<double>(tally.crossings));
 }
