@@ -48,7 +48,7 @@ std::optional<std::string> fault_of(const Upright& left, const Upright& right) {
         if (!is_unit(wall->fold_out)) return fmt::format("{}: fold_out is no unit vector", side);
         if (!are_square(wall->fold_dir, wall->fold_out))
             return fmt::format("{}: fold_out is not square to fold_dir", side);
-        if (const auto fault = fault_of({wall->plate, wall->own_at, wall->own_along, wall->own_across}, side))
+        if (auto fault = fault_of({wall->plate, wall->own_at, wall->own_along, wall->own_across}, side))
             return fault;
         if (!(wall->near > 0.0)) return fmt::format("{}: near_mm is not more than 0", side);
         const double near = dot(wall->foot_at - wall->fold_at, wall->fold_out);
