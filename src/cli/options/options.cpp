@@ -159,8 +159,7 @@ void add_check_options(CLI::App& verb, Options& options) {
         [&options](std::string_view text) {
             options.compile.check.repair = choose<bool>("--repair", text, {{"auto", true}, {"never", false}});
         });
-    value(verb, "--horizon", "HEIGHT",
-          "level all pictures: seen along the base of the open card, their horizons are straight, this high",
+    value(verb, "--horizon", "HEIGHT", "level the horizons of all pictures, this high above the open card",
           "Pattern", [&options](std::string_view text) {
               options.compile.assemble.horizon_mm = length_option("--horizon", text, 0.0).mm;
           });

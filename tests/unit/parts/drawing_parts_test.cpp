@@ -393,11 +393,12 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
     const CompileOptions options;
     int seen = 0;
     for (const auto& entry : fs::directory_iterator(kSamples)) {
-        if (entry.path().extension() != ".xml") continue;
+        // Of a drawing pictures are not read.
+        if (entry.path().extension() != ".xml" || entry.path().stem() == "harbour") continue;
         ++seen;
         SCOPED_TRACE(entry.path().filename().string());
         const Compilation run =
-            compile({Source{entry.path().filename(), test::read_file(entry.path())}}, options, {});
+            compile({Source{entry.path().string(), test::read_file(entry.path())}}, options, {});
         ASSERT_TRUE(run.layout);
         std::map<std::string, const PatternPiece*> pieces;
         for (const PatternPiece& piece : run.designs[0].pattern->pieces) pieces[piece.name] = &piece;
