@@ -33,7 +33,8 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "Holes of a v-fold, tent or layer are cut out of the paper inside its edges, and leave it one piece: "
      "each "
      "lies inside the outline, off its edges and seams, and has no island in it. A hole may cross the centre "
-     "fold, which then is folded before and behind it; it crosses it twice, and 1 mm of the fold is left at "
+     "fold, which then is folded before and behind it; it crosses it twice, runs nowhere along it, and 1 mm "
+     "of the fold is left at "
      "both ends and between two holes. What opens to the edge belongs into the outline."},
     {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
      "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "

@@ -91,6 +91,13 @@ bool lies_on(const Ring& ring, const std::vector<Polygon>& paper) {
     return area(subtract(wanted, paper)) < 1e-3;
 }
 
+// Whether the paper has room for a rivet's hole. No path leads as far out as this, and no plate does.
+bool has_room(Vec2 rivet, double radius, const std::vector<Polygon>& paper) {
+    constexpr double kFarMm = 50'000.0;
+    if (!(std::abs(rivet.x) < kFarMm && std::abs(rivet.y) < kFarMm)) return false;
+    return lies_on(circle(rivet, radius).areas.front().outer, paper);
+}
+
 bool constrain(Element& e) {
     const std::vector<Polygon> disc = drawn(e).areas;
     if (disc.size() != 1) {
@@ -99,8 +106,7 @@ bool constrain(Element& e) {
                  "draw one area, with holes where it has any");
         return false;
     }
-    const Enclosed hole = circle(own_rivet(e), hole_radius(e));
-    if (!lies_on(hole.areas.front().outer, disc)) {
+    if (!has_room(own_rivet(e), hole_radius(e), disc)) {
         e.failed(
             "does-not-fit",
             fmt::format("its rivet at {} on its own page is not on the disc with {} of paper round its hole "
@@ -123,9 +129,9 @@ bool constrain(Element& e) {
                      "draw the window inside the plate, off its folds and edges and what is cut out of it");
             return false;
         }
+        paper = subtract(paper, {part});
     }
-    paper = subtract(paper, {window.begin(), window.end()});
-    if (!lies_on(circle(on_plate(e, B), hole_radius(e)).areas.front().outer, paper)) {
+    if (!has_room(on_plate(e, B), hole_radius(e), paper)) {
         e.failed("does-not-fit",
                  fmt::format("its rivet at {} is not on the plate with {} of paper round its hole of {}",
                              at_mm(on_plate(e, B)), mm(kAroundMm), mm(number_of(e, "rivet"))),

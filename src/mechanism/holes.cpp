@@ -48,6 +48,12 @@ std::optional<HoleFault> divide_hole(const Polygon& hole, const Segment& centre,
     const std::vector<FoldCrossing> crossings = put_crossings(ring, fold);
     for (std::size_t i = 0; i < ring.size(); ++i)
         made.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    const auto on_fold = [&](Vec2 p) { return std::abs(cross(fold.dir, p - fold.at)) < kOnFoldMm; };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (!on_fold(ring[i]) || !on_fold(ring[(i + 1) % ring.size()])) continue;
+        return HoleFault{hole_at(hole) + " runs along its centre fold",
+                         "draw it across the fold, or wholly on one side of it"};
+    }
     if (crossings.empty()) {
         double aside = 0.0;
         for (const Vec2 p : ring) {

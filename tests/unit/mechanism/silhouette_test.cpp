@@ -243,6 +243,8 @@ TEST(Silhouette, WhatCannotBeDividedIsRefusedWithItsNumbers) {
              {"M 0 0 L 20 5 L 40 30 L 0 90 L -40 30 Z", "outline-off-seam", "not straight between them"},
              {"M 0 0 L 40 30 L 30 90 L 0 50 L -5 90 L 20 95 L 20 96 L -40 96 L -40 30 Z", "outline-off-fold",
               "times"},
+             {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -10 40 H 0 V 35 H 10 V 45 H 0 V 50 H -10 Z",
+              "hole-off-piece", "runs along its centre fold"},
              {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 h 10 v 39.5 h -10 Z", "hole-off-piece",
               "leaves 0.50 mm of its centre fold at one end"},
              {"M 0 0 L 40 30 V 80 H -40 V 30 Z M -5 40 H 5 V 50 H -5 V 48 H 3 V 42 H -5 Z", "hole-off-piece",
