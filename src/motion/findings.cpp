@@ -23,9 +23,13 @@ constexpr double kClosedDeg = 1.0;
 constexpr std::size_t kMostOthers = 8;
 
 std::string what_would_force(const Assembly& assembly, const FreePlates& one) {
-    const bool by_hand = assembly.plates[static_cast<std::size_t>(one.plates[0])].rivet.has_value();
-    if (by_hand && one.lines == 1)
-        return "it is turned by hand about its rivet: glue it where it is not to be";
+    int rivets = 0;
+    for (const int plate : one.plates)
+        rivets += assembly.plates[static_cast<std::size_t>(plate)].rivet.has_value() ? 1 : 0;
+    if (rivets == one.ways) {
+        return rivets == 1 ? "it is turned by hand about its rivet: glue it where it is not to be"
+                           : "they are turned by hand about their rivets: glue what is not to be";
+    }
     if (one.lines == 0) return "fold it or glue it to something that moves with the card";
     if (one.lines == 1) {
         return "it turns about one line only: glue a second edge of it, or glue it flat on what it stands on";
