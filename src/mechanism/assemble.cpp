@@ -98,8 +98,8 @@ void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
                 {LineKind::seam, fold.on_right, piece_of(fold.right_plate), fold.right_plate, -1});
             continue;
         }
-        const LineKind kind =
-            fold.closed_deg == 360 || fold.bends_back ? LineKind::mountain : LineKind::valley;
+        // A fold that is flat in the closed card is bent back on the way there: else nothing would hold it.
+        const LineKind kind = fold.closed_deg == 0 ? LineKind::valley : LineKind::mountain;
         const double size = fold.length();
         const auto stretch = [&](double lo, double hi) {
             if (hi - lo < kGridMm) return;

@@ -16,6 +16,7 @@
 #include <array>
 
 #include "mechanism/rows.h"
+#include "mechanism/shapes.h"
 #include "mechanism/site_lines.h"
 #include "mechanism/two_seams.h"
 #include "mechanism/walls.h"
@@ -216,32 +217,22 @@ void lower(const Element& e, Builder& builder) {
     const Measures m = measures(e);
     const FoldLines lines = fold_lines(e);
     const Site& site = e.site;
-    const int own = e.extra_page;
     const std::string& id = e.paint.id;
     const int piece = builder.add_piece(id);
     const Plates plates = add_plates(e, m, piece, builder);
     add_cuts(m, piece, builder);
 
-    const auto fold = [&](BoxFolds which, int left, int right, int left_page, int right_page, bool seam) {
-        const FoldLine& line = lines[which];
-        Fold made{left,          right,           left_page, right_page, line.on_left,
-                  line.on_right, line.closed_deg, seam,      id,         {}};
-        made.bends_back = !seam && line.closed_deg == 180;
-        builder.add_fold(std::move(made));
+    const auto fold = [&](BoxFolds which, int left, int right) {
+        add_fold_of(e, builder, lines, which, {left, right});
     };
-    fold(kLeft, site.left_plate, plates.left, site.left_page, own, true);
-    fold(kRight, plates.right, site.right_plate, own, site.right_page, true);
-    fold(kFrontLeft, plates.left, plates.front_left, own, own, false);
-    fold(kFront, plates.front_left, plates.front_right, own, own, false);
-    fold(kFrontRight, plates.front_right, plates.right, own, own, false);
-    fold(kBackRight, plates.right, plates.back_right, own, own, false);
-    fold(kBack, plates.back_right, plates.back_left, own, own, false);
-
-    const auto turned = [](const Segment& s) { return Segment{s.b, s.a}; };
-    builder.add_glue({plates.left, site.left_plate, lines[kLeft].on_right, lines[kLeft].on_left,
-                      e.label + "L", e.paint.left_tab, id, e.paint.place});
-    builder.add_glue({plates.right, site.right_plate, turned(lines[kRight].on_left),
-                      turned(lines[kRight].on_right), e.label + "R", e.paint.right_tab, id, e.paint.place});
+    fold(kLeft, site.left_plate, plates.left);
+    fold(kRight, plates.right, site.right_plate);
+    fold(kFrontLeft, plates.left, plates.front_left);
+    fold(kFront, plates.front_left, plates.front_right);
+    fold(kFrontRight, plates.front_right, plates.right);
+    fold(kBackRight, plates.right, plates.back_right);
+    fold(kBack, plates.back_right, plates.back_left);
+    glue_seams(e, builder, {lines[kLeft], plates.left}, {lines[kRight], plates.right});
     builder.add_foot({plates.back_left,
                       plates.left,
                       {{m.back_left(), m.height}, {m.back_left(), 0.0}},
@@ -288,7 +279,7 @@ const ElementRow kBox = {
     two_seams::stands_on,
     constrain,
     fold_lines,
-    [](const Element&) { return 1.0; },
+    drawn_from_front,
     lower};
 
 }  // namespace popup

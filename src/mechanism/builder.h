@@ -31,7 +31,6 @@ struct Fold {
     bool seam = false;
     std::string owner;               // element's id, or "page"
     std::map<double, CutSpan> gone;  // by begin, mm along the fold, disjoint
-    bool bends_back = false;         // of those closed at 180°: they are drawn as mountain folds
 
     [[nodiscard]] double length() const { return distance(on_left.a, on_left.b); }
     // The cut that takes away some of [lo, hi], if any.

@@ -179,12 +179,10 @@ const ElementRow kDisc = {{.name = "disc",
                            .folds = {},
                            .since = "3.0",
                            .also = kOtherNames},
-                          [](const Element&) {
-                              return std::pair{0.0, 0.0};
-                          },
+                          stands_on_no_fold,
                           constrain,
-                          [](const Element&) { return FoldLines{}; },
-                          [](const Element&) { return 1.0; },
+                          makes_no_folds,
+                          drawn_from_front,
                           lower};
 
 }  // namespace popup

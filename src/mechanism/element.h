@@ -78,6 +78,11 @@ struct ElementRow {
     void (*lower)(const Element&, Builder&);
 };
 
+// What rows answer of elements that stand on plates, that make no folds, and whose piece has no back.
+inline std::pair<double, double> stands_on_no_fold(const Element& /*element*/) { return {0.0, 0.0}; }
+inline FoldLines makes_no_folds(const Element& /*element*/) { return {}; }
+inline double drawn_from_front(const Element& /*element*/) { return 1.0; }
+
 // All rows, in the order of element_table().
 std::span<const ElementRow> element_rows();
 const ElementRow& element_row(const ElementInfo& info);

@@ -13,6 +13,7 @@
 #include <array>
 
 #include "mechanism/rows.h"
+#include "mechanism/shapes.h"
 #include "mechanism/site_lines.h"
 #include "mechanism/two_seams.h"
 #include "mechanism/walls.h"
@@ -141,13 +142,12 @@ void lower(const Element& e, Builder& builder) {
     const Measures m = measures(e);
     const FoldLines lines = fold_lines(e);
     const Site& site = e.site;
-    const int own = e.extra_page;
     const std::string& id = e.paint.id;
     const int piece = builder.add_piece(id);
     const auto plate = [&](std::string_view name, LayerFolds from, LayerFolds to,
                            std::optional<Color> color) {
         const Segment& left = from == kLeft ? lines[from].on_right : lines[from].on_left;
-        return builder.add_plate(fmt::format("{}/{}", id, name), piece, own,
+        return builder.add_plate(fmt::format("{}/{}", id, name), piece, e.extra_page,
                                  {strip(left, lines[to].on_left), {}}, color);
     };
     const int left = plate("left", kLeft, kTopLeft, e.paint.left);
@@ -163,25 +163,15 @@ void lower(const Element& e, Builder& builder) {
         builder.add_cut(piece, {across[i].b, across[i + 1].b});
     }
 
-    const auto fold = [&](LayerFolds which, int left_of, int right_of, int left_page, int right_page,
-                          bool seam) {
-        const FoldLine& line = lines[which];
-        Fold made{left_of,       right_of,        left_page, right_page, line.on_left,
-                  line.on_right, line.closed_deg, seam,      id,         {}};
-        made.bends_back = !seam && line.closed_deg == 180;
-        builder.add_fold(std::move(made));
+    const auto fold = [&](LayerFolds which, int before, int after) {
+        add_fold_of(e, builder, lines, which, {before, after});
     };
-    fold(kLeft, site.left_plate, left, site.left_page, own, true);
-    fold(kTopLeft, left, top_left, own, own, false);
-    fold(kCentre, top_left, top_right, own, own, false);
-    fold(kTopRight, top_right, right, own, own, false);
-    fold(kRight, right, site.right_plate, own, site.right_page, true);
-
-    const auto turned = [](const Segment& s) { return Segment{s.b, s.a}; };
-    builder.add_glue({left, site.left_plate, lines[kLeft].on_right, lines[kLeft].on_left, e.label + "L",
-                      e.paint.left_tab, id, e.paint.place});
-    builder.add_glue({right, site.right_plate, turned(lines[kRight].on_left), turned(lines[kRight].on_right),
-                      e.label + "R", e.paint.right_tab, id, e.paint.place});
+    fold(kLeft, site.left_plate, left);
+    fold(kTopLeft, left, top_left);
+    fold(kCentre, top_left, top_right);
+    fold(kTopRight, top_right, right);
+    fold(kRight, right, site.right_plate);
+    glue_seams(e, builder, {lines[kLeft], left}, {lines[kRight], right});
 
     Lift lift;
     lift.outside = site.mountain;
@@ -217,7 +207,7 @@ const ElementRow kFloatingLayer = {
     two_seams::stands_on,
     constrain,
     fold_lines,
-    [](const Element&) { return 1.0; },
+    drawn_from_front,
     lower};
 
 }  // namespace popup

@@ -167,7 +167,7 @@ const ElementRow kPivot = {{.name = "pivot",
                            beak::span,
                            constrain,
                            beak::fold_lines,
-                           [](const Element&) { return 1.0; },
+                           drawn_from_front,
                            lower};
 
 }  // namespace popup

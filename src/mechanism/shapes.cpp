@@ -1,6 +1,7 @@
 #include "mechanism/shapes.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "mechanism/silhouette.h"
 
@@ -8,12 +9,12 @@ namespace popup {
 
 Bar angled_bar(const Site& site, Side side, double apex_s, int dir, SitePoint seam_end, Vec2 own_apex,
                Vec2 own_seam_end, Vec2 own_centre_end) {
-    const DirectedLine& line = side == Side::left ? site.left : site.right;
+    const Vec2 along = site.line(side).dir;
     Bar bar;
-    bar.drive = side == Side::left ? site.left_plate : site.right_plate;
+    bar.drive = site.plate(side);
     bar.fold_at = site.on_page(side, {apex_s, 0.0});
-    bar.fold_dir = static_cast<double>(dir) * line.dir;
-    bar.fold_out = side == Side::left ? left_of(line.dir) : right_of(line.dir);
+    bar.fold_dir = static_cast<double>(dir) * along;
+    bar.fold_out = site.out(side);
     bar.seam_at = bar.fold_at;
     bar.seam_dir = unit(site.on_page(side, seam_end) - bar.fold_at);
     bar.own_at = own_apex;
@@ -26,20 +27,48 @@ Bar angled_bar(const Site& site, Side side, double apex_s, int dir, SitePoint se
 
 Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_point, Vec2 own_along,
                  Vec2 own_across, double far) {
-    const DirectedLine& line = side == Side::left ? site.left : site.right;
+    const Vec2 along = site.line(side).dir;
     Bar bar;
-    bar.drive = side == Side::left ? site.left_plate : site.right_plate;
+    bar.drive = site.plate(side);
     bar.fold_at = site.on_page(side, {seam_point.s, 0.0});
-    bar.fold_dir = line.dir;
-    bar.fold_out = side == Side::left ? left_of(line.dir) : right_of(line.dir);
+    bar.fold_dir = along;
+    bar.fold_out = site.out(side);
     bar.seam_at = site.on_page(side, seam_point);
-    bar.seam_dir = line.dir;
+    bar.seam_dir = along;
     bar.own_at = own_point;
     bar.own_seam = own_along;
     bar.own_centre = own_across;
     bar.near = seam_point.w;
     bar.far = far;
     return bar;
+}
+
+int add_fold_of(const Element& element, Builder& builder, const FoldLines& folds, std::size_t which,
+                PlatesOfFold plates) {
+    const FoldInfo& info = element.info->folds[which];
+    const FoldLine& line = folds[which];
+    Fold fold;
+    fold.left_plate = plates.left;
+    fold.right_plate = plates.right;
+    std::tie(fold.left_page, fold.right_page) = pages_of_fold(element, info);
+    fold.on_left = line.on_left;
+    fold.on_right = line.on_right;
+    fold.closed_deg = line.closed_deg;
+    fold.seam = is_seam(*element.info, info);
+    fold.owner = element.paint.id;
+    return builder.add_fold(std::move(fold));
+}
+
+void glue_seams(const Element& element, Builder& builder, const SeamOfPlate& left, const SeamOfPlate& right) {
+    const Site& site = element.site;
+    const ElementPaint& paint = element.paint;
+    // Glue looks along the seam with the piece on its right: the tab then lies on the left of it on the
+    // piece's page, and covers the right of it on the base.
+    const auto turned = [](const Segment& s) { return Segment{s.b, s.a}; };
+    builder.add_glue({left.plate, site.left_plate, left.line.on_right, left.line.on_left, element.label + "L",
+                      paint.left_tab, paint.id, paint.place});
+    builder.add_glue({right.plate, site.right_plate, turned(right.line.on_left), turned(right.line.on_right),
+                      element.label + "R", paint.right_tab, paint.id, paint.place});
 }
 
 FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right) {
@@ -63,22 +92,9 @@ SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines&
     builder.add_gone(site.fold, site.reversed ? site.length - hi : lo, site.reversed ? site.length - lo : hi,
                      id);
 
-    const auto fold = [&](ThreeFolds role, int left_plate, int right_plate) {
-        const FoldLine& line = folds[role];
-        builder.add_fold({left_plate,
-                          right_plate,
-                          page,
-                          page,
-                          line.on_left,
-                          line.on_right,
-                          line.closed_deg,
-                          false,
-                          id,
-                          {}});
-    };
-    fold(kLeftFold, site.left_plate, left);
-    fold(kCentreFold, left, right);
-    fold(kRightFold, right, site.right_plate);
+    add_fold_of(element, builder, folds, kLeftFold, {site.left_plate, left});
+    add_fold_of(element, builder, folds, kCentreFold, {left, right});
+    add_fold_of(element, builder, folds, kRightFold, {right, site.right_plate});
 
     FourBar bars{Closing::half_turn, shape.parallel, shape.left_bar, shape.right_bar};
     bars.left.plate = left;
@@ -103,28 +119,15 @@ void lower_glued(const Element& element, Builder& builder, const FoldLines& fold
     builder.add_curves(curves_of(element, "hole"));
     for (const Segment& edge : halves.edges) builder.add_cut(piece, edge);
 
-    const FoldLine& l = folds[kLeftFold];
-    const FoldLine& c = folds[kCentreFold];
-    const FoldLine& r = folds[kRightFold];
-    builder.add_fold(
-        {site.left_plate, left, site.left_page, page, l.on_left, l.on_right, l.closed_deg, true, id, {}});
-    const int centre =
-        builder.add_fold({left, right, page, page, c.on_left, c.on_right, c.closed_deg, false, id, {}});
+    add_fold_of(element, builder, folds, kLeftFold, {site.left_plate, left});
+    const int centre = add_fold_of(element, builder, folds, kCentreFold, {left, right});
     for (HoleAcross& hole : shape.holes.across) {
         builder.add_cut_out(left, centre, std::move(hole.left));
         builder.add_cut_out(right, centre, std::move(hole.right));
         builder.add_gone(centre, hole.from, hole.to, id);
     }
-    builder.add_fold(
-        {right, site.right_plate, page, site.right_page, r.on_left, r.on_right, r.closed_deg, true, id, {}});
-
-    // Glue looks along the seam with the piece on its right: the tab then lies on the left of it on the
-    // piece's page, and covers the right of it on the base.
-    const auto turned = [](const Segment& s) { return Segment{s.b, s.a}; };
-    builder.add_glue({left, site.left_plate, l.on_right, l.on_left, element.label + "L",
-                      element.paint.left_tab, id, element.paint.place});
-    builder.add_glue({right, site.right_plate, turned(r.on_left), turned(r.on_right), element.label + "R",
-                      element.paint.right_tab, id, element.paint.place});
+    add_fold_of(element, builder, folds, kRightFold, {right, site.right_plate});
+    glue_seams(element, builder, {folds[kLeftFold], left}, {folds[kRightFold], right});
 
     const Closing closing = shape.right_angle ? Closing::half_turn
                             : site.mountain   ? Closing::outside

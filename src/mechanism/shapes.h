@@ -21,6 +21,21 @@ Bar angled_bar(const Site& site, Side side, double apex_s, int dir, SitePoint se
 Bar parallel_bar(const Site& site, Side side, SitePoint seam_point, Vec2 own_point, Vec2 own_along,
                  Vec2 own_across, double far);
 
+// Adds one of the element's folds, between two of the plates; gives its number among the skeleton's. Its
+// pages, and whether it is a seam, follow from the row.
+struct PlatesOfFold {
+    int left, right;
+};
+int add_fold_of(const Element& element, Builder& builder, const FoldLines& folds, std::size_t which,
+                PlatesOfFold plates);
+
+// Glues a piece on both sides of the fold it stands on: the tabs "1L" and "1R" along its two seams.
+struct SeamOfPlate {
+    const FoldLine& line;
+    int plate;
+};
+void glue_seams(const Element& element, Builder& builder, const SeamOfPlate& left, const SeamOfPlate& right);
+
 // The folds of a 90° element: those at its sides close like the fold it stands on, the one between them the
 // other way.
 FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right);

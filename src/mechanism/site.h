@@ -34,17 +34,21 @@ struct Site {
     // both sides are the plate, and there is no fold.
     bool on_plate = false;
 
+    [[nodiscard]] const DirectedLine& line(Side side) const { return side == Side::left ? left : right; }
+    [[nodiscard]] int plate(Side side) const { return side == Side::left ? left_plate : right_plate; }
+    // From the fold into the plate of that side; unit, on its page.
+    [[nodiscard]] Vec2 out(Side side) const {
+        return side == Side::left ? left_of(left.dir) : right_of(right.dir);
+    }
     // Page coordinates of a point given in site coordinates, on the page of that side.
     [[nodiscard]] Vec2 on_page(Side side, SitePoint p) const {
-        const DirectedLine& line = side == Side::left ? left : right;
-        const Vec2 out = side == Side::left ? left_of(line.dir) : right_of(line.dir);
-        return line.at + p.s * line.dir + p.w * out;
+        return line(side).at + p.s * line(side).dir + p.w * out(side);
     }
     // The inverse: w is positive on that side of the line.
     [[nodiscard]] SitePoint from_page(Side side, Vec2 p) const {
-        const DirectedLine& line = side == Side::left ? left : right;
-        const double off = cross(line.dir, p - line.at);
-        return {dot(line.dir, p - line.at), side == Side::left ? off : -off};
+        const Vec2 from = p - line(side).at;
+        const double off = cross(line(side).dir, from);
+        return {dot(line(side).dir, from), side == Side::left ? off : -off};
     }
     [[nodiscard]] Segment segment(Side side, SitePoint a, SitePoint b) const {
         return {on_page(side, a), on_page(side, b)};

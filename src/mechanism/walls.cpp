@@ -11,12 +11,11 @@ bool feet_fit(const Element& e) {
 }
 
 Upright upright(const Site& site, Side side, SitePoint foot, Vec2 own_at, Vec2 own_along, Vec2 own_across) {
-    const DirectedLine& line = side == Side::left ? site.left : site.right;
     Upright wall;
-    wall.drive = side == Side::left ? site.left_plate : site.right_plate;
+    wall.drive = site.plate(side);
     wall.fold_at = site.on_page(side, {foot.s, 0.0});
-    wall.fold_dir = line.dir;
-    wall.fold_out = side == Side::left ? left_of(line.dir) : right_of(line.dir);
+    wall.fold_dir = site.line(side).dir;
+    wall.fold_out = site.out(side);
     wall.foot_at = site.on_page(side, foot);
     wall.own_at = own_at;
     wall.own_along = own_along;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "base/sets.h"
 #include "motion/joints/joint.h"
 #include "motion/rates.h"
 #include "motion/sweep.h"
@@ -14,26 +14,6 @@ namespace {
 constexpr double kShortMm = 1e-9;  // a line below has no direction
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Sets that are united; each is known by one of its members, the least.
-class Sets {
- public:
-    explicit Sets(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0); }
-    int find(int one) {
-        while (of_[at(one)] != one) one = of_[at(one)] = of_[at(of_[at(one)])];
-        return one;
-    }
-    // False: they are one already.
-    bool unite(int a, int b) {
-        a = find(a);
-        b = find(b);
-        of_[at(std::max(a, b))] = std::min(a, b);
-        return a != b;
-    }
-
- private:
-    std::vector<int> of_;
-};
 
 // A line that two nodes turn about. Nodes are bodies, that is plates that are glued flat on one another, and
 // the ground.

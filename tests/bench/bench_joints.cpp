@@ -10,7 +10,6 @@
 
 #include "popup/check.h"
 #include "popup/motion.h"
-#include "popup/path.h"
 #include "popup/pattern.h"
 #include "support/designs.h"
 
@@ -19,16 +18,6 @@ namespace {
 
 constexpr double kPitchMm = 40.0;
 constexpr int kElements = 1000;
-
-Argument path_of(const std::string& text) {
-    DrawnPath drawn;
-    drawn.text = text;
-    POPUP_INVARIANT(!parse_path(text, drawn.path));
-    POPUP_INVARIANT(enclose(drawn.path, drawn.inside) == FlatteningFault::none);
-    Argument made;
-    made.value = std::move(drawn);
-    return made;
-}
 
 // Elements of one type beside one another along the gutter; nothing of them collides.
 Design row_of(const std::string& type, int elements) {
@@ -58,7 +47,7 @@ Design row_of(const std::string& type, int elements) {
             give(made, "height", height);
         }
         if (type != "attached-plane") continue;
-        give(made, "outline", path_of("M -8 -10 H 20 L 8 12 Z"));
+        give(made, "outline", path_argument("M -8 -10 H 20 L 8 12 Z"));
         made.plate.emplace();
         made.plate->at.at = {20.0, y};
     }

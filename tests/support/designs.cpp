@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "input/xml/read.h"
 #include "popup/assembly.h"
+#include "popup/path.h"
 
 namespace popup::test {
 
@@ -57,6 +59,43 @@ Built build(const Design& design, const CheckOptions& options) {
     if (built.checked) built.assembly = assemble(*built.checked, {}, built.diagnostics);
     if (!built.assembly) ADD_FAILURE() << findings(built.diagnostics);
     return built;
+}
+
+FromXml from_xml(const std::string& structures) {
+    FromXml made;
+    Diagnostics diagnostics;
+    const auto design = xml::read({"card.xml",
+                                   "<popup version='3.0' units='mm'><mainpage width='200' height='150'/>"
+                                   "<structurelist>" +
+                                       structures + "</structurelist></popup>"},
+                                  {}, diagnostics);
+    const auto checked = design ? check(*design, {}, diagnostics) : std::nullopt;
+    if (checked) made.assembly = assemble(*checked, {}, diagnostics);
+    made.text = findings(diagnostics);
+    return made;
+}
+
+std::size_t FromXml::plate(const std::string& name) const {
+    for (std::size_t i = 0; i < assembly->plates.size(); ++i) {
+        if (assembly->plates[i].name == name) return i;
+    }
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+Argument path_argument(const Path& path) {
+    DrawnPath drawn;
+    drawn.path = path;
+    drawn.moved = true;
+    Argument made;
+    if (enclose(path, drawn.inside) == FlatteningFault::none) made.value = std::move(drawn);
+    return made;
+}
+
+Argument path_argument(const std::string& text) {
+    Path path;
+    EXPECT_FALSE(parse_path(text, path)) << text;
+    return path_argument(path);
 }
 
 Design row(int elements) {

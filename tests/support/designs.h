@@ -28,6 +28,19 @@ struct Built {
     Diagnostics diagnostics;
 };
 Built build(const Design& design, const CheckOptions& options = {});
+// The assembly of a card of 200 × 150 mm with these structures, in mm, version 3.0.
+struct FromXml {
+    std::optional<Assembly> assembly;  // nothing where there are errors
+    std::string text;                  // all findings
+    // The number of the plate of that name; fails the running test where there is none.
+    [[nodiscard]] std::size_t plate(const std::string& name) const;
+};
+FromXml from_xml(const std::string& structures);
+
+// A path as the value of a parameter.
+Argument path_argument(const Path& path);
+Argument path_argument(const std::string& text);
+
 // All findings as lines "severity code: message".
 std::string findings(const Diagnostics& diagnostics);
 

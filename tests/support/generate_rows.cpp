@@ -22,15 +22,6 @@ Site site_on(const Fold& fold) {
     return site;
 }
 
-Argument path_argument(const Path& path) {
-    DrawnPath drawn;
-    drawn.path = path;
-    drawn.moved = true;
-    Argument made;
-    if (enclose(path, drawn.inside) == FlatteningFault::none) made.value = std::move(drawn);
-    return made;
-}
-
 }  // namespace
 
 bool stands_on(const ElementInfo& info, const Fold& fold) {

@@ -81,12 +81,7 @@ Likeness likeness(const Lift& how) {
             to_compare(how.right.near), to_compare(how.height)};
 }
 
-std::optional<Slid> slid(const Lift& how, double mm) {
-    Lift moved = how;
-    moved.left = slid(how.left, mm);
-    moved.right = slid(how.right, mm);
-    return Slid{moved, mm * how.left.fold_dir, "fold"};
-}
+std::optional<Slid> slid(const Lift& how, double mm) { return slid_along_fold(how, mm); }
 
 std::optional<std::string> fault_of(const Lift& how) {
     if (auto fault = fault_of(how.left, how.right)) return fault;

@@ -86,12 +86,7 @@ bool place_plates(const Prism& how, Angle /*theta*/, std::span<Frame> frames) {
 // corner.
 Likeness likeness(const Prism& /*how*/) { return {}; }
 
-std::optional<Slid> slid(const Prism& how, double mm) {
-    Prism moved = how;
-    moved.left = slid(how.left, mm);
-    moved.right = slid(how.right, mm);
-    return Slid{moved, mm * how.left.fold_dir, "fold"};
-}
+std::optional<Slid> slid(const Prism& how, double mm) { return slid_along_fold(how, mm); }
 
 std::optional<std::string> fault_of(const Prism& how) {
     if (auto fault = fault_of(how.left, how.right)) return fault;

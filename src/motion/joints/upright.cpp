@@ -24,12 +24,6 @@ Frame leaf_frame(const Leaf& leaf, Vec3 at, Vec3 along, Vec3 across) {
 
 JointTurn turn_of(const Upright& wall) { return {wall.plate, wall.drive, wall.own_at, wall.own_along}; }
 
-Upright slid(Upright wall, double mm) {
-    wall.fold_at = wall.fold_at + mm * wall.fold_dir;
-    wall.foot_at = wall.foot_at + mm * wall.fold_dir;
-    return wall;
-}
-
 std::optional<std::string> fault_of(const Leaf& leaf, std::string_view name) {
     if (!is_unit(leaf.own_along)) return fmt::format("{}: own_along is no unit vector", name);
     if (!is_unit(leaf.own_across)) return fmt::format("{}: own_across is no unit vector", name);

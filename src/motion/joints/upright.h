@@ -19,8 +19,16 @@ Frame leaf_frame(const Leaf& leaf, Vec3 at, Vec3 along, Vec3 across);
 // The wall's turn against the plate that drives it. It follows the parent fold, half as far.
 JointTurn turn_of(const Upright& wall);
 
-// The wall of an element that was drawn `mm` further along its fold.
-Upright slid(Upright wall, double mm);
+// The joint, of either kind, of an element that was drawn `mm` further along its fold.
+template <typename Kind>
+Slid slid_along_fold(Kind how, double mm) {
+    const Vec2 by = mm * how.left.fold_dir;
+    for (Upright* wall : {&how.left, &how.right}) {
+        wall->fold_at = wall->fold_at + mm * wall->fold_dir;
+        wall->foot_at = wall->foot_at + mm * wall->fold_dir;
+    }
+    return {how, by, "fold"};
+}
 // What is wrong with the values, as of fault_of() of popup/joints.h.
 std::optional<std::string> fault_of(const Upright& left, const Upright& right);
 std::optional<std::string> fault_of(const Leaf& leaf, std::string_view name);

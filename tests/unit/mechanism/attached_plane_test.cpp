@@ -31,25 +31,6 @@ std::string leaf(std::string_view attributes, std::string_view outline, std::str
            "<parentplate page='1' x='6' y='44'/></structure>";
 }
 
-struct Made {
-    std::optional<Assembly> assembly;
-    std::string text;
-};
-
-Made make(const std::string& structures) {
-    Made made;
-    Diagnostics diagnostics;
-    const auto design = xml::read({"card.xml",
-                                   "<popup version='3.0' units='mm'><mainpage width='200' height='150'/>"
-                                   "<structurelist>" +
-                                       structures + "</structurelist></popup>"},
-                                  {}, diagnostics);
-    const auto checked = design ? check(*design, {}, diagnostics) : std::nullopt;
-    if (checked) made.assembly = assemble(*checked, {}, diagnostics);
-    made.text = findings(diagnostics);
-    return made;
-}
-
 constexpr std::string_view kSquare =
     "M 5 7 H 25 V -3 H 5 Z";  // to the right of G–H: away from the centre fold
 
@@ -57,9 +38,9 @@ TEST(AttachedPlane, LiesOnItsPlateAtEveryAngleOnEitherSide) {
     for (const std::string side : {"front", "back"}) {
         SCOPED_TRACE(side);
         // Seen from the back, left of A–B is where right of it is from the front.
-        const Made made =
-            make(std::string(kTrunk) +
-                 leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
+        const FromXml made =
+            from_xml(std::string(kTrunk) +
+                     leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
         ASSERT_TRUE(made.assembly) << made.text;
         EXPECT_EQ(made.text, "");
         const std::size_t plate = made.assembly->plates.size() - 1;
@@ -98,7 +79,7 @@ TEST(AttachedPlane, LiesOnItsPlateAtEveryAngleOnEitherSide) {
 
 // The piece's part on the plate, 1 mm away from the plate's edges, is the target on it.
 TEST(AttachedPlane, ItsGlueAreaIsWhatLiesOnThePlateOrWhatIsGiven) {
-    const Made all = make(std::string(kTrunk) + leaf("", kSquare));
+    const FromXml all = from_xml(std::string(kTrunk) + leaf("", kSquare));
     ASSERT_TRUE(all.assembly) << all.text;
     ASSERT_EQ(all.assembly->glued_areas.size(), 1U);
     // The plate's edge goes from (28.22, 13.10) to (12, 66); the square from x = 4 to 14 and y = 34 to 54.
@@ -113,27 +94,28 @@ TEST(AttachedPlane, ItsGlueAreaIsWhatLiesOnThePlateOrWhatIsGiven) {
     EXPECT_TRUE(
         std::any_of(pattern->pieces[1].labels.begin(), pattern->pieces[1].labels.end(),
                     [](const Label& label) { return label.kind == LabelKind::target && label.text == "2"; }));
-    const Made given = make(std::string(kTrunk) + leaf("", kSquare, "<glue d='M 5 36 h 6 v 6 h -6 z'/>"));
+    const FromXml given =
+        from_xml(std::string(kTrunk) + leaf("", kSquare, "<glue d='M 5 36 h 6 v 6 h -6 z'/>"));
     ASSERT_TRUE(given.assembly) << given.text;
     EXPECT_NEAR(area(given.assembly->glued_areas[0].on_base), 36.0, 1e-6);
 }
 
 TEST(AttachedPlane, WhatCannotHoldIsRefusedWithItsNumbers) {
-    EXPECT_EQ(make(std::string(kTrunk) + leaf("", "M 5 7 h 4 v -4 h -4 z")).text,
+    EXPECT_EQ(from_xml(std::string(kTrunk) + leaf("", "M 5 7 h 4 v -4 h -4 z")).text,
               "error does-not-fit: \"leaf\": only 16.0 mm² of it lie on its plate, 1.00 mm away from folds "
               "and edges; "
               "25 mm² are the least that holds\n");
-    EXPECT_EQ(make(std::string(kTrunk) + leaf("", kSquare, "<glue d='M -9 36 h 18 v 6 h -18 z'/>")).text,
+    EXPECT_EQ(from_xml(std::string(kTrunk) + leaf("", kSquare, "<glue d='M -9 36 h 18 v 6 h -18 z'/>")).text,
               "error does-not-fit: \"leaf\": 78.0 mm² of its glue area of 108.0 mm² lie beside the plate or "
               "beside the "
               "piece\n");
-    EXPECT_EQ(make(std::string(kTrunk) + leaf("", "M 5 7 h 9 v -9 h -9 z M 16 7 h 9 v -9 h -9 z")).text,
+    EXPECT_EQ(from_xml(std::string(kTrunk) + leaf("", "M 5 7 h 9 v -9 h -9 z M 16 7 h 9 v -9 h -9 z")).text,
               "error outline-crosses: \"leaf\": its outline encloses 2 areas that do not hang together\n");
 }
 
 // What hangs below the seam goes through the page, although both hang on one hinge.
 TEST(AttachedPlane, WhatSticksOutIsExaminedAsDrawn) {
-    const Made made = make(std::string(kTrunk) + leaf("", "M -40 7 H 25 V -3 H -40 Z"));
+    const FromXml made = from_xml(std::string(kTrunk) + leaf("", "M -40 7 H 25 V -3 H -40 Z"));
     ASSERT_TRUE(made.assembly) << made.text;
     Diagnostics diagnostics;
     const auto motion = simulate(*made.assembly, {}, diagnostics);
@@ -154,7 +136,7 @@ TEST(AttachedPlane, OneStandsOnAnotherToAnyDepth) {
                "<outline d='M 5 7 H 25 V -3 H 5 Z'/><parentplate page='" +
                page + "' x='15' y='2'/></structure>";
     }
-    const Made made = make(all);
+    const FromXml made = from_xml(all);
     ASSERT_TRUE(made.assembly) << made.text;
     Diagnostics diagnostics;
     const auto motion = simulate(*made.assembly, {}, diagnostics);
@@ -174,7 +156,7 @@ TEST(AttachedPlane, OneStandsOnAnotherToAnyDepth) {
 TEST(AttachedPlane, CurvesOfItsOutlineAreTheAssemblys) {
     constexpr std::string_view kRound = "M 5 7 H 25 C 32 0 20 -8 15 -6 S 0 0 5 7 Z";
     for (const std::string side : {"front", "back"}) {
-        const Made made = make(std::string(kTrunk) + leaf("side='" + side + "'", kRound));
+        const FromXml made = from_xml(std::string(kTrunk) + leaf("side='" + side + "'", kRound));
         ASSERT_TRUE(made.assembly) << made.text;
         EXPECT_EQ(made.assembly->curves.size(), 2U);
         const Plate& piece = made.assembly->plates.back();

@@ -6,40 +6,12 @@
 #include <string>
 
 #include "base/geometry/regions.h"
-#include "input/xml/read.h"
 #include "motion/plate_shape.h"
 #include "popup/motion.h"
 #include "support/designs.h"
 
 namespace popup::test {
 namespace {
-
-struct Made {
-    std::optional<Assembly> assembly;
-    std::string text;
-
-    [[nodiscard]] std::size_t plate(const std::string& name) const {
-        for (std::size_t i = 0; i < assembly->plates.size(); ++i) {
-            if (assembly->plates[i].name == name) return i;
-        }
-        ADD_FAILURE() << name;
-        return 0;
-    }
-};
-
-Made make(const std::string& structures) {
-    Made made;
-    Diagnostics diagnostics;
-    const auto design = xml::read({"card.xml",
-                                   "<popup version='3.0' units='mm'><mainpage width='200' height='150'/>"
-                                   "<structurelist>" +
-                                       structures + "</structurelist></popup>"},
-                                  {}, diagnostics);
-    const auto checked = design ? check(*design, {}, diagnostics) : std::nullopt;
-    if (checked) made.assembly = assemble(*checked, {}, diagnostics);
-    made.text = findings(diagnostics);
-    return made;
-}
 
 // As wide as its seams are apart, up to the top of the card: its centre fold is the line x = 10 of its page.
 const std::string kStrap =
@@ -69,8 +41,8 @@ std::vector<Polygon> of_piece(const Assembly& assembly, const std::string& piece
 }
 
 TEST(Pivot, AtTheEdgeOfAStrapCutsNothing) {
-    const Made plain = make(kStrap);
-    const Made made = make(kStrap + kAtTheEdge);
+    const FromXml plain = from_xml(kStrap);
+    const FromXml made = from_xml(kStrap + kAtTheEdge);
     ASSERT_TRUE(made.assembly) << made.text;
     EXPECT_EQ(made.text, "");
     // The strap's paper is shared out among its plates and the beak's; nothing is lost, nothing doubled.
@@ -97,8 +69,8 @@ TEST(Pivot, AtTheEdgeOfAStrapCutsNothing) {
 }
 
 TEST(Pivot, InsideAStrapIsABeak) {
-    const Made made = make(kStrap + pivot("right", "<point x='-8' y='48'/>", "<point x='28' y='48'/>",
-                                          "25.4558441", "M -1 2 L -14 14 L -1 24 Z"));
+    const FromXml made = from_xml(kStrap + pivot("right", "<point x='-8' y='48'/>", "<point x='28' y='48'/>",
+                                                 "25.4558441", "M -1 2 L -14 14 L -1 24 Z"));
     ASSERT_TRUE(made.assembly) << made.text;
     EXPECT_EQ(made.text, "");
     std::size_t cuts = 0;
@@ -114,7 +86,7 @@ TEST(Pivot, InsideAStrapIsABeak) {
 
 // The piece moves with its plane, and its G–H stays on the side fold, which is the strap's, too.
 TEST(Pivot, SwingsAboutItsSideFold) {
-    const Made made = make(kStrap + kAtTheEdge);
+    const FromXml made = from_xml(kStrap + kAtTheEdge);
     ASSERT_TRUE(made.assembly) << made.text;
     const std::size_t flag = made.plate("flag");
     const std::size_t plane = made.plate("flag/left");
@@ -143,7 +115,7 @@ TEST(Disc, ReachesAsFarAsItsCornersTurn) {
     for (const std::string& structures :
          {disc("", "<point x='50' y='0'/>", "<outline d='M -3 -15 H 3 L 1 30 H -1 Z'/>"),
           disc("radius='22'", "<point x='58' y='2'/>")}) {
-        const Made made = make(structures);
+        const FromXml made = from_xml(structures);
         ASSERT_TRUE(made.assembly) << made.text;
         const Plate& plate = made.assembly->plates.back();
         ASSERT_TRUE(plate.rivet);
@@ -161,7 +133,7 @@ TEST(Disc, ReachesAsFarAsItsCornersTurn) {
 }
 
 TEST(Disc, LooksThroughItsWindow) {
-    const Made made = make(
+    const FromXml made = from_xml(
         disc("radius='30'", "<point x='50' y='10'/>", "<window page='0' d='M 40 20 H 60 V 32 H 40 Z'/>"));
     ASSERT_TRUE(made.assembly) << made.text;
     EXPECT_EQ(made.text, "");
@@ -181,7 +153,7 @@ TEST(Disc, LooksThroughItsWindow) {
 }
 
 TEST(Disc, TurnsOneWayByHand) {
-    const Made made = make(disc("radius='30'", "<point x='50' y='10'/>"));
+    const FromXml made = from_xml(disc("radius='30'", "<point x='50' y='10'/>"));
     ASSERT_TRUE(made.assembly) << made.text;
     const auto free = free_plates(*made.assembly);
     ASSERT_EQ(free.size(), 1U);
@@ -193,11 +165,12 @@ TEST(Disc, TurnsOneWayByHand) {
 TEST(Disc, ItsWindowCarriesNothing) {
     const std::string with_window =
         disc("radius='30'", "<point x='50' y='10'/>", "<window page='0' d='M 40 20 H 60 V 32 H 40 Z'/>");
-    const Made made = make(with_window +
-                           "<structure type='attached-plane' id='leaf'><outerpoints><point x='45' y='22'/>"
-                           "<point x='45' y='30'/><point x='0' y='0'/><point x='0' y='8'/></outerpoints>"
-                           "<outline d='M 0 0 H 10 V 8 H 0 Z'/><parentplate page='0' x='70' y='60'/>"
-                           "</structure>");
+    const FromXml made =
+        from_xml(with_window +
+                 "<structure type='attached-plane' id='leaf'><outerpoints><point x='45' y='22'/>"
+                 "<point x='45' y='30'/><point x='0' y='0'/><point x='0' y='8'/></outerpoints>"
+                 "<outline d='M 0 0 H 10 V 8 H 0 Z'/><parentplate page='0' x='70' y='60'/>"
+                 "</structure>");
     EXPECT_FALSE(made.assembly);
     EXPECT_NE(made.text.find("only 0.0 mm² of it lie on its plate"), std::string::npos) << made.text;
 }

@@ -54,6 +54,12 @@ Posed posed(const Assembly& assembly, double deg) {
     return result;
 }
 
+// Sine and cosine of half the opening.
+std::pair<double, double> half_opening(int deg) {
+    const double half = 0.5 * deg * std::numbers::pi / 180.0;
+    return {std::sin(half), std::cos(half)};
+}
+
 // The world has the gutter along y at x = z = 0, and the card opens to both sides of the plane x = 0. What is
 // p away from it is at x = ±p sin(θ/2), z = p cos(θ/2) below the front; the front looks to +z where the card
 // lies open. Upright is square to the gutter, in the plane x = 0.
@@ -65,9 +71,7 @@ TEST(Box, StandsInTheMiddlePlaneAtEveryAngle) {
         EXPECT_EQ(findings(built.diagnostics), "");
         const double way = ends == "in" ? 1.0 : -1.0;
         for (int deg = 0; deg <= 180; deg += 3) {
-            const double half = 0.5 * deg * std::numbers::pi / 180.0;
-            const double s = std::sin(half);
-            const double c = std::cos(half);
+            const auto [s, c] = half_opening(deg);
             const Posed now = posed(*built.assembly, deg);
             for (const double z : {kP * c, kP * c + kHeight}) {
                 for (const double y : {kLo, kHi}) {
@@ -124,9 +128,7 @@ TEST(FloatingLayer, HasItsTopParallelToThePlanesUnderIt) {
     ASSERT_TRUE(built.assembly);
     EXPECT_EQ(findings(built.diagnostics), "");
     for (int deg = 0; deg <= 180; deg += 3) {
-        const double half = 0.5 * deg * std::numbers::pi / 180.0;
-        const double s = std::sin(half);
-        const double c = std::cos(half);
+        const auto [s, c] = half_opening(deg);
         const Posed now = posed(*built.assembly, deg);
         for (const double y : {kLo, kHi}) {
             EXPECT_TRUE(now.has_corner("e1/left", {-kP * s, y, kP * c})) << deg;

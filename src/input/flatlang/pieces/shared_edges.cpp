@@ -10,9 +10,10 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
+
+#include "base/sets.h"
 
 namespace popup::flatlang {
 namespace {
@@ -72,24 +73,6 @@ bool overlap(const Line& a, const Line& b) {
     const double t = dot(along, small.to - large.from);
     return std::min(std::max(s, t), distance(large.from, large.to)) - std::max(std::min(s, t), 0.0) > kMeetMm;
 }
-
-class Groups {
- public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int find(int i) {
-        while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-        return i;
-    }
-    // The first of a group stands for it.
-    void join(int a, int b) {
-        a = find(a);
-        b = find(b);
-        parent_[at(std::max(a, b))] = std::min(a, b);
-    }
-
- private:
-    std::vector<int> parent_;
-};
 
 // What stands on one line: the stretches of it that exactly two faces have.
 void sweep(const std::vector<const Line*>& lines, std::vector<SharedStretch>& found) {
@@ -159,7 +142,7 @@ std::optional<std::vector<SharedStretch>> find_shared(std::span<const FaceEdge> 
         entries.emplace_back(box_of(lines[i], 0.0), static_cast<int>(i));
     }
     const bg::index::rtree<Entry, bg::index::quadratic<16>> tree(entries);
-    Groups groups(lines.size());
+    Sets groups(lines.size());
     std::vector<Entry> near;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         near.clear();
@@ -168,7 +151,7 @@ std::optional<std::vector<SharedStretch>> find_shared(std::span<const FaceEdge> 
         if (!work.looks(kLooks * near.size())) return std::nullopt;
         for (const Entry& other : near) {
             if (at(other.second) > i && overlap(lines[i], lines[at(other.second)])) {
-                groups.join(static_cast<int>(i), other.second);
+                groups.unite(static_cast<int>(i), other.second);
             }
         }
     }
