@@ -422,7 +422,7 @@ TEST_F(Rows, ProgramsGiveTheSameValues) {
     wanted.info = find_element("banner");
     wanted.plate = flatlang::PlatePlace{0, {-60, 50}};
     wanted.points = {{-60, 0}, {-50, 0}, {-5, 0}, {5, 0}};
-    wanted.values = {7.0, "back", "M -1 -1 H 1 V 1 Z"};
+    wanted.values = {{{}, 7.0}, {{}, "back"}, {{}, "M -1 -1 H 1 V 1 Z"}};
     std::optional<std::size_t> folds;
     ASSERT_FALSE(flatlang::add_element(card, wanted, folds));
     const Design design = flatlang::finished(card, {"card.fl", ""});
@@ -434,12 +434,12 @@ TEST_F(Rows, ProgramsGiveTheSameValues) {
     EXPECT_NEAR(seen.outline, 2 * 25.4 * 25.4, 1e-3);
     EXPECT_EQ(seen.plate, 0);
 
-    wanted.values = {"back"};
+    wanted.values = {{{}, "back"}};
     EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what, "has no outline");
-    wanted.values = {100.0, "M -1 -1 H 1 V 1 Z"};
+    wanted.values = {{{}, 100.0}, {{}, "M -1 -1 H 1 V 1 Z"}};
     EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what,
               "has 3.93701 inches as height, which must be from 0.0393701 to 1.9685");
-    wanted.values = {1.0, 2.0};
+    wanted.values = {{{}, 1.0}, {{}, 2.0}};
     EXPECT_EQ(flatlang::add_element(card, wanted, folds)->what,
               "is given 2, which none of its parameters takes");
 }

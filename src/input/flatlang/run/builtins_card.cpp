@@ -126,17 +126,19 @@ class Arguments {
     }
 
     // Numbers (lengths in mm), words and path data that come next, for parameters of the row.
-    std::vector<std::variant<double, std::string>> take_values(const ElementInfo& info) {
-        std::vector<std::variant<double, std::string>> values;
+    // A text that is a parameter's name says that the next is its value.
+    std::vector<NewValue> take_values(const ElementInfo& info) {
+        std::vector<NewValue> values;
         std::size_t lengths = 0;
         for (; more(); ++next_) {
-            if (peek()->type == Type::number) {
+            if (peek()->type == Type::text && find_parameter(info, peek()->text)) {
+                values.push_back(named_value(info));
+            } else if (peek()->type == Type::number) {
                 const ParameterInfo* parameter = number_parameter(info, lengths++);
                 if (parameter == nullptr) break;
-                values.emplace_back(peek()->number *
-                                    (parameter->kind == ParameterKind::length ? kInch : 1.0));
+                values.push_back({{}, peek()->number * unit_of(*parameter)});
             } else if (peek()->type == Type::text && is_value(info, peek()->text)) {
-                values.emplace_back(peek()->text);
+                values.push_back({{}, peek()->text});
             } else {
                 break;
             }
@@ -168,6 +170,21 @@ class Arguments {
     }
 
  private:
+    static double unit_of(const ParameterInfo& parameter) {
+        return parameter.kind == ParameterKind::length ? kInch : 1.0;
+    }
+
+    // A parameter's name, and the value behind it, which is the argument that comes next then.
+    NewValue named_value(const ElementInfo& info) {
+        const std::string& name = take()->text;
+        const ParameterInfo& parameter = info.parameters[find_parameter(info, name).value()];
+        if (next_is(Type::number)) return {name, peek()->number * unit_of(parameter)};
+        if (next_is(Type::text)) return {name, peek()->text};
+        if (more()) refuse_argument(call_, next_, peek(), fmt::format("the value of \"{}\"", name));
+        refuse(call_, {fmt::format("ends with \"{}\", which wants a value behind it", name), ""});
+        return {};
+    }
+
     // The n-th parameter that is a number.
     static const ParameterInfo* number_parameter(const ElementInfo& info, std::size_t n) {
         for (const ParameterInfo& parameter : info.parameters) {

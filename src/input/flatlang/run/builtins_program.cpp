@@ -207,7 +207,7 @@ Value type_of(const Call& call) {
 }
 
 // Numbers as messages have them, "0.2" and "3"; all else as print() has it.
-Value shown(const Call& call) {
+Value shown_builtin(const Call& call) {
     const Value& value = call.arguments[0];
     if (value->type != Type::number) return call.in.heap.text(to_text(value, call.in.symbols, 1000));
     return call.in.heap.text(fmt::format("{:.6g}", value->number));
@@ -251,7 +251,7 @@ constexpr std::array kBuiltins{
     Builtin{"__named_object", 1, 1, object},
     Builtin{"__type", 1, 1, type_of},
     Builtin{"__fail", 1, 2, fail},
-    Builtin{"__shown", 1, 1, shown},
+    Builtin{"__shown", 1, 1, shown_builtin},
     Builtin{"__site", 0, 0, site},
     Builtin{"__blame", 1, 1, blame},
     Builtin{"clear", 0, -1, clear},

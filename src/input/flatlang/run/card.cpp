@@ -1,12 +1,14 @@
 #include "input/flatlang/run/card.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "input/color.h"
 #include "input/design_limits.h"
 #include "input/text.h"
 #include "input/xml/path_text.h"
@@ -80,7 +82,9 @@ Refusal wrong_count(const ElementInfo& info, std::size_t given) {
     }
     Refusal refusal{fmt::format("has {} points, {}, and {} {} given", info.points.size(), letters_of(info),
                                 given, given == 1 ? "is" : "are")};
-    if (fewest < info.points.size()) {
+    if (info.grounds.plate) {
+        refusal.hint = "before them comes a point of the plate it stands on";
+    } else if (fewest < info.points.size()) {
         refusal.hint =
             fmt::format("of an even one give {} alone: the right side then mirrors the left", least);
     }
@@ -103,6 +107,10 @@ std::optional<Refusal> give_value(Argument& argument, const ParameterInfo& param
         argument.value = text;
         return std::nullopt;
     }
+    if (parameter.kind == ParameterKind::colour) {
+        argument.value = parse_color(text).value();
+        return std::nullopt;
+    }
     DrawnPath path;
     const auto refusal = xml::read_path(text, Unit{}, path);
     argument.value = std::move(path);
@@ -110,30 +118,67 @@ std::optional<Refusal> give_value(Argument& argument, const ParameterInfo& param
     return Refusal{fmt::format("has path data as {} that {}", parameter.name, refusal->what)};
 }
 
-// True when the parameter is what such a value is for.
+// True when the parameter is what such a value can be.
 bool takes(const ParameterInfo& parameter, const std::variant<double, std::string>& value) {
     if (std::holds_alternative<double>(value))
         return parameter.kind == ParameterKind::length || parameter.kind == ParameterKind::number;
     const std::string& text = std::get<std::string>(value);
     if (parameter.kind == ParameterKind::choice)
         return std::find(parameter.words.begin(), parameter.words.end(), text) != parameter.words.end();
+    if (parameter.kind == ParameterKind::colour) return parse_color(text).has_value();
     return parameter.kind == ParameterKind::path && is_path_data(text);
 }
 
-// Each value goes to the first parameter that takes it and has none.
+std::string shown_value(const std::variant<double, std::string>& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? fmt::format("{:.6g}", *number)
+                  : fmt::format("\"{}\"", shown(std::get<std::string>(value)));
+}
+
+// What a parameter takes, in words.
+std::string wanted_of(const ParameterInfo& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::colour:
+            return "a colour";
+        case ParameterKind::length:
+            return "a length in inches";
+        case ParameterKind::number:
+            return "a number";
+        case ParameterKind::choice:
+            return fmt::format("one of {}", fmt::join(parameter.words, ", "));
+        case ParameterKind::path:
+            return "path data";
+        case ParameterKind::points:
+            break;
+    }
+    return "points";
+}
+
+// The parameter that a value is for: the one that is named, or the first that takes it and has none. Colours
+// have an order of their own, for Paint.
+std::variant<std::size_t, Refusal> parameter_of(Structure& made, const ElementInfo& info,
+                                                const NewValue& one) {
+    if (!one.parameter.empty()) {
+        const std::size_t i = find_parameter(info, one.parameter).value();
+        if (takes(info.parameters[i], one.value)) return i;
+        return Refusal{fmt::format("is given {} as {}, where {} is expected", shown_value(one.value),
+                                   one.parameter, wanted_of(info.parameters[i]))};
+    }
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        if (info.parameters[i].kind != ParameterKind::colour && !made.argument(i).given() &&
+            takes(info.parameters[i], one.value))
+            return i;
+    }
+    return Refusal{fmt::format("is given {}, which none of its parameters takes", shown_value(one.value))};
+}
+
 std::optional<Refusal> give_values(Structure& made, const ElementInfo& info, const NewElement& wanted) {
-    for (const auto& value : wanted.values) {
-        std::size_t i = 0;
-        while (i < info.parameters.size() && (made.argument(i).given() || !takes(info.parameters[i], value)))
-            ++i;
-        if (i == info.parameters.size()) {
-            const auto* number = std::get_if<double>(&value);
-            return Refusal{fmt::format("is given {}, which none of its parameters takes",
-                                       number ? fmt::format("{:.6g}", *number)
-                                              : fmt::format("\"{}\"", shown(std::get<std::string>(value))))};
-        }
+    for (const NewValue& one : wanted.values) {
+        const auto found = parameter_of(made, info, one);
+        if (const auto* refusal = std::get_if<Refusal>(&found)) return *refusal;
+        const std::size_t i = std::get<std::size_t>(found);
         made.argument(i).place = wanted.place;
-        if (auto refusal = give_value(made.argument(i), info.parameters[i], value)) return refusal;
+        if (auto refusal = give_value(made.argument(i), info.parameters[i], one.value)) return refusal;
     }
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         const bool missing = info.parameters[i].required && !made.argument(i).given();
@@ -238,7 +283,9 @@ std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::op
     }
     card.pages.push_back(info.glued ? card.glued : fold.left_page);
     design.structures.push_back(std::move(made));
-    paint_element(card, design.structures.size() - 1, wanted.paint);
+    // Without colours in their order those that are named stay.
+    if (wanted.paint.left || wanted.paint.right || wanted.paint.left_tab || wanted.paint.right_tab)
+        paint_element(card, design.structures.size() - 1, wanted.paint);
 
     folds.reset();
     const Structure& added = design.structures.back();
@@ -300,7 +347,9 @@ void paint_element(Card& card, std::size_t structure, const Paint& paint) {
           {"rightcolor", paint.right},
           {"lefttabcolor", paint.left_tab},
           {"righttabcolor", paint.right_tab}}) {
-        const auto number = find_parameter(info, name);
+        auto number = find_parameter(info, name);
+        // Of an element without halves the first colour is that of its one piece.
+        if (!number && name == "leftcolor") number = find_parameter(info, "color");
         if (!number) continue;
         Argument& argument = made.argument(*number);
         argument.value = {};

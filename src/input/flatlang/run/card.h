@@ -54,6 +54,13 @@ struct PlatePlace {
     Vec2 at;
 };
 
+// A value for a parameter of an element: a number (mm for lengths), or a text, which is a word of a choice,
+// path data in inches, or a colour.
+struct NewValue {
+    std::string parameter;  // empty: the first that takes it and has none, colours aside
+    std::variant<double, std::string> value;
+};
+
 struct NewElement {
     const ElementInfo* info = nullptr;
     std::size_t fold = 0;  // of Card::folds
@@ -63,9 +70,7 @@ struct NewElement {
     // these then are (about the fold; on a piece's page about x = 0).
     std::vector<Vec2> points;
     Paint paint;
-    // Other values, each for the next parameter of the row that takes its kind: numbers (mm for lengths),
-    // words of choices, and path data in inches.
-    std::vector<std::variant<double, std::string>> values = {};
+    std::vector<NewValue> values = {};
     Place place;
 };
 // Appends the structure; on success `folds` is the first of its row's folds in Card::folds. Empty: it makes

@@ -322,6 +322,43 @@ TEST(FlatLangCard, FoldsAreWhereCheckMakesThem) {
     }
 }
 
+// Values go to the first parameter that takes them, or to the one that is named.
+TEST(FlatLangCard, ElementsHaveAllTheirValues) {
+    const Design made = design_of(
+        "c = popup(8, 6)\n"
+        "box(c, [-0.7, 0.2], [-0.7, 2.2], 1.1, \"out\", \"endcolor\", \"tan\", \"red\")\n"
+        "floating_layer(c, [-1, -2.5], [-1, -0.9], \"topcolor\", \"#010203\", 0.9)\n"
+        "disc(c, [2, 0], [2, 0], [2, 0], \"window\", \"M 1 1 H 2 V 2 Z\", \"rivet\", 0.1, 2, \"blue\")\n"
+        "wheel(c, [2, 0], [2, 0], [2, 0], \"M 0 0 H 1 V 1 Z\")\n");
+    ASSERT_EQ(made.structures.size(), 4U);
+    const auto value = [&](std::size_t n, std::string_view name) -> const Argument& {
+        static const Argument kNone;
+        const ElementInfo& info = *find_element(made.structures[n].type);
+        const Argument* found = find_argument(info, made.structures[n].arguments, name);
+        return found ? *found : kNone;
+    };
+    EXPECT_NEAR(std::get<double>(value(0, "height").value), 1.1 * 25.4, 1e-5);
+    EXPECT_EQ(std::get<std::string>(value(0, "ends").value), "out");
+    EXPECT_EQ(std::get<Color>(value(0, "endcolor").value), (Color{210, 180, 140}));
+    EXPECT_EQ(std::get<Color>(value(0, "leftcolor").value), (Color{255, 0, 0}));
+    EXPECT_EQ(std::get<Color>(value(1, "topcolor").value), (Color{1, 2, 3}));
+    EXPECT_NEAR(std::get<double>(value(1, "height").value), 0.9 * 25.4, 1e-5);
+    EXPECT_NEAR(area(std::get<DrawnPath>(value(2, "window").value).inside.areas[0]), 0.5 * 25.4 * 25.4, 1e-3);
+    EXPECT_FALSE(value(2, "outline").given());
+    EXPECT_NEAR(std::get<double>(value(2, "rivet").value), 2.54, 1e-5);
+    EXPECT_NEAR(std::get<double>(value(2, "radius").value), 50.8, 1e-5);
+    EXPECT_EQ(std::get<Color>(value(2, "color").value), (Color{0, 0, 255}));
+    EXPECT_EQ(made.structures[3].type, "disc");
+    EXPECT_TRUE(value(3, "outline").given());
+
+    EXPECT_EQ(complaint("c = popup(8, 6)\nbox(c, [-1, 0], [-1, 2], \"height\", \"tall\")"),
+              "2:1 box() is given \"tall\" as height, where a length in inches is expected");
+    EXPECT_EQ(complaint("c = popup(8, 6)\nbox(c, [-1, 0], [-1, 2], 1, \"ends\", \"up\")"),
+              "2:1 box() is given \"up\" as ends, where one of in, out is expected");
+    EXPECT_EQ(complaint("c = popup(8, 6)\nbox(c, [-1, 0], [-1, 2], \"height\")"),
+              "2:1 box() ends with \"height\", which wants a value behind it");
+}
+
 TEST(FlatLangCard, PointsThatMakeNoFoldsMakeAnElementWithoutThem) {
     EXPECT_EQ(
         complaint("c = popup()\ns = step(c, [0, 0], [0, 0])\nstep(s.left, [-1, 0], [-1, 1])"),
