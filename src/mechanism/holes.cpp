@@ -14,8 +14,6 @@ namespace {
 
 // Corners this near to the centre fold lie on it.
 constexpr double kOnFoldMm = 1e-3;
-// What of a hole may lie beside the piece.
-constexpr double kBesideMm2 = 1e-3;
 // What is left of the centre fold, before, between and behind holes.
 constexpr double kLeastFoldMm = 1.0;
 
@@ -96,9 +94,13 @@ std::optional<HoleFault> divide_holes(const Element& e, const Halves& halves, co
     const std::vector<Polygon> piece = unite({halves.left, halves.right});
     const std::vector<Polygon> room = offset(piece, -kOnFoldMm, Corners::sharp);
     for (const Polygon& hole : holes) {
-        if (const double beside = area(subtract({hole}, room)); beside > kBesideMm2) {
+        // A corner that comes out of the piece need not have an area to speak of.
+        if (const std::vector<Polygon> beside = subtract({hole}, room); !beside.empty()) {
+            const double size = area(beside);
             return HoleFault{
-                fmt::format("{:.2f} mm² of {} lie on its edge or beside it", beside, hole_at(hole)),
+                fmt::format("{} {} the edge of its piece at {}", hole_at(hole),
+                            size < 0.01 ? "touches" : fmt::format("is for {:.2f} mm² on or beyond", size),
+                            at_mm(beside.front().outer.front())),
                 "draw holes inside the piece, and what opens to its edge as part of the outline"};
         }
         if (auto fault = divide_hole(hole, centre, made)) return fault;

@@ -1,6 +1,7 @@
 // Guarantees of drawn silhouettes: the piece is what was drawn, divided by its centre fold and glued along
 // its seams; it moves as the one with straight edges does; and what cannot be divided is refused where it
 // stands.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -260,6 +261,23 @@ TEST(Silhouette, WhatCannotBeDividedIsRefusedWithItsNumbers) {
         EXPECT_EQ(told->severity, Severity::error);
         EXPECT_NE(told->message.find(wrong.said), std::string::npos) << told->message;
         EXPECT_FALSE(told->hints.empty());
+    }
+}
+
+// However little of a hole lies outside: its corner would open the edge of the plate.
+TEST(Silhouette, HolesMayNotReachTheEdge) {
+    const std::string outline = "M 0 0 L 40 30 V 80 H -40 V 30 Z";
+    const auto with_corner_at = [&](double y) {
+        return make("v-fold",
+                    fmt::format("{}<hole d='M 10 60 H 20 L 15.01 {:.4f} L 15 {:.4f} Z'/>", kVFold, y, y),
+                    outline);
+    };
+    EXPECT_EQ(with_corner_at(79.99).text, "");
+    for (const double y : {79.9995, 80.0, 80.01}) {
+        const Made made = with_corner_at(y);
+        EXPECT_FALSE(made.assembly) << y;
+        EXPECT_NE(made.text.find("touches the edge of its piece at (15"), std::string::npos) << made.text;
+        EXPECT_NE(made.text.find("error hole-off-piece"), std::string::npos) << made.text;
     }
 }
 
