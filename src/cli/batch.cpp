@@ -277,10 +277,11 @@ int run_batch(const Options& options) {
     const Manifest& manifest = *files->manifest;
     std::string results = batch.results.empty() ? results_for(batch.manifest, shard.number, shard.count)
                                                 : files->absolute(batch.results);
-    const std::string manifest_path = files->absolute(batch.manifest);
     files->enter();
     check_common(batch.common);
 
+    ReadFiles read = files_of_batch(*files, options);
+    read.spare(results, "--results");
     ResultsFile own;
     if (!batch.dry_run) results = own.open(results);
     Diagnostics trouble;
@@ -304,8 +305,8 @@ int run_batch(const Options& options) {
     run.color = colorful(options.messages);
     run.quiet = options.messages.quiet;
     run.dry_run = batch.dry_run;
-    run.kept = {results};
-    if (batch.manifest != "-") run.kept.push_back(manifest_path);
+    run.kept = std::move(read);
+    run.kept.add(results, "which results are kept in");
     run.environment = setting_variables();
 
     const std::vector<std::size_t> jobs = jobs_of(shard, manifest.size());

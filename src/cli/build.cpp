@@ -6,6 +6,7 @@
 
 #include "cli/files/dependency_file.h"
 #include "cli/files/outputs.h"
+#include "cli/files/read_files.h"
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -213,7 +214,7 @@ void print_trails(const Options& options, Build& result) {
 }
 
 // From the profile on.
-void compile_and_write(Options& options, const OutputPlan& plan, Build& result) {
+void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles& read, Build& result) {
     result.profile = load_profile(options);
     if (result.profile && result.profile->diagnostics.has_errors()) {
         result.status = result.profile->readable ? exit_findings : exit_unusable;
@@ -239,6 +240,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, Build& result) 
         if (files && !compilation.has_errors()) {
             Diagnostics told;
             if (!spares_inputs(plan, *files, compilation, told)) refuse_usage(told);
+            for (const PendingFile& file : *files) read.spare(file.path, "a further sheet");
             if (options.build.before_writing) options.build.before_writing(*files);
             written = write_all(*files, options.build.if_changed, compilation.run_diagnostics);
             if (written) result.files = std::move(*files);
@@ -264,14 +266,9 @@ Build build(const Options& given) {
     result.inputs = options.inputs.names;
     if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
     result.inputs.insert(result.inputs.end(), options.settings_files.begin(), options.settings_files.end());
-    const std::string dependencies = dependency_file_name(options);
-    for (const std::string& input : result.inputs) {
-        if (dependencies.empty() || !overwrites(dependencies, input)) continue;
-        throw UsageError(
-            fmt::format("{} is an input; the dependency file does not overwrite it", dependencies),
-            {"-MF FILE names another"});
-    }
-    compile_and_write(options, plan, result);
+    const ReadFiles read = files_read(options, options.inputs.names);
+    spare(read, options);
+    compile_and_write(options, plan, read, result);
     if (result.status != exit_done) tell_dependencies_of_failure(options, result);
     return result;
 }

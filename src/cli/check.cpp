@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/files/inputs.h"
+#include "cli/files/read_files.h"
 #include "cli/judge.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -38,14 +39,15 @@ CLI::App* add_check(CLI::App& app, Options& options) {
 int run_check(const Options& options) {
     check_motion_options(options);
     check_judge_options(options);
+    check_print_options(options);
+    InputFiles files = find_inputs(options);
+    spare(files_read(options, files.names, files.ignore_files), options);
     const std::optional<BaselineFile> baseline = load_baseline(options);
     if (baseline && !baseline->is) {
         report(options.messages, {{&baseline->diagnostics, baseline->source.text, false}}, Diagnostics());
         return exit_unusable;
     }
     // Without a sheet there is nothing to lay out: inputs that are checked together need not be one run.
-    InputFiles files = find_inputs(options);
-    check_print_options(options, files.names);
     Run run = run_inputs(options, std::move(files), options.sheet_given ? Stage::layout : Stage::pattern,
                          options.sheet_given ? Keep::everything : Keep::findings);
     check_loaded(run, options.messages.file);

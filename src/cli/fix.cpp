@@ -6,6 +6,7 @@
 
 #include "cli/files/inputs.h"
 #include "cli/files/line_diff.h"
+#include "cli/files/read_files.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/files.h"
@@ -137,6 +138,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
 int run_fix(const Options& options) {
     InputFiles files = find_inputs(options, Walked::documents);
     check_usage(options, files);
+    spare(files_read(options, files.names, files.ignore_files), options);
     check_documents(options, files.names);
     Run run = run_inputs(options, std::move(files), Stage::motion);
     Compilation& compilation = run.compilation;

@@ -40,12 +40,6 @@ void check_judge_options(const Options& options) {
             fmt::format("--statistics are counts, and {} has no place for them", messages.format->name),
             {"take text, short or json"});
     }
-    for (const std::string& input : options.inputs.names) {
-        if (overwrites(messages.file, input))
-            throw UsageError(fmt::format("--diagnostics would overwrite the input {}", input));
-        if (judge.write_baseline && overwrites(judge.baseline, input))
-            throw UsageError(fmt::format("--write-baseline would overwrite the input {}", input));
-    }
     if (judge.baseline.empty()) return;
     if (!messages.file.empty() && same_place(judge.baseline, messages.file))
         throw UsageError(judge.baseline + " is named twice", {"--diagnostics and --baseline take two files"});

@@ -50,16 +50,10 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
 
 // What is written over nothing that the batch has: its manifest, its results, its jobs' files.
 void check_free(const std::string& path, const std::string& shown, const Manifest& manifest,
-                const std::string& manifest_path, const std::vector<std::string>& results) {
-    bool taken = overwrites(path, manifest_path) || manifest.taken_by(shown, manifest.size()).has_value();
-    for (const std::string& name : results) taken = taken || overwrites(path, name);
-    for (std::size_t i = 0; !taken && i < manifest.size(); ++i) {
-        const BatchJob job = manifest.job(i);
-        for (const auto* list : {&job.inputs, &job.outputs}) {
-            for (const std::string& name : *list) taken = taken || overwrites(path, name);
-        }
-    }
-    if (taken) throw UsageError(fmt::format("{} is a file of the batch, and would be written over", shown));
+                const ReadFiles& read) {
+    if (manifest.taken_by(shown, manifest.size()))
+        throw UsageError(fmt::format("{} is a file of the batch, and would be written over", shown));
+    read.spare(path, "a report");
 }
 
 // The rows keep their names, which count from the directory of their manifest.
@@ -136,9 +130,14 @@ int run_merge_reports(const Options& options) {
     const std::string output = place(merge.output);
     const std::string missing = place(merge.missing);
     files->enter();
-    if (!merge.output.empty()) check_free(output, merge.output, manifest, manifest_path, names);
+    ReadFiles read = files_of_batch(*files, options);
+    for (const std::string& name : names) read.add(name, "which has results");
+    for (std::size_t i = 0; i < manifest.size(); ++i) {
+        for (const std::string& name : manifest.job(i).outputs) read.add(name, "an output of the batch");
+    }
+    if (!merge.output.empty()) check_free(output, merge.output, manifest, read);
     if (!merge.missing.empty()) {
-        check_free(missing, merge.missing, manifest, manifest_path, names);
+        check_free(missing, merge.missing, manifest, read);
         check_beside(missing, merge.missing, manifest_path);
     }
     MergedReport merged = merge_results(manifest, results);

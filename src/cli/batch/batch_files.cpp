@@ -71,6 +71,17 @@ std::optional<BatchFiles> open_batch(const std::string& name, std::optional<Mani
     return files;
 }
 
+ReadFiles files_of_batch(const BatchFiles& files, const Options& options) {
+    ReadFiles read;
+    if (files.name != "-") read.add(files.absolute(files.name), "the manifest");
+    for (const std::string& name : options.settings_files)
+        read.add(files.absolute(name), "which options are read from");
+    for (std::size_t i = 0; i < files.manifest->size(); ++i) {
+        for (const std::string& name : files.manifest->job(i).inputs) read.add(name, "an input of the batch");
+    }
+    return read;
+}
+
 std::string results_for(const std::string& manifest, int shard, int shards) {
     if (manifest == "-") {
         throw UsageError("a manifest from standard input has no place for its results",

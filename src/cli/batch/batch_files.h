@@ -7,6 +7,7 @@
 
 #include "batch/manifest.h"
 #include "batch/results.h"
+#include "cli/files/read_files.h"
 #include "cli/options/options.h"
 
 namespace popup::cli {
@@ -28,6 +29,12 @@ struct BatchFiles {
 // Reads a manifest; "-" is standard input. nullopt: it cannot be read, and that was said.
 std::optional<BatchFiles> open_batch(const std::string& name, std::optional<ManifestForm> form,
                                      const MessageOptions& messages);
+
+// What no job and no report of the batch may overwrite: its manifest, the inputs of all jobs, and what the
+// options were read from. To be asked in the directory from which the manifest's names count. Cost: one look
+// at the disk an input.
+// Precondition: the manifest is sound.
+ReadFiles files_of_batch(const BatchFiles& files, const Options& options);
 
 // Declares --manifest-format.
 void add_manifest_format_option(CLI::App& verb, Options& options);

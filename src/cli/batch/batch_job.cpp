@@ -71,10 +71,7 @@ void check_command(const Options& options, const BatchJob& job) {
 // What is known of names only now: further sheets, dependency files.
 void check_files(const BatchRun& run, std::size_t index, const std::vector<PendingFile>& files) {
     for (const PendingFile& file : files) {
-        for (const std::string& kept : run.kept) {
-            if (!overwrites(file.path, kept)) continue;
-            throw UsageError(fmt::format("{} would be written over {}", file.path, kept));
-        }
+        run.kept.spare(file.path, "this job");
         if (const auto other = run.manifest->taken_by(file.path, index)) {
             throw UsageError(
                 fmt::format("{} would be written, and the job of line {} has a file of that name", file.path,

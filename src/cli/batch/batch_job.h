@@ -17,7 +17,7 @@ struct BatchRun {
     bool color = false;
     bool quiet = false;                    // errors only
     bool dry_run = false;                  // nothing is built
-    std::vector<std::string> kept;         // files that no job may write: the manifest and the results
+    ReadFiles kept;                        // that no job may write: manifest, results, inputs of all jobs
     std::vector<std::string> environment;  // variables that set options, as NAME=VALUE, sorted
 };
 

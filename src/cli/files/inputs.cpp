@@ -192,6 +192,7 @@ InputFiles find_inputs(const Options& options, Walked walked) {
                           : std::string("--include and --exclude leave nothing of it"));
             files.directories.emplace_back(files.names.size(), std::move(none));
         }
+        std::move(tree.ignore_files.begin(), tree.ignore_files.end(), std::back_inserter(files.ignore_files));
         for (Diagnostics& trouble : tree.unreadable) {
             files.directories.emplace_back(files.names.size(), std::move(trouble));
             files.readable = false;
@@ -276,7 +277,7 @@ Run run_trails(const Options& options, std::vector<std::string>& trails) {
         throw UsageError("standard input can be read only once");
     }
     Run run;
-    run.files = {names, {}, true};
+    run.files.names = names;
     run.compilation.run_diagnostics = Diagnostics({}, options.policy);
     for (Source& source : read_all(run, options)) {
         CompiledDesign one;
@@ -299,7 +300,9 @@ std::vector<std::string> trails_of(const Options& options, const Compilation& co
 }
 
 Run run_inputs(const Options& options, Stage until) {
-    return run_inputs(options, InputFiles{options.inputs.names, {}, true}, until);
+    InputFiles files;
+    files.names = options.inputs.names;
+    return run_inputs(options, std::move(files), until);
 }
 
 }  // namespace popup::cli

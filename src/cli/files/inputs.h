@@ -16,7 +16,8 @@ struct InputFiles {
     std::vector<std::string> names;
     // What there is to say of directories, each before the file with this number.
     std::vector<std::pair<std::size_t, Diagnostics>> directories;
-    bool readable = true;  // all directories were
+    std::vector<std::string> ignore_files;  // that were read in them
+    bool readable = true;                   // all directories were
 };
 
 // Which files of a directory are taken where nothing is said of it: `documents` are those whose language can

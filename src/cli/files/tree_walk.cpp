@@ -95,6 +95,7 @@ class Walker {
 
     void read_ignore_file(Frame& frame) {
         Diagnostics trouble(frame.prefix + std::string(kIgnoreFile), policy_);
+        result_.ignore_files.push_back(trouble.file());
         if (const auto source = read_source(trouble.file(), trouble, kIgnoreFileLimit)) {
             frame.ignored = PathPatterns(source->text);
         } else {

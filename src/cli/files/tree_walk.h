@@ -24,6 +24,7 @@ struct WalkOptions {
 
 struct TreeWalk {
     std::vector<std::string> files;
+    std::vector<std::string> ignore_files;  // that were found
     std::vector<Diagnostics>
         unreadable;  // directories and ignore files, one each, with an `unreadable-input`
 };

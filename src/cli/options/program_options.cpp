@@ -97,7 +97,7 @@ void add_program_options(CLI::App& verb, Options& options) {
     add_limit(verb, "--max-trail", "operations of the turtle", limits.trail, 1e9);
 }
 
-void check_print_options(const Options& options, const std::vector<std::string>& inputs) {
+void check_print_options(const Options& options) {
     const std::string& file = options.print.file;
     if (file.empty()) return;
     if (is_standard_output(file) && options.messages.use_standard_output()) {
@@ -107,10 +107,6 @@ void check_print_options(const Options& options, const std::vector<std::string>&
     for (const std::string& other : {options.messages.file, options.judge.baseline}) {
         if (!other.empty() && same_place(file, other))
             throw UsageError(file + " is named twice", {"--print takes a file of its own"});
-    }
-    for (const std::string& input : inputs) {
-        if (overwrites(file, input))
-            throw UsageError(fmt::format("--print would overwrite the input {}", input));
     }
 }
 

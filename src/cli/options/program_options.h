@@ -24,8 +24,8 @@ struct PrintOptions {
 // -D, -I, --flatlang, --print and the limits.
 void add_program_options(CLI::App& verb, Options& options);
 
-// UsageError when --print has the place of another output of a check, or of an input.
-void check_print_options(const Options& options, const std::vector<std::string>& inputs);
+// UsageError when --print has the place of another output of a check.
+void check_print_options(const Options& options);
 
 // What the programs of the run printed, in argument order, as it goes to --print FILE: of one input as it is;
 // of several what each printed stands below a line "== NAME ==".

@@ -344,10 +344,10 @@ TEST(Batch, NoJobWritesOverWhatOthersHave) {
     };
     refused(row("designs/card0.xml", "a.svg", two_sheets) + row("designs/card1.xml", "a-2.svg", ""),
             "a-2.svg would be written, and the job of line 2 has a file of that name");
-    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"), "m.jsonl would be written over ");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"), "this job would overwrite m.jsonl, the manifest");
     refused(row("designs/card0.xml", "a.svg", "-MD -MF designs/card1.xml") +
                 row("designs/card1.xml", "b.svg", ""),
-            "designs/card1.xml would be written, and the job of line 2 has a file of that name");
+            "this job would overwrite designs/card1.xml, an input of the batch");
     refused(row("designs/card0.xml", "a.svg", "-MD") + row("designs/card1.xml", "a.pdf", "-MD"),
             "a.d is written by another job, too");
     refused(row("designs/card0.xml", "a.svg b.svg", ""), "\"a.svg b.svg\" looks like several names");

@@ -198,8 +198,8 @@ TEST_F(Programs, ThePrintedFileHasAPlaceOfItsOwn) {
     refuse({"build", "square.fl", "-o", "a.svg", "--print", "./square.fl"}, "is an input");
     refuse({"build", "square.fl", "--to", "svg", "-o", "-", "--print", "-"}, "more than one user");
     refuse({"build", "square.fl", "--emit", "pattern", "--print", "-"}, "more than one user");
-    refuse({"check", "square.fl", "--print", "square.fl"}, "overwrite the input");
-    refuse({"check", ".", "--print", "square.fl"}, "overwrite the input");
+    refuse({"check", "square.fl", "--print", "square.fl"}, "overwrite square.fl, an input");
+    refuse({"check", ".", "--print", "square.fl"}, "overwrite square.fl, an input");
     refuse({"check", "square.fl", "--print", "-", "--message-format", "json"}, "two users");
     refuse({"check", "square.fl", "--print", "x", "--diagnostics", "x"}, "named twice");
     refuse({"check", "square.fl", "--print", ""}, "--print takes the name of a file");
