@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/files/read_settings.h"
 #include "cli/report.h"
 #include "popup/files.h"
 
@@ -56,7 +57,7 @@ std::optional<BaselineFile> load_baseline(const Options& options) {
         return file;
     }
     Diagnostics reading(name);
-    std::optional<Source> source = read_source(name, reading);
+    std::optional<Source> source = read_settings(name, reading);
     if (!source) {
         for (const Diagnostic& one : reading.sorted()) {
             file.diagnostics.add(one.severity, one.code, one.place, one.message)

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/system/signal_cleanup.h"
+#include "cli/files/read_settings.h"
 #include "cli/report.h"
 
 namespace popup::cli {
@@ -57,13 +58,13 @@ std::optional<BatchFiles> open_batch(const std::string& name, std::optional<Mani
     const std::size_t slash = name.rfind('/');
     if (name != "-" && slash != std::string::npos) files.directory = slash == 0 ? "/" : name.substr(0, slash);
     Diagnostics findings(name);
-    std::optional<Source> source = read_source(name, findings, kLongestManifest);
+    std::optional<Source> source = read_settings(name, findings, kLongestManifest);
     const bool readable = source.has_value();
     if (source) files.manifest = read_manifest(std::move(*source), form, findings);
     if (!findings.sorted().empty()) {
         // Its text is shown, and has gone the way of the rows.
         Diagnostics again;
-        if (readable && name != "-") source = read_source(name, again, kLongestManifest);
+        if (readable && name != "-") source = read_settings(name, again, kLongestManifest);
         report(messages, {{&findings, readable && source ? std::string_view(source->text) : "", false}},
                Diagnostics());
     }

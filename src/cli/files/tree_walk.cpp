@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/files/read_settings.h"
 #include "popup/files.h"
 
 namespace popup {
@@ -66,7 +67,7 @@ class Walker {
             std::string name = entries->path().filename().string();
             if (name == kIgnoreFile) ignore_file = true;
             if (name.starts_with('.')) continue;
-            if (std::optional<Entry> entry = examined(*entries, std::move(name))) {
+            if (std::optional<Entry> entry = examined(*entries, frame.prefix, std::move(name))) {
                 frame.entries.push_back(std::move(*entry));
             }
         }
@@ -82,9 +83,16 @@ class Walker {
     }
 
     // A directory or a wanted file; nullopt for everything else.
-    [[nodiscard]] std::optional<Entry> examined(const fs::directory_entry& entry, std::string name) const {
+    [[nodiscard]] std::optional<Entry> examined(const fs::directory_entry& entry, const std::string& prefix,
+                                                std::string name) {
         std::error_code error;
         const fs::file_status itself = entry.symlink_status(error);
+        // Such as one whose path is longer than the system takes: there may be designs in it.
+        if (error && error != std::errc::no_such_file_or_directory) {
+            result_.unreadable.emplace_back(prefix + name, policy_)
+                .error("unreadable-input", {}, "this cannot be looked at: " + reason(error));
+            return std::nullopt;
+        }
         if (fs::is_directory(itself)) return Entry{std::move(name), true};
         if (!options_.wants(name)) return std::nullopt;
         // What cannot be found out is taken, and reading it tells why.
@@ -96,7 +104,7 @@ class Walker {
     void read_ignore_file(Frame& frame) {
         Diagnostics trouble(frame.prefix + std::string(kIgnoreFile), policy_);
         result_.ignore_files.push_back(trouble.file());
-        if (const auto source = read_source(trouble.file(), trouble, kIgnoreFileLimit)) {
+        if (const auto source = cli::read_settings(trouble.file(), trouble, kIgnoreFileLimit)) {
             frame.ignored = PathPatterns(source->text);
         } else {
             result_.unreadable.push_back(std::move(trouble));

@@ -10,6 +10,7 @@
 
 #include "base/text/nearest.h"
 #include "base/text/toml_text.h"
+#include "cli/files/read_settings.h"
 #include "cli/options/value_option.h"
 #include "popup/files.h"
 
@@ -239,7 +240,7 @@ std::optional<std::string> find_config(const std::string& input) {
 
 ConfigFile read_config(const std::string& name, const CLI::App& app, const CLI::App& verb) {
     Diagnostics trouble(name);
-    std::optional<Source> source = read_source(name, trouble);
+    std::optional<Source> source = read_settings(name, trouble);
     if (!source) throw UsageError(trouble, {});
     ConfigFile file{name, std::move(source->text), {}};
     if (const std::optional<toml::table> top = parse_toml(file.text, kCode, "a configuration", trouble)) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/nth.h"
+#include "cli/files/read_settings.h"
 #include "cli/options/value_option.h"
 #include "popup/files.h"
 #include "popup/write.h"
@@ -165,7 +166,7 @@ std::optional<ProfileFile> load_profile(Options& options) {
     const std::string& name = options.build.profile_file;
     if (name.empty()) return std::nullopt;
     ProfileFile file{Diagnostics(name, options.policy), Source{name, {}}};
-    std::optional<Source> source = read_source(name, file.diagnostics);
+    std::optional<Source> source = read_settings(name, file.diagnostics);
     file.readable = source.has_value();
     if (source) file.source = std::move(*source);
     const std::optional<Profile> profile =
