@@ -8,6 +8,7 @@
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -138,6 +139,21 @@ class CsvParser {
     static void on_row(int /*terminator*/, void* self) { static_cast<CsvParser*>(self)->ended = true; }
     csv_parser parser_{};
 };
+
+// A row of JSON. A key that stands in it twice is an error: only one of the two would be heard.
+json parse_row(std::string_view row, Place place, Diagnostics& diagnostics) {
+    std::set<std::string> keys;
+    const auto hear = [&](int depth, json::parse_event_t event, json& value) {
+        if (event != json::parse_event_t::key || depth != 1) return true;
+        const auto& key = value.get_ref<const std::string&>();
+        if (!keys.insert(key).second) {
+            wrong(diagnostics, place, fmt::format("\"{}\" stands twice in the row", key))
+                .hint("several names are a list: \"input\": [\"a.xml\", \"b.xml\"]");
+        }
+        return true;
+    };
+    return json::parse(row, hear);
+}
 
 // One text of a row as its fields.
 std::vector<std::string> fields_of(std::string_view row) {
@@ -294,7 +310,7 @@ bool Manifest::read_json_lines(Diagnostics& diagnostics) {
         if (row.find_first_not_of(" \t\r") != std::string_view::npos) {
             const Place place{static_cast<int>(line), 1};
             try {
-                if (job_of(json::parse(row), place, &diagnostics)) {
+                if (job_of(parse_row(row, place, diagnostics), place, &diagnostics)) {
                     rows_.push_back(
                         {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), line});
                 }

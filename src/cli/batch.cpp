@@ -91,10 +91,10 @@ std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
     for (const JobStatus status : {JobStatus::failed, JobStatus::unusable, JobStatus::crashed}) {
         if (count(status) > 0) text += fmt::format(", {} {}", count(status), to_string(status));
     }
-    const std::size_t built = jobs - tally.fresh;
+    const std::size_t tried = jobs - tally.fresh;
     if (tally.fresh > 0) text += fmt::format("; {} as they were", tally.fresh);
-    if (built > 0 && seconds > 0.0) {
-        text += fmt::format("; {} built, {:.1f} a second", built, static_cast<double>(built) / seconds);
+    if (tried > 0 && seconds > 0.0) {
+        text += fmt::format("; {} tried, {:.1f} a second", tried, static_cast<double>(tried) / seconds);
     }
     return text + "\n";
 }

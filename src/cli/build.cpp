@@ -1,6 +1,8 @@
 #include "cli/build.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
@@ -14,6 +16,8 @@
 
 namespace popup::cli {
 namespace {
+
+constexpr double kYear10000 = 253402300800;  // in seconds since 1970
 
 void add_output_options(CLI::App& verb, Options& options) {
     BuildOptions& build = options.build;
@@ -213,6 +217,16 @@ void print_trails(const Options& options, Build& result) {
     }
 }
 
+// A date that is none would silently be left out of PDF files.
+void check_source_date() {
+    const char* text = std::getenv("SOURCE_DATE_EPOCH");
+    if (text == nullptr || *text == '\0') return;
+    const std::optional<double> seconds = parse_number(text);
+    if (seconds && *seconds >= 0.0 && *seconds < kYear10000 && *seconds == std::floor(*seconds)) return;
+    throw UsageError(fmt::format("SOURCE_DATE_EPOCH is \"{}\", and takes whole seconds since 1970", text),
+                     {"\"date +%s\" prints such a number"});
+}
+
 // From the profile on.
 void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles& read, Build& result) {
     result.profile = load_profile(options);
@@ -260,6 +274,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
 
 Build build(const Options& given) {
     Options options = given;
+    check_source_date();
     check_motion_options(options);
     const OutputPlan plan = plan_of(options);
     Build result;
@@ -274,6 +289,9 @@ Build build(const Options& given) {
 }
 
 int run_build(const Options& options) {
+    std::vector<std::string> outputs = options.build.outputs;
+    outputs.push_back(options.messages.file);
+    clear_litter(outputs);
     if (options.build.watch) return run_watch(options);
     const Build done = build(options);
     if (done.status == exit_done) tell(options, done);

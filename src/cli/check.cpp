@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cli/files/inputs.h"
+#include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
 #include "cli/judge.h"
 #include "cli/report.h"
@@ -42,6 +43,7 @@ int run_check(const Options& options) {
     check_print_options(options);
     InputFiles files = find_inputs(options);
     spare(files_read(options, files.names, files.ignore_files), options);
+    clear_litter({options.messages.file, options.judge.write_baseline ? options.judge.baseline : ""});
     const std::optional<BaselineFile> baseline = load_baseline(options);
     if (baseline && !baseline->is) {
         report(options.messages, {{&baseline->diagnostics, baseline->source.text, false}}, Diagnostics());

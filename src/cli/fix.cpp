@@ -6,6 +6,7 @@
 
 #include "cli/files/inputs.h"
 #include "cli/files/line_diff.h"
+#include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -98,6 +99,22 @@ std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     return std::nullopt;
 }
 
+std::vector<std::string> names_of(const std::vector<PendingFile>& files) {
+    std::vector<std::string> names;
+    for (const PendingFile& file : files) names.push_back(file.path);
+    return names;
+}
+
+// A file that is replaced loses the other names it has.
+void tell_of_links(const Options& options, const std::string& name) {
+    std::error_code error;
+    const std::uintmax_t names = std::filesystem::hard_link_count(name, error);
+    if (error || names < 2) return;
+    announce(options.messages,
+             fmt::format("{} has {} more name{} (hard links), which keep{} the document as it was", name,
+                         names - 1, names == 2 ? "" : "s", names == 2 ? "s" : ""));
+}
+
 }  // namespace
 
 CLI::App* add_fix(CLI::App& app, Options& options) {
@@ -157,6 +174,7 @@ int run_fix(const Options& options) {
             if (options.fix.diff) {
                 diff += unified_diff(one.source.name, one.source.text, *text);
             } else if (options.fix.in_place) {
+                if (*text != one.source.text) tell_of_links(options, one.source.name);
                 documents.push_back({one.source.name, std::move(*text)});
             } else {
                 documents.push_back(
@@ -165,6 +183,7 @@ int run_fix(const Options& options) {
         }
         if (options.fix.diff && !diff.empty()) documents.push_back({"-", std::move(diff)});
         if (!compilation.has_errors()) {
+            clear_litter(names_of(documents));
             written = write_all(documents, options.fix.in_place, compilation.run_diagnostics);
         }
     }

@@ -17,6 +17,15 @@ bool is_id(std::string_view text) {
     return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), more);
 }
 
+bool is_wide_text(std::string_view text) {
+    using namespace std::string_view_literals;
+    if (text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv)) return true;
+    const std::string_view begin = text.substr(0, 4);
+    const auto zeros = std::count(begin.begin(), begin.end(), '\0');
+    return begin.size() >= 2 && zeros * 2 >= static_cast<std::ptrdiff_t>(begin.size()) &&
+           zeros < static_cast<std::ptrdiff_t>(begin.size());
+}
+
 std::string lower(std::string_view text) {
     std::string out(text);
     for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

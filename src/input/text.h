@@ -16,6 +16,10 @@ bool is_id(std::string_view text);
 inline constexpr std::string_view kIdHint =
     "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and \"-\"";
 
+// Whether it is UTF-16 or UTF-32, by its byte order mark or by the zero bytes beside its first character.
+// None of the languages is written so.
+bool is_wide_text(std::string_view text);
+
 // With ASCII letters in lower case.
 std::string lower(std::string_view text);
 

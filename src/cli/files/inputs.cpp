@@ -77,6 +77,15 @@ std::string trail_of(const Options& options, const Source& source, Diagnostics& 
     return language.trail(source, read, diagnostics, loaded);
 }
 
+void check_names(const std::vector<std::string>& names) {
+    if (std::count(names.begin(), names.end(), "-") > 1)
+        throw UsageError("standard input can be read only once");
+    if (std::count(names.begin(), names.end(), "") > 0) {
+        throw UsageError("an input has an empty name",
+                         {"a variable of the shell or of the makefile may be empty"});
+    }
+}
+
 // A name whose suffix tells no language is wrong usage, unless there is no such file to begin with.
 void check_languages(const Options& options, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
@@ -241,9 +250,7 @@ const Language& language_of(const InputOptions& options, const Source& source) {
 }
 
 Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep) {
-    if (std::count(files.names.begin(), files.names.end(), "-") > 1) {
-        throw UsageError("standard input can be read only once");
-    }
+    check_names(files.names);
     Run run;
     run.files = std::move(files);
     std::vector<Source> sources;
@@ -273,9 +280,7 @@ Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep)
 
 Run run_trails(const Options& options, std::vector<std::string>& trails) {
     const std::vector<std::string>& names = options.inputs.names;
-    if (std::count(names.begin(), names.end(), "-") > 1) {
-        throw UsageError("standard input can be read only once");
-    }
+    check_names(names);
     Run run;
     run.files.names = names;
     run.compilation.run_diagnostics = Diagnostics({}, options.policy);

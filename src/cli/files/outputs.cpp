@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <set>
 #include <utility>
 
 #include "cli/files/inputs.h"
@@ -126,6 +128,15 @@ OutputPlan plan_of(const Options& options) {
             {"take it from there (\"stdout\"), or build something with -o"});
     }
     return *plan;
+}
+
+void clear_litter(const std::vector<std::string>& files) {
+    std::set<std::string> directories;
+    for (const std::string& file : files) {
+        if (file.empty() || is_standard_output(file)) continue;
+        directories.insert(std::filesystem::path(file).parent_path().string());
+    }
+    for (const std::string& directory : directories) remove_litter(directory);
 }
 
 Stage needed_stage(const OutputPlan& plan, const std::optional<Emit>& emit) {

@@ -23,6 +23,9 @@ void check_format_name(const std::string& name);
 // known not to have what --emit asks for.
 OutputPlan plan_of(const Options& options);
 
+// Takes away what runs that were killed have left in the directories of these files; an empty name has none.
+void clear_litter(const std::vector<std::string>& files);
+
 // The last stage that the outputs, and --emit, need.
 Stage needed_stage(const OutputPlan& plan, const std::optional<Emit>& emit);
 

@@ -89,7 +89,7 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
         if (settings.origins.contains("define") && !options.policy.deny.contains(kUnused)) {
             options.policy.allow.emplace(kUnused);
         }
-        if (options.config.print) return render_settings(*verbs[i], settings);
+        if (options.config.print) return render_settings(*verbs[i], settings, options.unknown_variables);
     }
     return command;
 }

@@ -170,17 +170,21 @@ void apply_values(const ConfigFile& file, bool own, CLI::App& verb, Level& level
 
 // Variables that look like ours and are no option's of any verb.
 std::vector<std::string> unknown_variables(const CLI::App& app) {
+    std::vector<std::string> unknown;
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string_view text = *entry;
+        const std::string_view name = text.substr(0, text.find('='));
+        if (name.starts_with(kPrefix)) unknown.emplace_back(name);
+    }
+    if (unknown.empty()) return unknown;
     std::set<std::string> known{variable_of("config"), variable_of("no-config")};
     for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
         for (const CLI::Option* option : verb->get_options())
             known.insert(variable_of(traits_of(*option).key));
     }
-    std::vector<std::string> unknown;
-    for (char** entry = environ; *entry != nullptr; ++entry) {
-        const std::string_view text = *entry;
-        const std::string name(text.substr(0, text.find('=')));
-        if (name.starts_with(kPrefix) && !known.contains(name)) unknown.push_back(name);
-    }
+    unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
+                                 [&known](const std::string& name) { return known.contains(name); }),
+                  unknown.end());
     std::sort(unknown.begin(), unknown.end());
     return unknown;
 }
@@ -247,15 +251,16 @@ Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
         options.sheet_given = sheet_given;
     }
     options.jobs_given = jobs_given;
-    if (options.config.print) settings.unknown_variables = unknown_variables(app);
+    options.unknown_variables = unknown_variables(app);
     return settings;
 }
 
-std::string render_settings(const CLI::App& verb, const Settings& settings) {
+std::string render_settings(const CLI::App& verb, const Settings& settings,
+                            const std::vector<std::string>& unknown_variables) {
     std::string text = fmt::format(
         "# popupc {}: {}\n", verb.get_name(),
         settings.file ? "settings with " + *settings.file : std::string("settings; there is no popupc.toml"));
-    for (const std::string& name : settings.unknown_variables) {
+    for (const std::string& name : unknown_variables) {
         text += fmt::format("# {} is no option's variable\n", name);
     }
     std::string unset;

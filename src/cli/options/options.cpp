@@ -216,6 +216,11 @@ void add_motion_options(CLI::App& verb, Options& options) {
           [&options](std::string_view text) {
               auto angles = parse_angles(text);
               if (!angles) {
+                  if (const double count = count_angles(text); count > kMostAngles) {
+                      throw UsageError(fmt::format("--angles {} is {:.0f} angles; the most is {:.0f}", text,
+                                                   count, kMostAngles),
+                                       {"take a larger step"});
+                  }
                   throw UsageError(fmt::format("--angles takes degrees from 0 to 180, not \"{}\"", text),
                                    {"write FIRST:LAST:STEP, such as 0:180:5, or a list, such as 0,45,90"});
               }

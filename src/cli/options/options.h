@@ -164,6 +164,8 @@ struct Options {
     ConfigOptions config;
     // The response files and the configuration by which the other options came to be: inputs of the run.
     std::vector<std::string> settings_files;
+    // POPUPC_* of the environment that are no option's.
+    std::vector<std::string> unknown_variables;
 };
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
@@ -196,6 +198,10 @@ std::optional<PieceRule> parse_lock_rule(std::string_view text);
 // "FIRST:LAST:STEP" or "A,B,C", in degrees, each in [0, 180]; sorted, without doubles. nullopt when it is
 // neither.
 std::optional<std::vector<Angle>> parse_angles(std::string_view text);
+// How many angles "FIRST:LAST:STEP" asks for, of which parse_angles() takes at most kMostAngles; 0 for what
+// is no such range.
+inline constexpr double kMostAngles = 100000;
+double count_angles(std::string_view text);
 
 // The number of `text` for `option`, within [least, most]; else a UsageError that says what was wanted.
 double number_option(std::string_view option, std::string_view text, double least, double most);

@@ -12,8 +12,6 @@
 namespace popup::cli {
 namespace {
 
-constexpr double kMostAngles = 100000;
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (;;) {
@@ -106,19 +104,37 @@ std::optional<PieceRule> parse_lock_rule(std::string_view text) {
     return rule;
 }
 
+namespace {
+
+struct AngleRange {
+    double first = 0.0, last = 0.0, step = 0.0;  // degrees
+    [[nodiscard]] double count() const { return std::floor((last - first) / step + 1e-9) + 1.0; }
+};
+
+std::optional<AngleRange> parse_range(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ':');
+    if (parts.size() != 3) return std::nullopt;
+    const auto first = parse_number(parts[0]);
+    const auto last = parse_number(parts[1]);
+    const auto step = parse_number(parts[2]);
+    if (!first || !last || !step || *first > *last || *last > 180.0 || *step <= 0.0) return std::nullopt;
+    return AngleRange{*first, *last, *step};
+}
+
+}  // namespace
+
+double count_angles(std::string_view text) {
+    const std::optional<AngleRange> range = parse_range(text);
+    return range ? range->count() : 0.0;
+}
+
 std::optional<std::vector<Angle>> parse_angles(std::string_view text) {
     std::vector<double> degrees;
     if (text.find(':') != std::string_view::npos) {
-        const std::vector<std::string_view> parts = split(text, ':');
-        if (parts.size() != 3) return std::nullopt;
-        const auto first = parse_number(parts[0]);
-        const auto last = parse_number(parts[1]);
-        const auto step = parse_number(parts[2]);
-        if (!first || !last || !step || *first > *last || *last > 180.0 || *step <= 0.0) return std::nullopt;
-        const double count = std::floor((*last - *first) / *step + 1e-9) + 1.0;
-        if (!(count <= kMostAngles)) return std::nullopt;
-        for (int i = 0; i < static_cast<int>(count); ++i)
-            degrees.push_back(std::min(*first + i * *step, *last));
+        const std::optional<AngleRange> range = parse_range(text);
+        if (!range || !(range->count() <= kMostAngles)) return std::nullopt;
+        for (int i = 0; i < static_cast<int>(range->count()); ++i)
+            degrees.push_back(std::min(range->first + i * range->step, range->last));
     } else {
         for (const std::string_view part : split(text, ',')) {
             const auto value = parse_number(part);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "input/text.h"
+
 namespace popup::xml {
 namespace {
 
@@ -35,13 +37,6 @@ std::size_t sequence_length(std::string_view text) {
 
 constexpr std::string_view kSaveAsUtf8 = "save the document as UTF-8";
 
-// UTF-16 and UTF-32, by byte order mark or by the zero bytes of "<" at the start.
-bool is_wide(std::string_view text) {
-    using namespace std::string_view_literals;
-    return text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv) || text.starts_with("<\0"sv) ||
-           text.starts_with("\0<"sv) || text.starts_with("\0\0\0<"sv) || text.starts_with("\0\0\xFE\xFF"sv);
-}
-
 }  // namespace
 
 Place PlaceCounter::at(std::size_t offset) {
@@ -58,7 +53,7 @@ Place PlaceCounter::at(std::size_t offset) {
 }
 
 bool check_encoding(std::string_view text, Diagnostics& diagnostics) {
-    if (is_wide(text)) {
+    if (is_wide_text(text)) {
         diagnostics.error("encoding", {1, 1}, "the document is in UTF-16 or UTF-32, and only UTF-8 is read")
             .hint(std::string(kSaveAsUtf8));
         return false;

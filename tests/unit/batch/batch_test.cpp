@@ -235,7 +235,7 @@ TEST(Batch, GoesOnPastFailuresAndSaysWhatBecameOfEachJob) {
     EXPECT_NE(first.err.find("designs/card1.xml:1:"), std::string::npos) << first.err;
     EXPECT_NE(first.err.find("jobs.jsonl:6:1: error: there is no option --shet [bad-job]"), std::string::npos)
         << first.err;
-    EXPECT_NE(first.err.find(" s: 3 done, 1 failed, 2 unusable; 6 built"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find(" s: 3 done, 1 failed, 2 unusable; 6 tried"), std::string::npos) << first.err;
     std::vector<std::string> states;
     for (const json& line : lines_of(scratch / "jobs.results.jsonl")) states.push_back(line["status"]);
     EXPECT_EQ(states, (std::vector<std::string>{"done", "failed", "unusable", "done", "done", "unusable"}));
@@ -245,7 +245,7 @@ TEST(Batch, GoesOnPastFailuresAndSaysWhatBecameOfEachJob) {
     const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
     EXPECT_EQ(second.exit, 2);
     EXPECT_NE(second.err.find("designs/card1.xml:1:"), std::string::npos) << second.err;
-    EXPECT_NE(second.err.find(" s: 4 done, 1 failed, 1 unusable; 4 as they were; 2 built"), std::string::npos)
+    EXPECT_NE(second.err.find(" s: 4 done, 1 failed, 1 unusable; 4 as they were; 2 tried"), std::string::npos)
         << second.err;
 }
 
@@ -303,8 +303,8 @@ TEST(Batch, WhereSettingsComeFromIsPartOfAJob) {
     const auto built = [&] {
         const RunResult result = popupc({"batch", "jobs.jsonl"}, here);
         EXPECT_EQ(result.exit, 0) << result.err;
-        // "popupc: 3 jobs in 0.1 s: 3 done; 2 as they were; 1 built, 20.1 a second"
-        const std::size_t at = result.err.find(" built");
+        // "popupc: 3 jobs in 0.1 s: 3 done; 2 as they were; 1 tried, 20.1 a second"
+        const std::size_t at = result.err.find(" tried");
         return at == std::string::npos ? 0 : std::stoi(result.err.substr(result.err.rfind(' ', at - 1) + 1));
     };
     EXPECT_EQ(built(), 3);

@@ -305,30 +305,30 @@ TEST_F(LoadedFiles, MakeJobsOfABatchStale) {
                "{\"input\": \"part.fl\", \"output\": \"a.json\", \"options\": \"-I lib --print a.txt\"}\n"
                "{\"input\": \"square.fl\", \"output\": \"b.json\", \"options\": \"-D size=2\"}\n");
     const RunResult first = ran({"batch", "jobs.jsonl", "-j1"});
-    EXPECT_TRUE(has(first.err, "2 built")) << first.err;
+    EXPECT_TRUE(has(first.err, "2 tried")) << first.err;
     EXPECT_TRUE(first.err.starts_with("size 2.0\n")) << first.err;
     EXPECT_EQ(text("a.txt"), "");
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "2 as they were"));
     write_file(scratch / "lib/size.fl", "define size() 3 done");
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 as they were; 1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 as they were; 1 tried"));
     EXPECT_NEAR(width("a.json"), 76.2, 1e-3);
     // What failed is tried again when a file that it has loaded is mended, and not before.
     write_file(scratch / "lib/size.fl", "define size() from (\"nowhere\") 1 done done");
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}, 1).err, "1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}, 1).err, "1 tried"));
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}, 1).err, "2 as they were"));
     write_file(scratch / "lib/size.fl", kSize);
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 tried"));
     EXPECT_NEAR(width("a.json"), 25.4, 1e-3);
     // A file that comes to be in a folder that is looked into before.
     write_file(scratch / "size.fl", "define size() 2 done");
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 tried"));
     EXPECT_NEAR(width("a.json"), 50.8, 1e-3);
     EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "2 as they were"));
     fs::remove(scratch / "size.fl");
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 tried"));
     // A file of prints is an output like others.
     fs::remove(scratch / "a.txt");
-    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 built"));
+    EXPECT_TRUE(has(ran({"batch", "jobs.jsonl"}).err, "1 tried"));
     EXPECT_TRUE(fs::exists(scratch / "a.txt"));
 }
 

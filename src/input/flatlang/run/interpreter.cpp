@@ -89,7 +89,10 @@ std::pair<Place, std::string> Interpreter::located(Position at) const {
     while (at.unit == s.prelude && at.callers > 0) go_up();
     if (at.unit == nullptr || at.unit == s.program) return {at.place, {}};
     std::string where = fmt::format("{}:{}:{}: ", at.unit->file, at.place.line, at.place.column);
+    const Position inner = at;
     while (at.unit != s.program && at.callers > 0) go_up();
+    // A program that loads itself comes by the same place again.
+    if (at.unit == s.program && inner.unit->file == at.unit->file && inner.place == at.place) where.clear();
     return {at.unit == s.program ? at.place : Place{}, std::move(where)};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "input/flatlang/syntax/parser.h"
+#include "input/text.h"
 
 namespace popup::flatlang {
 
@@ -20,6 +21,13 @@ Parsed Parser::run(std::string_view file) {
 
 Parsed parse(std::string_view file, std::string_view text, const ParseOptions& options, Symbols& symbols,
              Diagnostics& diagnostics) {
+    if (!options.as_2008 && is_wide_text(text)) {
+        diagnostics.error("encoding", {1, 1}, "the program is in UTF-16 or UTF-32, and only UTF-8 is read")
+            .hint("save the program as UTF-8");
+        Parsed nothing = Parser({}, options, symbols, diagnostics).run(file);
+        nothing.complete = false;
+        return nothing;
+    }
     return Parser(text, options, symbols, diagnostics).run(file);
 }
 
