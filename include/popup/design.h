@@ -89,6 +89,8 @@ struct Structure {
     std::vector<Argument> arguments;
     ParentFold fold;                   // what it stands on, fold or seam, unless it stands on a plate
     std::optional<ParentPlate> plate;  // then `fold` has no meaning
+    // Neither was named: of `fold` only the page has a meaning, and check() finds what it stands on there.
+    bool finds_ground = false;
 
     // The page of what it stands on.
     [[nodiscard]] int ground_page() const { return plate ? plate->page : fold.page; }

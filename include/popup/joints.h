@@ -104,7 +104,7 @@ struct FourBar {
     }
 };
 
-// A plate that is glued flat on another.
+// A plate that is glued flat on another, or lies beside it in one plane.
 struct Rigid {
     int plate = -1;
     int base = -1;  // the plate that it lies on
@@ -113,6 +113,9 @@ struct Rigid {
     Vec2 own_at, own_dir;  // the same on its own page
     bool back = false;     // it lies on the base's back, with its own front away from it
     bool behind = false;   // it lies on the base's back, with its own front towards it; not both
+    // It is not glued on the base: both are parts of one plane that a hinge beside them keeps level, such as
+    // two lugs on one fold. Not with back or behind.
+    bool beside = false;
 
     template <typename Self, typename Fields>
     static void fields(Self& self, Fields& to) {
@@ -124,6 +127,7 @@ struct Rigid {
         to.direction("own_dir", self.own_dir);
         to.flag("back", self.back);
         to.flag_if_set("behind", self.behind);
+        to.flag_if_set("beside", self.beside);
     }
 };
 
@@ -261,6 +265,7 @@ enum class Lying {
     free,      // it turns against it
     on_front,  // it is glued flat on its front
     on_back,
+    beside,  // it moves with it in one plane, and lies nowhere on it
 };
 
 // A plate that a joint places.

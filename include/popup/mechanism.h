@@ -54,6 +54,9 @@ struct ParameterInfo {
     std::span<const std::string_view> words = {};  // of a choice; the first is what holds where none is given
     std::string_view since =
         "2.0";  // the version of the document that has it first, if that is later than the row's
+    // The child element whose attribute it is in the canonical document; empty: an attribute of the
+    // structure.
+    std::string_view group = {};
 };
 
 // Of nearly all elements: the colours of both halves and of their tabs.
@@ -81,6 +84,9 @@ struct Grounds {
     bool fold = true;
     bool seam = false;
     bool plate = false;  // named by <parentplate>, where the others are named by <parentfold>
+    // The fold need not be named: it is the one that the element's outline crosses exactly twice.
+    bool found = false;
+    bool page = false;  // a page as a whole; it names neither fold nor plate
 };
 
 // One row an element name; a form and its inverse are two rows with one family.

@@ -9,6 +9,7 @@
 
 #include "check/fold_index.h"
 #include "check/paper.h"
+#include "check/pierce.h"
 #include "check/placing.h"
 #include "check/plate_index.h"
 #include "mechanism/element.h"
@@ -49,6 +50,9 @@ struct Checker {
     void lower(const Placing& placing, const Element& before);
     std::string owner_of(int plate) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
+    std::optional<FoldMatch> find_crossed(const Structure& structure, Placing& placing);
+    int times_crossed(const FoldMatch& match, Placing& placing);
+    std::string name_of(const FoldMatch& match) const;
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
     bool may_stand(const Structure& structure, const Placing& placing);
     void keep_ghost(const Element& before);
@@ -75,8 +79,15 @@ bool finite(const FoldLines& lines) {
 }  // namespace
 
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
-    const auto matches = index.matches(structure.fold.page, placing.begin, placing.end,
-                                       placing.place_on_line(), options.tolerances.snap_mm);
+    std::vector<FoldMatch> matches;
+    if (structure.finds_ground) {
+        const auto crossed = find_crossed(structure, placing);
+        if (!crossed || crossed->ghost) return crossed;
+        matches.push_back(*crossed);
+    } else {
+        matches = index.matches(structure.fold.page, placing.begin, placing.end, placing.place_on_line(),
+                                options.tolerances.snap_mm);
+    }
     // A fold that the element stands on wins over one that it nearly reaches: neighbours often share a line.
     const FoldMatch* dead = nullptr;
     for (const double slack : {options.tolerances.rounding_mm, options.tolerances.snap_mm}) {
@@ -100,6 +111,94 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
         }
     }
     no_fold(structure, placing, dead);
+    return std::nullopt;
+}
+
+// How often the element's outline crosses what is left of the fold.
+int Checker::times_crossed(const FoldMatch& match, Placing& placing) {
+    const Fold& fold = fold_of(match);
+    placing.look_along(match, fold);
+    const Element seen = placing.authored_element();
+    const std::vector<double> crossings = element_row(*seen.info).crossings(seen);
+    return static_cast<int>(std::count_if(crossings.begin(), crossings.end(), [&](double s) {
+        const double slack = options.tolerances.rounding_mm;
+        return s >= -slack && s <= fold.length() + slack &&
+               fold.alive_around(std::clamp(s, 0.0, fold.length()));
+    }));
+}
+
+std::string Checker::name_of(const FoldMatch& match) const {
+    const Fold& fold = fold_of(match);
+    if (fold.owner == "page") return "the gutter";
+    const ElementInfo* info = nullptr;
+    for (const Structure& structure : design.structures) {
+        if (structure.id == fold.owner) info = find_element(structure.type);
+    }
+    const auto first = std::find_if(skeleton->folds.begin(), skeleton->folds.end(),
+                                    [&](const Fold& one) { return one.owner == fold.owner; });
+    const auto number = static_cast<std::size_t>(match.fold - (first - skeleton->folds.begin()));
+    if (match.ghost || info == nullptr || number >= info->folds.size())
+        return fmt::format("a fold of \"{}\"", fold.owner);
+    return fmt::format("the {} fold of \"{}\"", info->folds[number].name, fold.owner);
+}
+
+// The fold that is not named: the one that its outline crosses exactly twice.
+std::optional<FoldMatch> Checker::find_crossed(const Structure& structure, Placing& placing) {
+    std::vector<FoldMatch> twice;
+    std::vector<std::pair<FoldMatch, int>> others;
+    for (const FoldMatch& match : index.crossed(structure.ground_page(), placing.drawn_box())) {
+        const auto same = [&](const FoldMatch& one) {
+            return one.fold == match.fold && one.ghost == match.ghost;
+        };
+        if (std::any_of(twice.begin(), twice.end(), same)) continue;
+        const int times = times_crossed(match, placing);
+        if (times == 2) {
+            if (match.ghost) return match;  // what is wrong there has been said
+            twice.push_back(match);
+        } else if (times > 0 && others.size() < 6) {
+            others.emplace_back(match, times);
+        }
+    }
+    if (twice.size() == 1) {
+        placing.look_along(twice.front(), fold_of(twice.front()));
+        return twice.front();
+    }
+    if (twice.empty()) {
+        const Box box = placing.drawn_box();
+        const Vec2 middle = box.empty() ? Vec2{} : box.centre();
+        std::string what;
+        for (const auto& [match, times] : others)
+            what += fmt::format("{}{} {}", what.empty() ? "it crosses " : ", ", name_of(match),
+                                times == 1 ? "once" : fmt::format("{} times", times));
+        if (what.empty()) {
+            what = "no fold is within 500 mm of it";
+            if (const auto near = index.nearest(structure.ground_page(), middle, middle, 500.0)) {
+                FoldMatch match;
+                match.fold = near->fold;
+                match.ghost = near->ghost;
+                what = fmt::format("the nearest to its middle is {}, {} away", name_of(match),
+                                   mm(near->distance));
+            }
+        }
+        diagnostics
+            .error("no-fold-crossed", structure.place,
+                   fmt::format("the outline of \"{}\" crosses no fold on page {} exactly twice; {}",
+                               structure.id, structure.ground_page(), what))
+            .hint("draw it across the fold that it stands on, so that it lies on both sides of it")
+            .about(structure.id);
+        return std::nullopt;
+    }
+    std::string names;
+    for (std::size_t i = 0; i < twice.size() && i < 6; ++i) {
+        names += (i == 0 ? "" : i + 1 == twice.size() ? " and " : ", ") + name_of(twice[i]);
+    }
+    if (twice.size() > 6) names += fmt::format(" and {} more", twice.size() - 6);
+    diagnostics
+        .error("folds-crossed", structure.place,
+               fmt::format("the outline of \"{}\" crosses {} folds twice: {}", structure.id, twice.size(),
+                           names))
+        .hint("name the one that it stands on: parentfold, with its begin and end")
+        .about(structure.id);
     return std::nullopt;
 }
 
@@ -202,13 +301,18 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
     const Place place = structure.plate ? structure.plate->place : structure.fold.place;
     const int page = structure.ground_page();
     const Grounds& grounds = info.grounds;
-    if (structure.plate ? !grounds.plate : !grounds.fold && !grounds.seam) {
+    if (!structure.finds_ground && (structure.plate ? !grounds.plate : !grounds.fold && !grounds.seam)) {
         diagnostics
             .error("wrong-ground", place,
                    fmt::format("\"{}\" ({}) stands on a {}, and a {} is given", structure.id, info.name,
-                               structure.plate ? "fold" : "plate", structure.plate ? "plate" : "fold"))
-            .hint(structure.plate ? "write parentfold in place of parentplate"
-                                  : "write parentplate, with any point of the plate, in place of parentfold")
+                               grounds.page      ? "page"
+                               : structure.plate ? "fold"
+                                                 : "plate",
+                               structure.plate ? "plate" : "fold"))
+            .hint(grounds.page ? "leave it out: its outline names its page"
+                  : structure.plate
+                      ? "write parentfold in place of parentplate"
+                      : "write parentplate, with any point of the plate, in place of parentfold")
             .about(structure.id);
         return false;
     }
@@ -221,7 +325,8 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
             .about(structure.id);
         return false;
     }
-    if (!structure.plate && distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
+    if (!structure.plate && !structure.finds_ground &&
+        distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
         diagnostics
             .error("fold-without-direction", place,
                    fmt::format("the parent fold of \"{}\" begins and ends in the same point", structure.id))
@@ -275,6 +380,10 @@ bool Checker::stand_on_plate(Structure& structure, Placing& placing) {
 // follows, and false returned.
 bool Checker::stand(Structure& structure, Placing& placing) {
     if (structure.plate) return stand_on_plate(structure, placing);
+    if (placing.element.info->grounds.page) {
+        placing.look_on_page();
+        return placing.settle_on_page(diagnostics);
+    }
     const auto match = find_fold(structure, placing);
     if (!match) {
         placing.look_along_given_line();
@@ -323,6 +432,9 @@ PaperQuery Checker::query_of(const Element& element) const {
                 return ask(side, [&](int plate, int, const DirectedLine&) {
                     return paper_of(*skeleton, plate, inset);
                 });
+            },
+            [this, &site = element.site](const Ring& ring) {
+                return pierce({*skeleton, plates, index, paper, options.tolerances}, site.left_page, ring);
             }};
 }
 
@@ -348,6 +460,11 @@ bool Checker::make(Structure& structure, Placing& placing) {
             .about(structure.id)
             .changed(change.before, change.after);
     };
+    element.remarked = [&](std::string_view code, std::string what, std::string hint) {
+        diagnostics.remark(code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
+            .hint(std::move(hint))
+            .about(structure.id);
+    };
     if (!stand(structure, placing)) return false;
     const Element before = placing.authored_element();
     if (!element_row(*element.info).constrain(element)) {
@@ -371,14 +488,16 @@ void Checker::lower(const Placing& placing, const Element& before) {
     const std::size_t first_fold = skeleton->folds.size();
     const std::size_t first_plate = skeleton->draft.plates.size();
     element_row(info).lower(element, builder);
-    POPUP_INVARIANT(skeleton->folds.size() == first_fold + info.folds.size());
+    POPUP_INVARIANT(skeleton->folds.size() >= first_fold + info.folds.size());
     paper.update(*skeleton);
     const FoldLines was = lines_of(element_row(info), before);
     const bool known = finite(was);
     std::vector<RigidMove> moves(skeleton->draft.plates.size() - first_plate);
-    for (std::size_t i = 0; i < info.folds.size(); ++i) {
+    for (std::size_t i = 0; first_fold + i < skeleton->folds.size(); ++i) {
         const Fold& fold = skeleton->folds[first_fold + i];
-        const FoldLine authored_line = known ? was[i] : FoldLine{fold.on_left, fold.on_right};
+        // Further stretches of the row's folds are where their outline was drawn.
+        const FoldLine authored_line =
+            known && i < was.size() ? was[i] : FoldLine{fold.on_left, fold.on_right};
         index.add(static_cast<int>(first_fold + i), fold, authored_line, false,
                   options.tolerances.rounding_mm);
         // A plate moves as the first of its folds does.

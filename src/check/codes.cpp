@@ -14,6 +14,12 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "With --drop, elements that are too small to fold are taken out of the document, and with them "
      "everything that stands on them; pages of pieces that went are closed up. The document before is "
      "unchanged unless it is written over."},
+    {"folds-crossed", Severity::error, "an outline lies across several folds",
+     "An element that is cut from one sheet stands on the fold that its outline crosses exactly twice, and "
+     "need "
+     "not name it. This outline crosses several folds twice, as one does that is drawn over a step and over "
+     "the gutter beside it, so there is no telling which is meant. Name the fold by its parentfold, or draw "
+     "the outline across one fold alone."},
     {"fold-cut-away", Severity::error, "the parent fold has been cut away where the element stands",
      "A 90° element takes away the stretch of its parent fold that lies between its cuts; what remains "
      "there are its own side folds and centre fold. An element that comes later in the list can stand on "
@@ -38,6 +44,13 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
     {"moved-with-fold", Severity::warning, "an element moved because its fold was repaired",
      "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the "
      "element was moved, or turned, with it. Mending the element below makes this repair unnecessary."},
+    {"no-fold-crossed", Severity::error, "an outline lies across no fold",
+     "An element that is cut from one sheet stands on the fold that its outline crosses exactly twice, once "
+     "on "
+     "the way over and once on the way back. Where earlier elements have cut the fold away it does not "
+     "count. "
+     "The message says which folds the outline crosses otherwise, or which one is the nearest. Draw it so "
+     "that it lies on both sides of its fold."},
     {"page-not-there", Severity::error, "a page is named that does not exist yet",
      "Page 0 is the base page. Every v-fold and every tent adds one page for its own piece: page 1 for the "
      "first of them in the list, 2 for the second. An element or a drawn line can only be on a page whose "

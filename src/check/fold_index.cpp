@@ -97,6 +97,26 @@ std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const 
     return result;
 }
 
+std::vector<FoldMatch> FoldIndex::crossed(int page, const Box& box) const {
+    std::vector<FoldMatch> result;
+    if (page < 0 || static_cast<std::size_t>(page) >= pages_.size() || box.empty()) return result;
+    const PageFolds& folds = pages_[static_cast<std::size_t>(page)];
+    std::vector<int> found;
+    folds.lines.query(box, found);
+    for (const int number : found) {
+        const Entry& entry = folds.entries[static_cast<std::size_t>(number)];
+        FoldMatch match;
+        match.fold = entry.fold;
+        match.ghost = entry.ghost;
+        match.right_page = entry.right_page;
+        match.left = entry.left;
+        match.right = entry.right;
+        result.push_back(match);
+    }
+    std::reverse(result.begin(), result.end());
+    return result;
+}
+
 std::optional<FoldIndex::Nearest> FoldIndex::nearest(int page, Vec2 begin, Vec2 end, double limit) const {
     if (page < 0 || static_cast<std::size_t>(page) >= pages_.size()) return std::nullopt;
     const PageFolds& folds = pages_[static_cast<std::size_t>(page)];

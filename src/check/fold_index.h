@@ -39,6 +39,9 @@ class FoldIndex {
     // first, younger before older where they are equally near.
     [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place,
                                                  double reach) const;
+    // All folds on `page` whose lines come into the box, as they run; youngest first. A fold that a repair
+    // has moved comes once where its author saw it, and once where it is.
+    [[nodiscard]] std::vector<FoldMatch> crossed(int page, const Box& box) const;
     // Distance to the nearest fold on the page from the middle of begin–end, and that fold; within `limit`.
     struct Nearest {
         int fold;

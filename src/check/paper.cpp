@@ -23,7 +23,7 @@ Box box_around(const Ring& points, double margin) {
     return box;
 }
 
-// Distance from a segment to a convex region; 0 when it enters it.
+// Distance from a segment to a region; 0 when it enters it.
 double region_distance(const Ring& ring, const Segment& s) {
     if (contains({ring, {}}, s.a)) return 0.0;
     double best = HUGE_VAL;
@@ -128,6 +128,16 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
         if (obstacle.plate != plate || along_line(line, edge)) return false;
         if (open != nullptr && along_line({open->a, unit(open->b - open->a)}, edge)) return false;
         return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
+    });
+}
+
+bool PaperMap::seam_near(int page_number, const Ring& ring) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    std::vector<int> found;
+    page_edges.edges.query(box_around(ring, tolerances_.rounding_mm), found);
+    return std::any_of(found.begin(), found.end(), [&](int number) {
+        return page_edges.obstacles[static_cast<std::size_t>(number)].seam &&
+               region_distance(ring, page_edges.edges[number]) <= tolerances_.rounding_mm;
     });
 }
 

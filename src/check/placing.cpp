@@ -103,14 +103,38 @@ std::string Placing::text(Vec2 p) const {
     return fmt::format("({}, {})", number(p.x), number(p.y));
 }
 
+std::vector<Vec2> Placing::drawn_on(int page) const {
+    std::vector<Vec2> made;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (element.info->points[i].page == PointPage::fold && points_[i].page == page)
+            made.push_back(points_[i].at);
+    }
+    // Where points say where it stands, what else is drawn does not.
+    if (!element.info->grounds.found) return made;
+    for (std::size_t i = 0; i < element.arguments.size(); ++i) {
+        const Argument& argument = element.arguments[i];
+        if (element.info->parameters[i].page == PointPage::extra || argument.page.value_or(page) != page)
+            continue;
+        if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
+            for (const Polygon& area : path->inside.areas)
+                made.insert(made.end(), area.outer.begin(), area.outer.end());
+        } else if (const auto* list = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
+            for (const DesignPoint& point : *list) made.push_back(point.at);
+        }
+    }
+    return made;
+}
+
+Box Placing::drawn_box() const {
+    Box box;
+    for (const Vec2 p : drawn_on(structure_->ground_page())) box.extend(p);
+    return box;
+}
+
 Box Placing::place_on_line() const {
     const Vec2 dir = unit(end - begin);
     Box box;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (element.info->points[i].page == PointPage::extra || points_[i].page != structure_->ground_page())
-            continue;
-        box.extend(begin + dot(dir, points_[i].at - begin) * dir);
-    }
+    for (const Vec2 p : drawn_on(structure_->ground_page())) box.extend(begin + dot(dir, p - begin) * dir);
     if (box.empty()) {
         box.extend(begin);
         box.extend(end);
@@ -205,6 +229,15 @@ void Placing::look_on(const PlateMatch& match) {
     site = exact;
 }
 
+void Placing::look_on_page() {
+    Site& site = element.site;
+    site.left_page = site.right_page = structure_->ground_page();
+    site.left = site.right = {{0, 0}, {0, 1}};
+    site.on_plate = true;
+    authored_site_ = site;
+    to_site();
+}
+
 void Placing::stand_between(std::pair<double, double> alive, double fold_length) {
     const auto [lo, hi] = alive;
     element.alive_lo = element.site.reversed ? fold_length - hi : lo;
@@ -275,7 +308,9 @@ Change Placing::take_change(const Tolerances& tolerances) {
         change.before += fmt::format("{}{}", space, text(snapped.a));
         change.after += fmt::format("{}{}", space, text(snapped.b));
     }
-    if (change.before.empty()) {  // a repair of the form, or of the fold
+    if (change.before.empty() && element.redrawn) {
+        change = *std::exchange(element.redrawn, std::nullopt);
+    } else if (change.before.empty()) {  // a repair of the form, or of the fold
         change.before = std::string(element.info->name);
         const bool inverted = ends_inverted();
         change.after =

@@ -38,12 +38,17 @@ struct Placing {
     // lie.
     [[nodiscard]] Box place_on_line() const;
 
+    // The box of all that is drawn on the page of what it stands on.
+    [[nodiscard]] Box drawn_box() const;
+
     // Tries a fold: fills element.site and the points' site coordinates from it. Nothing is reported.
     void look_along(const FoldMatch& match, const Fold& fold);
     // The same along the line as given, when no fold was found; also when no plate was.
     void look_along_given_line();
     // The same on a plate, along the line that element.site describes.
     void look_on(const PlateMatch& match);
+    // The same on a page as a whole.
+    void look_on_page();
     // The stretch (on the fold's own direction) that is still there.
     void stand_between(std::pair<double, double> alive, double fold_length);
 
@@ -54,6 +59,8 @@ struct Placing {
     // The same on a plate: moved-with-plate, wrong-page. `owner` is whose plate it is.
     bool settle(const PlateMatch& match, const std::string& owner, const Tolerances& tolerances,
                 Diagnostics& diagnostics);
+    // The same on a page as a whole: wrong-page.
+    bool settle_on_page(Diagnostics& diagnostics) { return points_are_on_pages_of_ground(diagnostics); }
 
     // The element as its author drew it, before anything was moved: where its folds were meant to be.
     [[nodiscard]] Element authored_element() const;
@@ -69,12 +76,15 @@ struct Placing {
         int page = 0;
     };
     [[nodiscard]] std::vector<PagePoint> page_points() const;
+    // All points that are drawn on that page: outer points, paths' corners, lists of points.
+    [[nodiscard]] std::vector<Vec2> drawn_on(int page) const;
     [[nodiscard]] Side side_of(std::size_t point) const;
     // Steps of settle().
     bool points_are_on_pages_of_ground(Diagnostics& diagnostics) const;
     void turn(Diagnostics& diagnostics);
     void move_with(const RigidMove& left, int left_page, const RigidMove& right);
     [[nodiscard]] bool points_moved(const Tolerances& tolerances) const;
+    [[nodiscard]] bool drawn_moved() const;
     void snap_to(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances);
     [[nodiscard]] bool all_on_wrong_side(const Tolerances& tolerances) const;
     void exchange_sides(const Tolerances& tolerances);

@@ -85,6 +85,20 @@ std::optional<PlateMatch> PlateIndex::find(const Skeleton& skeleton, int number,
     return std::nullopt;
 }
 
+std::vector<int> PlateIndex::in(int number, const Box& box) const {
+    std::vector<int> plates;
+    if (number < 0 || static_cast<std::size_t>(number) >= pages_.size()) return plates;
+    const PagePlates& page = pages_[static_cast<std::size_t>(number)];
+    std::vector<int> found;
+    page.boxes.query(box, found);
+    for (const int i : found) {
+        const Entry& entry = page.entries[static_cast<std::size_t>(i)];
+        if (entry.plate >= 0 && entry.move.identity) plates.push_back(entry.plate);
+    }
+    std::sort(plates.begin(), plates.end());
+    return plates;
+}
+
 std::optional<PlateIndex::Nearest> PlateIndex::nearest(const Skeleton& skeleton, int number, Vec2 at) const {
     if (number < 0 || static_cast<std::size_t>(number) >= pages_.size()) return std::nullopt;
     std::optional<Nearest> best;

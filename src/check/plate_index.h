@@ -35,6 +35,9 @@ class PlateIndex {
     // `slack` mm around.
     [[nodiscard]] std::optional<PlateMatch> find(const Skeleton& skeleton, int page, Vec2 at,
                                                  double slack) const;
+    // All plates of the page whose boxes come into the box, ascending; where they are, not where they were
+    // seen.
+    [[nodiscard]] std::vector<int> in(int page, const Box& box) const;
     // The plate on the page that is nearest to `at`, what is cut out disregarded.
     struct Nearest {
         std::string owner;

@@ -114,6 +114,11 @@ bool Placing::points_moved(const Tolerances& tolerances) const {
     return false;
 }
 
+bool Placing::drawn_moved() const {
+    return std::any_of(element.arguments.begin(), element.arguments.end(),
+                       [](const Argument& a) { return a.changed; });
+}
+
 void Placing::snap_to(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances) {
     if (match.off <= tolerances.rounding_mm) return;
     const Site& site = element.site;
@@ -206,7 +211,7 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
     const Vec2 written = read_mirrored(structure_->fold.page) ? mirrored(fold_begin_) : fold_begin_;
     fold_moved_ = distance(written, structure_->fold.begin.at) > 0.0 || !fold_move.identity;
     to_site();
-    if (points_moved(tolerances)) {
+    if (points_moved(tolerances) || drawn_moved()) {
         element.repaired(
             "moved-with-fold",
             fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it",
@@ -229,9 +234,7 @@ bool Placing::settle(const PlateMatch& match, const std::string& owner, const To
     const Vec2 written = read_mirrored(page) ? mirrored(fold_begin_) : fold_begin_;
     fold_moved_ = distance(written, structure_->plate->at.at) > 0.0;
     to_site();
-    const bool drawn_moved = std::any_of(element.arguments.begin(), element.arguments.end(),
-                                         [](const Argument& a) { return a.changed; });
-    if (points_moved(tolerances) || drawn_moved || !match.move.identity) {
+    if (points_moved(tolerances) || drawn_moved() || !match.move.identity) {
         element.repaired(
             "moved-with-fold",
             fmt::format("the plate of \"{}\" it stands on was moved by a repair; it keeps its place on it",

@@ -4,6 +4,8 @@
 #include <map>
 
 #include "assembly/settle.h"
+#include "base/geometry/edge_index.h"
+#include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "mechanism/builder.h"
 #include "mechanism/spread_prints.h"
@@ -88,6 +90,83 @@ Ring without_cut_outs(const Skeleton& skeleton, int plate, const Ring& outline) 
     return ring;
 }
 
+// Cuts the holes that go through whole sheets out of the plates, and their borders into the pieces. What was
+// cut there before goes: it is no longer paper.
+void cut_windows(const Skeleton& skeleton, Assembly& assembly) {
+    if (skeleton.windows.empty()) return;
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        std::vector<Polygon> through;
+        for (const int hole : skeleton.holes_of[i]) {
+            const Hole& one = skeleton.holes[static_cast<std::size_t>(hole)];
+            if (one.through) through.push_back({{one.ring.rbegin(), one.ring.rend()}, {}});
+        }
+        if (through.empty()) continue;
+        std::vector<Polygon> left = subtract({assembly.plates[i].outline}, through);
+        POPUP_INVARIANT(!left.empty());
+        assembly.plates[i].outline = *std::max_element(
+            left.begin(), left.end(), [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
+    }
+    std::map<int, std::vector<Polygon>> of_piece;
+    for (const Window& window : skeleton.windows) {
+        const auto on_page = std::find(skeleton.plate_page.begin(), skeleton.plate_page.end(), window.page);
+        const auto plate = static_cast<std::size_t>(on_page - skeleton.plate_page.begin());
+        of_piece[assembly.plates[plate].piece].push_back({window.ring, {}});
+    }
+    std::vector<Line> lines;
+    std::map<int, std::pair<std::vector<Polygon>, EdgeIndex>> indexed;
+    for (auto& [piece, windows] : of_piece) {
+        auto& [joined, boxes] = indexed[piece];
+        joined = unite(windows);
+        for (const Polygon& one : joined) {
+            const Box box = bounds(one.outer);
+            boxes.insert({box.min, box.max}, false);
+        }
+    }
+    std::vector<int> found;
+    for (const Line& line : assembly.lines) {
+        const auto windows = indexed.find(line.piece);
+        if (line.kind != LineKind::cut || windows == indexed.end()) {
+            lines.push_back(line);
+            continue;
+        }
+        Box box;
+        box.extend(line.at.a);
+        box.extend(line.at.b);
+        found.clear();
+        windows->second.second.query(box, found);
+        const double size = distance(line.at.a, line.at.b);
+        std::vector<std::pair<double, double>> inside;
+        for (const int number : found) {
+            const Polygon& window = windows->second.first[static_cast<std::size_t>(number)];
+            for (const auto& part : clip_line({line.at.a, line.at.b}, window))
+                inside.emplace_back(distance(line.at.a, part.front()), distance(line.at.a, part.back()));
+        }
+        if (inside.empty()) {
+            lines.push_back(line);
+            continue;
+        }
+        std::sort(inside.begin(), inside.end());
+        inside.emplace_back(size, size);
+        double from = 0.0;
+        for (const auto& [begin, end] : inside) {
+            if (begin - from > kGridMm) {
+                Line rest = line;
+                rest.at = {from <= 0.0 ? line.at.a : lerp(line.at.a, line.at.b, from / size),
+                           begin >= size ? line.at.b : lerp(line.at.a, line.at.b, begin / size)};
+                lines.push_back(rest);
+            }
+            from = std::max(from, end);
+        }
+    }
+    for (const auto& [piece, windows] : indexed) {
+        for (const Polygon& window : windows.first) {
+            for (const Segment& edge : edges_of(window))
+                lines.push_back({LineKind::cut, edge, piece, -1, -1});
+        }
+    }
+    assembly.lines = std::move(lines);
+}
+
 void add_fold_lines(const Skeleton& skeleton, Assembly& assembly) {
     const auto piece_of = [&](int plate) { return assembly.plates[static_cast<std::size_t>(plate)].piece; };
     for (const Fold& fold : skeleton.folds) {
@@ -144,8 +223,11 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
         assembly.plates[i].uncut = outline;
         if (!skeleton.cut_outs[i].empty()) outline = without_cut_outs(skeleton, static_cast<int>(i), outline);
     }
-    for (const Hole& hole : skeleton.holes)
-        assembly.plates[static_cast<std::size_t>(hole.plate)].outline.holes.push_back(hole.ring);
+    for (const Hole& hole : skeleton.holes) {
+        if (!hole.through)
+            assembly.plates[static_cast<std::size_t>(hole.plate)].outline.holes.push_back(hole.ring);
+    }
+    cut_windows(skeleton, assembly);
     add_fold_lines(skeleton, assembly);
     spread_prints(skeleton, design.design(), options, assembly);
     assembly.curves = CurveTable(skeleton.curves);

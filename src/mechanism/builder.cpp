@@ -127,6 +127,15 @@ void Builder::add_hole(int plate, Ring ring) {
     skeleton_.holes.push_back({plate, std::move(ring)});
 }
 
+void Builder::add_window(int page, Ring ring, std::span<const int> plates) {
+    if (signed_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+    for (const int plate : plates) {
+        nth(skeleton_.holes_of, plate).push_back(static_cast<int>(skeleton_.holes.size()));
+        skeleton_.holes.push_back({plate, {ring.rbegin(), ring.rend()}, true});
+    }
+    skeleton_.windows.push_back({page, std::move(ring)});
+}
+
 void Builder::add_cut_out(int plate, int fold, Ring path) {
     const Fold& from = skeleton_.folds[static_cast<std::size_t>(fold)];
     const Segment& line = plate == from.left_plate ? from.on_left : from.on_right;

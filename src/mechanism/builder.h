@@ -62,10 +62,18 @@ struct Foot {
     Segment inside;
 };
 
-// A hole in a plate, off its edges and folds.
+// A hole in a plate.
 struct Hole {
     int plate = -1;
     Ring ring;  // page coordinates, clockwise
+    // It goes through a whole sheet, and may cross edges and folds of the plate.
+    bool through = false;
+};
+
+// A hole through all plates of a page that it lies on.
+struct Window {
+    int page = 0;
+    Ring ring;  // page coordinates, counter-clockwise
 };
 
 struct Skeleton {
@@ -73,6 +81,7 @@ struct Skeleton {
     std::vector<Fold> folds;
     std::vector<Foot> feet;
     std::vector<Hole> holes;
+    std::vector<Window> windows;
     std::vector<std::vector<int>> holes_of;     // of each plate: numbers of its holes
     std::vector<int> plate_page;                // of each plate
     std::vector<std::vector<CutOut>> cut_outs;  // of each plate; disjoint, with paper between them
@@ -111,8 +120,11 @@ class Builder {
     // that it takes.
     void add_foot(Glue glue);
     void add_glued_area(GluedArea area);
-    // Cuts a hole into a plate. Its ring may run either way round.
+    // Cuts a hole into a plate, off its edges and folds. Its ring may run either way round.
     void add_hole(int plate, Ring ring);
+    // Cuts a hole through a sheet: these are the plates that lose paper. What folds lose is told by
+    // add_gone().
+    void add_window(int page, Ring ring, std::span<const int> plates);
     // `path` runs from the fold through the plate back to the fold, either way round.
     void add_cut_out(int plate, int fold, Ring path);
     void add_gone(int fold, double lo, double hi, const std::string& by);

@@ -10,6 +10,10 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "The folds of a beak, an angled step or a v-fold meet in one point, and that point must lie on the "
      "fold the element stands on: only then do its sides stay the same length while the card moves. The "
      "apex was moved onto the fold, the shortest way. Choose it on the fold to begin with."},
+    {"curve-too-tight", Severity::remark, "an outline turns more tightly than a knife can follow",
+     "A drag knife, and most lasers, round off curves with a radius under a tenth of a millimetre, and paper "
+     "tears where they begin. The outline is cut as it is drawn. Where a sharp corner is meant draw two "
+     "curves that meet in one; else draw a wider curve."},
     {"degenerate", Severity::error, "an element is too small to fold",
      "A seam, side fold or width is under 1 mm, or an angle under 1°. No paper folds that small, and small "
      "errors of the knife would decide how it moves. Give the element room; where a point lies on the "
@@ -41,6 +45,10 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "apart. A "
      "narrower one stops the card from opening, and a wider one is a tent. The piece was widened or narrowed "
      "alike on both sides."},
+    {"no-outline", Severity::error, "a shape cut from one sheet has no border",
+     "A freeform is drawn as an outline, which is SVG path data, or as three or more touch points that its "
+     "border goes through in a smooth closed curve. This one has neither, or touch points that lie on fewer "
+     "than three places, and so there is nothing to cut."},
     {"not-parallel", Severity::warning, "a side fold or seam does not run along its parent fold",
      "The folds of a step and the seams of a tent must be parallel to the fold they stand on, and the two "
      "seams of a tent's piece to each other; otherwise the plates would have to bend. Each line was turned "
@@ -50,11 +58,19 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "at most 170°: beyond that the element hardly leaves the page, and its solution is lost when the card "
      "lies open. Both sides were turned in alike."},
     {"outline-crosses", Severity::error, "an outline crosses itself",
-     "The points of an element, in the order of its type, do not go round a piece of paper: two edges "
+     "Where the drawn border of a box fold, polygon, freeform, v-fold cut or hole crosses or touches itself, "
+     "the "
+     "loop of larger area is kept and the other left out: a repair, with the place and the size of what "
+     "went. "
+     "What then has under 4 mm², or crosses itself too often to tell, is an error. Of other elements: "
+     "the points of an element, in the order of its type, do not go round a piece of paper: two edges "
      "cross where the message says, so there is no telling which side of them is paper. Usually two points "
      "are exchanged; the manual page popup(5) gives the order for each type."},
     {"outline-off-fold", Severity::error, "a drawn outline that its centre fold does not divide",
-     "The outline of a v-fold, tent or layer is cut as drawn and folded along the centre fold, whose line "
+     "What is cut from one sheet lies across its parent fold, and crosses it exactly twice, so that one part "
+     "of "
+     "it lies on either side; its side folds, where they are given, lie within its outline. The outline of a "
+     "v-fold, tent or layer is cut as drawn and folded along the centre fold, whose line "
      "follows "
      "from the seams. That line must cross the outline exactly twice, with one seam on each side, so that "
      "two "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,10 +18,21 @@ namespace popup {
 // it still is when its numbers have been rounded in the document.
 enum class Fit { as_drawn, exact };
 
+// What a hole through a sheet takes, and why it must not be (empty: it may be).
+struct Pierced {
+    std::vector<int> plates;
+    struct Span {
+        int fold = -1;
+        double from = 0.0, to = 0.0;  // mm along it
+    };
+    std::vector<Span> folds;  // stretches that are still there
+    std::string code, what, hint;
+};
+
 // Is this footprint free to be cut, or this seam free to be glued? Asked of the paper as it is so far. An
 // element on a plate has that plate on both sides.
 struct PaperQuery {
-    // A convex footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
+    // A footprint (page coordinates) on a plate: inside it, with `paper_mm` left around but along the
     // parent fold, and no earlier seam under it.
     std::function<bool(Side, const Ring&, Fit)> may_cut;
     // The same of a footprint that reaches a straight edge of the plate, where no paper need be left.
@@ -33,6 +45,8 @@ struct PaperQuery {
     // The plate's paper (page coordinates) at least `inset` mm away from its folds and edges, cut-outs
     // regarded.
     std::function<std::vector<Polygon>(Side, double inset)> paper;
+    // What a hole through the whole sheet takes, on the page of the left side.
+    std::function<Pierced(const Ring&)> pierce;
 };
 
 // An element on its site. `constrain` moves its points until all constraints hold and reports what moved.
@@ -61,6 +75,10 @@ struct Element {
     std::function<void(std::string_view code, std::string what, std::string hint)> repaired;
     // Reports what cannot be repaired. The element is then left out.
     std::function<void(std::string_view code, std::string what, std::string hint)> failed;
+    // Reports what is as it should be, and worth knowing.
+    std::function<void(std::string_view code, std::string what, std::string hint)> remarked;
+    // What a repair changed that no point tells of, for the next repaired().
+    std::optional<Change> redrawn;
 };
 
 // One row: facts and functions. Adding an element is one file and one such row.
@@ -76,6 +94,9 @@ struct ElementRow {
     double (*front)(const Element&);
     // Plates, lines, joints. Precondition: constrain() returned true.
     void (*lower)(const Element&, Builder&);
+    // Where its outline crosses the line of the fold that it stands on, as the author drew it (mm along it):
+    // of rows that find their fold themselves, else null.
+    std::vector<double> (*crossings)(const Element&) = nullptr;
 };
 
 // What rows answer of elements that stand on plates, that make no folds, and whose piece has no back.

@@ -1,5 +1,7 @@
 #include "mechanism/shapes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <tuple>
 
@@ -76,6 +78,39 @@ FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment rig
     return {{left, left, like}, {centre, centre, 360 - like}, {right, right, like}};
 }
 
+namespace {
+
+void lower_more(const Element& element, Builder& builder, const FoldLines& folds, SlitShape& shape,
+                SlitPlates first) {
+    const Site& site = element.site;
+    const int piece = builder.skeleton().draft.plates[static_cast<std::size_t>(site.left_plate)].piece;
+    const bool on_left = shape.more_on == Side::left;
+    const int base = on_left ? first.left : first.right;
+    std::vector<int> plates{first.left, first.right};
+    for (Ring& ring : shape.more) {
+        const std::string name =
+            fmt::format("{}/{}-{}", element.paint.id, on_left ? "left" : "right", plates.size());
+        const int plate = builder.add_plate(name, piece, site.left_page, {std::move(ring), {}},
+                                            on_left ? element.paint.left : element.paint.right);
+        const Vec2 at = folds[on_left ? kLeftFold : kRightFold].on_left.a;
+        Rigid lies{plate, base, at, site.left.dir, at, site.left.dir};
+        lies.beside = true;
+        builder.add_joint({element.paint.id, element.paint.place, lies});
+        plates.push_back(plate);
+    }
+    for (const SlitFold& fold : shape.more_folds) {
+        FoldLines lines = folds;
+        lines[fold.which].on_left = lines[fold.which].on_right = fold.line;
+        const int own = plates[fold.plate];
+        const PlatesOfFold between = fold.which == kLeftFold    ? PlatesOfFold{site.left_plate, own}
+                                     : fold.which == kRightFold ? PlatesOfFold{own, site.right_plate}
+                                                                : PlatesOfFold{own, plates[fold.other]};
+        add_fold_of(element, builder, lines, fold.which, between);
+    }
+}
+
+}  // namespace
+
 SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines& folds, SlitShape shape) {
     const Site& site = element.site;
     const int page = site.left_page;
@@ -100,6 +135,8 @@ SlitPlates lower_slit(const Element& element, Builder& builder, const FoldLines&
     bars.left.plate = left;
     bars.right.plate = right;
     builder.add_joint({id, element.paint.place, bars});
+    if (!shape.more.empty() || !shape.more_folds.empty())
+        lower_more(element, builder, folds, shape, {left, right});
     return {left, right};
 }
 

@@ -40,6 +40,14 @@ void glue_seams(const Element& element, Builder& builder, const SeamOfPlate& lef
 // other way.
 FoldLines slit_folds(const Site& site, Segment left, Segment centre, Segment right);
 
+// A further fold of a 90° element whose row's folds have several stretches.
+struct SlitFold {
+    std::size_t which = kLeftFold;  // of the row's folds: it lies between the same planes
+    Segment line;                   // page coordinates, along the fold that the element stands on
+    std::size_t plate = 0;  // of a side fold its element plate: 0 left, 1 right, 2 the first of `more`
+    std::size_t other = 1;  // of a centre fold the plate on its right
+};
+
 // A 90° element's shape, in site coordinates of the left side (w positive to the left of the fold).
 struct SlitShape {
     Ring left, right;                // the two element plates, page coordinates
@@ -48,6 +56,11 @@ struct SlitShape {
     std::pair<double, double> span;  // of the fold that is lost
     bool parallel = false;
     Bar left_bar, right_bar;
+    // Parts of the left half (or of the right one) beside the first, on other stretches of the same fold:
+    // they move with it.
+    std::vector<Ring> more = {};
+    Side more_on = Side::left;
+    std::vector<SlitFold> more_folds = {};
 };
 struct SlitPlates {
     int left, right;

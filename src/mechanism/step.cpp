@@ -3,6 +3,8 @@
 // Points A B on the left side fold, G H on the right one; A–G and B–H are the cuts. With p and q the
 // distances of the side folds from the parent fold, the centre fold lies q from the left one and p from the
 // right one, so that the four folds are a parallelogram's corners at every angle.
+#include "mechanism/step.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,18 +14,14 @@
 #include "mechanism/shapes.h"
 
 namespace popup {
-namespace {
 
-constexpr std::array<PointInfo, 4> kPoints{{{"A", PointPage::fold, 'L'},
-                                            {"B", PointPage::fold, 'L'},
-                                            {"G", PointPage::fold, 'R'},
-                                            {"H", PointPage::fold, 'R'}}};
-constexpr std::array<int, 4> kPartners{2, 3, 0, 1};
-enum : std::size_t { A, B, G, H };
+namespace step {
 
 std::pair<double, double> span(const Element& e) {
     return std::minmax({crossing(e.on[A], e.on[G]), crossing(e.on[B], e.on[H])});
 }
+
+namespace {
 
 // The half of the element on one side: from the fold along one cut, the side fold, and back along the other
 // cut.
@@ -53,10 +51,12 @@ void clip_along(Element& e) {
     e.repaired(
         "does-not-fit",
         fmt::format(
-            "the step reaches {} over the end of its fold (with {} of paper left around it); it was clipped",
-            mm(most), mm(e.tolerances->paper_mm)),
+            "the {} reaches {} over the end of its fold (with {} of paper left around it); it was clipped",
+            e.info->family, mm(most), mm(e.tolerances->paper_mm)),
         "make it shorter along the fold");
 }
+
+}  // namespace
 
 bool constrain(Element& e) {
     const double least = e.tolerances->min_length_mm;
@@ -77,16 +77,17 @@ bool constrain(Element& e) {
     if (std::min({p, q, left_length, right_length}) < least) {
         e.failed(
             "degenerate",
-            fmt::format("the step is too small to fold: side folds {} and {} long, {} and {} from the parent "
+            fmt::format("the {} is too small to fold: side folds {} and {} long, {} and {} from the parent "
                         "fold, where {} is the least",
-                        mm(left_length), mm(right_length), mm(p), mm(q), mm(least)),
+                        e.info->family, mm(left_length), mm(right_length), mm(p), mm(q), mm(least)),
             "put A, B left and G, H right of the fold, each side fold at least 1 mm long and 1 mm away from "
             "it");
         return false;
     }
     clip_along(e);
     if (std::abs(e.on[A].s - e.on[B].s) < least || std::abs(e.on[G].s - e.on[H].s) < least) {
-        e.failed("does-not-fit", "too little of the fold is left where the step stands",
+        e.failed("does-not-fit",
+                 fmt::format("too little of the fold is left where the {} stands", e.info->family),
                  "move it along the fold");
         return false;
     }
@@ -128,6 +129,10 @@ void lower(const Element& e, Builder& builder) {
     lower_slit(e, builder, folds, std::move(shape));
 }
 
+}  // namespace step
+
+namespace {
+
 // Glassner's (section 7).
 constexpr std::array<std::string_view, 1> kOtherNames{"double-slit"};
 
@@ -139,14 +144,14 @@ constexpr ElementRow row(std::string_view name, int code, bool inverted, std::st
              .inverted = inverted,
              .glued = false,
              .about = about,
-             .points = kPoints,
-             .partners = kPartners,
+             .points = step::kPoints,
+             .partners = step::kPartners,
              .also = also},
-            span,
-            constrain,
-            fold_lines,
+            step::span,
+            step::constrain,
+            step::fold_lines,
             nullptr,
-            lower};
+            step::lower};
 }
 
 }  // namespace

@@ -315,7 +315,7 @@ class GluedFlat {
         double glued = 0.0;
         for (const Joint& joint : assembly.joints) {
             for (const PlacedPlate& one : plates_of(joint).places) {
-                if (one.lying == Lying::free) continue;
+                if (one.lying == Lying::free || one.lying == Lying::beside) continue;
                 const auto plate = static_cast<std::size_t>(one.plate);
                 const auto parent = static_cast<std::size_t>(one.parent);
                 body_[plate] = body_[parent];

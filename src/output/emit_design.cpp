@@ -56,6 +56,10 @@ Json json(const Structure& one) {
               {"right", json(color_of(one, "rightcolor"))},
               {"left_tab", json(color_of(one, "lefttabcolor"))},
               {"right_tab", json(color_of(one, "righttabcolor"))}};
+    if (one.finds_ground) {
+        made.erase("fold");
+        made["page"] = one.fold.page;
+    }
     if (one.plate) {
         made.erase("fold");
         made["plate"] = {{"page", one.plate->page}, {"at", json(one.plate->at)}};

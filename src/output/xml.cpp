@@ -69,6 +69,7 @@ class DocumentText {
         for (std::size_t i = 0; i < s.arguments.size(); ++i) {
             const auto& value = s.arguments[i].value;
             const ParameterInfo& parameter = info.parameters[i];
+            if (!parameter.group.empty()) continue;
             if (const auto* word = std::get_if<std::string>(&value)) {
                 text += fmt::format(" {}=\"{}\"", parameter.name, *word);
             } else if (const auto* number = std::get_if<double>(&value)) {
@@ -83,6 +84,13 @@ class DocumentText {
     // The values that are child elements.
     void children(const Structure& s) {
         const ElementInfo& info = info_of(s);
+        std::string grouped;
+        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
+            const auto* number = std::get_if<double>(&s.arguments[i].value);
+            if (number != nullptr && !info.parameters[i].group.empty())
+                grouped += fmt::format(" {}=\"{}\"", info.parameters[i].name, length(*number));
+        }
+        if (!grouped.empty()) line(3, "<folds{}/>", grouped);
         for (std::size_t i = 0; i < s.arguments.size(); ++i) {
             const Argument& argument = s.arguments[i];
             const std::string_view name = info.parameters[i].name;
@@ -101,6 +109,7 @@ class DocumentText {
     }
 
     void ground(const Structure& s) {
+        if (s.finds_ground) return;
         if (s.plate) {
             line(3, "<parentplate page=\"{}\" x=\"{}\" y=\"{}\"/>", s.plate->page, length(s.plate->at.at.x),
                  length(s.plate->at.at.y));
@@ -131,9 +140,11 @@ class DocumentText {
             const bool automatic = !s.id_given && s.id == fmt::format("e{}", number);
             const std::string id = automatic ? std::string() : fmt::format(" id=\"{}\"", s.id);
             line(2, "<structure type=\"{}\"{}{}>", s.type, id, attributes(s));
-            line(3, "<outerpoints>");
-            for (const DesignPoint& p : s.points) point(4, "point", p, true);
-            line(3, "</outerpoints>");
+            if (!s.points.empty()) {
+                line(3, "<outerpoints>");
+                for (const DesignPoint& p : s.points) point(4, "point", p, true);
+                line(3, "</outerpoints>");
+            }
             children(s);
             ground(s);
             line(2, "</structure>");

@@ -111,7 +111,7 @@ Fields::Fields(Node node, Name context, Reporter& reporter)
 
 Name Fields::name_of(std::string_view spelling, std::string_view& parameter) const {
     const Name name = find_name(context_, spelling);
-    if (name != Name::unknown || context_ != Name::structure) return name;
+    if (name != Name::unknown || (context_ != Name::structure && context_ != Name::folds)) return name;
     parameter = find_parameter_name(spelling);
     return parameter.empty() ? Name::unknown : Name::argument;
 }

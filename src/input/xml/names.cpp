@@ -40,7 +40,8 @@ constexpr std::uint64_t kScalars = in({Name::version,
                                        Name::horizon,
                                        Name::horizonheight,
                                        Name::font,
-                                       Name::fill});
+                                       Name::fill,
+                                       Name::t});
 // Everything that is one point.
 constexpr std::uint64_t kPoints = in({Name::point, Name::begin, Name::end, Name::parentplate});
 
@@ -98,6 +99,8 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::horizonheight, "horizonheight", "", in({Name::image}), 0},
     {Name::font, "font", "fontfamily", in({Name::text}), 0},
     {Name::fill, "fill", "fillcolor color", in({Name::text, Name::area}), 0},
+    {Name::folds, "folds", "", in({Name::structure}), 0},
+    {Name::t, "t", "time", in({Name::point}), 0},
     {Name::value, "value", "", kScalars | kPoints | in({Name::argument, Name::text}), 0},
 });
 
@@ -196,7 +199,7 @@ std::vector<std::string_view> names_in(Name context) {
     for (const Row& row : kRows) {
         if (row.contexts & in({context})) names.push_back(row.canonical);
     }
-    if (context != Name::structure) return names;
+    if (context != Name::structure && context != Name::folds) return names;
     for (const ElementInfo& info : element_table()) {
         for (const ParameterInfo& parameter : info.parameters) {
             if (std::find(names.begin(), names.end(), parameter.name) == names.end())

@@ -49,6 +49,8 @@ enum class Name : std::uint8_t {
     horizonheight,
     font,
     fill,
+    folds,     // of what is cut from one sheet: <folds top="12" bottom="8"/>
+    t,         // of a touch point: when it was touched
     argument,  // a structure's value under the name of a parameter, other than the four colours
     value,     // of anything that is a single value: <leftcolor value="red"/>
 };

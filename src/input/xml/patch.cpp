@@ -61,6 +61,7 @@ class Patch {
         for (const DesignPoint& point : structure.points) point_edits(point, structure.ground_page());
         argument_edits(structure);
         if (structure.plate) return plate_edits(*structure.plate);
+        if (structure.finds_ground) return;
         const ParentFold& fold = structure.fold;
         if (fold.page_changed) page(fold.page_text, fold.tag_text, fold.page);
         for (const DesignPoint* end : {&fold.begin, &fold.end}) {
@@ -104,7 +105,10 @@ class Patch {
                     attribute(structure.start_tag, parameter.name, format_number(*value / unit));
                 }
             } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
-                if (argument.text.present()) replace(argument.text, path_text(*path, design_.unit));
+                if (argument.text.present())
+                    replace(argument.text, path_text(*path, design_.unit));
+                else
+                    attribute(structure.start_tag, parameter.name, path_text(*path, design_.unit));
             }
         }
     }

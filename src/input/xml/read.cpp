@@ -202,9 +202,14 @@ class DocumentReader {
 
     // The values that the element's row names; other elements' are unknown here.
     void read_arguments(const Fields& fields, Structure& made, const ElementInfo& info) {
+        std::optional<Fields> folds;
+        if (const Field* field = element_field(fields, Name::folds))
+            folds.emplace(field->node, Name::folds, reporter_);
         for (std::size_t i = 0; i < info.parameters.size(); ++i) {
             const ParameterInfo& parameter = info.parameters[i];
-            if (const Field* field = fields.find(parameter.name)) {
+            const Field* field = fields.find(parameter.name);
+            if (field == nullptr && folds && !parameter.group.empty()) field = folds->find(parameter.name);
+            if (field != nullptr) {
                 if (auto value = values_.argument(*field, parameter)) made.argument(i) = std::move(*value);
                 if (parameter.since > design_.version && parameter.since > info.since) {
                     reporter_
@@ -224,6 +229,26 @@ class DocumentReader {
             if (!is_value(field.name) || find_parameter(info, field.word())) continue;
             reporter_.unknown_name(Name::structure, field.word(), field.place, !field.node);
         }
+        if (!folds) return;
+        for (const Field& field : folds->all()) {
+            const auto known = find_parameter(info, field.word());
+            if (known && !info.parameters[*known].group.empty()) continue;
+            reporter_.unknown_name(Name::folds, field.word(), field.place, !field.node);
+        }
+    }
+
+    // What finds its ground lies on the page of its outline, or of its first point that names one.
+    static void find_ground(Structure& made, const ElementInfo& info) {
+        made.finds_ground = true;
+        made.fold.place = made.place;
+        std::optional<int> page;
+        for (const DesignPoint& point : made.points) {
+            if (!page) page = point.page;
+        }
+        for (std::size_t i = 0; i < made.arguments.size(); ++i) {
+            if (!page && info.parameters[i].page == PointPage::fold) page = made.arguments[i].page;
+        }
+        made.fold.page = page.value_or(0);
     }
 
     // Names that mean something in a structure only where its element has such a parameter.
@@ -244,6 +269,8 @@ class DocumentReader {
             read_plate(*plate, made.plate.emplace());
         } else if (fold) {
             read_fold(fold->node, made.fold);
+        } else if (info && (info->grounds.found || info->grounds.page)) {
+            find_ground(made, *info);
         } else if (info && !info->grounds.fold && !info->grounds.seam) {
             reporter_.error("missing-value", made.place, "this structure has no parentplate")
                 .hint("name the plate by any point of it: <parentplate page=\"0\" x=\"1\" y=\"1\"/>");

@@ -66,7 +66,7 @@ constexpr std::string_view kHead = R"xsd(<?xml version="1.0" encoding="UTF-8"?>
 constexpr std::string_view kStructure = R"xsd(
   <xs:complexType name="structure">
     <xs:sequence>
-      <xs:element name="outerpoints">
+      <xs:element name="outerpoints"{}>
         <xs:complexType>
           <xs:sequence>
             <xs:element name="point" type="pagepoint" minOccurs="{}" maxOccurs="{}"/>
@@ -361,6 +361,7 @@ std::string enumeration(std::span<const std::string_view> words, std::size_t ind
 std::string value_attributes() {
     std::string out;
     for (const ParameterInfo* parameter : parameters(is_attribute)) {
+        if (!parameter->group.empty()) continue;
         if (parameter->kind != ParameterKind::choice) {
             out += fmt::format("    <xs:attribute name=\"{}\" type=\"number\"/>\n", parameter->name);
             continue;
@@ -376,12 +377,38 @@ std::string value_attributes() {
     return out;
 }
 
-// parentfold, or parentplate too where a row stands on plates.
+// Child elements that hold several lengths.
+std::string value_groups() {
+    std::vector<std::string_view> names;
+    for (const ParameterInfo* parameter : parameters(is_attribute)) {
+        if (!parameter->group.empty() &&
+            std::find(names.begin(), names.end(), parameter->group) == names.end())
+            names.push_back(parameter->group);
+    }
+    std::string out;
+    for (const std::string_view name : names) {
+        out +=
+            fmt::format("      <xs:element name=\"{}\" minOccurs=\"0\">\n        <xs:complexType>\n", name);
+        for (const ParameterInfo* parameter : parameters(is_attribute)) {
+            if (parameter->group == name)
+                out +=
+                    fmt::format("          <xs:attribute name=\"{}\" type=\"number\"/>\n", parameter->name);
+        }
+        out += "        </xs:complexType>\n      </xs:element>\n";
+    }
+    return out;
+}
+
+// parentfold, or parentplate too where a row stands on plates; neither where a row finds what it stands on.
 std::string grounds() {
     const auto table = element_table();
+    const bool may_find = std::any_of(table.begin(), table.end(), [](const ElementInfo& info) {
+        return info.grounds.found || info.grounds.page;
+    });
+    const std::string_view least = may_find ? " minOccurs=\"0\"" : "";
     if (std::none_of(table.begin(), table.end(), [](const ElementInfo& info) { return info.grounds.plate; }))
         return std::string(kParentFold);
-    return fmt::format("      <xs:choice>\n{}{}      </xs:choice>\n", kParentFold, kParentPlate);
+    return fmt::format("      <xs:choice{}>\n{}{}      </xs:choice>\n", least, kParentFold, kParentPlate);
 }
 
 // Types that only some rows need.
@@ -423,8 +450,10 @@ std::string render_schema() {
         element_table().begin(), element_table().end(),
         [](const ElementInfo& a, const ElementInfo& b) { return a.points.size() < b.points.size(); });
     return std::string(kHead) + units() + types() +
-           fmt::format(kStructure, fewest->points.size(), most->points.size(), value_elements(), grounds(),
-                       value_attributes(), format_number(kThickestLine), enumeration(kPictureFitNames, 10),
+           fmt::format(kStructure, fewest->points.empty() ? " minOccurs=\"0\"" : "",
+                       std::max<std::size_t>(1, fewest->points.size()), most->points.size(),
+                       value_elements() + value_groups(), grounds(), value_attributes(),
+                       format_number(kThickestLine), enumeration(kPictureFitNames, 10),
                        enumeration(kTextFontNames, 14), kPageLimit) +
            value_types() + "</xs:schema>\n";
 }

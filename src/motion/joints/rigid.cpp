@@ -1,10 +1,12 @@
-// A plate glued flat on another: it moves with it.
+// A plate glued flat on another, or beside it in one plane: it moves with it.
 #include "motion/joints/joint.h"
 
 namespace popup {
 
 JointPlates plates_of(const Rigid& how) {
-    const Lying lying = how.back || how.behind ? Lying::on_back : Lying::on_front;
+    const Lying lying = how.beside               ? Lying::beside
+                        : how.back || how.behind ? Lying::on_back
+                                                 : Lying::on_front;
     return {{{how.plate, how.base, how.own_at, lying}}, {how.base}};
 }
 
@@ -29,6 +31,7 @@ bool place_plates(const Rigid& how, Angle /*theta*/, std::span<Frame> frames) {
 Likeness likeness(const Rigid& /*how*/) { return {}; }
 
 std::optional<Slid> slid(const Rigid& how, double mm) {
+    if (how.beside) return std::nullopt;  // it follows its base
     Rigid moved = how;
     moved.base_at = how.base_at + mm * how.base_dir;
     return Slid{moved, mm * how.base_dir, "line A–B"};
@@ -37,6 +40,7 @@ std::optional<Slid> slid(const Rigid& how, double mm) {
 std::optional<std::string> fault_of(const Rigid& how) {
     if (!is_unit(how.base_dir)) return "base_dir is no unit vector";
     if (!is_unit(how.own_dir)) return "own_dir is no unit vector";
+    if (how.beside && (how.back || how.behind)) return "it lies beside its base, and so not on its back";
     if (how.back && how.behind) return "its front cannot face both ways: back and behind exclude each other";
     return std::nullopt;
 }

@@ -1,0 +1,137 @@
+#include "check/pierce.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/geometry/regions.h"
+#include "base/nth.h"
+#include "mechanism/site_lines.h"
+
+namespace popup {
+namespace {
+
+// Parts smaller than this are rounding.
+constexpr double kSpeckMm2 = 1e-3;
+
+std::string name_of(const Sheet& sheet, int plate) { return nth(sheet.skeleton.draft.plates, plate).name; }
+
+double furthest(const std::vector<Polygon>& what, const std::vector<Polygon>& from) {
+    double most = 0.0;
+    for (const Polygon& part : what) {
+        for (const Vec2 p : part.outer) {
+            double off = HUGE_VAL;
+            for (const Polygon& other : from) {
+                if (contains(other, p)) off = 0.0;
+                for (const Segment& edge : edges_of(other)) off = std::min(off, distance(p, edge));
+            }
+            if (std::isfinite(off)) most = std::max(most, off);
+        }
+    }
+    return most;
+}
+
+Pierced refused(std::string_view code, std::string what, std::string hint) {
+    Pierced made;
+    made.code = code;
+    made.what = std::move(what);
+    made.hint = std::move(hint);
+    return made;
+}
+
+// The stretches of the fold inside of the ring that are still there.
+std::vector<Pierced::Span> lost_of(const Fold& fold, int number, const Ring& ring) {
+    std::vector<Pierced::Span> lost;
+    const auto inside = clip_line({fold.on_left.a, fold.on_left.b}, {ring, {}});
+    for (const std::vector<Vec2>& part : inside) {
+        double from = distance(fold.on_left.a, part.front());
+        const double to = distance(fold.on_left.a, part.back());
+        const auto add = [&](double lo, double hi) {
+            if (hi - lo > kGridMm) lost.push_back({number, lo, hi});
+        };
+        for (const auto& [begin, span] : fold.gone) {
+            if (span.end <= from || begin >= to) continue;
+            add(from, std::min(begin, to));
+            from = std::max(from, span.end);
+        }
+        add(from, to);
+    }
+    return lost;
+}
+
+// The longest stretch of the fold that stays.
+double longest_left(const Fold& fold, const std::vector<Pierced::Span>& lost) {
+    std::vector<std::pair<double, double>> gone;
+    for (const auto& [begin, span] : fold.gone) gone.emplace_back(begin, span.end);
+    for (const Pierced::Span& one : lost) gone.emplace_back(one.from, one.to);
+    std::sort(gone.begin(), gone.end());
+    double most = 0.0;
+    double at = 0.0;
+    for (const auto& [begin, end] : gone) {
+        most = std::max(most, begin - at);
+        at = std::max(at, end);
+    }
+    return std::max(most, fold.length() - at);
+}
+
+}  // namespace
+
+Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
+    const double around = sheet.tolerances.paper_mm - sheet.tolerances.rounding_mm;
+    Box box = bounds(ring);
+    box.min = box.min - Vec2{around, around};
+    box.max = box.max + Vec2{around, around};
+    const std::vector<int> plates = sheet.plates.in(page, box);
+    std::vector<Polygon> sheets;
+    for (const int plate : plates) sheets.push_back(nth(sheet.skeleton.draft.plates, plate).outline);
+    sheets = unite(sheets);
+    const std::vector<Polygon> hole{{ring, {}}};
+    if (const auto out = subtract(hole, sheets); area(out) > kSpeckMm2) {
+        return refused("does-not-fit", fmt::format("it leaves the page by {}", mm(furthest(out, sheets))),
+                       "draw it on the page; what opens to an edge of the page cannot be a hole");
+    }
+    if (area(subtract(offset(hole, around, Corners::rounded), sheets)) > kSpeckMm2) {
+        return refused(
+            "does-not-fit",
+            fmt::format("it comes nearer than {} to an edge of the page", mm(sheet.tolerances.paper_mm)),
+            "move it away from the edge, or make it smaller");
+    }
+    if (sheet.paper.seam_near(page, ring)) {
+        return refused("does-not-fit", "a seam or a glued area lies where it would be cut",
+                       "move it off what is glued to the page");
+    }
+    Pierced made;
+    for (const int plate : plates) {
+        const std::vector<Polygon> paper = paper_of(sheet.skeleton, plate, 0.0);
+        if (area(intersect(paper, hole)) <= kSpeckMm2) continue;
+        made.plates.push_back(plate);
+        std::vector<Polygon> left = subtract(paper, hole);
+        std::erase_if(left, [](const Polygon& part) { return area(part) <= kSpeckMm2; });
+        if (left.size() <= 1 && !left.empty()) continue;
+        return refused("hole-off-piece",
+                       left.empty()
+                           ? fmt::format("it leaves nothing of \"{}\"", name_of(sheet, plate))
+                           : fmt::format("it cuts \"{}\" into {} parts", name_of(sheet, plate), left.size()),
+                       "make it smaller, so that every part of the card stays in one piece");
+    }
+    std::vector<int> seen;
+    for (const FoldMatch& match : sheet.folds.crossed(page, box)) {
+        if (match.ghost || std::find(seen.begin(), seen.end(), match.fold) != seen.end()) continue;
+        seen.push_back(match.fold);
+        const Fold& fold = nth(sheet.skeleton.folds, match.fold);
+        if (fold.seam) continue;
+        const std::vector<Pierced::Span> lost = lost_of(fold, match.fold, ring);
+        if (lost.empty()) continue;
+        if (const double left = longest_left(fold, lost); left < sheet.tolerances.min_length_mm) {
+            return refused("hole-off-piece",
+                           fmt::format("it leaves {} of a fold of \"{}\" in one stretch; the least is {}",
+                                       mm(left), fold.owner, mm(sheet.tolerances.min_length_mm)),
+                           "make it smaller along the fold");
+        }
+        made.folds.insert(made.folds.end(), lost.begin(), lost.end());
+    }
+    return made;
+}
+
+}  // namespace popup

@@ -1,0 +1,299 @@
+#include "mechanism/divide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace popup {
+namespace {
+
+// Chords shorter than this are touches.
+constexpr double kLeastChordMm = 1e-6;
+
+int side_of(Vec2 p, double level) {
+    const double off = p.y - level;
+    return std::abs(off) <= kOnLevelMm ? 0 : off > 0.0 ? 1 : -1;
+}
+
+// Where the edge from below to above the level, or back, crosses it. `t`: on its curve.
+Vec2 crossing_at(const Border& border, std::size_t i, double level, double& t) {
+    const BorderEdge& edge = border.edges[i];
+    const Segment chord = border.chord(i);
+    if (edge.curve < 0) {
+        const double along = (level - chord.a.y) / (chord.b.y - chord.a.y);
+        t = 0.0;
+        return {chord.a.x + along * (chord.b.x - chord.a.x), level};
+    }
+    // Halved until it cannot be halved: the chord's ends lie on either side, and so do the curve's.
+    const Cubic& curve = border.cubics[static_cast<std::size_t>(edge.curve)];
+    double lo = edge.t0;
+    double hi = edge.t1;
+    const bool rises = chord.b.y > chord.a.y;
+    for (int i_halving = 0; i_halving < 60; ++i_halving) {
+        const double middle = 0.5 * (lo + hi);
+        ((curve.at(middle).y > level) == rises ? hi : lo) = middle;
+    }
+    t = 0.5 * (lo + hi);
+    return {curve.at(t).x, level};
+}
+
+// The border with corners wherever it crosses the level; those on it are put there.
+Border with_crossings(const Border& border, double level) {
+    Border made;
+    made.cubics = border.cubics;
+    made.edges.reserve(border.edges.size() + 8);
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        BorderEdge edge = border.edges[i];
+        const Segment chord = border.chord(i);
+        const int from = side_of(chord.a, level);
+        const int to = side_of(chord.b, level);
+        if (from == 0) edge.from.y = level;
+        made.edges.push_back(edge);
+        if (from * to >= 0) continue;
+        double t = 0.0;
+        const Vec2 at = crossing_at(border, i, level, t);
+        made.edges.back().t1 = edge.curve < 0 ? edge.t1 : t;
+        made.edges.push_back({at, edge.curve, edge.curve < 0 ? edge.t0 : t, edge.t1, edge.of});
+    }
+    return made;
+}
+
+// Stretches of the line that have paper on one side of it: between edges that leave it to that side.
+std::vector<std::pair<double, double>> stretches(const Border& border, double level, int side) {
+    std::vector<double> leaves;
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        const Segment chord = border.chord(i);
+        const int a = side_of(chord.a, level);
+        const int b = side_of(chord.b, level);
+        if (a == 0 && b == side) leaves.push_back(chord.a.x);
+        if (b == 0 && a == side) leaves.push_back(chord.b.x);
+    }
+    std::sort(leaves.begin(), leaves.end());
+    std::vector<std::pair<double, double>> made;
+    for (std::size_t i = 0; i + 1 < leaves.size(); i += 2) {
+        if (leaves[i + 1] - leaves[i] > kLeastChordMm) made.emplace_back(leaves[i], leaves[i + 1]);
+    }
+    return made;
+}
+
+std::vector<std::pair<double, double>> common(const std::vector<std::pair<double, double>>& a,
+                                              const std::vector<std::pair<double, double>>& b) {
+    std::vector<std::pair<double, double>> made;
+    for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+        const double lo = std::max(a[i].first, b[k].first);
+        const double hi = std::min(a[i].second, b[k].second);
+        if (hi - lo > kLeastChordMm) made.emplace_back(lo, hi);
+        (a[i].second < b[k].second ? i : k) += 1;
+    }
+    return made;
+}
+
+// How far one turns clockwise from one direction to another, in (0, 2π].
+double clockwise(double from, double to) {
+    constexpr double kRound = 2.0 * std::numbers::pi;
+    const double turn = std::fmod(from - to + 2.0 * kRound, kRound);
+    return turn <= 1e-12 ? kRound : turn;
+}
+
+}  // namespace
+
+Division divide(const Border& border, double level, EdgeOf made) {
+    Division result;
+    const Border marked = with_crossings(border, level);
+    result.cubics_ = marked.cubics;
+    result.edges_ = marked.edges;
+    const std::size_t drawn = marked.edges.size();
+    const auto index = [](std::size_t i) { return static_cast<int>(i); };
+    for (std::size_t i = 0; i < drawn; ++i) result.next_.push_back(index(marked.next(i)));
+
+    for (const auto& [from, to] : common(stretches(marked, level, 1), stretches(marked, level, -1)))
+        result.chords.push_back({from, to, -1, -1});
+
+    // Corners on the line, by place; the chords that meet there.
+    struct Node {
+        double x = 0.0;
+        std::size_t leaving = 0;  // the edge that begins there
+    };
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < drawn; ++i) {
+        if (side_of(marked.edges[i].from, level) == 0) nodes.push_back({marked.edges[i].from.x, i});
+    }
+    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
+        return std::pair(a.x, a.leaving) < std::pair(b.x, b.leaving);
+    });
+    const auto node_at = [&](double x) {
+        return std::lower_bound(nodes.begin(), nodes.end(), x,
+                                [](const Node& node, double at) { return node.x < at; })
+            ->leaving;
+    };
+    // Of each node: the chord that begins at it, and the one that ends there, as edges; -1: none.
+    struct Meeting {
+        int right = -1, left = -1;  // edges above the chords
+    };
+    std::map<std::size_t, Meeting> meetings;
+    for (Division::Chord& chord : result.chords) {
+        const int edge = index(result.edges_.size());
+        result.chord_edge_.push_back(edge);
+        result.edges_.push_back({{chord.from, level}, -1, 0.0, 0.0, made});
+        result.edges_.push_back({{chord.to, level}, -1, 0.0, 0.0, made});
+        result.next_.push_back(-1);
+        result.next_.push_back(-1);
+        meetings[node_at(chord.from)].right = edge;
+        meetings[node_at(chord.to)].left = edge;
+    }
+    for (const auto& [leaving, chords] : meetings) {
+        const std::size_t entering = (leaving + drawn - 1) % drawn;
+        const Vec2 at = marked.edges[leaving].from;
+        const auto direction = [&](Vec2 to) {
+            const double rise = side_of(to, level) == 0 ? 0.0 : to.y - level;
+            return std::atan2(rise, to.x - at.x);
+        };
+        struct Way {
+            int edge;
+            double angle;
+        };
+        std::vector<Way> out{{index(leaving), direction(marked.edges[marked.next(leaving)].from)}};
+        // Where one comes from, seen from here.
+        std::vector<Way> in{{index(entering), direction(marked.edges[entering].from)}};
+        if (chords.right >= 0) {
+            out.push_back({chords.right, 0.0});
+            in.push_back({chords.right + 1, 0.0});
+        }
+        if (chords.left >= 0) {
+            out.push_back({chords.left + 1, std::numbers::pi});
+            in.push_back({chords.left, std::numbers::pi});
+        }
+        for (const Way& from : in) {
+            const Way* best = nullptr;
+            for (const Way& to : out) {
+                if (best == nullptr || clockwise(from.angle, to.angle) < clockwise(from.angle, best->angle))
+                    best = &to;
+            }
+            result.next_[static_cast<std::size_t>(from.edge)] = best->edge;
+        }
+    }
+    result.part_.assign(result.edges_.size(), -1);
+    for (std::size_t i = 0; i < result.edges_.size(); ++i) {
+        if (result.part_[i] >= 0) continue;
+        const int number = index(result.first_.size());
+        result.first_.push_back(index(i));
+        double most = 0.0;
+        for (std::size_t at = i; result.part_[at] < 0; at = static_cast<std::size_t>(result.next_[at])) {
+            result.part_[at] = number;
+            const double off = result.edges_[at].from.y - level;
+            if (std::abs(off) > std::abs(most)) most = off;
+        }
+        result.above_.push_back(most > 0.0);
+    }
+    for (std::size_t i = 0; i < result.chords.size(); ++i) {
+        const auto edge = static_cast<std::size_t>(result.chord_edge_[i]);
+        result.chords[i].above = result.part_[edge];
+        result.chords[i].below = result.part_[edge + 1];
+    }
+    return result;
+}
+
+std::vector<Border> Division::joined(const std::vector<bool>& folded, std::vector<int>& group_of) const {
+    std::vector<int> next = next_;
+    std::vector<int> before(next.size());
+    for (std::size_t i = 0; i < next.size(); ++i)
+        before[static_cast<std::size_t>(next[i])] = static_cast<int>(i);
+    std::vector<char> gone(next.size(), 0);
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+        if (folded[i]) continue;
+        const auto above = static_cast<std::size_t>(chord_edge_[i]);
+        const std::size_t below = above + 1;
+        const auto link = [&](std::size_t from, std::size_t to) {
+            const int a = before[from];
+            const int b = next[to];
+            next[static_cast<std::size_t>(a)] = b;
+            before[static_cast<std::size_t>(b)] = a;
+        };
+        link(above, below);
+        link(below, above);
+        gone[above] = gone[below] = 1;
+    }
+    std::vector<Border> made;
+    group_of.assign(parts(), -1);
+    std::vector<char> seen(next.size(), 0);
+    for (std::size_t i = 0; i < next.size(); ++i) {
+        if (seen[i] != 0 || gone[i] != 0) continue;
+        Border& loop = made.emplace_back();
+        loop.cubics = cubics_;
+        for (std::size_t at = i; seen[at] == 0; at = static_cast<std::size_t>(next[at])) {
+            seen[at] = 1;
+            loop.edges.push_back(edges_[at]);
+            group_of[static_cast<std::size_t>(part_[at])] = static_cast<int>(made.size()) - 1;
+        }
+    }
+    return made;
+}
+
+std::vector<bool> Division::with(EdgeOf kind) const {
+    std::vector<bool> have(parts(), false);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        if (edges_[i].of == kind) have[static_cast<std::size_t>(part_[i])] = true;
+    }
+    return have;
+}
+
+Border Division::part(int number) const {
+    Border made;
+    made.cubics = cubics_;
+    const auto first = static_cast<std::size_t>(first_[static_cast<std::size_t>(number)]);
+    std::size_t at = first;
+    do {
+        made.edges.push_back(edges_[at]);
+        at = static_cast<std::size_t>(next_[at]);
+    } while (at != first);
+    return made;
+}
+
+std::optional<double> highest_wide(const Border& border, double least_mm) {
+    struct Slope {
+        Vec2 top, foot;
+        [[nodiscard]] double at(double y) const {
+            const double along = (top.y - y) / (top.y - foot.y);
+            return top.x + along * (foot.x - top.x);
+        }
+    };
+    std::vector<Slope> slopes;
+    std::vector<double> levels;
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        const Segment chord = border.chord(i);
+        levels.push_back(chord.a.y);
+        if (chord.a.y == chord.b.y) continue;
+        slopes.push_back(chord.a.y > chord.b.y ? Slope{chord.a, chord.b} : Slope{chord.b, chord.a});
+    }
+    std::sort(levels.begin(), levels.end(), std::greater<>());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    std::sort(slopes.begin(), slopes.end(), [](const Slope& a, const Slope& b) {
+        return std::pair(-a.top.y, a.top.x) < std::pair(-b.top.y, b.top.x);
+    });
+    std::vector<Slope> open;
+    std::size_t used = 0;
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+        const double high = levels[i];
+        const double low = levels[i + 1];
+        std::erase_if(open, [&](const Slope& slope) { return slope.foot.y >= high; });
+        for (; used < slopes.size() && slopes[used].top.y >= high; ++used) open.push_back(slopes[used]);
+        const double middle = 0.5 * (high + low);
+        std::sort(open.begin(), open.end(), [&](const Slope& a, const Slope& b) {
+            return std::pair(a.at(middle), a.top.x) < std::pair(b.at(middle), b.top.x);
+        });
+        std::optional<double> best;
+        for (std::size_t k = 0; k + 1 < open.size(); k += 2) {
+            const double above = open[k + 1].at(high) - open[k].at(high);
+            const double below = open[k + 1].at(low) - open[k].at(low);
+            if (above >= least_mm) return high;
+            if (below < least_mm) continue;
+            best = std::max(best.value_or(low), high - (least_mm - above) / (below - above) * (high - low));
+        }
+        if (best) return best;
+    }
+    return std::nullopt;
+}
+
+}  // namespace popup

@@ -1,0 +1,249 @@
+#include "mechanism/sheet_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/geometry/regions.h"
+#include "mechanism/catmull_rom.h"
+#include "mechanism/site_lines.h"
+
+namespace popup {
+namespace {
+
+// Less cannot be held between two fingers.
+constexpr double kLeastAreaMm2 = 4.0;
+// A knife cannot turn more tightly.
+constexpr double kLeastRadiusMm = 0.1;
+// Longer borders are no drawings.
+constexpr std::size_t kMostEdges = 20'000;
+
+const DrawnPath* outline_of(const Element& e) {
+    const auto number = find_parameter(*e.info, "outline");
+    return number ? std::get_if<DrawnPath>(&e.arguments[*number].value) : nullptr;
+}
+
+std::optional<Path> drawn_path(const Element& e) {
+    if (const DrawnPath* outline = outline_of(e)) return outline->path;
+    const auto number = find_parameter(*e.info, "touchpoints");
+    if (!number) return std::nullopt;
+    const auto* points = std::get_if<std::vector<DesignPoint>>(&e.arguments[*number].value);
+    if (points == nullptr) return std::nullopt;
+    Ring at;
+    for (const DesignPoint& point : *points) at.push_back(point.at);
+    return catmull_rom(at);
+}
+
+Border to_site(const Element& e, const Border& border) {
+    return mapped(border, [&](Vec2 p) {
+        const SitePoint at = e.site.from_page(Side::left, p);
+        return Vec2{at.s, at.w};
+    });
+}
+
+SideFolds given_folds(const Element& e) {
+    SideFolds given;
+    for (const auto& [name, value] : {std::pair{"top", &given.left}, std::pair{"bottom", &given.right}}) {
+        const Argument* argument = find_argument(*e.info, e.arguments, name);
+        if (argument != nullptr) *value = std::get<double>(argument->value);
+    }
+    return given;
+}
+
+void write_outline(Element& e, const Border& border) {
+    Argument& argument = e.arguments[*find_parameter(*e.info, "outline")];
+    DrawnPath drawn;
+    drawn.path = path_of(border);
+    drawn.moved = true;
+    if (enclose(drawn.path, drawn.inside) != FlatteningFault::none) return;
+    argument.value = std::move(drawn);
+    argument.changed = true;
+}
+
+// How far the footprint leaves the paper on that side, in words.
+std::string way_off(const Element& e, Side side, const Ring& footprint) {
+    const std::vector<Polygon> paper = e.paper->paper(side, 0.0);
+    double most = 0.0;
+    for (const Vec2 p : footprint) {
+        double off = HUGE_VAL;
+        for (const Polygon& part : paper) {
+            if (contains(part, p)) {
+                off = 0.0;
+                break;
+            }
+            for (const Segment& edge : edges_of(part)) off = std::min(off, distance(p, edge));
+        }
+        if (std::isfinite(off)) most = std::max(most, off);
+    }
+    const std::string_view name = side == Side::left ? "left" : "right";
+    if (most > e.tolerances->rounding_mm)
+        return fmt::format("it leaves the paper on the {} of its fold by {}", name, mm(most));
+    return fmt::format(
+        "on the {} of its fold it comes nearer than {} to an edge of the paper, a cut or a seam", name,
+        mm(e.tolerances->paper_mm));
+}
+
+}  // namespace
+
+std::optional<Border> drawn_border(const Element& e) {
+    const auto path = drawn_path(e);
+    if (!path || path->subpaths().size() != 1) return std::nullopt;
+    Border border;
+    if (border_of(path->subpaths().front(), border) != FlatteningFault::none) return std::nullopt;
+    if (border.edges.size() > kMostEdges) return std::nullopt;
+    return border;
+}
+
+std::optional<Border> site_border(const Element& e) {
+    auto border = drawn_border(e);
+    if (!border || without_loops(*border).hopeless || border->edges.size() < 3) return std::nullopt;
+    return to_site(e, *border);
+}
+
+bool constrain_border(Element& e) {
+    const auto path = drawn_path(e);
+    if (!path) {
+        e.failed("no-outline", fmt::format("this {} has no outline", e.info->name),
+                 "draw its border: outline, with path data, or at least three touchpoints");
+        return false;
+    }
+    if (path->subpaths().size() != 1) {
+        e.failed(
+            "outline-crosses",
+            fmt::format("its outline is drawn as {} lines; it is one that closes", path->subpaths().size()),
+            "draw one line; holes are structures of the type hole, after it");
+        return false;
+    }
+    auto border = drawn_border(e);
+    if (!border) {
+        e.failed("outline-crosses",
+                 fmt::format("its outline makes more than {} chords, too many to look at", kMostEdges),
+                 "draw it with fewer points");
+        return false;
+    }
+    const LoopRepair loops = without_loops(*border);
+    const double left = std::abs(signed_area(ring_of(*border)));
+    if (loops.hopeless || border->edges.size() < 3 || left < kLeastAreaMm2) {
+        const bool crosses = !loops.dropped.empty();
+        e.failed("outline-crosses",
+                 loops.hopeless
+                     ? fmt::format("its outline crosses itself at {} and in more than {} places",
+                                   at_mm(loops.dropped.front().at), loops.dropped.size() - 1)
+                     : fmt::format("its outline encloses {:.2f} mm²{}, and {:.0f} mm² are the least", left,
+                                   crosses ? " without its loops" : "", kLeastAreaMm2),
+                 "draw a line that goes round once and nowhere meets itself");
+        return false;
+    }
+    const DroppedLoop* largest = nullptr;
+    std::size_t seen = 0;
+    for (const DroppedLoop& loop : loops.dropped) {
+        if (loop.size_mm <= e.tolerances->rounding_mm) continue;
+        ++seen;
+        if (largest == nullptr || loop.area_mm2 > largest->area_mm2) largest = &loop;
+    }
+    if (largest != nullptr) {
+        write_outline(e, *border);
+        e.redrawn = Change{fmt::format("an outline of {} edges with {} loop{}", drawn_border(e)->edges.size(),
+                                       seen, seen == 1 ? "" : "s"),
+                           fmt::format("an outline that encloses {:.2f} mm²", left)};
+        e.repaired("outline-crosses",
+                   fmt::format("its outline crosses or touches itself {}; the smaller loop was left out, of "
+                               "{:.2f} mm²",
+                               seen == 1 ? "at " + at_mm(largest->at)
+                                         : fmt::format("in {} places, the largest loop at {}", seen,
+                                                       at_mm(largest->at)),
+                               largest->area_mm2),
+                   "draw a line that goes round once and nowhere meets itself");
+    }
+    if (const auto tight = tightest(*border); tight && tight->radius_mm < kLeastRadiusMm) {
+        e.remarked(
+            "curve-too-tight",
+            fmt::format("its outline turns with a radius of {:.3f} mm at {}; a knife cannot follow below "
+                        "{:.1f} mm",
+                        tight->radius_mm, at_mm(tight->at), kLeastRadiusMm),
+            "draw a corner there, or a wider curve");
+    }
+    return true;
+}
+
+bool constrain_room(Element& e, const SlitShape& slit) {
+    const double paper = e.tolerances->paper_mm - e.tolerances->rounding_mm;
+    const auto [lo, hi] = slit.span;
+    const double over = std::max(e.alive_lo + paper - lo, hi - (e.alive_hi - paper));
+    if (over > 0.0) {
+        e.failed(
+            "does-not-fit",
+            fmt::format("it reaches {} over the end of what is left of its fold, with {} of paper around "
+                        "it",
+                        mm(over), mm(e.tolerances->paper_mm)),
+            "move it along the fold, or draw it narrower where it crosses it");
+        return false;
+    }
+    for (const auto& [side, footprint] :
+         {std::pair{Side::left, &slit.gone_left}, {Side::right, &slit.gone_right}}) {
+        if (e.paper->may_cut(side, *footprint, Fit::as_drawn)) continue;
+        e.failed("does-not-fit", way_off(e, side, *footprint),
+                 "draw it smaller, or move it; nothing may be cut off that holds something else");
+        return false;
+    }
+    return true;
+}
+
+FoldLines no_fold_lines() {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const Segment none{{kNone, kNone}, {kNone, kNone}};
+    return FoldLines(kThreeFolds.size(), FoldLine{none, none, 0});
+}
+
+namespace sheet {
+
+std::pair<double, double> span(const Element& e) {
+    const auto border = site_border(e);
+    if (!border) return {0.0, e.site.length};
+    const auto stretches = on_fold(*border);
+    if (stretches.size() == 1) return stretches.front();
+    Box box;
+    for (const BorderEdge& edge : border->edges) box.extend(edge.from);
+    return {box.min.x, box.max.x};
+}
+
+std::vector<double> crossings(const Element& e) {
+    std::vector<double> made;
+    const auto border = site_border(e);
+    if (!border) return made;
+    for (const auto& [from, to] : on_fold(*border)) made.insert(made.end(), {from, to});
+    return made;
+}
+
+bool constrain(Element& e) {
+    if (!constrain_border(e)) return false;
+    const auto border = site_border(e);
+    POPUP_INVARIANT(border);
+    SheetShape shape;
+    if (const auto fault = shape_of(e, *border, given_folds(e), shape)) {
+        e.failed(fault->code, fault->what, fault->hint);
+        return false;
+    }
+    return constrain_room(e, shape.slit);
+}
+
+FoldLines fold_lines(const Element& e) {
+    const auto border = site_border(e);
+    SheetShape shape;
+    if (!border || shape_of(e, *border, given_folds(e), shape)) return no_fold_lines();
+    return shape.folds;
+}
+
+void lower(const Element& e, Builder& builder) {
+    const auto border = site_border(e);
+    SheetShape shape;
+    POPUP_INVARIANT(border && !shape_of(e, *border, given_folds(e), shape));
+    builder.add_curves(shape.curves);
+    lower_slit(e, builder, shape.folds, std::move(shape.slit));
+}
+
+}  // namespace sheet
+
+}  // namespace popup

@@ -1,0 +1,61 @@
+// What rows share that are cut from one sheet with a drawn border.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "mechanism/element.h"
+#include "mechanism/sheet_shape.h"
+
+namespace popup {
+
+// They find the fold that they are drawn across, valley or mountain.
+inline constexpr Grounds kFoundFold{.found = true};
+// Without tabs.
+inline constexpr std::array<ParameterInfo, 2> kSheetColours{kHalfColours[0], kHalfColours[1]};
+
+inline constexpr ParameterInfo kSheetOutline{.name = "outline",
+                                             .kind = ParameterKind::path,
+                                             .about = "border, on the page of the fold that it lies across",
+                                             .required = true,
+                                             .page = PointPage::fold};
+inline constexpr ParameterInfo kTopFold{.name = "top",
+                                        .kind = ParameterKind::length,
+                                        .about = "distance of the left fold from the fold it stands on",
+                                        .partner = "bottom",
+                                        .least = 1.0,
+                                        .most = 5000.0,
+                                        .group = "folds"};
+inline constexpr ParameterInfo kBottomFold{.name = "bottom",
+                                           .kind = ParameterKind::length,
+                                           .about = "distance of the right fold from the fold it stands on",
+                                           .partner = "top",
+                                           .least = 1.0,
+                                           .most = 5000.0,
+                                           .group = "folds"};
+
+// The border that was drawn, on its page: as its outline, or through its touch points. Nothing is repaired in
+// it yet. nullopt: there is none, or it is not one line. `what`: of the fault.
+std::optional<Border> drawn_border(const Element& e);
+// In coordinates of the site, repaired without a word.
+std::optional<Border> site_border(const Element& e);
+// Takes the loops out of the border, and tells of it; false after failed(): `outline-crosses`.
+bool constrain_border(Element& e);
+// Whether both footprints lie on the paper, with paper around them, and the span on the fold; false after
+// failed().
+bool constrain_room(Element& e, const SlitShape& slit);
+
+// Of rows with parallel folds: polygon and freeform.
+namespace sheet {
+std::pair<double, double> span(const Element& e);
+bool constrain(Element& e);
+FoldLines fold_lines(const Element& e);
+void lower(const Element& e, Builder& builder);
+std::vector<double> crossings(const Element& e);
+}  // namespace sheet
+
+// Lines that cannot be had: as many as the row has folds.
+FoldLines no_fold_lines();
+
+}  // namespace popup
