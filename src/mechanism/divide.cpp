@@ -12,48 +12,54 @@ namespace {
 // Chords shorter than this are touches.
 constexpr double kLeastChordMm = 1e-6;
 
-int side_of(Vec2 p, double level) {
-    const double off = p.y - level;
-    return std::abs(off) <= kOnLevelMm ? 0 : off > 0.0 ? 1 : -1;
+// Of a point: on which side of the line it lies, and where along it.
+int side_of(Vec2 p, const DirectedLine& line) {
+    const double off = cross(line.dir, p - line.at);
+    return std::abs(off) <= kOnLineMm ? 0 : off > 0.0 ? 1 : -1;
 }
 
-// Where the edge from below to above the level, or back, crosses it. `t`: on its curve.
-Vec2 crossing_at(const Border& border, std::size_t i, double level, double& t) {
+double along_of(Vec2 p, const DirectedLine& line) { return dot(line.dir, p - line.at); }
+
+Vec2 at_of(double along, const DirectedLine& line) { return line.at + along * line.dir; }
+
+// Where the edge from one side of the line to the other crosses it. `t`: on its curve.
+Vec2 crossing_at(const Border& border, std::size_t i, const DirectedLine& line, double& t) {
     const BorderEdge& edge = border.edges[i];
     const Segment chord = border.chord(i);
+    const double from = cross(line.dir, chord.a - line.at);
+    const double to = cross(line.dir, chord.b - line.at);
     if (edge.curve < 0) {
-        const double along = (level - chord.a.y) / (chord.b.y - chord.a.y);
         t = 0.0;
-        return {chord.a.x + along * (chord.b.x - chord.a.x), level};
+        return at_of(along_of(lerp(chord.a, chord.b, from / (from - to)), line), line);
     }
     // Halved until it cannot be halved: the chord's ends lie on either side, and so do the curve's.
     const Cubic& curve = border.cubics[static_cast<std::size_t>(edge.curve)];
     double lo = edge.t0;
     double hi = edge.t1;
-    const bool rises = chord.b.y > chord.a.y;
-    for (int i_halving = 0; i_halving < 60; ++i_halving) {
+    for (int halving = 0; halving < 60; ++halving) {
         const double middle = 0.5 * (lo + hi);
-        ((curve.at(middle).y > level) == rises ? hi : lo) = middle;
+        const bool beyond = cross(line.dir, curve.at(middle) - line.at) > 0.0;
+        (beyond == (to > 0.0) ? hi : lo) = middle;
     }
     t = 0.5 * (lo + hi);
-    return {curve.at(t).x, level};
+    return at_of(along_of(curve.at(t), line), line);
 }
 
-// The border with corners wherever it crosses the level; those on it are put there.
-Border with_crossings(const Border& border, double level) {
+// The border with corners wherever it crosses the line; those on it are put there.
+Border with_crossings(const Border& border, const DirectedLine& line) {
     Border made;
     made.cubics = border.cubics;
     made.edges.reserve(border.edges.size() + 8);
     for (std::size_t i = 0; i < border.edges.size(); ++i) {
         BorderEdge edge = border.edges[i];
         const Segment chord = border.chord(i);
-        const int from = side_of(chord.a, level);
-        const int to = side_of(chord.b, level);
-        if (from == 0) edge.from.y = level;
+        const int from = side_of(chord.a, line);
+        const int to = side_of(chord.b, line);
+        if (from == 0) edge.from = at_of(along_of(edge.from, line), line);
         made.edges.push_back(edge);
         if (from * to >= 0) continue;
         double t = 0.0;
-        const Vec2 at = crossing_at(border, i, level, t);
+        const Vec2 at = crossing_at(border, i, line, t);
         made.edges.back().t1 = edge.curve < 0 ? edge.t1 : t;
         made.edges.push_back({at, edge.curve, edge.curve < 0 ? edge.t0 : t, edge.t1, edge.of});
     }
@@ -61,14 +67,14 @@ Border with_crossings(const Border& border, double level) {
 }
 
 // Stretches of the line that have paper on one side of it: between edges that leave it to that side.
-std::vector<std::pair<double, double>> stretches(const Border& border, double level, int side) {
+std::vector<std::pair<double, double>> stretches(const Border& border, const DirectedLine& line, int side) {
     std::vector<double> leaves;
     for (std::size_t i = 0; i < border.edges.size(); ++i) {
         const Segment chord = border.chord(i);
-        const int a = side_of(chord.a, level);
-        const int b = side_of(chord.b, level);
-        if (a == 0 && b == side) leaves.push_back(chord.a.x);
-        if (b == 0 && a == side) leaves.push_back(chord.b.x);
+        const int a = side_of(chord.a, line);
+        const int b = side_of(chord.b, line);
+        if (a == 0 && b == side) leaves.push_back(along_of(chord.a, line));
+        if (b == 0 && a == side) leaves.push_back(along_of(chord.b, line));
     }
     std::sort(leaves.begin(), leaves.end());
     std::vector<std::pair<double, double>> made;
@@ -99,33 +105,34 @@ double clockwise(double from, double to) {
 
 }  // namespace
 
-Division divide(const Border& border, double level, EdgeOf made) {
+Division divide(const Border& border, const DirectedLine& line, EdgeOf made) {
     Division result;
-    const Border marked = with_crossings(border, level);
+    const Border marked = with_crossings(border, line);
     result.cubics_ = marked.cubics;
     result.edges_ = marked.edges;
     const std::size_t drawn = marked.edges.size();
     const auto index = [](std::size_t i) { return static_cast<int>(i); };
     for (std::size_t i = 0; i < drawn; ++i) result.next_.push_back(index(marked.next(i)));
 
-    for (const auto& [from, to] : common(stretches(marked, level, 1), stretches(marked, level, -1)))
+    for (const auto& [from, to] : common(stretches(marked, line, 1), stretches(marked, line, -1)))
         result.chords.push_back({from, to, -1, -1});
 
     // Corners on the line, by place; the chords that meet there.
     struct Node {
-        double x = 0.0;
+        double along = 0.0;
         std::size_t leaving = 0;  // the edge that begins there
     };
     std::vector<Node> nodes;
     for (std::size_t i = 0; i < drawn; ++i) {
-        if (side_of(marked.edges[i].from, level) == 0) nodes.push_back({marked.edges[i].from.x, i});
+        if (side_of(marked.edges[i].from, line) == 0)
+            nodes.push_back({along_of(marked.edges[i].from, line), i});
     }
     std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
-        return std::pair(a.x, a.leaving) < std::pair(b.x, b.leaving);
+        return std::pair(a.along, a.leaving) < std::pair(b.along, b.leaving);
     });
-    const auto node_at = [&](double x) {
-        return std::lower_bound(nodes.begin(), nodes.end(), x,
-                                [](const Node& node, double at) { return node.x < at; })
+    const auto node_at = [&](double along) {
+        return std::lower_bound(nodes.begin(), nodes.end(), along,
+                                [](const Node& node, double at) { return node.along < at; })
             ->leaving;
     };
     // Of each node: the chord that begins at it, and the one that ends there, as edges; -1: none.
@@ -136,19 +143,21 @@ Division divide(const Border& border, double level, EdgeOf made) {
     for (Division::Chord& chord : result.chords) {
         const int edge = index(result.edges_.size());
         result.chord_edge_.push_back(edge);
-        result.edges_.push_back({{chord.from, level}, -1, 0.0, 0.0, made});
-        result.edges_.push_back({{chord.to, level}, -1, 0.0, 0.0, made});
+        const std::size_t from = node_at(chord.from);
+        const std::size_t to = node_at(chord.to);
+        result.edges_.push_back({marked.edges[from].from, -1, 0.0, 0.0, made});
+        result.edges_.push_back({marked.edges[to].from, -1, 0.0, 0.0, made});
         result.next_.push_back(-1);
         result.next_.push_back(-1);
-        meetings[node_at(chord.from)].right = edge;
-        meetings[node_at(chord.to)].left = edge;
+        meetings[from].right = edge;
+        meetings[to].left = edge;
     }
     for (const auto& [leaving, chords] : meetings) {
         const std::size_t entering = (leaving + drawn - 1) % drawn;
         const Vec2 at = marked.edges[leaving].from;
         const auto direction = [&](Vec2 to) {
-            const double rise = side_of(to, level) == 0 ? 0.0 : to.y - level;
-            return std::atan2(rise, to.x - at.x);
+            const double rise = side_of(to, line) == 0 ? 0.0 : cross(line.dir, to - line.at);
+            return std::atan2(rise, along_of(to, line) - along_of(at, line));
         };
         struct Way {
             int edge;
@@ -182,7 +191,7 @@ Division divide(const Border& border, double level, EdgeOf made) {
         double most = 0.0;
         for (std::size_t at = i; result.part_[at] < 0; at = static_cast<std::size_t>(result.next_[at])) {
             result.part_[at] = number;
-            const double off = result.edges_[at].from.y - level;
+            const double off = cross(line.dir, result.edges_[at].from - line.at);
             if (std::abs(off) > std::abs(most)) most = off;
         }
         result.above_.push_back(most > 0.0);

@@ -1,10 +1,10 @@
 // Divides the border of something cut from a sheet along a straight line.
 //
-// The coordinates are those of a site: x along the fold, y to its left; the line is y = level. Where the
-// paper lies on both sides of the line, it is divided there: each such stretch is a chord, and belongs to the
-// part above it and to the one below it. A border without holes makes a tree of parts and chords.
+// Where the paper lies on both sides of the line, it is divided there: each such stretch is a chord, and
+// belongs to the part above it, on the left of the line's direction, and to the one below it. A border without
+// holes makes a tree of parts and chords.
 //
-//     const Division made = divide(border, 12.5, EdgeOf::centre);
+//     const Division made = divide(border, level_line(12.5), EdgeOf::centre);
 //     for (std::size_t i = 0; i < made.chords.size(); ++i) …   // made.chords[i].above: a part
 //     Border part = made.part(made.chords[0].above);
 #pragma once
@@ -14,20 +14,24 @@
 #include <vector>
 
 #include "mechanism/border.h"
+#include "mechanism/site.h"
 
 namespace popup {
 
 // Corners this near to the line lie on it.
-inline constexpr double kOnLevelMm = 1e-6;
+inline constexpr double kOnLineMm = 1e-6;
+
+// y = level, to the right.
+inline DirectedLine level_line(double level) { return {{0.0, level}, {1.0, 0.0}}; }
 
 class Division {
  public:
-    // A stretch of the line along which the paper is divided, from left to right, as edges of the parts.
+    // A stretch of the line along which the paper is divided.
     struct Chord {
-        double from = 0.0, to = 0.0;  // x
+        double from = 0.0, to = 0.0;  // along the line, from its `at`
         int above = -1, below = -1;   // parts
     };
-    std::vector<Chord> chords;  // by x
+    std::vector<Chord> chords;  // as they lie along it
 
     [[nodiscard]] std::size_t parts() const { return first_.size(); }
     [[nodiscard]] bool is_above(int part) const { return above_[static_cast<std::size_t>(part)]; }
@@ -41,7 +45,7 @@ class Division {
     [[nodiscard]] Border part(int number) const;
 
  private:
-    friend Division divide(const Border& border, double level, EdgeOf made);
+    friend Division divide(const Border& border, const DirectedLine& line, EdgeOf made);
     std::vector<BorderEdge> edges_;
     std::vector<Cubic> cubics_;
     std::vector<int> next_;
@@ -52,9 +56,9 @@ class Division {
 };
 
 // Where it crosses the line, corners are put on its curves: exactly on the line, and on the curve up to
-// rounding. Precondition: the border touches itself nowhere and runs counter-clockwise. The edges that are
+// rounding; all other corners keep their values. Precondition: the border touches itself nowhere and runs counter-clockwise. The edges that are
 // made are of kind `made`. Cost: linear in edges, but for sorting what lies on the line.
-Division divide(const Border& border, double level, EdgeOf made);
+Division divide(const Border& border, const DirectedLine& line, EdgeOf made);
 
 // How far up the paper has a stretch at least this wide: the largest y at which it has one just below.
 // nullopt: nowhere. Cost: near linear in edges for what people draw.

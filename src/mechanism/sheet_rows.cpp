@@ -25,17 +25,6 @@ const DrawnPath* outline_of(const Element& e) {
     return number ? std::get_if<DrawnPath>(&e.arguments[*number].value) : nullptr;
 }
 
-std::optional<Path> drawn_path(const Element& e) {
-    if (const DrawnPath* outline = outline_of(e)) return outline->path;
-    const auto number = find_parameter(*e.info, "touchpoints");
-    if (!number) return std::nullopt;
-    const auto* points = std::get_if<std::vector<DesignPoint>>(&e.arguments[*number].value);
-    if (points == nullptr) return std::nullopt;
-    Ring at;
-    for (const DesignPoint& point : *points) at.push_back(point.at);
-    return catmull_rom(at);
-}
-
 Border to_site(const Element& e, const Border& border) {
     return mapped(border, [&](Vec2 p) {
         const SitePoint at = e.site.from_page(Side::left, p);
@@ -87,13 +76,28 @@ std::string way_off(const Element& e, Side side, const Ring& footprint) {
 
 }  // namespace
 
+std::optional<Path> drawn_path(const Element& e) {
+    if (const DrawnPath* outline = outline_of(e)) return outline->path;
+    const auto number = find_parameter(*e.info, "touchpoints");
+    if (!number) return std::nullopt;
+    const auto* points = std::get_if<std::vector<DesignPoint>>(&e.arguments[*number].value);
+    if (points == nullptr) return std::nullopt;
+    Ring at;
+    for (const DesignPoint& point : *points) at.push_back(point.at);
+    return catmull_rom(at);
+}
+
+std::optional<Border> border_of_line(const Subpath& line) {
+    Border border;
+    if (border_of(line, border) != FlatteningFault::none || border.edges.size() > kMostEdges)
+        return std::nullopt;
+    return border;
+}
+
 std::optional<Border> drawn_border(const Element& e) {
     const auto path = drawn_path(e);
     if (!path || path->subpaths().size() != 1) return std::nullopt;
-    Border border;
-    if (border_of(path->subpaths().front(), border) != FlatteningFault::none) return std::nullopt;
-    if (border.edges.size() > kMostEdges) return std::nullopt;
-    return border;
+    return border_of_line(path->subpaths().front());
 }
 
 std::optional<Border> site_border(const Element& e) {
@@ -102,7 +106,7 @@ std::optional<Border> site_border(const Element& e) {
     return to_site(e, *border);
 }
 
-bool constrain_border(Element& e) {
+bool constrain_border(Element& e, std::optional<Border> (*border_of_drawn)(const Element&)) {
     const auto path = drawn_path(e);
     if (!path) {
         e.failed("no-outline", fmt::format("this {} has no outline", e.info->name),
@@ -116,13 +120,14 @@ bool constrain_border(Element& e) {
             "draw one line; holes are structures of the type hole, after it");
         return false;
     }
-    auto border = drawn_border(e);
+    auto border = border_of_drawn(e);
     if (!border) {
         e.failed("outline-crosses",
                  fmt::format("its outline makes more than {} chords, too many to look at", kMostEdges),
                  "draw it with fewer points");
         return false;
     }
+    const std::size_t edges = border->edges.size();
     const LoopRepair loops = without_loops(*border);
     const double left = std::abs(signed_area(ring_of(*border)));
     if (loops.hopeless || border->edges.size() < 3 || left < kLeastAreaMm2) {
@@ -145,7 +150,7 @@ bool constrain_border(Element& e) {
     }
     if (largest != nullptr) {
         write_outline(e, *border);
-        e.redrawn = Change{fmt::format("an outline of {} edges with {} loop{}", drawn_border(e)->edges.size(),
+        e.redrawn = Change{fmt::format("an outline of {} edges with {} loop{}", edges,
                                        seen, seen == 1 ? "" : "s"),
                            fmt::format("an outline that encloses {:.2f} mm²", left)};
         e.repaired("outline-crosses",

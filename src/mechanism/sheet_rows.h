@@ -35,13 +35,17 @@ inline constexpr ParameterInfo kBottomFold{.name = "bottom",
                                            .most = 5000.0,
                                            .group = "folds"};
 
-// The border that was drawn, on its page: as its outline, or through its touch points. Nothing is repaired in
-// it yet. nullopt: there is none, or it is not one line. `what`: of the fault.
+// What was drawn, on its page: as its outline, or through its touch points.
+std::optional<Path> drawn_path(const Element& e);
+// A line as a border, closed; nothing is repaired in it yet. nullopt: it is longer than anybody draws.
+std::optional<Border> border_of_line(const Subpath& line);
+// The same of what was drawn; nullopt where that is not one line, too.
 std::optional<Border> drawn_border(const Element& e);
 // In coordinates of the site, repaired without a word.
 std::optional<Border> site_border(const Element& e);
-// Takes the loops out of the border, and tells of it; false after failed(): `outline-crosses`.
-bool constrain_border(Element& e);
+// Takes the loops out of the border, and tells of it; false after failed(): `no-outline`, `outline-crosses`.
+// `border` makes it of what is drawn.
+bool constrain_border(Element& e, std::optional<Border> (*border)(const Element&) = drawn_border);
 // Whether both footprints lie on the paper, with paper around them, and the span on the fold; false after
 // failed().
 bool constrain_room(Element& e, const SlitShape& slit);

@@ -39,6 +39,9 @@ struct SheetShape {
 // Where the border crosses the line of the fold, as stretches of paper on it (mm along it).
 std::vector<std::pair<double, double>> on_fold(const Border& border);
 
+// Why a border that crosses the line of the fold otherwise than twice is no shape.
+SheetFault crosses_otherwise(std::size_t chords);
+
 // Divides the border, which is in coordinates of the site and touches itself nowhere. A side fold that was
 // not given lies as far out as there are kLeastEdgeMm of it; what lies further out is left to the page.
 std::optional<SheetFault> shape_of(const Element& element, const Border& border, const SideFolds& given,
