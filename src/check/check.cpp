@@ -7,6 +7,7 @@
 #include <array>
 #include <tuple>
 
+#include "check/crossed.h"
 #include "check/fold_index.h"
 #include "check/paper.h"
 #include "check/pierce.h"
@@ -50,9 +51,6 @@ struct Checker {
     void lower(const Placing& placing, const Element& before);
     std::string owner_of(int plate) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
-    std::optional<FoldMatch> find_crossed(const Structure& structure, Placing& placing);
-    int times_crossed(const FoldMatch& match, Placing& placing);
-    std::string name_of(const FoldMatch& match) const;
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
     bool may_stand(const Structure& structure, const Placing& placing);
     void keep_ghost(const Element& before);
@@ -81,7 +79,8 @@ bool finite(const FoldLines& lines) {
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
     std::vector<FoldMatch> matches;
     if (structure.finds_ground) {
-        const auto crossed = find_crossed(structure, placing);
+        const auto crossed = find_crossed({*skeleton, ghosts, index, design, options.tolerances}, structure,
+                                          placing, diagnostics);
         if (!crossed || crossed->ghost) return crossed;
         matches.push_back(*crossed);
     } else {
@@ -111,94 +110,6 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
         }
     }
     no_fold(structure, placing, dead);
-    return std::nullopt;
-}
-
-// How often the element's outline crosses what is left of the fold.
-int Checker::times_crossed(const FoldMatch& match, Placing& placing) {
-    const Fold& fold = fold_of(match);
-    placing.look_along(match, fold);
-    const Element seen = placing.authored_element();
-    const std::vector<double> crossings = element_row(*seen.info).crossings(seen);
-    return static_cast<int>(std::count_if(crossings.begin(), crossings.end(), [&](double s) {
-        const double slack = options.tolerances.rounding_mm;
-        return s >= -slack && s <= fold.length() + slack &&
-               fold.alive_around(std::clamp(s, 0.0, fold.length()));
-    }));
-}
-
-std::string Checker::name_of(const FoldMatch& match) const {
-    const Fold& fold = fold_of(match);
-    if (fold.owner == "page") return "the gutter";
-    const ElementInfo* info = nullptr;
-    for (const Structure& structure : design.structures) {
-        if (structure.id == fold.owner) info = find_element(structure.type);
-    }
-    const auto first = std::find_if(skeleton->folds.begin(), skeleton->folds.end(),
-                                    [&](const Fold& one) { return one.owner == fold.owner; });
-    const auto number = static_cast<std::size_t>(match.fold - (first - skeleton->folds.begin()));
-    if (match.ghost || info == nullptr || number >= info->folds.size())
-        return fmt::format("a fold of \"{}\"", fold.owner);
-    return fmt::format("the {} fold of \"{}\"", info->folds[number].name, fold.owner);
-}
-
-// The fold that is not named: the one that its outline crosses exactly twice.
-std::optional<FoldMatch> Checker::find_crossed(const Structure& structure, Placing& placing) {
-    std::vector<FoldMatch> twice;
-    std::vector<std::pair<FoldMatch, int>> others;
-    for (const FoldMatch& match : index.crossed(structure.ground_page(), placing.drawn_box())) {
-        const auto same = [&](const FoldMatch& one) {
-            return one.fold == match.fold && one.ghost == match.ghost;
-        };
-        if (std::any_of(twice.begin(), twice.end(), same)) continue;
-        const int times = times_crossed(match, placing);
-        if (times == 2) {
-            if (match.ghost) return match;  // what is wrong there has been said
-            twice.push_back(match);
-        } else if (times > 0 && others.size() < 6) {
-            others.emplace_back(match, times);
-        }
-    }
-    if (twice.size() == 1) {
-        placing.look_along(twice.front(), fold_of(twice.front()));
-        return twice.front();
-    }
-    if (twice.empty()) {
-        const Box box = placing.drawn_box();
-        const Vec2 middle = box.empty() ? Vec2{} : box.centre();
-        std::string what;
-        for (const auto& [match, times] : others)
-            what += fmt::format("{}{} {}", what.empty() ? "it crosses " : ", ", name_of(match),
-                                times == 1 ? "once" : fmt::format("{} times", times));
-        if (what.empty()) {
-            what = "no fold is within 500 mm of it";
-            if (const auto near = index.nearest(structure.ground_page(), middle, middle, 500.0)) {
-                FoldMatch match;
-                match.fold = near->fold;
-                match.ghost = near->ghost;
-                what = fmt::format("the nearest to its middle is {}, {} away", name_of(match),
-                                   mm(near->distance));
-            }
-        }
-        diagnostics
-            .error("no-fold-crossed", structure.place,
-                   fmt::format("the outline of \"{}\" crosses no fold on page {} exactly twice; {}",
-                               structure.id, structure.ground_page(), what))
-            .hint("draw it across the fold that it stands on, so that it lies on both sides of it")
-            .about(structure.id);
-        return std::nullopt;
-    }
-    std::string names;
-    for (std::size_t i = 0; i < twice.size() && i < 6; ++i) {
-        names += (i == 0 ? "" : i + 1 == twice.size() ? " and " : ", ") + name_of(twice[i]);
-    }
-    if (twice.size() > 6) names += fmt::format(" and {} more", twice.size() - 6);
-    diagnostics
-        .error("folds-crossed", structure.place,
-               fmt::format("the outline of \"{}\" crosses {} folds twice: {}", structure.id, twice.size(),
-                           names))
-        .hint("name the one that it stands on: parentfold, with its begin and end")
-        .about(structure.id);
     return std::nullopt;
 }
 
@@ -301,7 +212,8 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
     const Place place = structure.plate ? structure.plate->place : structure.fold.place;
     const int page = structure.ground_page();
     const Grounds& grounds = info.grounds;
-    if (!structure.finds_ground && (structure.plate ? !grounds.plate : !grounds.fold && !grounds.seam)) {
+    const bool finds = structure.finds_ground && (grounds.found || grounds.page);
+    if (!finds && (structure.plate ? !grounds.plate : !grounds.fold && !grounds.seam)) {
         diagnostics
             .error("wrong-ground", place,
                    fmt::format("\"{}\" ({}) stands on a {}, and a {} is given", structure.id, info.name,
@@ -325,7 +237,7 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
             .about(structure.id);
         return false;
     }
-    if (!structure.plate && !structure.finds_ground &&
+    if (!structure.plate && !finds &&
         distance(placing.begin, placing.end) <= options.tolerances.rounding_mm) {
         diagnostics
             .error("fold-without-direction", place,

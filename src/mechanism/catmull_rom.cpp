@@ -5,12 +5,12 @@
 namespace popup {
 
 std::optional<Path> catmull_rom(std::span<const Vec2> points) {
-    constexpr double kSameMm = 0.01;
+    constexpr double kOneTouchMm = 0.01;
     Ring through;
     for (const Vec2 p : points) {
-        if (through.empty() || distance(through.back(), p) > kSameMm) through.push_back(p);
+        if (through.empty() || distance(through.back(), p) > kOneTouchMm) through.push_back(p);
     }
-    while (through.size() > 1 && distance(through.back(), through.front()) <= kSameMm) through.pop_back();
+    while (through.size() > 1 && distance(through.back(), through.front()) <= kOneTouchMm) through.pop_back();
     const std::size_t n = through.size();
     if (n < 3) return std::nullopt;
     Path path;

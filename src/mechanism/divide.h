@@ -1,8 +1,8 @@
 // Divides the border of something cut from a sheet along a straight line.
 //
 // Where the paper lies on both sides of the line, it is divided there: each such stretch is a chord, and
-// belongs to the part above it, on the left of the line's direction, and to the one below it. A border without
-// holes makes a tree of parts and chords.
+// belongs to the part above it, on the left of the line's direction, and to the one below it. A border
+// without holes makes a tree of parts and chords.
 //
 //     const Division made = divide(border, level_line(12.5), EdgeOf::centre);
 //     for (std::size_t i = 0; i < made.chords.size(); ++i) …   // made.chords[i].above: a part
@@ -56,8 +56,9 @@ class Division {
 };
 
 // Where it crosses the line, corners are put on its curves: exactly on the line, and on the curve up to
-// rounding; all other corners keep their values. Precondition: the border touches itself nowhere and runs counter-clockwise. The edges that are
-// made are of kind `made`. Cost: linear in edges, but for sorting what lies on the line.
+// rounding; all other corners keep their values. Precondition: the border touches itself nowhere and runs
+// counter-clockwise. The edges that are made are of kind `made`. Cost: linear in edges, but for sorting what
+// lies on the line.
 Division divide(const Border& border, const DirectedLine& line, EdgeOf made);
 
 // How far up the paper has a stretch at least this wide: the largest y at which it has one just below.

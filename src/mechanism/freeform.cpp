@@ -16,9 +16,11 @@ constexpr ParameterInfo kOutline = [] {
     outline.required = false;
     return outline;
 }();
-constexpr std::array<ParameterInfo, 6> kParameters{
-    {kSheetColours[0],
-     kSheetColours[1],
+constexpr std::array<ParameterInfo, 8> kParameters{
+    {kHalfColours[0],
+     kHalfColours[1],
+     kHalfColours[2],
+     kHalfColours[3],
      kOutline,
      {.name = "touchpoints",
       .kind = ParameterKind::points,

@@ -1,7 +1,7 @@
 // The polygon: a border of lines across a fold, cut from one sheet (Foldlings).
 //
 // Where its far edges run along the fold these are its side folds; else the side fold cuts its tips off.
-#include <algorithm>
+// Curves are taken as of a freeform.
 #include <array>
 
 #include "mechanism/rows.h"
@@ -10,18 +10,8 @@
 namespace popup {
 namespace {
 
-constexpr std::array<ParameterInfo, 5> kParameters{
-    {kSheetColours[0], kSheetColours[1], kSheetOutline, kTopFold, kBottomFold}};
-
-bool constrain(Element& e) {
-    const auto border = drawn_border(e);
-    if (border && !border->cubics.empty()) {
-        e.failed("polygon-curved", "its outline has curves, and a polygon is drawn with lines",
-                 "make it a freeform");
-        return false;
-    }
-    return sheet::constrain(e);
-}
+constexpr std::array<ParameterInfo, 7> kParameters{{kHalfColours[0], kHalfColours[1], kHalfColours[2],
+                                                    kHalfColours[3], kSheetOutline, kTopFold, kBottomFold}};
 
 }  // namespace
 
@@ -37,7 +27,7 @@ const ElementRow kPolygon = {{.name = "polygon",
                               .parameters = kParameters,
                               .since = "3.0"},
                              sheet::span,
-                             constrain,
+                             sheet::constrain,
                              sheet::fold_lines,
                              nullptr,
                              sheet::lower,

@@ -139,7 +139,6 @@ std::optional<Panels> panels_of(const Border& wide, const Border& narrow, const 
     return made;
 }
 
-
 namespace {
 
 // A stretch of a fold, of which plates it is an edge.
@@ -167,7 +166,7 @@ void sort_stretches(std::vector<Stretch>& stretches, std::size_t own) {
 }  // namespace
 
 std::optional<SheetFault> finish(const Element& e, const SheetParts& parts,
-                                 const std::function<bool(const Segment&)>& along, SheetShape& into) {
+                                 const std::function<bool(const Segment&)>& along, CutShape& into) {
     into = {};
     const auto page = [&](Vec2 at) { return e.site.on_page(Side::left, {at.x, at.y}); };
     const auto line = [&](const Segment& s) { return Segment{page(s.a), page(s.b)}; };
@@ -195,10 +194,10 @@ std::optional<SheetFault> finish(const Element& e, const SheetParts& parts,
                     break;
                 }
                 case EdgeOf::centre:
-                    // Each lies between one of the wider side and the one plate of the other: it is told once.
+                    // Each lies between one of the wider side and the one plate of the other: it is told
+                    // once.
                     if (far_left == is_left)
-                        folds[kCentreFold].push_back(
-                            {kCentreFold, up, far_left ? i : 0, far_left ? 1 : i});
+                        folds[kCentreFold].push_back({kCentreFold, up, far_left ? i : 0, far_left ? 1 : i});
                     break;
             }
         }

@@ -150,9 +150,9 @@ bool constrain_border(Element& e, std::optional<Border> (*border_of_drawn)(const
     }
     if (largest != nullptr) {
         write_outline(e, *border);
-        e.redrawn = Change{fmt::format("an outline of {} edges with {} loop{}", edges,
-                                       seen, seen == 1 ? "" : "s"),
-                           fmt::format("an outline that encloses {:.2f} mm²", left)};
+        e.redrawn =
+            Change{fmt::format("an outline of {} edges with {} loop{}", edges, seen, seen == 1 ? "" : "s"),
+                   fmt::format("an outline that encloses {:.2f} mm²", left)};
         e.repaired("outline-crosses",
                    fmt::format("its outline crosses or touches itself {}; the smaller loop was left out, of "
                                "{:.2f} mm²",
@@ -226,7 +226,7 @@ bool constrain(Element& e) {
     if (!constrain_border(e)) return false;
     const auto border = site_border(e);
     POPUP_INVARIANT(border);
-    SheetShape shape;
+    CutShape shape;
     if (const auto fault = shape_of(e, *border, given_folds(e), shape)) {
         e.failed(fault->code, fault->what, fault->hint);
         return false;
@@ -236,14 +236,14 @@ bool constrain(Element& e) {
 
 FoldLines fold_lines(const Element& e) {
     const auto border = site_border(e);
-    SheetShape shape;
+    CutShape shape;
     if (!border || shape_of(e, *border, given_folds(e), shape)) return no_fold_lines();
     return shape.folds;
 }
 
 void lower(const Element& e, Builder& builder) {
     const auto border = site_border(e);
-    SheetShape shape;
+    CutShape shape;
     POPUP_INVARIANT(border && !shape_of(e, *border, given_folds(e), shape));
     builder.add_curves(shape.curves);
     lower_slit(e, builder, shape.folds, std::move(shape.slit));

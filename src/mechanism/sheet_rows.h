@@ -12,9 +12,6 @@ namespace popup {
 
 // They find the fold that they are drawn across, valley or mountain.
 inline constexpr Grounds kFoundFold{.found = true};
-// Without tabs.
-inline constexpr std::array<ParameterInfo, 2> kSheetColours{kHalfColours[0], kHalfColours[1]};
-
 inline constexpr ParameterInfo kSheetOutline{.name = "outline",
                                              .kind = ParameterKind::path,
                                              .about = "border, on the page of the fold that it lies across",

@@ -14,6 +14,10 @@ namespace {
 // The fold crosses the border so near to the middle that both sides are as wide.
 constexpr double kEvenMm = 1e-6;
 
+// A side fold goes inwards by these steps until it is long enough, by a little.
+constexpr double kStepMm = 0.02;
+constexpr int kMostSteps = 100;
+
 Vec2 turned(Vec2 p) { return {-p.x, -p.y}; }
 
 bool is_line_at(const Border& border, std::size_t i, double level, double slack) {
@@ -54,7 +58,8 @@ std::optional<SheetFault> truncate(const Element& e, Border& side, std::optional
     level_far_lines(side, *e.tolerances);
     double far = 0.0;
     for (const BorderEdge& edge : side.edges) far = std::max(far, edge.from.y);
-    if (level) {
+    const bool given = level.has_value();
+    if (given) {
         if (*level > far + e.tolerances->rounding_mm) {
             return SheetFault{"outline-off-fold",
                               fmt::format("its {0} fold is to lie {1} from the fold, and the outline reaches "
@@ -79,8 +84,14 @@ std::optional<SheetFault> truncate(const Element& e, Border& side, std::optional
                         name == "top" ? "left" : "right", mm(kLeastEdgeMm), mm(least)),
             "draw it wider there, or further over the fold"};
     }
-    side = part_with_drive(divide(side, level_line(*level), EdgeOf::side));
-    if (put_stretches(side, level_line(*level))) return std::nullopt;
+    // Widths were those between chords. On a curve that is nearly level it takes a little more.
+    const int most_steps = given ? 0 : kMostSteps;
+    for (int step = 0; step <= most_steps && *level >= least; ++step, *level -= kStepMm) {
+        Border there = part_with_drive(divide(side, level_line(*level), EdgeOf::side));
+        if (!put_stretches(there, level_line(*level))) continue;
+        side = std::move(there);
+        return std::nullopt;
+    }
     return SheetFault{
         "degenerate",
         fmt::format("its {} fold, {} from the fold, is nowhere {} long", name, mm(*level), mm(kLeastEdgeMm)),
@@ -104,7 +115,7 @@ SheetFault crosses_otherwise(std::size_t chords) {
 }
 
 std::optional<SheetFault> shape_of(const Element& e, const Border& border, const SideFolds& given,
-                                   SheetShape& into) {
+                                   CutShape& into) {
     const Division halves = divide(border, level_line(0.0), EdgeOf::drive);
     if (halves.chords.size() != 1) return crosses_otherwise(halves.chords.size());
     // Either side is looked at with that side above the fold.
@@ -137,14 +148,16 @@ std::optional<SheetFault> shape_of(const Element& e, const Border& border, const
         panels->far.insert(panels->far.begin(), panels->near);
         for (const Border& plate : panels->far) parts.plates.push_back(mapped(plate, turned));
     }
-    if (auto fault = finish(e, parts, [](const Segment& s) { return s.a.x <= s.b.x; }, into)) return fault;
+    if (auto fault = finish(
+            e, parts, [](const Segment& s) { return s.a.x <= s.b.x; }, into))
+        return fault;
     SlitShape& slit = into.slit;
     slit.parallel = true;
     const Vec2 along = e.site.left.dir;
     const SitePoint left{parts.span.first, *p};
     const SitePoint right{parts.span.first, *q};
-    slit.left_bar = parallel_bar(e.site, Side::left, left, e.site.on_page(Side::left, left), along,
-                                 right_of(along), *q);
+    slit.left_bar =
+        parallel_bar(e.site, Side::left, left, e.site.on_page(Side::left, left), along, right_of(along), *q);
     slit.right_bar = parallel_bar(e.site, Side::right, right, e.site.on_page(Side::right, right), along,
                                   left_of(along), *p);
     return std::nullopt;

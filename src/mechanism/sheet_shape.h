@@ -30,7 +30,7 @@ struct SideFolds {
 };
 
 // The shape of a parallel linkage, in page coordinates, bars and all, and the lines of its row's three folds.
-struct SheetShape {
+struct CutShape {
     SlitShape slit;
     FoldLines folds;
     std::vector<FlatCurve> curves;
@@ -45,6 +45,6 @@ SheetFault crosses_otherwise(std::size_t chords);
 // Divides the border, which is in coordinates of the site and touches itself nowhere. A side fold that was
 // not given lies as far out as there are kLeastEdgeMm of it; what lies further out is left to the page.
 std::optional<SheetFault> shape_of(const Element& element, const Border& border, const SideFolds& given,
-                                   SheetShape& into);
+                                   CutShape& into);
 
 }  // namespace popup

@@ -1,10 +1,10 @@
 // The v-fold cut: a beak whose cut is drawn (Foldlings), such as a bird's body with its wings, or a leaf.
 //
-// A is the apex on the fold. The outline is the cut from one side of the fold to the other; its ends are joined
-// to A. Or it is the whole border, and A lies on it. Where the border leaves A in a straight line, that is the
-// side fold; where it is curved the side fold runs as far out as there are kLeastEdgeMm of it. The centre fold
-// is the beak's, and what of a wavy shape hangs on no fold stays level with what it hangs on, as of a
-// freeform.
+// A is the apex on the fold. The outline is the cut from one side of the fold to the other; its ends are
+// joined to A. Or it is the whole border, and A lies on it. Where the border leaves A in a straight line,
+// that is the side fold; where it is curved the side fold runs as far out as there are kLeastEdgeMm of it.
+// The centre fold is the beak's, and what of a wavy shape hangs on no fold stays level with what it hangs on,
+// as of a freeform.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ enum { A };  // of `on`
 
 constexpr std::array<PointInfo, 1> kPoints{{{"A", PointPage::fold, '-'}}};
 constexpr std::array<int, 1> kPartners{0};
-constexpr std::array<ParameterInfo, 3> kParameters{{kSheetColours[0], kSheetColours[1], kSheetOutline}};
+constexpr std::array<ParameterInfo, 5> kParameters{
+    {kHalfColours[0], kHalfColours[1], kHalfColours[2], kHalfColours[3], kSheetOutline}};
 
 // An outline that passes A by no more goes through it.
 constexpr double kSnapMm = 0.5;
@@ -38,7 +39,8 @@ std::optional<Border> border_through(const Element& e) {
     if (!drawn || drawn->subpaths().size() != 1) return std::nullopt;
     Subpath line = drawn->subpaths().front();
     const Vec2 apex = e.site.on_page(Side::left, {e.on[A].s, 0.0});
-    const bool open = !line.closed && !line.steps.empty() && distance(line.start, line.steps.back().to) > kSnapMm;
+    const bool open =
+        !line.closed && !line.steps.empty() && distance(line.start, line.steps.back().to) > kSnapMm;
     if (open) {
         line.steps.insert(line.steps.begin(), PathStep{line.start, false, {}, {}});
         line.start = apex;
@@ -127,11 +129,12 @@ std::optional<SheetFault> truncate(const Element& e, Border& side, double& angle
     const Vec2 start = side.edges.front().from;
     if (put_stretches(side, line) && start == Vec2{} && side.edges.back().of == EdgeOf::side)
         return std::nullopt;
-    return SheetFault{"degenerate", fmt::format("on the {} its side fold is not {} long", name, mm(kLeastEdgeMm)),
+    return SheetFault{"degenerate",
+                      fmt::format("on the {} its side fold is not {} long", name, mm(kLeastEdgeMm)),
                       "draw it wider near A"};
 }
 
-std::optional<SheetFault> shape_of(const Element& e, const Border& border, SheetShape& into) {
+std::optional<SheetFault> shape_of(const Element& e, const Border& border, CutShape& into) {
     const Division halves = divide(border, level_line(0.0), EdgeOf::drive);
     if (halves.chords.size() != 1) return crosses_otherwise(halves.chords.size());
     const auto [lo, hi] = std::pair(halves.chords[0].from, halves.chords[0].to);
@@ -192,12 +195,12 @@ std::optional<SheetFault> shape_of(const Element& e, const Border& border, Sheet
         return onwards ? line.b : line.a;
     };
     const int dir = onwards ? 1 : -1;
-    slit.left_bar = angled_bar(e.site, Side::left, view.apex, dir,
-                               e.site.from_page(Side::left, tip(kLeftFold)), own, tip(kLeftFold),
-                               tip(kCentreFold));
-    slit.right_bar = angled_bar(e.site, Side::right, view.apex, dir,
-                                e.site.from_page(Side::right, tip(kRightFold)), own, tip(kRightFold),
-                                tip(kCentreFold));
+    slit.left_bar =
+        angled_bar(e.site, Side::left, view.apex, dir, e.site.from_page(Side::left, tip(kLeftFold)), own,
+                   tip(kLeftFold), tip(kCentreFold));
+    slit.right_bar =
+        angled_bar(e.site, Side::right, view.apex, dir, e.site.from_page(Side::right, tip(kRightFold)), own,
+                   tip(kRightFold), tip(kCentreFold));
     return std::nullopt;
 }
 
@@ -229,7 +232,7 @@ bool constrain(Element& e) {
     if (!constrain_border(e, border_through)) return false;
     const auto border = site_border_through(e);
     POPUP_INVARIANT(border);
-    SheetShape shape;
+    CutShape shape;
     if (const auto fault = shape_of(e, *border, shape)) {
         e.failed(fault->code, fault->what, fault->hint);
         return false;
@@ -239,14 +242,14 @@ bool constrain(Element& e) {
 
 FoldLines fold_lines(const Element& e) {
     const auto border = site_border_through(e);
-    SheetShape shape;
+    CutShape shape;
     if (!border || shape_of(e, *border, shape)) return no_fold_lines();
     return shape.folds;
 }
 
 void lower(const Element& e, Builder& builder) {
     const auto border = site_border_through(e);
-    SheetShape shape;
+    CutShape shape;
     POPUP_INVARIANT(border && !shape_of(e, *border, shape));
     builder.add_curves(shape.curves);
     lower_slit(e, builder, shape.folds, std::move(shape.slit));
@@ -254,22 +257,23 @@ void lower(const Element& e, Builder& builder) {
 
 }  // namespace
 
-const ElementRow kVFoldCut = {{.name = "v-fold-cut",
-                               .code = -1,
-                               .family = "v-fold-cut",
-                               .inverted = false,
-                               .glued = false,
-                               .about = "a beak whose cut is drawn, such as a bird or a leaf, cut from one sheet",
-                               .points = kPoints,
-                               .partners = kPartners,
-                               .grounds = kFoundFold,
-                               .parameters = kParameters,
-                               .since = "3.0"},
-                              span,
-                              constrain,
-                              fold_lines,
-                              nullptr,
-                              lower,
-                              crossings};
+const ElementRow kVFoldCut = {
+    {.name = "v-fold-cut",
+     .code = -1,
+     .family = "v-fold-cut",
+     .inverted = false,
+     .glued = false,
+     .about = "a beak whose cut is drawn, such as a bird or a leaf, cut from one sheet",
+     .points = kPoints,
+     .partners = kPartners,
+     .grounds = kFoundFold,
+     .parameters = kParameters,
+     .since = "3.0"},
+    span,
+    constrain,
+    fold_lines,
+    nullptr,
+    lower,
+    crossings};
 
 }  // namespace popup

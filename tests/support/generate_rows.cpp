@@ -22,6 +22,22 @@ Site site_on(const Fold& fold) {
     return site;
 }
 
+// A cut across the fold, from its left to its right, some way from a point of it.
+Argument cut_path(Dice& random, const Site& site, double apex, double reach) {
+    const double way = random.chance(0.5) ? 1.0 : -1.0;
+    const auto at = [&](double along, double aside) {
+        return site.on_page(Side::left, {apex + way * along * reach, aside * reach});
+    };
+    const double most = random.uniform(0.5, 1.0);
+    Path path;
+    path.move(at(random.uniform(0.2, 0.6), most));
+    path.cubic(at(random.uniform(0.4, 1.0), 0.5 * most), at(random.uniform(0.6, 1.2), 0.3 * most),
+               at(random.uniform(0.6, 1.0), 0.1));
+    path.cubic(at(random.uniform(0.6, 1.2), -0.3), at(random.uniform(0.4, 1.0), -0.5),
+               at(random.uniform(0.2, 0.6), -random.uniform(0.5, 1.0)));
+    return path_argument(path);
+}
+
 }  // namespace
 
 bool stands_on(const ElementInfo& info, const Fold& fold) {
@@ -46,7 +62,10 @@ Proposal propose_of(Dice& random, const Fold& fold, const ElementInfo& info) {
         if (point.side == 'R' && partner < i) {
             at[i] = even ? at[partner] : SitePoint{at[partner].s, at[partner].w * random.uniform(0.7, 1.4)};
         } else {
-            at[i] = {s, point.side == '-' ? 0.0 : reach * random.uniform(0.5, 1.0)};
+            // Points of either side, of rows that find their fold, are corners across it.
+            const bool corner = point.side == '-' && info.grounds.found && at.size() > 1;
+            const double off = point.side == '-' && !corner ? 0.0 : reach * random.uniform(0.5, 1.0);
+            at[i] = {s, corner && i % 2 == 1 ? -off : off};
             s += random.uniform(0.1, 0.4) * size;
         }
     }
@@ -62,8 +81,20 @@ Proposal propose_of(Dice& random, const Fold& fold, const ElementInfo& info) {
     }
     for (const ParameterInfo& parameter : info.parameters) {
         Argument& argument = made.arguments.emplace_back();
+        if (parameter.kind == ParameterKind::path && info.grounds.found) {
+            argument =
+                info.points.empty()
+                    ? star_path(random, site_on(fold).on_page(Side::left, {middle, 0.0}), 0.3 * reach, reach)
+                    : cut_path(random, site_on(fold), made.on.front().second.s, reach);
+            made.finds_ground = random.chance(0.5);
+            continue;
+        }
         if (parameter.kind == ParameterKind::path && parameter.required)
             argument = star_path(random, lerp(made.extra[0], made.extra[1], 0.5), 0.3 * reach, reach);
+        // Side folds well inside of the star are long enough for others.
+        if (parameter.kind == ParameterKind::length && parameter.group == "folds" && random.chance(0.7))
+            argument.value =
+                std::clamp(reach * random.uniform(0.1, 0.25), parameter.least, parameter.most);
         if (parameter.kind == ParameterKind::length && parameter.required)
             argument.value = std::clamp(reach * random.uniform(0.3, 1.5), parameter.least, parameter.most);
         if (parameter.kind == ParameterKind::choice && random.chance(0.5))
@@ -80,6 +111,7 @@ void put(Design& design, const Fold& fold, const Proposal& made) {
     Structure& structure = add(design, made.type, points, fold.on_left.a, fold.on_left.b, fold.left_page);
     structure.id = "e" + std::to_string(design.structures.size());
     structure.arguments = made.arguments;
+    structure.finds_ground = made.finds_ground;
     for (std::size_t i = 0; i < made.on.size(); ++i) {
         const int page = made.on[i].first == Side::left ? site.left_page : site.right_page;
         if (page != fold.left_page) structure.points[i].page = page;
@@ -132,6 +164,9 @@ Design generate_of(const ElementInfo& info, std::uint64_t seed, int elements) {
 
 namespace {
 
+// On a plate, or anywhere on the paper of a page.
+bool stands_on_paper(const ElementInfo& info) { return info.grounds.plate || info.grounds.page; }
+
 // A point on one of the plates, if a few tries find one.
 struct Spot {
     int page = 0;
@@ -160,6 +195,12 @@ void put_on_plate(Dice& random, Design& design, const ElementInfo& info, const S
     if (info.points.size() == 4) points.insert(points.end(), {{0.0, 0.0}, {0.0, line}});
     Structure& structure = add(design, std::string(info.name), points, spot.at, spot.at, spot.page);
     structure.id = "e" + std::to_string(design.structures.size());
+    if (info.grounds.page) {
+        structure.finds_ground = true;
+        structure.points.clear();
+        structure.arguments.push_back(star_path(random, spot.at, 0.1 * reach, 0.3 * reach));
+        return;
+    }
     structure.plate.emplace();
     structure.plate->page = spot.page;
     structure.plate->at.at = spot.at;
@@ -253,7 +294,7 @@ Design generate_any(std::uint64_t seed, int elements) {
          --tries) {
         const ElementInfo& info = element_table()[random.below(element_table().size())];
         Design trial = design;
-        if (info.grounds.plate) {
+        if (stands_on_paper(info)) {
             const auto spot = spot_on_plate(random, checked->skeleton());
             if (!spot) continue;
             put_on_plate(random, trial, info, *spot);
@@ -322,12 +363,12 @@ OnAnother generate_on(const ElementInfo& info, const ElementInfo& ground, std::u
     const auto under = check(*below, {}, ignored);
     const std::size_t parent = on_tent ? 2 : 0;
     const auto first = with_one_on(random, *below, under->skeleton(), ground,
-                                   ground.grounds.plate ? std::nullopt : std::optional(parent), 0);
+                                   stands_on_paper(ground) ? std::nullopt : std::optional(parent), 0);
     if (!first) return made;
     const auto checked = check(*first, {}, ignored);
     const Skeleton& skeleton = checked->skeleton();
     const std::size_t own = skeleton.folds.size() - ground.folds.size();
-    if (info.grounds.plate) {
+    if (stands_on_paper(info)) {
         made.wanted.push_back(0);
         std::size_t plate = skeleton.draft.plates.size() - 1;
         while (plate > 0 &&
@@ -341,8 +382,8 @@ OnAnother generate_on(const ElementInfo& info, const ElementInfo& ground, std::u
     }
     for (std::size_t i = 0; i < ground.folds.size(); ++i) {
         const Fold& fold = skeleton.folds[own + i];
-        const bool inverse =
-            info.inverted != (fold.closed_deg == 360) && !info.glued && info.family != "pivot";
+        const bool inverse = info.inverted != (fold.closed_deg == 360) && !info.glued &&
+                             info.family != "pivot" && !info.grounds.found;
         // The pillar of a floating layer stands under all of its centre fold: nothing is cut from there.
         const bool taken = ground.name == "floating-layer" && fold.closed_deg == 0 && !info.grounds.seam;
         if (fold.closed_deg != 180 && !inverse && !taken && stands_on(info, fold)) made.wanted.push_back(i);
@@ -384,7 +425,7 @@ Design generate_tower(std::uint64_t seed, int depth) {
             double size = 0.0;
             for (int tries = 0; tries < kTries; ++tries) {
                 std::optional<std::size_t> fold;
-                if (!info.grounds.plate) {
+                if (!stands_on_paper(info)) {
                     fold = first_fold + random.below(skeleton.folds.size() - first_fold);
                     const Fold& on = skeleton.folds[*fold];
                     if (on.closed_deg == 180 || !stands_on(info, on)) continue;

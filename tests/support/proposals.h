@@ -34,6 +34,7 @@ struct Proposal {
     std::vector<std::pair<Side, SitePoint>> on;  // in the row's order
     std::vector<Vec2> extra;
     std::vector<Argument> arguments;  // in the row's order
+    bool finds_ground = false;        // it does not name its fold
 };
 
 // Whether the fold is one that such an element may stand on.

@@ -112,6 +112,13 @@ TEST(EveryRow, TwinsMoveAsOneBody) {
                 for (std::size_t i = 0; i < next.points.size(); ++i) {
                     if (info.points[i].page == PointPage::fold) next.points[i].at.y += along;
                 }
+                for (Argument& argument : next.arguments) {
+                    const auto* drawn = std::get_if<DrawnPath>(&argument.value);
+                    if (drawn != nullptr && info.grounds.found)
+                        argument = path_argument(drawn->path.mapped([&](Vec2 p) {
+                            return Vec2{p.x, p.y + along};
+                        }));
+                }
                 design.structures.push_back(std::move(next));
             }
             Diagnostics diagnostics;

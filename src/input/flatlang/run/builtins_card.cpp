@@ -304,6 +304,10 @@ void take_ground(const Call& call, Arguments& arguments, NewElement& wanted) {
     const Grounds& grounds = wanted.info->grounds;
     const auto element = hidden_number(call, parent, kElementNumber);
     const auto fold = hidden_number(call, parent, kFoldNumber);
+    if (grounds.page && (element || fold)) {
+        wanted.page = element ? call.in.card.pages[*element] : call.in.card.folds[*fold].left_page;
+        return;
+    }
     if (grounds.plate && (element || (fold && !grounds.fold && !grounds.seam))) {
         wanted.points = arguments.take_points();
         if (wanted.points.empty())

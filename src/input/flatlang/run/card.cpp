@@ -187,8 +187,40 @@ std::optional<Refusal> give_values(Structure& made, const ElementInfo& info, con
     return std::nullopt;
 }
 
+// What is drawn on the page of the fold was given beside it, and with its points in between.
+std::optional<Refusal> place_values(Structure& made, const ElementInfo& info, const NewElement& wanted,
+                                    const PageFold& fold) {
+    if (wanted.plate || wanted.page) return std::nullopt;
+    if (info.points.empty() && !wanted.points.empty()) {
+        const auto list = std::find_if(info.parameters.begin(), info.parameters.end(), [](const auto& one) {
+            return one.kind == ParameterKind::points && one.page == PointPage::fold;
+        });
+        if (list == info.parameters.end()) return wrong_count(info, wanted.points.size());
+        std::vector<DesignPoint> points;
+        for (const Vec2 p : wanted.points)
+            points.push_back(design_point(on_page(fold.on_left, p), wanted.place));
+        made.argument(static_cast<std::size_t>(list - info.parameters.begin())).value = std::move(points);
+    }
+    if (!info.grounds.found) return std::nullopt;
+    for (Argument& argument : made.arguments) {
+        auto* drawn = std::get_if<DrawnPath>(&argument.value);
+        if (drawn == nullptr) continue;
+        drawn->path = drawn->path.mapped([&](Vec2 p) { return on_page(fold.on_left, p); });
+        drawn->moved = true;
+        if (enclose(drawn->path, drawn->inside) != FlatteningFault::none)
+            return Refusal{"has path data that leads too far out"};
+    }
+    return std::nullopt;
+}
+
 // The fold it stands on, or a line of the plate; written into the structure.
 PageFold ground_of(const Card& card, const NewElement& wanted, Structure& made) {
+    if (wanted.page) {
+        made.finds_ground = true;
+        made.fold.page = *wanted.page;
+        const Segment up{{0, 0}, {0, 1}};
+        return {*wanted.page, *wanted.page, up, up, false, 0};
+    }
     if (wanted.plate) {
         ParentPlate& plate = made.plate.emplace();
         plate.page = wanted.plate->page;
@@ -253,20 +285,22 @@ std::optional<Refusal> begin_card(Card& card, const NewCard& wanted) {
 std::optional<Refusal> add_element(Card& card, const NewElement& wanted, std::optional<std::size_t>& folds) {
     const ElementInfo& info = *wanted.info;
     Design& design = *card.design;
-    const auto beside = all_points(info, wanted.points);
+    const bool as_value = info.points.empty();
+    const auto beside = all_points(info, as_value ? std::vector<Vec2>() : wanted.points);
     if (!beside) return wrong_count(info, wanted.points.size());
-    if (auto refusal = too_far(*beside)) return refusal;
+    if (auto refusal = too_far(as_value ? wanted.points : *beside)) return refusal;
     if (design.structures.size() >= kItemsLimit) {
         return Refusal{fmt::format("would be the card's {}th element, and it can have {}", kItemsLimit + 1,
                                    kItemsLimit)};
     }
-    if (auto refusal = count_points(card, beside->size())) return refusal;
+    if (auto refusal = count_points(card, std::max(beside->size(), wanted.points.size()))) return refusal;
 
     Structure made;
     made.type = info.name;
     made.place = made.type_place = made.fold.place = wanted.place;
     if (auto refusal = give_values(made, info, wanted)) return refusal;
     const PageFold fold = ground_of(card, wanted, made);
+    if (auto refusal = place_values(made, info, wanted, fold)) return refusal;
     if (info.glued) ++card.glued;
     if (const std::string_view needed = version_needed(info, made.arguments); needed > design.version)
         design.version = needed;

@@ -55,7 +55,7 @@ struct PlatePlace {
 };
 
 // A value for a parameter of an element: a number (mm for lengths), or a text, which is a word of a choice,
-// path data in inches, or a colour.
+// path data in inches (beside its fold, where it lies on the fold's page), or a colour.
 struct NewValue {
     std::string parameter;  // empty: the first that takes it and has none, colours aside
     std::variant<double, std::string> value;
@@ -66,8 +66,11 @@ struct NewElement {
     std::size_t fold = 0;  // of Card::folds
     // In place of the fold. Points are then in the coordinates of the plate's page.
     std::optional<PlatePlace> plate = {};
+    // In place of either, of rows that lie on a page as a whole.
+    std::optional<int> page = {};
     // In the row's order: all of them, or all but those with a partner on their left, whose mirror images
-    // these then are (about the fold; on a piece's page about x = 0).
+    // these then are (about the fold; on a piece's page about x = 0). Of a row without points they are the
+    // value of its parameter that is a list of points.
     std::vector<Vec2> points;
     Paint paint;
     std::vector<NewValue> values = {};
