@@ -34,6 +34,9 @@ struct CompileOptions {
     PatternOptions pattern;
     LayoutOptions layout;
     OutputOptions output;  // the kerf of its profile is applied to the layout
+    // How far cards open, above 0° and at most 180°: where their sweep ends, whatever the design says. None: as
+    // far as the design says.
+    std::optional<Angle> opens = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.

@@ -172,6 +172,7 @@ struct Design {
     Unit unit;
     double width_mm = 279.4;   // > 0
     double height_mm = 215.9;  // > 0
+    double opens_deg = 180.0;  // how far the card opens: above 0, at most 180
     std::optional<Color> left, right;
     Place page_place;
     std::vector<Structure> structures;  // build order, parents first

@@ -234,13 +234,41 @@ struct Lift {
     }
 };
 
+// A plate that turns about a line of `carrier`, and stays parallel to `like`: one of the plates of an
+// origamic architecture, where all that stands is parallel to the back and all that lies to the floor. `like`
+// and `carrier` turn against each other about a line parallel to that one. Whatever folds lead from the plate
+// to the two, its parallelograms hold it there: motion/joints/parallel.cpp.
+struct Parallel {
+    int plate = -1;                // the plate that it places
+    int base = -1;                 // the plate whose hinge it hangs on; any that is placed before it
+    Vec2 base_at;                  // a point of that hinge, on the plate's own page
+    int like = -1;                 // their fronts face the same way
+    int carrier = -1;              // or the extension of its plane: the line need not lie on its paper
+    Vec2 carrier_at, carrier_dir;  // a point of the line, and its direction (unit), on the carrier's page
+    Vec2 own_at, own_dir;          // the same point and direction on the plate's own page
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.plate("base", self.base);
+        to.point("base_at", self.base_at);
+        to.plate("like", self.like);
+        to.plate("carrier", self.carrier);
+        to.point("carrier_at", self.carrier_at);
+        to.direction("carrier_dir", self.carrier_dir);
+        to.point("own_at", self.own_at);
+        to.direction("own_dir", self.own_dir);
+    }
+};
+
 // All kinds, and the names by which files know them: the table. Its row is ROW(struct, name).
 #define POPUP_JOINT_KINDS(ROW) \
     ROW(Drive, "drive")        \
     ROW(FourBar, "four-bar")   \
     ROW(Rigid, "rigid")        \
     ROW(Prism, "prism")        \
-    ROW(Lift, "lift")
+    ROW(Lift, "lift")          \
+    ROW(Parallel, "parallel")
 
 template <typename Nothing, typename... Kinds>
 using JointVariant = std::variant<Kinds...>;

@@ -44,6 +44,10 @@ constexpr std::array kInputCodes = std::to_array<CodeInfo>({
      "The language of an input is told by the suffix of its name. This name has none that is known, or it "
      "is standard input, which has no suffix. Rename the file, or name the language with --from; `popupc "
      "list languages` shows all of them."},
+    {"unknown-member", Severity::warning, "a member of a JSON input that has no meaning",
+     "The object has a member that popupc does not know, so it is not read. Mostly its name is misspelt, or "
+     "it comes from a later version of the format. Correct the name or take the member out; --strict makes "
+     "this an error."},
 });
 
 }  // namespace

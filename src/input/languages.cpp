@@ -9,6 +9,7 @@
 #include "input/assembly/read.h"
 #include "input/drawing/read.h"
 #include "input/flatlang/read.h"
+#include "input/oa/read.h"
 #include "input/text.h"
 #include "input/xml/read.h"
 #include "popup/language.h"
@@ -45,6 +46,11 @@ std::vector<Language> const& language_table() {
          .read = assembly_of<assembly_text::read>,
          .walked = false,
          .recognises = assembly_text::recognises},
+        {.name = "oa",
+         .suffix = ".oa",
+         .about = "design of webOAcard, a card of one sheet that opens to 90°",
+         .read = assembly_of<oa::read>,
+         .recognises = oa::recognises},
         {.name = "flatlang",
          .suffix = ".fl",
          .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",

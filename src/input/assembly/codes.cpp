@@ -26,11 +26,6 @@ constexpr std::array kAssemblyCodes = std::to_array<CodeInfo>({
      "and "
      "colours \"#rrggbb\". This one is missing, is something else, or is out of range. The message says what "
      "belongs there; docs/assembly.md describes all members."},
-    {"unknown-member", Severity::warning, "a member of an assembly that has no meaning",
-     "The object has a member that popupc does not know, so it is not read. Mostly its name is misspelt, or "
-     "it "
-     "comes from a later version of the format. Correct the name or take the member out; --strict makes this "
-     "an error."},
 });
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "base/text/base64.h"
 #include "base/text/place_at.h"
 #include "input/assembly/guarantees.h"
-#include "input/assembly/json_tree.h"
+#include "input/json_tree.h"
 #include "input/text.h"
 #include "popup/image.h"
 
@@ -448,7 +448,7 @@ bool is_ours(const JsonValue& root, Context& context) {
 }  // namespace
 
 std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    const std::optional<JsonValue> root = read_json(source.text, diagnostics);
+    const std::optional<JsonValue> root = read_json(source.text, "assembly-syntax", diagnostics);
     if (!root) return std::nullopt;
     Context context(source, options, diagnostics);
     if (!is_ours(*root, context)) return std::nullopt;

@@ -1,6 +1,6 @@
 // A JSON document as a tree in which every value knows where it stands.
 //
-//     const std::optional<JsonValue> tree = read_json(source.text, diagnostics);
+//     const std::optional<JsonValue> tree = read_json(source.text, "oa-syntax", diagnostics);
 //     if (const JsonList* list = tree->list()) ...
 #pragma once
 
@@ -13,7 +13,7 @@
 
 #include "popup/diagnostics.h"
 
-namespace popup::assembly_text {
+namespace popup {
 
 struct JsonValue;
 struct JsonMember;
@@ -44,8 +44,9 @@ inline constexpr std::size_t kDepthLimit = 32;
 inline constexpr std::size_t kMembersLimit = 64;
 inline constexpr std::size_t kValuesLimit = 8'000'000;
 
-// Errors: `assembly-syntax` where the text is no JSON, an object has two members of one name or the limits of
+// Errors: `syntax_code` where the text is no JSON, an object has two members of one name or the limits of
 // depth and members are exceeded; `document-too-large`. Numbers are finite, texts are UTF-8. Cost: linear.
-std::optional<JsonValue> read_json(std::string_view text, Diagnostics& diagnostics);
+std::optional<JsonValue> read_json(std::string_view text, std::string_view syntax_code,
+                                   Diagnostics& diagnostics);
 
-}  // namespace popup::assembly_text
+}  // namespace popup

@@ -1,4 +1,4 @@
-#include "input/assembly/json_tree.h"
+#include "input/json_tree.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "base/text/place_at.h"
 #include "input/text.h"
 
-namespace popup::assembly_text {
+namespace popup {
 namespace {
 
 // Counts what the parser has read: of the library one learns of values, not of where they stand.
@@ -40,8 +40,9 @@ struct CountingIterator {
 // Takes the parser's events.
 class TreeMaker {
  public:
-    TreeMaker(std::string_view text, const char*& read, Diagnostics& diagnostics)
-        : text_(text), read_(read), diagnostics_(diagnostics) {}
+    TreeMaker(std::string_view text, std::string_view syntax_code, const char*& read,
+              Diagnostics& diagnostics)
+        : text_(text), syntax_code_(syntax_code), read_(read), diagnostics_(diagnostics) {}
 
     bool null() { return scalar(std::monostate{}); }
     bool boolean(bool value) { return scalar(value); }
@@ -97,7 +98,7 @@ class TreeMaker {
         return std::min(at, here());
     }
     bool refuse(std::size_t at, std::string why) {
-        diagnostics_.error("assembly-syntax", place_at(text_, at), std::move(why));
+        diagnostics_.error(syntax_code_, place_at(text_, at), std::move(why));
         return false;
     }
     JsonValue& put(JsonValue value) {
@@ -141,6 +142,7 @@ class TreeMaker {
     }
 
     std::string_view text_;
+    std::string_view syntax_code_;
     const char*& read_;
     Diagnostics& diagnostics_;
     JsonValue root_;
@@ -159,9 +161,10 @@ const JsonValue* JsonValue::member(std::string_view name) const {
     return found == members->end() ? nullptr : &found->value;
 }
 
-std::optional<JsonValue> read_json(std::string_view text, Diagnostics& diagnostics) {
+std::optional<JsonValue> read_json(std::string_view text, std::string_view syntax_code,
+                                   Diagnostics& diagnostics) {
     const char* read = text.data();
-    TreeMaker maker(text, read, diagnostics);
+    TreeMaker maker(text, syntax_code, read, diagnostics);
     const char* end = text.data() + text.size();
     if (!nlohmann::json::sax_parse(CountingIterator{text.data(), &read}, CountingIterator{end, &read},
                                    &maker))
@@ -169,4 +172,4 @@ std::optional<JsonValue> read_json(std::string_view text, Diagnostics& diagnosti
     return std::move(maker.root());
 }
 
-}  // namespace popup::assembly_text
+}  // namespace popup
