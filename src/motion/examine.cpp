@@ -7,6 +7,7 @@
 #include "motion/cells.h"
 #include "motion/closed_card.h"
 #include "motion/contacts.h"
+#include "motion/parallels.h"
 #include "motion/sweep.h"
 
 namespace popup {
@@ -156,6 +157,7 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     result.undecided_below_deg = least_opening(assembly.sweep);
     result.decided_up_to_deg = assembly.sweep.to_deg;
     PairSearch search(assembly, linkage, shapes);
+    Parallels parallels(assembly, shapes);
     std::optional<Approaches> approaches;
     if (options.clearance_mm) approaches.emplace(assembly, shapes, *options.clearance_mm);
 
@@ -171,8 +173,10 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
         for (const auto& [a, b] : pairs) {
             if (search.work() > most_work) return false;
             ++result.pairs;
-            search.contacts(range, a, b, found);
-            for (const ContactRange& one : found) all.push_back({a, b, one});
+            if (!parallels.keep_apart(a, b)) {
+                search.contacts(range, a, b, found);
+                for (const ContactRange& one : found) all.push_back({a, b, one});
+            }
             if (approaches) approaches->add(range, a, b, search);
         }
         return true;

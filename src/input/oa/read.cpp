@@ -46,20 +46,12 @@ class Maker {
         add_cuts();
         add_folds();
         out_.sweep.to_deg = kOpensDeg;
-        for (const bool upright : {true, false}) {
-            for (const Holding::Step& step : held_.order) {
-                const Region& region = regions_[at(step.region)];
-                if (is_cover(region) && region.upright == upright)
-                    out_.covers.push_back(plate_of_[at(step.region)]);
-            }
-        }
+        out_.covers = {plate_of_[at(held_.back)], plate_of_[at(held_.floor)]};
         for (const Joint& joint : out_.joints) hang_plates(joint, out_.plates);
         return std::move(out_);
     }
 
  private:
-    static bool is_cover(const Region& region) { return region.face < 0 && !region.top; }
-
     // What runs back is named after the face that carries it: the one it has the longest fold with.
     [[nodiscard]] std::vector<int> carriers() const {
         std::vector<std::map<int, double>> lengths(regions_.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/geometry/edge_index.h"
@@ -281,8 +282,8 @@ class Layer {
                 const double gap = gap_below(depth, edge);
                 if (!(gap > kGridMm)) return;
                 grown.push_back(rectangle(edge.x, edge.y0, grid(edge.x + gap), edge.y1));
-                if (gap <= kRoundedMm) return;
                 const int face = owner(plane, {edge.x, 0.5 * (edge.y0 + edge.y1)});
+                if (gap <= kRoundedMm || !snapped_.emplace(face, edge.x).second) return;
                 const double height = depth - edge.x;
                 diagnostics_
                     .warning("oa-snapped", place_of_(at_of(face)),
@@ -499,7 +500,8 @@ class Layer {
     bool indexed_ = false;
     std::vector<std::pair<double, const Polygon*>> standing_;
     Boxes standing_boxes_;
-    std::map<int, bool> shown_;  // of faces and pulls: whether a part of it is seen
+    std::set<std::pair<int, double>> snapped_;  // faces, and which of their lower edges
+    std::map<int, bool> shown_;                 // of faces and pulls: whether a part of it is seen
     Sheet sheet_;
 };
 

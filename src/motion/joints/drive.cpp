@@ -54,4 +54,6 @@ std::optional<std::string> fault_of(const Drive& how) {
     return std::nullopt;
 }
 
+std::optional<Parallelism> parallelism(const Drive& /*how*/) { return std::nullopt; }
+
 }  // namespace popup

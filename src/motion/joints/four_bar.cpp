@@ -208,6 +208,8 @@ std::optional<Slid> slid(const FourBar& how, double mm) {
     return Slid{moved, by, "fold"};
 }
 
+std::optional<Parallelism> parallelism(const FourBar& /*how*/) { return std::nullopt; }
+
 namespace {
 
 double in_degrees(double radians) { return radians * 180.0 / std::numbers::pi; }

@@ -27,6 +27,10 @@ std::optional<Slid> slid(const Joint& joint, double mm) {
     return std::visit([mm](const auto& how) { return slid(how, mm); }, joint.how);
 }
 
+std::optional<Parallelism> parallelism(const Joint& joint) {
+    return std::visit([](const auto& how) { return parallelism(how); }, joint.how);
+}
+
 std::optional<std::string> fault_of(const Joint& joint) {
     return std::visit([](const auto& how) { return fault_of(how); }, joint.how);
 }

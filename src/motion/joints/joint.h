@@ -65,6 +65,13 @@ struct Slid {
 };
 std::optional<Slid> slid(const Joint& joint, double mm);
 
+// That a plate of the joint stays parallel to `like`, and crosses the plane of `carrier` in a line that keeps
+// its place on both.
+struct Parallelism {
+    int plate = -1, like = -1, carrier = -1;
+};
+std::optional<Parallelism> parallelism(const Joint& joint);
+
 // What each kind answers, for the functions above (and plates_of() and fault_of() of popup/joints.h).
 #define POPUP_KIND_ANSWERS(Kind, name)                                        \
     JointPlates plates_of(const Kind& how);                                   \
@@ -72,6 +79,7 @@ std::optional<Slid> slid(const Joint& joint, double mm);
     bool place_plates(const Kind& how, Angle theta, std::span<Frame> frames); \
     Likeness likeness(const Kind& how);                                       \
     std::optional<Slid> slid(const Kind& how, double mm);                     \
+    std::optional<Parallelism> parallelism(const Kind& how);                  \
     std::optional<std::string> fault_of(const Kind& how);
 POPUP_JOINT_KINDS(POPUP_KIND_ANSWERS)
 #undef POPUP_KIND_ANSWERS

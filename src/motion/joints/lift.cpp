@@ -94,4 +94,6 @@ std::optional<std::string> fault_of(const Lift& how) {
     return std::nullopt;
 }
 
+std::optional<Parallelism> parallelism(const Lift& /*how*/) { return std::nullopt; }
+
 }  // namespace popup

@@ -52,6 +52,10 @@ Likeness likeness(const Parallel& how) {
 // Where it is follows from all that it is folded to.
 std::optional<Slid> slid(const Parallel& /*how*/, double /*mm*/) { return std::nullopt; }
 
+std::optional<Parallelism> parallelism(const Parallel& how) {
+    return Parallelism{how.plate, how.like, how.carrier};
+}
+
 std::optional<std::string> fault_of(const Parallel& how) {
     if (!is_unit(how.carrier_dir)) return "carrier_dir is no unit vector";
     if (!is_unit(how.own_dir)) return "own_dir is no unit vector";

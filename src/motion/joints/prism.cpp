@@ -107,4 +107,6 @@ std::optional<std::string> fault_of(const Prism& how) {
     return std::nullopt;
 }
 
+std::optional<Parallelism> parallelism(const Prism& /*how*/) { return std::nullopt; }
+
 }  // namespace popup

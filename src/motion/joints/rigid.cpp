@@ -37,6 +37,8 @@ std::optional<Slid> slid(const Rigid& how, double mm) {
     return Slid{moved, mm * how.base_dir, "line A–B"};
 }
 
+std::optional<Parallelism> parallelism(const Rigid& /*how*/) { return std::nullopt; }
+
 std::optional<std::string> fault_of(const Rigid& how) {
     if (!is_unit(how.base_dir)) return "base_dir is no unit vector";
     if (!is_unit(how.own_dir)) return "own_dir is no unit vector";
