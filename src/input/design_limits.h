@@ -16,6 +16,9 @@ inline constexpr double kCoordinateLimit = 1e6;
 // The limits of a page's width and height, mm.
 inline constexpr double kSmallestPage = 1.0;
 inline constexpr double kLargestPage = 10'000.0;
+// How far a card opens, degrees.
+inline constexpr double kLeastOpening = 1.0;
+inline constexpr double kWholeOpening = 180.0;
 // The thickest drawn line, points.
 inline constexpr double kThickestLine = 1000.0;
 

@@ -66,6 +66,10 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "the fold below and glued to the plate, because its own loop tells where it is. A plate that turns "
      "about "
      "one line only wants a second edge glued."},
+    {"opens-too-little", Severity::error, "a card that would open before it begins",
+     "The sweep of an assembly says at which opening its motion begins. --opens says where it ends, and that "
+     "is not beyond the beginning, so there would be no motion. Ask for a larger opening, or change the "
+     "sweep in the assembly."},
     {"protrusion", Severity::warning, "a plate sticks out of the closed card",
      "When the card is closed, every plate should lie between its covers. This one reaches over their "
      "edge: the message says how far, and on which side. It will be seen there before the card is opened, "

@@ -20,6 +20,13 @@ std::vector<Angle> default_angles(const Sweep& sweep) {
     return angles;
 }
 
+// Those of the sweep. What is asked for beyond it is where the sweep ends.
+std::vector<Angle> angles_within(const Sweep& sweep, std::vector<Angle> angles) {
+    for (Angle& angle : angles) angle.deg = std::clamp(angle.deg, sweep.from_deg, sweep.to_deg);
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+    return angles;
+}
+
 struct Judge {
     const Assembly& assembly;
     const Tolerances& tolerances;
@@ -95,7 +102,8 @@ void add_witnesses(Motion& motion) {
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics) {
     Motion motion;
-    motion.angles = options.angles.empty() ? default_angles(assembly.sweep) : options.angles;
+    motion.angles = options.angles.empty() ? default_angles(assembly.sweep)
+                                           : angles_within(assembly.sweep, options.angles);
     motion.solver = options.solver;
     Judge judge(assembly, options.tolerances, diagnostics);
     const Angle beginning = Angle::degrees(assembly.sweep.from_deg);

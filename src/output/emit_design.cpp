@@ -118,6 +118,7 @@ std::string emit_design(const Design& design) {
               {"place", json(design.page_place)},
               {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
               {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}};
+    if (design.opens_deg < 180.0) made["opens_deg"] = design.opens_deg;
     if (!design.prints.empty())
         made["prints"] = list(design.prints, [](const DrawnPrint& print) { return json(print); });
     return json_text(made);

@@ -412,7 +412,7 @@ class SceneBuilder {
         const Assembly& assembly = *card.assembly;
 
         const auto rest = static_cast<std::size_t>(
-            std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), middle_of(assembly.sweep)) -
+            std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), rest_of(assembly.sweep)) -
             track.angles_deg.begin());
         const std::size_t count = assembly.plates.size();
         std::vector<std::string> pieces;

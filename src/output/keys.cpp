@@ -59,7 +59,7 @@ class CardPoses {
 
     // False, with an error, when the card does not get to its middle.
     bool start() {
-        if (!place_at(middle_of(assembly_.sweep))) return false;
+        if (!place_at(rest_of(assembly_.sweep))) return false;
         tree_ = hinge_tree(assembly_, frames_);
         for (const Hinge& hinge : assembly_.hinges) {
             // Where one plate hangs on the other's hinge there is nothing to open.
@@ -145,12 +145,14 @@ std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards
                                                 const OutputOptions& options, double plates,
                                                 Diagnostics& diagnostics) {
     const Sweep range = sweep_of(cards);
-    std::vector<double> angles{range.from_deg, middle_of(range), range.to_deg};
+    std::vector<double> angles{range.from_deg, range.to_deg};
+    merge(angles, {rest_of(range)});
     for (const SceneCard& card : cards) {
         if (!moves(*card.assembly)) continue;
         std::vector<double> sampled;
         for (const Angle angle : card.motion->angles) sampled.push_back(rounded(angle.deg, kAngleDecimals));
         merge(angles, sampled);
+        merge(angles, {rest_of(card.assembly->sweep)});
     }
     const double wanted = options.fps > 0.0 ? std::ceil(options.fps * options.duration_s) : 0.0;
     const double most = std::min(kMostKeys, kMostTurns / std::max(plates, 1.0));

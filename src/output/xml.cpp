@@ -21,8 +21,10 @@ class DocumentText {
     std::string run() {
         line(0, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
         line(0, "<popup version=\"{}\" units=\"{}\">", version(), design_.unit.name);
-        line(1, "<mainpage width=\"{}\" height=\"{}\"{}", length(design_.width_mm), length(design_.height_mm),
-             design_.left || design_.right ? ">" : "/>");
+        const std::string opens =
+            opens_less() ? fmt::format(" opens=\"{}\"", xml::format_number(design_.opens_deg)) : "";
+        line(1, "<mainpage width=\"{}\" height=\"{}\"{}{}", length(design_.width_mm),
+             length(design_.height_mm), opens, design_.left || design_.right ? ">" : "/>");
         if (design_.left || design_.right) {
             color(2, "leftcolor", design_.left);
             color(2, "rightcolor", design_.right);
@@ -50,6 +52,8 @@ class DocumentText {
         return *info;
     }
 
+    [[nodiscard]] bool opens_less() const { return design_.opens_deg < 180.0; }
+
     // Elements that Popup Workshop did not have need the newer version.
     [[nodiscard]] std::string_view version() const {
         std::string_view version = design_.version;
@@ -57,7 +61,7 @@ class DocumentText {
             if (!s.dropped) version = std::max(version, version_needed(info_of(s), s.arguments));
         }
         const auto kept = [](const DrawnPrint& print) { return !print.dropped; };
-        if (std::any_of(design_.prints.begin(), design_.prints.end(), kept))
+        if (opens_less() || std::any_of(design_.prints.begin(), design_.prints.end(), kept))
             version = std::max(version, std::string_view("3.0"));
         return version;
     }

@@ -226,6 +226,10 @@ void add_motion_options(CLI::App& verb, Options& options) {
               }
               options.compile.motion.angles = std::move(*angles);
           });
+    value(verb, "--opens", "ANGLE", "how far cards open, at most 180 degrees (default: as the design says)",
+          "Motion", [&options](std::string_view text) {
+              options.compile.opens = Angle::degrees(number_option("--opens", text, 1.0, 180.0));
+          });
     value(verb, "--solver", "NAME",
           "closed-form (default), or iterative: Hendrix's own, slow, for comparison", "Motion",
           [&options](std::string_view text) {

@@ -17,6 +17,7 @@ enum class Name : std::uint8_t {
     mainpage,
     width,
     height,
+    opens,
     leftcolor,
     rightcolor,
     lefttabcolor,

@@ -168,6 +168,25 @@ class DocumentReader {
         design_.right = values_.color(fields.find(Name::rightcolor));
         read_page_size(fields.find(Name::width), design_.width_mm);
         read_page_size(fields.find(Name::height), design_.height_mm);
+        if (const Field* field = fields.find(Name::opens)) read_opening(*field);
+    }
+
+    void read_opening(const Field& field) {
+        const auto degrees = values_.number(field);
+        if (!degrees) return;
+        if (!(*degrees >= kLeastOpening && *degrees <= kWholeOpening)) {
+            reporter_.error("bad-number", field.place,
+                            fmt::format("the card opens to {} degrees, and must open to between {} and {}",
+                                        format_number(*degrees), format_number(kLeastOpening),
+                                        format_number(kWholeOpening)));
+            return;
+        }
+        design_.opens_deg = *degrees;
+        if (design_.version >= "3.0") return;
+        reporter_
+            .warning("newer-element", field.place,
+                     fmt::format("a mainpage has no opens in version {}", design_.version))
+            .hint("write version=\"3.0\"");
     }
 
     void read_page_size(const Field* field, double& size) {

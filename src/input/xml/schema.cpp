@@ -179,6 +179,17 @@ constexpr std::string_view kStructure = R"xsd(
     </xs:sequence>
     <xs:attribute name="width" type="size"/>
     <xs:attribute name="height" type="size"/>
+    <xs:attribute name="opens" default="180">
+      <xs:annotation>
+        <xs:documentation>How far the card opens, in degrees. From version 3.0 on.</xs:documentation>
+      </xs:annotation>
+      <xs:simpleType>
+        <xs:restriction base="number">
+          <xs:minInclusive value="1"/>
+          <xs:maxInclusive value="180"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
   </xs:complexType>
 
   <xs:complexType name="point">
