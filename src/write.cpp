@@ -165,7 +165,7 @@ void examine_sheets(const OutputPlan& plan, const OutputOptions& options, Compil
     }
     if (formats.empty()) return;
     examine_profile(*run.layout, options.profile, options.score_side, run.run_diagnostics);
-    examine_prints(options, run.run_diagnostics);
+    examine_prints(*run.layout, options, run.run_diagnostics);
     for (const Format* format : formats) {
         examine_format(format->suffix, options.profile, run.run_diagnostics);
     }

@@ -43,9 +43,10 @@ struct SceneCard {
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.
 double margin_needed(const OutputOptions& options);
 
-// What these options ask for and the profile leaves out. Remark: `prints-left-out`, of marks, of the bar, and
-// of backs; under print_and_cut only of what cut files lack.
-void examine_prints(const OutputOptions& options, Diagnostics& diagnostics);
+// What these options and the designs ask for and the profile leaves out. Remark: `prints-left-out`, of
+// pictures, of printed texts, of marks, of the bar, and of backs; under print_and_cut only of what cut files
+// lack. Colours of plates and drawn lines are left out without a word.
+void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics);
 
 // One file of a format: `suffix` goes between the stem and the format's own suffix ("-2": "card-2.svg").
 struct SheetFile {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "base/text/numbers.h"
 #include "fabrication/count_operations.h"
@@ -51,15 +52,38 @@ std::optional<TextFont> missing_font(const Layout& layout) {
     return std::nullopt;
 }
 
+// Not the colours of plates and drawn lines: hardly a card has none, and whoever cuts it knows.
+void name_pictures(const Layout& layout, const Profile& profile, std::vector<std::string>& missing) {
+    // What lies on several plates is one.
+    std::set<const std::string*> pictures;
+    std::set<std::string_view> texts;
+    for (const Placement& placement : layout.placements) {
+        const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
+        const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
+        for (const PatternPrint& one : piece.prints) {
+            if (profile.draws(operation_of(one.print))) continue;
+            if (const Image* image = std::get_if<Image>(&one.print)) pictures.insert(image->bytes.get());
+            const Text* text = std::get_if<Text>(&one.print);
+            if (text != nullptr && text->color) texts.insert(text->text);
+        }
+    }
+    const auto name = [&missing](std::size_t count, std::string_view what) {
+        if (count > 0) missing.push_back(fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"));
+    };
+    name(pictures.size(), "picture");
+    name(texts.size(), "printed text");
+}
+
 }  // namespace
 
 double margin_needed(const OutputOptions& options) {
     return std::max(clear_of(options.profile.marks), options.reference_mm > 0.0 ? kReferenceMarginMm : 0.0);
 }
 
-void examine_prints(const OutputOptions& options, Diagnostics& diagnostics) {
+void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
     const Profile& profile = options.profile;
-    std::vector<std::string_view> missing;
+    std::vector<std::string> missing;
+    if (!options.print_and_cut) name_pictures(layout, profile, missing);
     if (!profile.draws(Operation::registration)) {
         if (profile.marks != Marks::none) missing.emplace_back("registration marks");
         if (options.reference_mm > 0.0) missing.emplace_back("the bar to measure");

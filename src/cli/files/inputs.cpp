@@ -56,13 +56,15 @@ WalkOptions walk_options(const InputOptions& inputs, Walked walked) {
     return walk;
 }
 
-// ".xml and .fl"
+// ".xml, .oa and .fl"
 std::string walked_suffixes(Walked walked) {
     std::vector<std::string_view> suffixes;
     for (const Language& row : language_table()) {
         if (row.walked && (walked == Walked::all || row.patch != nullptr)) suffixes.push_back(row.suffix);
     }
-    return fmt::format("{}", fmt::join(suffixes, " and "));
+    const std::string_view last = suffixes.back();
+    suffixes.pop_back();
+    return suffixes.empty() ? std::string(last) : fmt::format("{} and {}", fmt::join(suffixes, ", "), last);
 }
 
 std::string trail_of(const Options& options, const Source& source, Diagnostics& diagnostics,
