@@ -271,10 +271,10 @@ class Layers {
         }
     }
 
-    [[nodiscard]] bool by_outline(int plate, Vec2 p) const {
+    [[nodiscard]] bool by_outline(int plate, Vec2 p) {
         const auto i = static_cast<std::size_t>(plate);
         const Vec2 there = on_page(frames_[i], over(p, height(plate, p)));
-        return shapes_[i].to_edge(there, 3.0 * kTouchMm) < 3.0 * kTouchMm;
+        return shapes_[i].edges.is_within(there, 3.0 * kTouchMm, near_);
     }
 
     void count(Vec2 p) {
@@ -293,7 +293,7 @@ class Layers {
     ClosedPlane plane_;
     std::vector<Frame> frames_;
     EdgeIndex boxes_;
-    std::vector<int> here_, found_;
+    std::vector<int> here_, found_, near_;
     std::vector<Vec2> shape_, spare_;
     std::vector<Vec2> points_;  // where layers are counted
     std::vector<Overlap> overlaps_;

@@ -5,6 +5,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <iterator>
 #include <utility>
 
@@ -74,10 +75,9 @@ void EdgeIndex::query(const Box& box, std::vector<int>& found) const {
     if (box.empty()) return;
     if (tree_) {
         const TreeBox window{{box.min.x, box.min.y}, {box.max.x, box.max.y}};
-        for (auto it = tree_->entries.qbegin(bg::index::intersects(window)); it != tree_->entries.qend();
-             ++it) {
-            found.push_back(it->second);
-        }
+        tree_->entries.query(bg::index::intersects(window),
+                             boost::make_function_output_iterator(
+                                 [&found](const Entry& entry) { found.push_back(entry.second); }));
         std::sort(found.begin(), found.end());
         return;
     }
@@ -100,6 +100,12 @@ double EdgeIndex::clearance(Vec2 p, double limit) const {
         for (const int number : found) best = std::min(best, distance(p, (*this)[number]));
         if (best <= radius || radius >= limit) return best;
     }
+}
+
+bool EdgeIndex::is_within(Vec2 p, double limit, std::vector<int>& spare) const {
+    query({p - Vec2{limit, limit}, p + Vec2{limit, limit}}, spare);
+    return std::any_of(spare.begin(), spare.end(),
+                       [&](int number) { return distance(p, (*this)[number]) < limit; });
 }
 
 int EdgeIndex::winding(Vec2 p) const {
