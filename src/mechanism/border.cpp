@@ -219,7 +219,9 @@ Border loop_at(const Border& border, const Contact& contact, bool behind) {
 DroppedLoop dropped_loop(const Border& loop, Vec2 at) {
     Box box;
     for (const BorderEdge& edge : loop.edges) box.extend(edge.from);
-    return {at, 0.5 * std::abs(doubled_area(loop)), std::max(box.width(), box.height())};
+    // It may cross itself in turn.
+    const double enclosed = area(filled({ring_of(loop)}, FillRule::even_odd));
+    return {at, enclosed, std::max(box.width(), box.height())};
 }
 
 }  // namespace

@@ -45,27 +45,6 @@ Vec2 crossing_at(const Border& border, std::size_t i, const DirectedLine& line, 
     return at_of(along_of(curve.at(t), line), line);
 }
 
-// The border with corners wherever it crosses the line; those on it are put there.
-Border with_crossings(const Border& border, const DirectedLine& line) {
-    Border made;
-    made.cubics = border.cubics;
-    made.edges.reserve(border.edges.size() + 8);
-    for (std::size_t i = 0; i < border.edges.size(); ++i) {
-        BorderEdge edge = border.edges[i];
-        const Segment chord = border.chord(i);
-        const int from = side_of(chord.a, line);
-        const int to = side_of(chord.b, line);
-        if (from == 0) edge.from = at_of(along_of(edge.from, line), line);
-        made.edges.push_back(edge);
-        if (from * to >= 0) continue;
-        double t = 0.0;
-        const Vec2 at = crossing_at(border, i, line, t);
-        made.edges.back().t1 = edge.curve < 0 ? edge.t1 : t;
-        made.edges.push_back({at, edge.curve, edge.curve < 0 ? edge.t0 : t, edge.t1, edge.of});
-    }
-    return made;
-}
-
 // Stretches of the line that have paper on one side of it: between edges that leave it to that side.
 std::vector<std::pair<double, double>> stretches(const Border& border, const DirectedLine& line, int side) {
     std::vector<double> leaves;
@@ -105,9 +84,29 @@ double clockwise(double from, double to) {
 
 }  // namespace
 
+Border with_corners_on(const Border& border, const DirectedLine& line) {
+    Border made;
+    made.cubics = border.cubics;
+    made.edges.reserve(border.edges.size() + 8);
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        BorderEdge edge = border.edges[i];
+        const Segment chord = border.chord(i);
+        const int from = side_of(chord.a, line);
+        const int to = side_of(chord.b, line);
+        if (from == 0) edge.from = at_of(along_of(edge.from, line), line);
+        made.edges.push_back(edge);
+        if (from * to >= 0) continue;
+        double t = 0.0;
+        const Vec2 at = crossing_at(border, i, line, t);
+        made.edges.back().t1 = edge.curve < 0 ? edge.t1 : t;
+        made.edges.push_back({at, edge.curve, edge.curve < 0 ? edge.t0 : t, edge.t1, edge.of});
+    }
+    return made;
+}
+
 Division divide(const Border& border, const DirectedLine& line, EdgeOf made) {
     Division result;
-    const Border marked = with_crossings(border, line);
+    const Border marked = with_corners_on(border, line);
     result.cubics_ = marked.cubics;
     result.edges_ = marked.edges;
     const std::size_t drawn = marked.edges.size();

@@ -55,6 +55,9 @@ class Division {
     std::vector<int> chord_edge_;  // of each chord: its edge above; that below is the next one
 };
 
+// The border with corners wherever it crosses the line, as divide() puts them.
+Border with_corners_on(const Border& border, const DirectedLine& line);
+
 // Where it crosses the line, corners are put on its curves: exactly on the line, and on the curve up to
 // rounding; all other corners keep their values. Precondition: the border touches itself nowhere and runs
 // counter-clockwise. The edges that are made are of kind `made`. Cost: linear in edges, but for sorting what

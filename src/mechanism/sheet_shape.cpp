@@ -128,11 +128,14 @@ std::optional<SheetFault> shape_of(const Element& e, const Border& border, const
     if (auto fault = truncate(e, upper, p, "top")) return fault;
     if (auto fault = truncate(e, lower, q, "bottom")) return fault;
 
+    const double centre = *p - *q;
+    // What is taken from the page has the corners of the plates.
+    upper = with_corners_on(upper, level_line(centre));
+    lower = with_corners_on(lower, level_line(-centre));
     SheetParts parts;
     parts.upper = upper;
     parts.lower = mapped(lower, turned);
     parts.span = {halves.chords[0].from, halves.chords[0].to};
-    const double centre = *p - *q;
     parts.far_left = centre >= 0.0;
     if (std::abs(centre) <= kEvenMm) {
         parts.plates = {parts.upper, parts.lower};

@@ -161,23 +161,30 @@ std::optional<SheetFault> shape_of(const Element& e, const Border& border, CutSh
                                       degrees(kWidestSlit * kDegree)),
                           "draw it narrower near A"};
     }
+    // The beak's: it leaves the left side fold at the angle of the right one. What is taken from the page has
+    // the corners of the plates.
+    const double centre = a - b;
+    const auto centre_line = [&](double angle) {
+        return DirectedLine{{0.0, 0.0}, {std::cos(angle), std::sin(angle)}};
+    };
+    if (std::abs(centre) > kEvenRad) {
+        upper = with_corners_on(upper, centre_line(centre));
+        lower = with_corners_on(lower, centre_line(-centre));
+    }
     SheetParts parts;
     parts.upper = view.back(upper);
     parts.lower = mirrored.back(lower);
     begin_at_drive(parts.upper);
     begin_at_drive(parts.lower);
     parts.span = {lo, hi};
-    // The beak's: it leaves the left side fold at the angle of the right one.
-    const double centre = a - b;
     parts.far_left = centre >= 0.0;
     const View& wide_view = parts.far_left ? view : mirrored;
     if (std::abs(centre) <= kEvenRad) {
         parts.plates = {parts.upper, parts.lower};
         for (Border& plate : parts.plates) fold_in_the_middle(plate);
     } else {
-        const DirectedLine line{{0.0, 0.0}, {std::cos(centre), std::abs(std::sin(centre))}};
         Border narrow = wide_view.there(parts.far_left ? parts.lower : parts.upper);
-        auto panels = panels_of(parts.far_left ? upper : lower, narrow, line);
+        auto panels = panels_of(parts.far_left ? upper : lower, narrow, centre_line(std::abs(centre)));
         if (!panels) return not_divided();
         std::vector<Border> plates{panels->far.front(), panels->near};
         if (!parts.far_left) std::swap(plates[0], plates[1]);
@@ -216,7 +223,8 @@ std::vector<double> crossings(const Element& e) {
     std::vector<double> made;
     // A lies on the fold that is meant.
     if (std::abs(e.on[A].w) > e.tolerances->snap_mm) return made;
-    const auto border = site_border_through(e);
+    auto border = site_border_through(e);
+    if (!border) border = site_border(e);
     if (!border) return made;
     for (const auto& [from, to] : on_fold(*border)) made.insert(made.end(), {from, to});
     return made;
