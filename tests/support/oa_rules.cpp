@@ -17,9 +17,8 @@ OaRules::OaRules(const std::string& json, double cell_mm) {
     const nlohmann::json root = nlohmann::json::parse(json);
     width_ = root["settings"]["cardW"];
     height_ = root["settings"]["cardH"];
-    // Numbers of cells that have little in common with sizes people choose: no edge runs through a middle.
-    columns_ = static_cast<std::size_t>(width_ / cell_mm) | 1U;
-    rows_ = static_cast<std::size_t>(2.0 * height_ / cell_mm) | 1U;
+    columns_ = static_cast<std::size_t>(width_ / cell_mm);
+    rows_ = static_cast<std::size_t>(2.0 * height_ / cell_mm);
     const auto ring_of = [](const nlohmann::json& points) {
         Ring ring;
         for (const auto& p : points) ring.push_back({p["X"], p["Y"]});
@@ -167,53 +166,57 @@ void OaRules::run_back(double depth) {
     }
     const auto plain = [](const Face& face) { return face.mode == 0 && !face.text; };
     const auto face_only = [](const Face& face) { return face.mode == 0; };
-    Mask open(columns_ * rows_);       // where no face of the depth is
-    Mask open_pull(columns_ * rows_);  // where none of its pulls is
-    for (std::size_t r = 0; r < rows_; ++r) {
-        for (std::size_t c = 0; c < columns_; ++c) {
-            const Point p{x(c), y(r)};
-            open[r * columns_ + c] = stands_at(depth, p, face_only) ? 0 : 1;
-            open_pull[r * columns_ + c] =
-                stands_at(depth, p, [](const Face& face) { return face.mode == 2; }) ? 0 : 1;
+    // Where no face of the depth is; and of each pull, for nothing runs back from its outer edges, where that
+    // is not.
+    const auto open_of = [&](const auto& which) {
+        Mask open(columns_ * rows_);
+        for (std::size_t r = 0; r < rows_; ++r) {
+            for (std::size_t c = 0; c < columns_; ++c)
+                open[r * columns_ + c] = stands_at(depth, {x(c), y(r)}, which) ? 0 : 1;
         }
+        return open;
+    };
+    const Mask open = open_of(face_only);
+    std::vector<std::pair<const Face*, Mask>> pulls;
+    for (const Face& face : faces_) {
+        if (face.mode != 2 || face.depth != depth) continue;
+        pulls.emplace_back(&face, open_of([&face](const Face& one) { return &one == &face; }));
     }
     for (const double edge : heights) {
         if (!(edge < depth) || edge <= -height_ || edge >= height_) continue;
-        const double at = (edge + height_) * static_cast<double>(rows_) / (2.0 * height_);
-        // The last row whose middle lies above the edge.
-        const double above = std::floor(at - 0.5 - 1e-9);
-        if (above < 0.0) continue;
-        const auto row = static_cast<std::size_t>(above);
-        enum class Kind { none, face, pull };
-        const auto kind = [&](std::size_t c) {
+        std::size_t row = 0;  // the last above the edge
+        while (row + 1 < rows_ && y(row + 1) < edge) ++row;
+        if (y(row) >= edge) continue;
+        const auto upper_of_face = [&](std::size_t c) {
             const Point over{x(c), edge - kBeside};
             const Point under{x(c), edge + kBeside};
-            const bool of_face = stands_at(depth, under, plain) && !stands_at(depth, over, face_only);
-            if (of_face) return Kind::face;
-            if (top_of_text(depth, {x(c), edge}) && !stands_at(depth, over, face_only)) return Kind::face;
-            const auto in_pull = [&](const Face& face) {
-                if (face.mode != 2 || face.depth != depth || !stands(face, under) || stands(face, over))
-                    return false;
-                return std::any_of(face.contours.begin(), face.contours.end(), [&](const Contour& contour) {
-                    return std::any_of(contour.holes.begin(), contour.holes.end(),
-                                       [&](const Ring& hole) { return !hole.empty() && inside(hole, over); });
-                });
-            };
-            return std::any_of(faces_.begin(), faces_.end(), in_pull) ? Kind::pull : Kind::none;
+            if (stands_at(depth, over, face_only)) return false;
+            return stands_at(depth, under, plain) || top_of_text(depth, {x(c), edge});
         };
-        for (std::size_t c = 0; c < columns_;) {
-            const Kind here = kind(c);
-            std::size_t last = c;
-            while (last + 1 < columns_ && kind(last + 1) == here) ++last;
-            if (here != Kind::none) {
-                std::size_t from = c;
-                std::size_t to = last;
-                // Through an opening it is as wide as that.
-                opening(here == Kind::pull ? open_pull : open, c, row, from, to);
-                flood_back(depth, edge, c, last, from, to);
-            }
-            c = last + 1;
+        run_back(depth, edge, row, open, false, upper_of_face);
+        for (const auto& [pull, open_pull] : pulls) {
+            const auto upper_of_pull = [&, pull = pull](std::size_t c) {
+                return stands(*pull, {x(c), edge + kBeside}) && !stands(*pull, {x(c), edge - kBeside});
+            };
+            run_back(depth, edge, row, open_pull, true, upper_of_pull);
         }
+    }
+}
+
+// From the stretches of one edge that `is_upper` names, the row above which is `row`.
+template <typename IsUpper>
+void OaRules::run_back(double depth, double edge, std::size_t row, const Mask& open, bool only_openings,
+                       const IsUpper& is_upper) {
+    for (std::size_t c = 0; c < columns_; ++c) {
+        if (!is_upper(c)) continue;
+        std::size_t last = c;
+        while (last + 1 < columns_ && is_upper(last + 1)) ++last;
+        std::size_t from = c;
+        std::size_t to = last;
+        // Through an opening it is as wide as that.
+        const bool through = opening(open, c, row, from, to);
+        if (through || !only_openings) flood_back(depth, edge, c, last, from, to);
+        c = last;
     }
 }
 

@@ -29,12 +29,12 @@ class OaRules {
     // Cells along the gutter (X) and down the sheet (Y).
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] std::size_t rows() const { return rows_; }
-    // The middle of a column, as X, and of a row, as Y.
+    // About the middle of a column, as X, and of a row, as Y.
     [[nodiscard]] double x(std::size_t column) const {
-        return (static_cast<double>(column) + 0.5) * width_ / static_cast<double>(columns_);
+        return (static_cast<double>(column) + kMiddle) * width_ / static_cast<double>(columns_);
     }
     [[nodiscard]] double y(std::size_t row) const {
-        return -height_ + (static_cast<double>(row) + 0.5) * 2.0 * height_ / static_cast<double>(rows_);
+        return -height_ + (static_cast<double>(row) + kMiddle) * 2.0 * height_ / static_cast<double>(rows_);
     }
     [[nodiscard]] OaPlane plane(std::size_t column, std::size_t row) const {
         return planes_[row * columns_ + column];
@@ -45,6 +45,8 @@ class OaRules {
     [[nodiscard]] bool in_hole(std::size_t column, std::size_t row) const;
 
  private:
+    // Of a cell: no edge of a drawing runs through it.
+    static constexpr double kMiddle = 0.51372;
     struct Point {
         double x, y;
     };
@@ -69,6 +71,9 @@ class OaRules {
     [[nodiscard]] bool stands_at(double depth, Point p, const Which& which) const;
     [[nodiscard]] bool top_of_text(double depth, Point p) const;
     void run_back(double depth);
+    template <typename IsUpper>
+    void run_back(double depth, double edge, std::size_t row, const Mask& open, bool only_openings,
+                  const IsUpper& is_upper);
     void flood_back(double depth, double y, std::size_t first, std::size_t last, std::size_t from,
                     std::size_t to);
     bool opening(const Mask& open, std::size_t column, std::size_t row, std::size_t& from,

@@ -31,7 +31,7 @@ constexpr std::size_t kToldPlaces = 1000;
 class Reader {
  public:
     Reader(std::string_view text, bool strict, Diagnostics& diagnostics)
-        : text_(text), strict_(strict), diagnostics_(diagnostics) {}
+        : text_(text), walk_(text), strict_(strict), diagnostics_(diagnostics) {}
 
     std::optional<Card> run(const JsonValue& root) {
         if (root.object() == nullptr) {
@@ -117,7 +117,7 @@ class Reader {
         only(json, {"contours", "contoursType", "type", "mode", "t", "timestamp"});
         Face face;
         face.number = number_of_face;
-        face.at = json.at;
+        face.place = walk_.to(json.at);
         face.text = word(json, "contoursType", path) == "expolygons";
         if (const std::string_view type = word(json, "type", path); !type.empty() && type != "VFACE") {
             wrong(*json.member("type"), path + ".type", "\"VFACE\": horizontal plates follow from these");
@@ -135,7 +135,7 @@ class Reader {
             face.timestamp = number(json, "timestamp", path, 0.0, 1e300).value_or(0.0);
         const auto depth = number(json, "t", path, -kReachMm, kReachMm);
         read_contours(json, path, face);
-        if (!depth) return;
+        if (!depth || face.contours.empty()) return;
         face.depth = on_grid({*depth, 0.0}).x;
         if (face.mode != Mode::hole && !(face.depth > 0.0 && face.depth <= card_.height) && sound_) {
             diagnostics_
@@ -153,6 +153,12 @@ class Reader {
         const JsonValue* contours = needed(json, "contours", path);
         if (contours == nullptr) return;
         if (contours->list() == nullptr) return wrong(*contours, path + ".contours", "a list");
+        if (contours->list()->empty()) {
+            diagnostics_
+                .warning("oa-contour-empty", place(contours->at),
+                         fmt::format("{} has no contour, and is left out", path))
+                .hint("take it out of the list of faces");
+        }
         for (std::size_t i = 0; i < contours->list()->size() && !given_up_; ++i) {
             const JsonValue& one = (*contours->list())[i];
             const std::string own = fmt::format("{}.contours[{}]", path, i);
@@ -164,7 +170,6 @@ class Reader {
             const JsonValue* outer = needed(one, "outer", own);
             if (outer == nullptr) continue;
             Contour contour;
-            contour.at = one.at;
             contour.area = enclosed(*outer, own + ".outer", true);
             const JsonValue* holes = one.member("holes");
             if (holes != nullptr && !holes->null()) cut_holes(*holes, own + ".holes", contour);
@@ -266,6 +271,7 @@ class Reader {
     }
 
     std::string_view text_;
+    PlaceWalk walk_;  // to the faces, one after the other
     bool strict_;
     Diagnostics& diagnostics_;
     Work work_;
@@ -276,6 +282,12 @@ class Reader {
 };
 
 }  // namespace
+
+Place Card::place_of(int face) const {
+    const auto found = std::lower_bound(faces.begin(), faces.end(), face,
+                                        [](const Face& one, int number) { return one.number < number; });
+    return found == faces.end() || found->number != face ? Place{} : found->place;
+}
 
 std::optional<Card> read_card(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     const std::optional<JsonValue> root = read_json(source.text, "oa-syntax", diagnostics);

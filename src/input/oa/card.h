@@ -9,7 +9,6 @@
 // sheet turned counter-clockwise by a quarter: x to the right over the gutter from back to floor, y along it.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -27,8 +26,7 @@ enum class Mode {
 };
 
 struct Contour {
-    std::vector<Polygon> area;  // what it encloses; empty: nothing
-    std::size_t at = 0;         // the byte where it begins
+    std::vector<Polygon> area;  // what it encloses, not empty
 };
 
 struct Face {
@@ -40,13 +38,15 @@ struct Face {
     bool text = false;
     double timestamp = 0.0;  // when it was made; 0: not known
     std::vector<Contour> contours;
-    std::size_t at = 0;
+    Place place;  // in the file
 };
 
 struct Card {
-    double width = 0.0;   // along the gutter, > 0
-    double height = 0.0;  // of the back, and of the floor, > 0
-    std::vector<Face> faces;
+    double width = 0.0;       // along the gutter, > 0
+    double height = 0.0;      // of the back, and of the floor, > 0
+    std::vector<Face> faces;  // by number
+
+    [[nodiscard]] Place place_of(int face) const;  // of none where there is no such face
 };
 
 // Reads the file. Coordinates stand on the grid of base/geometry/regions.h. Errors, located: `oa-syntax`,

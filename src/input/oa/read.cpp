@@ -12,7 +12,6 @@
 
 #include "assembly/settle.h"
 #include "base/geometry/tolerances.h"
-#include "base/text/place_at.h"
 #include "input/oa/card.h"
 #include "input/oa/folds.h"
 #include "input/oa/sheet.h"
@@ -31,8 +30,8 @@ constexpr Vec2 kAlong{0.0, 1.0};  // the direction of all folds, on the page and
 class Maker {
  public:
     Maker(const Card& card, const std::vector<Region>& regions, const std::vector<Fold>& folds,
-          const Holding& held, const PlaceOf& place_of)
-        : card_(card), regions_(regions), folds_(folds), held_(held), place_of_(place_of) {}
+          const Holding& held)
+        : card_(card), regions_(regions), folds_(folds), held_(held) {}
 
     Assembly run() {
         name_all();
@@ -107,12 +106,6 @@ class Maker {
         out_.plates.push_back(std::move(plate));
     }
 
-    [[nodiscard]] Place place_of_face(int face) const {
-        const auto found = std::lower_bound(card_.faces.begin(), card_.faces.end(), face,
-                                            [](const Face& one, int number) { return one.number < number; });
-        return face < 0 || found == card_.faces.end() ? Place{} : place_of_(found->at);
-    }
-
     void add_joint(const Holding::Step& step) {
         const Region& region = regions_[at(step.region)];
         const int plate = plate_of_[at(step.region)];
@@ -134,7 +127,7 @@ class Maker {
         how.carrier_dir = how.own_dir = kAlong;
         const int face = faces_[at(step.region)];
         out_.joints.push_back(
-            {face < 0 ? "page" : fmt::format("face-{}", face), place_of_face(face), std::move(how)});
+            {face < 0 ? "page" : fmt::format("face-{}", face), card_.place_of(face), std::move(how)});
     }
 
     // Every edge of a plate is cut, but where it is folded.
@@ -196,7 +189,6 @@ class Maker {
     const std::vector<Region>& regions_;
     const std::vector<Fold>& folds_;
     const Holding& held_;
-    const PlaceOf& place_of_;
     std::vector<int> plate_of_;       // by region; -1: it falls out
     std::vector<int> faces_;          // by region: the face that it is named after
     std::vector<std::string> names_;  // in the order of the plates
@@ -204,8 +196,7 @@ class Maker {
 };
 
 // What no fold leads to.
-void tell_loose(const Card& card, const Sheet& sheet, const Holding& held, const PlaceOf& place_of,
-                Diagnostics& diagnostics) {
+void tell_loose(const Card& card, const Sheet& sheet, const Holding& held, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < sheet.regions.size(); ++i) {
         const Region& region = sheet.regions[i];
         const double size = area(region.area);
@@ -228,10 +219,8 @@ void tell_loose(const Card& card, const Sheet& sheet, const Holding& held, const
                                 region.offset, where))
                 .hint("what carries it must reach the floor or another plate");
         } else {
-            const auto face = std::find_if(card.faces.begin(), card.faces.end(),
-                                           [&](const Face& one) { return one.number == region.face; });
             diagnostics
-                .warning("oa-loose", place_of(face->at),
+                .warning("oa-loose", card.place_of(region.face),
                          fmt::format("a part of faces[{}] falls out: no fold holds {}", region.face, where))
                 .hint(
                     fmt::format("let it reach the floor (Y {:g}) or a horizontal plate, or give it an upper "
@@ -246,8 +235,7 @@ void tell_loose(const Card& card, const Sheet& sheet, const Holding& held, const
 std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     const std::optional<Card> card = read_card(source, options, diagnostics);
     if (!card) return std::nullopt;
-    const PlaceOf place_of = [&source](std::size_t byte) { return place_at(source.text, byte); };
-    const std::optional<Sheet> sheet = lay_out_sheet(*card, diagnostics, place_of);
+    const std::optional<Sheet> sheet = lay_out_sheet(*card, diagnostics);
     if (!sheet) return std::nullopt;
     const std::vector<Fold> folds = folds_between(sheet->regions);
     const Holding held = holding(sheet->regions, folds);
@@ -259,8 +247,8 @@ std::optional<Assembly> read(const Source& source, const ReadOptions& options, D
             .hint("make the card higher than what stands on it");
         return std::nullopt;
     }
-    tell_loose(*card, *sheet, held, place_of, diagnostics);
-    Assembly assembly = Maker(*card, sheet->regions, folds, held, place_of).run();
+    tell_loose(*card, *sheet, held, diagnostics);
+    Assembly assembly = Maker(*card, sheet->regions, folds, held).run();
     settle_numbers(assembly);
     return assembly;
 }

@@ -11,6 +11,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "input/oa/come_apart.h"
 #include "parts/work.h"
 
 namespace popup::oa {
@@ -92,8 +93,7 @@ struct Level {
 
 class Layer {
  public:
-    Layer(const Card& card, Diagnostics& diagnostics, const PlaceOf& place_of)
-        : card_(card), diagnostics_(diagnostics), place_of_(place_of) {}
+    Layer(const Card& card, Diagnostics& diagnostics) : card_(card), diagnostics_(diagnostics) {}
 
     std::optional<Sheet> run() {
         index_holes();
@@ -122,11 +122,12 @@ class Layer {
     }
     std::vector<Polygon> united(std::vector<Polygon> all) {
         if (all.empty() || !afford(all, {})) return all;
-        return unite(all);
+        return come_apart(unite(all));
     }
     std::vector<Polygon> without(std::vector<Polygon> from, const std::vector<Polygon>& what) {
         if (from.empty() || what.empty() || !afford(from, what)) return from;
-        return subtract(from, what);
+        // What only touches along an edge is one ring until it is united.
+        return come_apart(unite(subtract(from, what)));
     }
     std::vector<Polygon> common(const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
         if (a.empty() || b.empty() || !afford(a, b)) return {};
@@ -182,7 +183,7 @@ class Layer {
         if (!any) {
             diagnostics_
                 .warning(
-                    "oa-hidden", place_of_(face.at),
+                    "oa-hidden", face.place,
                     fmt::format("nothing is left of {}: it lies outside of the card, below the floor, or "
                                 "where a hole is",
                                 path_of(face.number)))
@@ -192,7 +193,7 @@ class Layer {
         }
         shown_[face.number] = false;
         if (beyond > kRoundedMm) {
-            diagnostics_.remark("oa-clipped", place_of_(face.at),
+            diagnostics_.remark("oa-clipped", face.place,
                                 fmt::format("{} reaches {:.2f} mm beyond the edge of the card, and is cut "
                                             "off there",
                                             path_of(face.number), beyond));
@@ -286,7 +287,7 @@ class Layer {
                 if (gap <= kRoundedMm || !snapped_.emplace(face, edge.x).second) return;
                 const double height = depth - edge.x;
                 diagnostics_
-                    .warning("oa-snapped", place_of_(at_of(face)),
+                    .warning("oa-snapped", card_.place_of(face),
                              fmt::format("the lower edge of {} at Y {:.3f} ends {:.3f} mm above {}; it was "
                                          "drawn down to it",
                                          path_of(face), edge.x, gap,
@@ -324,11 +325,6 @@ class Layer {
             if (contains(part, at) && (first < 0 || face < first)) first = face;
         });
         return first < 0 ? plane.owners.front().first : first;
-    }
-    [[nodiscard]] std::size_t at_of(int face) const {
-        const auto found = std::lower_bound(card_.faces.begin(), card_.faces.end(), face,
-                                            [](const Face& one, int number) { return one.number < number; });
-        return found == card_.faces.end() ? 0 : found->at;
     }
 
     // --- what lies
@@ -479,7 +475,7 @@ class Layer {
         for (const auto& [face, is_shown] : shown_) {
             if (is_shown) continue;
             diagnostics_
-                .warning("oa-hidden", place_of_(at_of(face)),
+                .warning("oa-hidden", card_.place_of(face),
                          fmt::format("nothing is seen of {}: plates before and above it have all its paper",
                                      path_of(face)))
                 .hint("take it out, or move it to where nothing covers it on the sheet");
@@ -488,7 +484,6 @@ class Layer {
 
     const Card& card_;
     Diagnostics& diagnostics_;
-    const PlaceOf& place_of_;
     Work work_;
     bool afforded_ = true;
     std::vector<std::pair<const Face*, Polygon>> holes_;
@@ -507,8 +502,8 @@ class Layer {
 
 }  // namespace
 
-std::optional<Sheet> lay_out_sheet(const Card& card, Diagnostics& diagnostics, const PlaceOf& place_of) {
-    return Layer(card, diagnostics, place_of).run();
+std::optional<Sheet> lay_out_sheet(const Card& card, Diagnostics& diagnostics) {
+    return Layer(card, diagnostics).run();
 }
 
 }  // namespace popup::oa

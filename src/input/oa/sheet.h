@@ -4,7 +4,7 @@
 // sheet goes down and forwards by turns, so a point x of it has depth - height = x. What stands at depth d
 // therefore has its points at the height d - x, what lies at height h at the depth x + h.
 //
-//     const std::optional<Sheet> sheet = lay_out_sheet(*card, diagnostics, place_of);
+//     const std::optional<Sheet> sheet = lay_out_sheet(*card, diagnostics);
 //     for (const Region& region : sheet->regions) ...
 //
 // The rules: what of a face lies below the floor (x > depth) or outside of the card is not there. Holes cut
@@ -17,8 +17,6 @@
 // the farther; back and floor have the rest.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,13 +42,10 @@ struct Sheet {
     std::vector<Region> regions;
 };
 
-// Where a byte of the source stands.
-using PlaceOf = std::function<Place(std::size_t)>;
-
 // Repair: `oa-snapped`, of lower edges that miss what they would stand on by up to half a millimetre.
 // Remarks: `oa-clipped`, of faces that lie partly outside of the card. Warning: `oa-hidden`, of faces nothing
 // is left of. nullopt and `document-too-large` where faces overlap too much. Cost: near linear in corners, as
 // long as each plate meets few others.
-std::optional<Sheet> lay_out_sheet(const Card& card, Diagnostics& diagnostics, const PlaceOf& place_of);
+std::optional<Sheet> lay_out_sheet(const Card& card, Diagnostics& diagnostics);
 
 }  // namespace popup::oa
