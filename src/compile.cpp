@@ -1,7 +1,5 @@
 #include "popup/compile.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,23 +11,6 @@
 
 namespace popup {
 namespace {
-
-// How far it opens: as asked for, else as the design says.
-bool set_opening(const CompileOptions& options, double design_deg, Assembly& assembly,
-                 Diagnostics& diagnostics) {
-    if (!moves(assembly)) return true;
-    const double asked = options.opens ? options.opens->deg : design_deg;
-    if (asked > assembly.sweep.from_deg) {
-        assembly.sweep.to_deg = asked;
-        return true;
-    }
-    diagnostics
-        .error("opens-too-little", {},
-               fmt::format("its sweep begins at {:g}°, so it cannot open to {:g}° only",
-                           assembly.sweep.from_deg, asked))
-        .hint("--opens takes more than that");
-    return false;
-}
 
 // The stages of one design, in order. What is read as an assembly enters there.
 void run_stages(CompiledDesign& one, const CompileOptions& options) {
@@ -43,10 +24,6 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         if (one.assembly->file.empty()) one.assembly->file = one.source.name;
         one.diagnostics.set_places_file(one.assembly->file);
         one.assembly->stem = one.stem;
-        if (!set_opening(options, one.assembly->sweep.to_deg, *one.assembly, one.diagnostics)) {
-            one.assembly.reset();
-            return;
-        }
     } else {
         if (!one.design) return;
         one.design->stem = one.stem;
@@ -56,11 +33,9 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         if (!one.checked || options.until == Stage::check) return;
 
         one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
-        if (one.assembly) {
-            set_opening(options, one.design->opens_deg, *one.assembly, one.diagnostics);
-            level_horizons(*one.assembly, one.diagnostics);
-        }
     }
+    if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics)) return;
+    if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
     if (!one.assembly || options.until <= Stage::assembly) return;
 
     if (moves(*one.assembly)) {

@@ -131,6 +131,10 @@ struct Motion {
 // allocation.
 bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* stuck = nullptr);
 
+// Ends the sweep at this opening, above 0° and at most 180°, whatever it was. What does not move stays as it
+// is. Error: `opens-too-little`, and false, where the sweep begins there or beyond.
+bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
+
 // Horizon-line correction (Glassner, "Interactive Pop-up Card Design", section 8): seen along the base of the
 // open card, the horizon of a picture is straight and parallel to the base, whatever plates it runs over.
 //

@@ -231,6 +231,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     add_fold_lines(skeleton, assembly);
     spread_prints(skeleton, design.design(), options, assembly);
     assembly.curves = CurveTable(skeleton.curves);
+    assembly.sweep.to_deg = design.design().opens_deg;
     settle_numbers(assembly);
     return assembly;
 }

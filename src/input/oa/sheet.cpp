@@ -18,9 +18,9 @@ namespace popup::oa {
 namespace {
 
 // An edge that misses what it would stand on by less does so by mistake: webOAcard's grids are coarser.
-constexpr double kSnapMm = 0.5;
+constexpr double kMissMm = 0.5;
 // A difference up to this is the rounding of a file.
-constexpr double kRoundedMm = 0.02;
+constexpr double kWrittenMm = 0.02;
 
 double grid(double value) { return on_grid({value, 0.0}).x; }
 
@@ -86,11 +86,6 @@ struct Plane {
     Boxes owner_boxes;
 };
 
-// What lies at one height.
-struct Level {
-    std::vector<Polygon> material;
-};
-
 class Layer {
  public:
     Layer(const Card& card, Diagnostics& diagnostics) : card_(card), diagnostics_(diagnostics) {}
@@ -103,7 +98,7 @@ class Layer {
         for (auto& [depth, plane] : planes_) join(depth, plane);
         for (auto& [depth, plane] : planes_) snap(depth, plane);
         for (auto& [depth, plane] : planes_) run_back(depth, plane);
-        for (auto& [height, level] : levels_) level.material = united(std::move(level.material));
+        for (auto& [height, level] : levels_) level = united(std::move(level));
         cut_texts();
         share_out();
         if (!afforded_) {
@@ -192,7 +187,7 @@ class Layer {
             return;
         }
         shown_[face.number] = false;
-        if (beyond > kRoundedMm) {
+        if (beyond > kWrittenMm) {
             diagnostics_.remark("oa-clipped", face.place,
                                 fmt::format("{} reaches {:.2f} mm beyond the edge of the card, and is cut "
                                             "off there",
@@ -284,7 +279,7 @@ class Layer {
                 if (!(gap > kGridMm)) return;
                 grown.push_back(rectangle(edge.x, edge.y0, grid(edge.x + gap), edge.y1));
                 const int face = owner(plane, {edge.x, 0.5 * (edge.y0 + edge.y1)});
-                if (gap <= kRoundedMm || !snapped_.emplace(face, edge.x).second) return;
+                if (gap <= kWrittenMm || !snapped_.emplace(face, edge.x).second) return;
                 const double height = depth - edge.x;
                 diagnostics_
                     .warning("oa-snapped", card_.place_of(face),
@@ -306,8 +301,8 @@ class Layer {
         const double height = grid(depth - edge.x);
         if (!(height > 0.0)) return 0.0;
         double gap = HUGE_VAL;
-        if (height <= kSnapMm) gap = height;
-        for (auto level = by_height_.lower_bound(height - kSnapMm);
+        if (height <= kMissMm) gap = height;
+        for (auto level = by_height_.lower_bound(height - kMissMm);
              level != by_height_.end() && level->first <= height; ++level) {
             for (const auto& [from, upper] : level->second) {
                 const bool below =
@@ -315,7 +310,7 @@ class Layer {
                 if (below) gap = std::min(gap, height - level->first);
             }
         }
-        return gap <= kSnapMm ? gap : 0.0;
+        return gap <= kMissMm ? gap : 0.0;
     }
 
     static int owner(Plane& plane, Vec2 at) {
@@ -362,7 +357,7 @@ class Layer {
                     blocked.push_back(std::move(rest));
             });
             for (Polygon& part : without({whole}, blocked)) {
-                if (holds(part, upper.at)) levels_[grid(depth - x)].material.push_back(std::move(part));
+                if (holds(part, upper.at)) levels_[grid(depth - x)].push_back(std::move(part));
             }
         }
     }
@@ -404,7 +399,7 @@ class Layer {
     void share_out() {
         std::vector<Claim> claims;  // what comes later gives way
         for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
-            for (const Polygon& part : level->second.material) claims.push_back({false, level->first, &part});
+            for (const Polygon& part : level->second) claims.push_back({false, level->first, &part});
         }
         for (auto plane = planes_.rbegin(); plane != planes_.rend(); ++plane) {
             for (const Polygon& part : plane->second.material) claims.push_back({true, plane->first, &part});
@@ -488,8 +483,8 @@ class Layer {
     bool afforded_ = true;
     std::vector<std::pair<const Face*, Polygon>> holes_;
     Boxes hole_boxes_;
-    std::map<double, Plane> planes_;  // by depth
-    std::map<double, Level> levels_;  // by height
+    std::map<double, Plane> planes_;                 // by depth
+    std::map<double, std::vector<Polygon>> levels_;  // what lies, by height
     // The edges that plates run back from, by the height of these: their depth, and where they are.
     std::map<double, std::vector<std::pair<double, Edge>>> by_height_;
     bool indexed_ = false;
