@@ -16,7 +16,7 @@ namespace {
 // Below this the planes are as good as parallel, and where they cross is not known.
 constexpr double kLeastSine = 1e-3;
 // Points of a plate deeper than kTouchMm inside its edges have those this far to either side on it, too.
-constexpr double kAsideMm = 0.5 * kTouchMm;
+constexpr double kLineAsideMm = 0.5 * kTouchMm;
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
@@ -55,7 +55,7 @@ std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Str
 
 // Where points of the line may lie deeper than kTouchMm inside the edges.
 std::vector<Stretch> deep(const PlateShape& shape, Vec2 p, Vec2 along) {
-    const Vec2 beside = kAsideMm * left_of(along);
+    const Vec2 beside = kLineAsideMm * left_of(along);
     return common(stretches(shape, p + beside, along), stretches(shape, p - beside, along));
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 // No sheet is larger, and no coordinate further out.
 constexpr double kLargestMm = 10'000.0;
-constexpr double kFarthestMm = 1e6;
+constexpr double kSheetReachMm = 1e6;
 // A contour with less is a slip of the mouse.
 constexpr double kLeastAreaMm2 = 0.01;
 // So many findings have their place looked up; beyond that it is left out.
@@ -133,7 +133,7 @@ class Reader {
         }
         if (json.member("timestamp") != nullptr && !json.member("timestamp")->null())
             face.timestamp = number(json, "timestamp", path, 0.0, 1e300).value_or(0.0);
-        const auto depth = number(json, "t", path, -kFarthestMm, kFarthestMm);
+        const auto depth = number(json, "t", path, -kSheetReachMm, kSheetReachMm);
         read_contours(json, path, face);
         if (!depth || face.contours.empty()) return;
         face.depth = on_grid({*depth, 0.0}).x;
@@ -215,7 +215,7 @@ class Reader {
             const JsonValue* y = one.member("Y");
             const auto near = [](const JsonValue* value) {
                 return value != nullptr && value->number() != nullptr &&
-                       std::abs(*value->number()) <= kFarthestMm;
+                       std::abs(*value->number()) <= kSheetReachMm;
             };
             if (!near(x) || !near(y)) {
                 wrong(one, fmt::format("{}[{}]", path, ring.size()),

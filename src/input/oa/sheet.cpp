@@ -20,7 +20,7 @@ namespace {
 // An edge that misses what it would stand on by less does so by mistake: webOAcard's grids are coarser.
 constexpr double kMissMm = 0.5;
 // A difference up to this is the rounding of a file.
-constexpr double kWrittenMm = 0.02;
+constexpr double kFileRoundingMm = 0.02;
 
 double grid(double value) { return on_grid({value, 0.0}).x; }
 
@@ -187,7 +187,7 @@ class Layer {
             return;
         }
         shown_[face.number] = false;
-        if (beyond > kWrittenMm) {
+        if (beyond > kFileRoundingMm) {
             diagnostics_.remark("oa-clipped", face.place,
                                 fmt::format("{} reaches {:.2f} mm beyond the edge of the card, and is cut "
                                             "off there",
@@ -279,7 +279,7 @@ class Layer {
                 if (!(gap > kGridMm)) return;
                 grown.push_back(rectangle(edge.x, edge.y0, grid(edge.x + gap), edge.y1));
                 const int face = owner(plane, {edge.x, 0.5 * (edge.y0 + edge.y1)});
-                if (gap <= kWrittenMm || !snapped_.emplace(face, edge.x).second) return;
+                if (gap <= kFileRoundingMm || !snapped_.emplace(face, edge.x).second) return;
                 const double height = depth - edge.x;
                 diagnostics_
                     .warning("oa-snapped", card_.place_of(face),
