@@ -34,8 +34,8 @@ struct CompileOptions {
     PatternOptions pattern;
     LayoutOptions layout;
     OutputOptions output;  // the kerf of its profile is applied to the layout
-    // How far cards open, above 0° and at most 180°: where their sweep ends, whatever the design says. None: as
-    // far as the design says.
+    // How far cards open, above 0° and at most 180°: where their sweep ends, whatever the design says. None:
+    // as far as the design says.
     std::optional<Angle> opens = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it

@@ -569,14 +569,15 @@ TEST(Oa, RandomCardsAreByTheRules) {
 
 // --- other people's designs, which are read where they lie
 
-const std::filesystem::path kShared = "/work/shared/data/oa";
+std::filesystem::path shared_data() {
+    return std::filesystem::path(POPUP_SOURCE_DIR).parent_path() / "shared/data/oa";
+}
 
 class OaShared : public testing::TestWithParam<std::string> {
  protected:
     void SetUp() override {
-        path_ = kShared / (GetParam() + ".oa");
-        if (!std::filesystem::exists(path_))
-            GTEST_SKIP() << path_ << " is not there: nothing to compare with";
+        path_ = shared_data() / (GetParam() + ".oa");
+        if (!std::filesystem::exists(path_)) GTEST_SKIP() << "the shared designs are not here";
         text_ = test::read_file(path_.string());
     }
     std::filesystem::path path_;
