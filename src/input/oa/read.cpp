@@ -126,8 +126,7 @@ class Maker {
         how.carrier_at = how.own_at = {region.upright ? region.offset : -region.offset, 0.0};
         how.carrier_dir = how.own_dir = kAlong;
         const int face = faces_[at(step.region)];
-        out_.joints.push_back(
-            {face < 0 ? "page" : fmt::format("face-{}", face), card_.place_of(face), std::move(how)});
+        out_.joints.push_back({face < 0 ? "page" : fmt::format("face-{}", face), card_.place_of(face), how});
     }
 
     // Every edge of a plate is cut, but where it is folded.
