@@ -1,6 +1,7 @@
 // The input languages: what can be read, and what is known when it has been.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -37,10 +38,37 @@ struct ProgramOptions {
     std::function<std::optional<Source>(const std::string& path)> read_file;
 };
 
+// What a line of a drawing was drawn for.
+enum class DrawnUse {
+    cut,
+    fold,  // a mountain or a valley fold, as it turns out
+    mountain,
+    valley,
+    print,   // not cut, but on the paper
+    ignore,  // nothing of the sheet
+};
+inline constexpr std::array<std::string_view, 6> kDrawnUseNames{"cut",    "fold",  "mountain",
+                                                                "valley", "print", "ignore"};
+
+// What is drawn that way means that.
+struct LineRule {
+    // A colour of strokes, or a word of the name of a layer, a class or an id, whatever its case.
+    std::string name;
+    DrawnUse use = DrawnUse::cut;
+};
+
+// Of inputs that are drawings.
+struct DrawingOptions {
+    // A drawing is the sheet of a pop-up card, with its cuts and folds, and not of flat parts.
+    bool card = false;
+    std::vector<LineRule> lines;  // above all that the drawing itself tells; the first that fits counts
+};
+
 struct ReadOptions {
     bool strict = false;   // unknown markup is an error, not a warning
     std::string language;  // name of a row of language_table(); empty: by the source's suffix
     ProgramOptions program;
+    DrawingOptions drawing;
 };
 
 // What a source describes: the design of a card, which is still to be checked and assembled, or an assembly
@@ -61,7 +89,8 @@ struct Language {
     std::string_view suffix;  // ".xml"
     std::string_view about;
     Reading (*read)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
-    // Every source of it describes flat parts: known before it is read.
+    // Every source of it describes flat parts, but where DrawingOptions say that it is a card: known before
+    // it is read.
     bool only_parts = false;
     // Directories that are walked are searched for it. Not of what others may have put there as pictures.
     bool walked = true;

@@ -21,6 +21,16 @@ enum class Use {
     print,
 };
 
+// What names say of a line: those of its layer, classes and id, or a rule that the caller gave.
+enum class Named { nothing, cut, fold, mountain, valley, hole, print, ignore };
+
+// How a stroke is broken.
+enum class Dash {
+    none,
+    even,   // dashes of one length
+    mixed,  // dots among dashes
+};
+
 // An element that drew something.
 struct TracedElement {
     std::string name;   // its id or label; may be empty
@@ -34,8 +44,11 @@ struct TracedLine {
     Use use = Use::cut;
     int element = 0;  // index into Tracing::elements
     int owner = 0;    // index into Tracing::owners
-    Color color;      // of what is printed, and the width
+    Color color;      // of the stroke
     double width_mm = 0.0;
+    Dash dash = Dash::none;
+    Named named = Named::nothing;
+    bool ruled = false;  // `named` is the caller's
 };
 
 // An area that is painted, by all subpaths of a path together.

@@ -64,7 +64,8 @@ OutputRequest request_of(const Options& options) {
     OutputRequest request{.outputs = options.build.outputs,
                           .format = options.build.format,
                           .inputs = options.inputs.names,
-                          .language = options.inputs.language};
+                          .language = options.inputs.language,
+                          .card = options.compile.read.drawing.card};
     if (options.build.emit) request.streams.emplace_back("--emit");
     if (options.messages.use_standard_output()) request.streams.emplace_back("the diagnostics");
     const auto add = [&request](const std::string& path, const std::string& name) {
@@ -118,7 +119,8 @@ OutputPlan plan_of(const Options& options) {
     check_format_option(build.outputs, build.format);
     for (const std::string& name : options.inputs.names) {
         const Language* language = find_language(Source{name, {}}, options.inputs.language);
-        if (build.emit && name != "-" && language != nullptr && language->only_parts) {
+        if (build.emit && name != "-" && language != nullptr && language->only_parts &&
+            !options.compile.read.drawing.card) {
             check_emitted(*build.emit, name, false);
         }
     }

@@ -74,6 +74,7 @@ void add_input_options(CLI::App& verb, Options& options) {
         ->configurable(false);
     verb.add_flag("--strict", options.compile.read.strict, "unknown markup is an error, not a warning")
         ->group("Input");
+    add_drawing_options(verb, options);
 }
 
 void add_tree_options(CLI::App& verb, Options& options) {

@@ -170,6 +170,8 @@ struct Options {
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.
 void add_input_options(CLI::App& verb, Options& options);
+// Of these, those about drawings.
+void add_drawing_options(CLI::App& verb, Options& options);
 void add_tree_options(CLI::App& verb, Options& options);
 void add_message_options(CLI::App& verb, Options& options);
 // Of these, those about colour, progress and how much is said.

@@ -23,6 +23,13 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "The drawing hides parts of its shapes behind clip paths or masks. A cutter follows whole contours, "
      "so these shapes are cut as they are, hidden parts included. Intersect the shapes with what clips "
      "them, and take the clip paths out."},
+    {"folds-as-cuts", Severity::warning, "lines that look like folds, and are cut",
+     "The drawing has dashed lines, lines in the colours that folds often have (red, blue, magenta), or "
+     "layers "
+     "and classes called folds, and it is read as flat parts, where these are cuts: the sheet would fall "
+     "apart along them. If the drawing is a pop-up card that is cut from one sheet, read it with --as card. "
+     "If they are folds of a flat part, say so by --lines, such as --lines valley=#0000ff,mountain=#ff0000; "
+     "if they are cuts, say that: --lines cut=#0000ff."},
     {"hidden-shape", Severity::remark, "shapes that are hidden",
      "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut. "
      "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assembly/settle.h"
+#include "input/drawing/notation.h"
 #include "input/drawing/trace.h"
 #include "input/text.h"
 #include "input/xml/allowances.h"
@@ -12,14 +13,20 @@
 
 namespace popup::drawing {
 
-std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
+std::optional<Tracing> read_tracing(const Source& source, const ReadOptions& options,
                                     Diagnostics& diagnostics) {
     if (!xml::check_encoding(source.text, diagnostics)) return std::nullopt;
     const auto located = xml::locate(source.text, diagnostics, xml::Doctype::skip);
     if (!located) return std::nullopt;
     xml::read_allowances(*located, xml::AllowanceScope::document, diagnostics);
-    const auto tracing = trace(*located, options, diagnostics);
+    return trace(*located, options, diagnostics);
+}
+
+std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
+                                    Diagnostics& diagnostics) {
+    auto tracing = read_tracing(source, options, diagnostics);
     if (!tracing) return std::nullopt;
+    settle_uses(*tracing, diagnostics);
     return make_parts(*tracing, diagnostics);
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "parts/flat_parts.h"
+#include "parts/tracing.h"
 #include "popup/language.h"
 
 namespace popup::drawing {
@@ -14,6 +15,9 @@ namespace popup::drawing {
 // of XML, `bad-number`, `bad-path`, `bad-transform`, `bad-reference`, `no-contours`, `contours-overlap`,
 // `document-too-large`.
 std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
+                                    Diagnostics& diagnostics);
+// The flat lines of a drawing, whatever they mean; nullopt after an error.
+std::optional<Tracing> read_tracing(const Source& source, const ReadOptions& options,
                                     Diagnostics& diagnostics);
 // The same as an assembly.
 std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);

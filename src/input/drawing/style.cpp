@@ -71,6 +71,24 @@ void split(std::string_view text, std::string_view separators, Use use) {
     }
 }
 
+// Lengths of dashes and gaps in turn; of an odd number twice.
+Dash parse_dashes(std::string_view text) {
+    NumberScanner scanner(text);
+    std::vector<double> lengths;
+    double sum = 0.0;
+    while (const auto number = scanner.number()) {
+        lengths.push_back(*number);
+        sum += *number;
+        while (scanner.peek() == '%' || (scanner.peek() | 0x20) >= 'a') scanner.skip(1);  // a unit
+    }
+    if (!(sum > 0.0)) return Dash::none;
+    const std::size_t period = lengths.size() % 2 == 0 ? lengths.size() : 2 * lengths.size();
+    for (std::size_t i = 0; i < period; i += 2) {
+        if (lengths[i % lengths.size()] != lengths[0]) return Dash::mixed;
+    }
+    return Dash::even;
+}
+
 // "255, 0, 0" or "100% 0% 0%", what follows a third value disregarded.
 std::optional<Color> parse_components(std::string_view text) {
     NumberScanner scanner(text);
@@ -219,13 +237,7 @@ void Style::take(const Declarations& declarations) {
     }
     if (const auto* text = value(Property::visibility)) visible = *text == "visible";
     if (const auto* text = value(Property::dashes)) {
-        NumberScanner scanner(*text);
-        double sum = 0.0;
-        while (const auto number = scanner.number()) {
-            sum += *number;
-            while (scanner.peek() == '%' || (scanner.peek() | 0x20) >= 'a') scanner.skip(1);  // a unit
-        }
-        dashed = sum > 0.0;
+        dash = parse_dashes(*text);
     }
     if (const auto* text = value(Property::width)) {
         if (const auto length = parse_length(*text, 1.0); length && *length >= 0.0) width = *length;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "parts/tracing.h"
 #include "popup/print.h"
 
 namespace popup::drawing {
@@ -73,7 +74,7 @@ struct Style {
     Paint stroke;
     Paint fill{Paint::Kind::color, {0, 0, 0}};
     bool fill_written = false;  // the black that is meant when nothing is said is not
-    bool dashed = false;
+    Dash dash = Dash::none;
     bool visible = true;
     bool displayed = true;  // false for an element and all that is in it
     bool even_odd = false;

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "input/drawing/notation.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
 #include "input/drawing/style.h"
@@ -49,6 +50,7 @@ struct Context {
     int instance = -1;  // of the use element that stands for what is here
     Layer layer = Layer::none;
     int owner = 0;
+    Said said;
 };
 
 // Elements [next, end) that are still to be looked at.
@@ -61,7 +63,10 @@ struct Frame {
 class Tracer {
  public:
     Tracer(const xml::Located& located, const ReadOptions& options, Diagnostics& diagnostics)
-        : located_(located), strict_(options.strict), diagnostics_(diagnostics) {}
+        : located_(located),
+          strict_(options.strict),
+          rules_(options.drawing.lines),
+          diagnostics_(diagnostics) {}
 
     std::optional<Tracing> run() {
         if (!find_prefix()) return std::nullopt;
@@ -247,6 +252,7 @@ class Tracer {
         Context context = around;
         const Declarations declared = declarations(tag, attributes);
         context.style.take(declared);
+        read_names(attributes, context);
         if (!context.style.displayed) return tally_.hidden(at.place);
         for (const Property property : {Property::clip, Property::mask}) {
             const std::string* value = declared.find(property);
@@ -282,6 +288,16 @@ class Tracer {
         }
         sheet_.apply(tag, attributes.value("id"), attributes.value("class"), all);
         return all;
+    }
+
+    // The innermost name that says something counts, and a rule above all names.
+    void read_names(const Attributes& attributes, Context& context) const {
+        for (const std::string_view name : {"inkscape:label", "class", "id"}) {
+            const Said said = rules_.said_by(attributes.value(name));
+            if (said.named == Named::nothing) continue;
+            if (said.ruled || !context.said.ruled) context.said = said;
+            return;
+        }
     }
 
     bool apply_transform(const Attributes& attributes, Context& context) {
@@ -459,7 +475,9 @@ class Tracer {
         for (Polyline& line : lines) {
             out_.lines.push_back({std::move(line.points), line.closed, use,
                                   static_cast<int>(out_.elements.size()) - 1, context.owner,
-                                  context.style.stroke.color, context.style.width * context.to_mm.growth()});
+                                  context.style.stroke.color, context.style.width * context.to_mm.growth(),
+                                  context.style.dash, context.said.named, context.said.ruled});
+            rules_.apply_colors(context.style.stroke, out_.lines.back());
         }
     }
 
@@ -555,6 +573,7 @@ class Tracer {
 
     const xml::Located& located_;
     bool strict_;
+    LineRules rules_;
     Diagnostics& diagnostics_;
     std::string_view prefix_;
     std::unordered_map<std::string_view, Offset> ids_;

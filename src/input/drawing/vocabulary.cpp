@@ -60,7 +60,7 @@ Layer layer_named(std::string_view name) {
 }
 
 Use use_of(const Style& style) {
-    if (!style.dashed || style.stroke.kind != Paint::Kind::color) return Use::cut;
+    if (style.dash == Dash::none || style.stroke.kind != Paint::Kind::color) return Use::cut;
     const auto* row = std::find_if(kFoldColors.begin(), kFoldColors.end(),
                                    [&](const auto& r) { return r.first == style.stroke.color; });
     return row == kFoldColors.end() ? Use::cut : row->second;

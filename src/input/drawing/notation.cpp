@@ -1,0 +1,288 @@
+#include "input/drawing/notation.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/nth.h"
+#include "input/color.h"
+#include "input/text.h"
+
+namespace popup::drawing {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Named>, 58> kWords{{
+    {"cut", Named::cut},           {"cuts", Named::cut},           {"cutting", Named::cut},
+    {"cutline", Named::cut},       {"cutlines", Named::cut},       {"knife", Named::cut},
+    {"outline", Named::cut},       {"outlines", Named::cut},       {"border", Named::cut},
+    {"contour", Named::cut},       {"contours", Named::cut},       {"fold", Named::fold},
+    {"folds", Named::fold},        {"folding", Named::fold},       {"foldline", Named::fold},
+    {"foldlines", Named::fold},    {"crease", Named::fold},        {"creases", Named::fold},
+    {"score", Named::fold},        {"scores", Named::fold},        {"scored", Named::fold},
+    {"scoring", Named::fold},      {"halfcut", Named::fold},       {"perf", Named::fold},
+    {"perforation", Named::fold},  {"perforations", Named::fold},  {"gutter", Named::fold},
+    {"spine", Named::fold},        {"hinge", Named::fold},         {"hinges", Named::fold},
+    {"mountain", Named::mountain}, {"mountains", Named::mountain}, {"valley", Named::valley},
+    {"valleys", Named::valley},    {"hole", Named::hole},          {"holes", Named::hole},
+    {"window", Named::hole},       {"windows", Named::hole},       {"cutout", Named::hole},
+    {"cutouts", Named::hole},      {"print", Named::print},        {"prints", Named::print},
+    {"printed", Named::print},     {"artwork", Named::print},      {"draw", Named::print},
+    {"engrave", Named::print},     {"engraving", Named::print},    {"guide", Named::ignore},
+    {"guides", Named::ignore},     {"guidelines", Named::ignore},  {"note", Named::ignore},
+    {"notes", Named::ignore},      {"dimension", Named::ignore},   {"dimensions", Named::ignore},
+    {"label", Named::ignore},      {"labels", Named::ignore},      {"glue", Named::ignore},
+    {"seam", Named::ignore},
+}};
+
+constexpr std::array<Named, 6> kNamedOfUse{Named::cut,    Named::fold,  Named::mountain,
+                                           Named::valley, Named::print, Named::ignore};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// Illustrator and CorelDRAW write what an id must not have as "_x0020_".
+std::string decoded(std::string_view name) {
+    std::string made;
+    while (!name.empty()) {
+        if (name.size() >= 4 && name[0] == '_' && (name[1] == 'x' || name[1] == 'X')) {
+            const std::size_t end = name.find('_', 2);
+            const std::string_view digits = name.substr(2, end == std::string_view::npos ? end : end - 2);
+            if (end != std::string_view::npos && !digits.empty() && digits.size() <= 4 &&
+                digits.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos) {
+                made += ' ';
+                name.remove_prefix(end + 1);
+                continue;
+            }
+        }
+        made += name.front();
+        name.remove_prefix(1);
+    }
+    return made;
+}
+
+// Calls `use` with each stretch of letters; a capital behind a small letter begins another.
+template <typename Use>
+void each_word(std::string_view name, Use use) {
+    std::string word;
+    char before = ' ';
+    for (const char c : name) {
+        const bool camel = c >= 'A' && c <= 'Z' && before >= 'a' && before <= 'z';
+        if ((!is_letter(c) || camel) && !word.empty()) {
+            use(word);
+            word.clear();
+        }
+        if (is_letter(c)) word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        before = c;
+    }
+    if (!word.empty()) use(word);
+}
+
+// Several words together: "mountain folds" are mountains, and "cuts and folds" say nothing.
+Named together(const std::array<bool, 8>& said) {
+    const auto has = [&](Named named) { return nth(said, named); };
+    const bool fold = has(Named::fold) || has(Named::mountain) || has(Named::valley);
+    if (has(Named::ignore)) return Named::ignore;
+    if (has(Named::hole)) return Named::hole;
+    if (has(Named::cut) && fold) return Named::nothing;
+    if (has(Named::mountain) != has(Named::valley))
+        return has(Named::mountain) ? Named::mountain : Named::valley;
+    if (fold) return Named::fold;
+    if (has(Named::cut)) return Named::cut;
+    return has(Named::print) ? Named::print : Named::nothing;
+}
+
+// How a line was drawn, for counts.
+using StrokeKey = std::tuple<Dash, std::uint8_t, std::uint8_t, std::uint8_t>;
+StrokeKey key_of(const TracedLine& line) { return {line.dash, line.color.r, line.color.g, line.color.b}; }
+
+Use use_of(Named named) {
+    switch (named) {
+        case Named::nothing:
+        case Named::cut:
+        case Named::hole:
+            return Use::cut;
+        case Named::mountain:
+            return Use::mountain;
+        case Named::fold:
+        case Named::valley:
+            return Use::valley;
+        case Named::print:
+        case Named::ignore:
+            return Use::print;
+    }
+    return Use::cut;
+}
+
+// True of drawings with the colours of Origami Simulator: with red or green lines, and no dashed magenta.
+bool has_simulator_colors(const Tracing& tracing) {
+    bool found = false;
+    for (const TracedLine& line : tracing.lines) {
+        if (line.owner > 0 || line.use == Use::shape) continue;
+        const Hue hue = hue_of(line.color);
+        if (hue == Hue::magenta && line.dash != Dash::none) return false;
+        found = found || hue == Hue::red || hue == Hue::green;
+    }
+    return found;
+}
+
+// Strokes that are broken or have a fold's colour, and never make an outline.
+class FoldLike {
+ public:
+    explicit FoldLike(const Tracing& tracing) {
+        for (const TracedLine& line : tracing.lines) {
+            if (line.owner > 0 || line.use != Use::cut || line.ruled) continue;
+            any_outline_ = any_outline_ || line.closed;
+            if (line.closed && line.named != Named::fold) outlines_[key_of(line)] = true;
+        }
+    }
+    [[nodiscard]] bool is(const TracedLine& line) const {
+        if (line.owner > 0 || line.use != Use::cut || line.ruled) return false;
+        switch (line.named) {
+            case Named::fold:
+            case Named::mountain:
+            case Named::valley:
+                return true;
+            case Named::cut:
+            case Named::hole:
+            case Named::print:
+            case Named::ignore:
+                return false;
+            case Named::nothing:
+                break;
+        }
+        if (outlines_.find(key_of(line)) != outlines_.end()) return false;
+        const Hue hue = hue_of(line.color);
+        return line.dash != Dash::none ||
+               (any_outline_ && (hue == Hue::red || hue == Hue::blue || hue == Hue::magenta));
+    }
+
+ private:
+    std::map<StrokeKey, bool> outlines_;
+    bool any_outline_ = false;
+};
+
+void tell_fold_like(const Tracing& tracing, Diagnostics& diagnostics) {
+    const FoldLike fold_like(tracing);
+    struct Row {
+        std::string stroke;
+        int count = 0;
+    };
+    std::vector<Row> rows;
+    std::map<StrokeKey, std::size_t> row_of;
+    const TracedLine* first = nullptr;
+    for (const TracedLine& line : tracing.lines) {
+        if (!fold_like.is(line)) continue;
+        if (first == nullptr) first = &line;
+        const auto [at, fresh] = row_of.try_emplace(key_of(line), rows.size());
+        if (fresh) rows.push_back({shown_stroke(line)});
+        ++rows[at->second].count;
+    }
+    if (first == nullptr) return;
+    constexpr std::size_t kMostKinds = 4;
+    std::vector<std::string> kinds;
+    int count = 0;
+    for (const Row& row : rows) {
+        count += row.count;
+        if (kinds.size() < kMostKinds)
+            kinds.push_back(fmt::format("{} {} line{}", row.count, row.stroke, row.count == 1 ? "" : "s"));
+    }
+    if (rows.size() > kMostKinds) kinds.push_back(fmt::format("{} other kinds", rows.size() - kMostKinds));
+    diagnostics
+        .warning("folds-as-cuts", nth(tracing.elements, first->element).place,
+                 fmt::format("{} look{} like folds, and {} read as {}", fmt::join(kinds, ", "),
+                             count == 1 ? "s" : "", count == 1 ? "is" : "are", count == 1 ? "a cut" : "cuts"))
+        .hint("--as card reads them as the folds of a pop-up card that is cut from one sheet")
+        .hint("--lines says which lines are what: --lines cut=#00ff00,valley=#0000ff");
+}
+
+}  // namespace
+
+LineRules::LineRules(const std::vector<LineRule>& rules) {
+    for (const LineRule& rule : rules) {
+        const Named named = nth(kNamedOfUse, rule.use);
+        const Paint paint = parse_paint(rule.name);
+        if (paint.kind == Paint::Kind::color) colors_.emplace_back(paint.color, named);
+        words_.emplace_back(lower(trimmed(rule.name)), named);
+    }
+}
+
+Said LineRules::said_by(std::string_view name) const {
+    if (name.empty()) return {};
+    const std::string text = decoded(name);
+    std::vector<std::string> words;
+    each_word(text, [&](const std::string& word) { words.push_back(word); });
+    for (const auto& [wanted, named] : words_) {
+        if (wanted == lower(trimmed(name)) || wanted == lower(trimmed(text)) ||
+            std::find(words.begin(), words.end(), wanted) != words.end()) {
+            return {named, true};
+        }
+    }
+    std::array<bool, 8> said{};
+    for (const std::string& word : words) {
+        const auto* const row =
+            std::find_if(kWords.begin(), kWords.end(), [&](const auto& r) { return r.first == word; });
+        if (row != kWords.end()) nth(said, row->second) = true;
+    }
+    return {together(said), false};
+}
+
+void LineRules::apply_colors(const Paint& stroke, TracedLine& line) const {
+    if (stroke.kind != Paint::Kind::color) return;
+    for (const auto& [color, named] : colors_) {
+        if (color != stroke.color) continue;
+        line.named = named;
+        line.ruled = true;
+        return;
+    }
+}
+
+Hue hue_of(Color color) {
+    const int r = color.r;
+    const int g = color.g;
+    const int b = color.b;
+    const int most = std::max({r, g, b});
+    const int range = most - std::min({r, g, b});
+    // Greys, and what is nearly black.
+    if (range < 60 || 3 * range < most) return Hue::dark;
+    double sector = 0.0;  // of 6, from red
+    if (most == r)
+        sector = static_cast<double>(g - b) / range;
+    else if (most == g)
+        sector = 2.0 + static_cast<double>(b - r) / range;
+    else
+        sector = 4.0 + static_cast<double>(r - g) / range;
+    if (sector < 0.0) sector += 6.0;
+    if (sector < 0.35 || sector >= 5.6) return Hue::red;
+    if (sector >= 0.8 && sector < 1.25) return Hue::yellow;
+    if (sector >= 1.5 && sector < 2.7) return Hue::green;
+    if (sector >= 3.4 && sector < 4.4) return Hue::blue;
+    if (sector >= 4.7) return Hue::magenta;
+    return Hue::other;
+}
+
+std::string shown_stroke(const TracedLine& line) {
+    constexpr std::array<std::string_view, 3> kDashes{"solid", "dashed", "dash-dotted"};
+    return fmt::format("{} {} ({})", nth(kDashes, line.dash), nth(kHueNames, hue_of(line.color)),
+                       to_string(line.color));
+}
+
+void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {
+    const bool simulator = has_simulator_colors(tracing);
+    for (TracedLine& line : tracing.lines) {
+        if (line.owner > 0 || line.use == Use::shape) continue;
+        if (line.ruled) {
+            line.use = use_of(line.named);
+        } else if (simulator && line.dash != Dash::none) {
+            const Hue hue = hue_of(line.color);
+            if (hue == Hue::blue) line.use = Use::valley;
+            if (hue == Hue::red) line.use = Use::mountain;
+        }
+    }
+    std::erase_if(tracing.lines,
+                  [](const TracedLine& line) { return line.ruled && line.named == Named::ignore; });
+    tell_fold_like(tracing, diagnostics);
+}
+
+}  // namespace popup::drawing

@@ -1,0 +1,58 @@
+// What lines of drawings mean: by rules that the caller gives, by the names of layers, classes and ids, and
+// by colours and dashes.
+//
+// Origami Simulator's colours are those of many: red mountain, blue valley, green cut, yellow flat, magenta
+// hinge. The notation `workshop` of this program's own sheets has dashed blue for mountains and dashed
+// magenta for valleys.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "input/drawing/style.h"
+#include "parts/tracing.h"
+#include "popup/diagnostics.h"
+#include "popup/language.h"
+
+namespace popup::drawing {
+
+// What a name says, and whether by a rule of the caller.
+struct Said {
+    Named named = Named::nothing;
+    bool ruled = false;
+};
+
+// The rules of DrawingOptions, and below them the words that people call layers: cut, folds, mountain,
+// valley, score, windows. Words are stretches of letters, so that "Mountain_x0020_folds-2" has two of them,
+// whatever their case.
+class LineRules {
+ public:
+    explicit LineRules(const std::vector<LineRule>& rules);
+    [[nodiscard]] Said said_by(std::string_view name) const;
+    // Where a rule names the colour of the stroke, it says what the line is.
+    void apply_colors(const Paint& stroke, TracedLine& line) const;
+
+ private:
+    std::vector<std::pair<std::string, Named>> words_;  // in lower case
+    std::vector<std::pair<Color, Named>> colors_;
+};
+
+// The colours that notations have, each with all that is nearest to it: #ed1c24 is red, too.
+enum class Hue { dark, red, yellow, green, blue, magenta, other };
+inline constexpr std::array<std::string_view, 7> kHueNames{"black", "red",     "yellow",  "green",
+                                                           "blue",  "magenta", "coloured"};
+Hue hue_of(Color color);
+
+// "dashed blue (#0000ff)".
+std::string shown_stroke(const TracedLine& line);
+
+// Of a drawing of flat parts: gives lines the uses that the rules say, takes out those that are nothing of
+// the sheet, and reads dashed red and blue as Origami Simulator does where the drawing has its colours. Lines
+// that look like folds and are cuts are a `folds-as-cuts` warning.
+void settle_uses(Tracing& tracing, Diagnostics& diagnostics);
+
+}  // namespace popup::drawing
