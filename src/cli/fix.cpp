@@ -10,6 +10,7 @@
 #include "cli/files/read_files.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "output/xml.h"
 #include "popup/files.h"
 
 namespace popup::cli {
@@ -52,14 +53,29 @@ void check_usage(const Options& options, const InputFiles& files) {
     }
 }
 
+// A drawing that is read as a card becomes a document.
+bool becomes_document(const Options& options, const Language& language) {
+    return language.only_parts && options.compile.read.drawing.card;
+}
+
 // Only documents have repairs that can be written back.
-void check_language(const Language& language, const std::string& name) {
+void check_language(const Options& options, const Language& language, const std::string& name) {
     if (language.patch != nullptr) return;
-    throw UsageError(fmt::format("{}: fix mends popup documents, and this {}", name,
-                                 language.trail != nullptr ? "is a program"
-                                 : language.only_parts     ? "describes flat parts"
-                                                           : "is an assembly"),
-                     {"popupc check tells what is wrong with it; popupc build writes its sheets"});
+    if (becomes_document(options, language)) {
+        if (!options.fix.in_place && !options.fix.diff) return;
+        throw UsageError(fmt::format("{}: of a drawing a document is made, which does not replace it", name),
+                         {"name the document with -o, such as -o card.xml"});
+    }
+    throw UsageError(
+        fmt::format("{}: fix mends popup documents, and this {}", name,
+                    language.trail != nullptr ? "is a program"
+                    : language.only_parts     ? "describes flat parts"
+                                              : "is an assembly"),
+        language.only_parts
+            ? std::vector<std::string>{"--as card reads it as a pop-up card, and makes a document "
+                                       "of it"}
+            : std::vector<std::string>{"popupc check tells what is wrong with it; popupc build "
+                                       "writes its sheets"});
 }
 
 // As far as names tell: no program is run that could not be mended.
@@ -69,7 +85,7 @@ void check_documents(const Options& options, const std::vector<std::string>& nam
         const Language* language = find_language({name, {}}, options.inputs.language);
         std::error_code error;
         const bool there = name == "-" || std::filesystem::exists(name, error);
-        if (language != nullptr && there) check_language(*language, name);
+        if (language != nullptr && there) check_language(options, *language, name);
     }
 }
 
@@ -77,17 +93,24 @@ void check_documents(const Options& options, const std::vector<std::string>& nam
 // second `fix` finds nothing to do. nullopt when that does not come to an end: a finding is added.
 std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     std::string text = one.source.text;
-    const Language& language = language_of(options.inputs, one.source);
+    const Language* language = &language_of(options.inputs, one.source);
+    const bool drawn = becomes_document(options, *language);
+    if (drawn) language = find_language({}, "xml");
     CompileOptions again = options.compile;
-    again.read.language = language.name;
+    again.read.language = language->name;
     again.until = Stage::motion;
     again.motion.examine = false;  // it repairs nothing, and what it finds has been told
     again.threads = 1;
     again.progress = {};
     const CompiledDesign* latest = &one;
     Compilation next;
-    for (int round = 0; round < kMostRounds; ++round) {
-        std::string patched = language.patch(latest->source, latest->checked->design());
+    if (drawn) {
+        text = write_document(one.checked->design());
+        next = compile({Source{one.source.name, text}}, again, {});
+        latest = &next.designs.front();
+    }
+    for (int round = 0; round < kMostRounds && !next.has_errors(); ++round) {
+        std::string patched = language->patch(latest->source, latest->checked->design());
         if (patched == text) return text;
         text = patched;
         next = compile({Source{one.source.name, std::move(patched)}}, again, {});
@@ -147,6 +170,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
         "  popupc fix --diff castle.xml\n"
         "  popupc fix --in-place designs/\n"
         "  popupc fix castle.xml -o castle-fixed.xml\n"
+        "  popupc fix --as card drawing.svg -o card.xml\n"
         "\nExit status 0 when what was written is right; 1 when something could not be repaired (nothing is\n"
         "written), or, with --diff, when there is something to change.");
     return verb;
@@ -160,7 +184,7 @@ int run_fix(const Options& options) {
     Run run = run_inputs(options, std::move(files), Stage::motion);
     Compilation& compilation = run.compilation;
     for (const CompiledDesign& one : compilation.designs) {
-        check_language(language_of(options.inputs, one.source), one.source.name);
+        check_language(options, language_of(options.inputs, one.source), one.source.name);
     }
     bool written = true;
     bool changed = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/assembly/read.h"
+#include "input/drawing/card/read.h"
 #include "input/drawing/read.h"
 #include "input/flatlang/read.h"
 #include "input/oa/read.h"
@@ -24,6 +25,13 @@ Reading assembly_of(const Source& source, const ReadOptions& options, Diagnostic
     return reading;
 }
 
+Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    if (!options.drawing.card) return assembly_of<drawing::read>(source, options, diagnostics);
+    Reading reading;
+    reading.design = drawing::card::read(source, options, diagnostics);
+    return reading;
+}
+
 }  // namespace
 
 std::vector<Language> const& language_table() {
@@ -35,8 +43,8 @@ std::vector<Language> const& language_table() {
          .patch = xml::patch},
         {.name = "svg",
          .suffix = ".svg",
-         .about = "drawing of closed cut contours, each a flat part",
-         .read = assembly_of<drawing::read>,
+         .about = "drawing of closed cut contours, each a flat part, or with --as card of a pop-up card",
+         .read = drawing_of,
          .only_parts = true,
          .walked = false,
          .recognises = drawing::recognises},
@@ -101,7 +109,8 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
         return std::nullopt;
     };
     const Language* language = find_language(source, options.language);
-    if (language != nullptr && language->only_parts) return refuse("this describes flat parts");
+    if (language != nullptr && language->only_parts && !options.drawing.card)
+        return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
     if (reading.assembly) {
         return refuse(moves(*reading.assembly) ? "this is an assembly, made of a design or by hand"

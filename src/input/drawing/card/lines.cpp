@@ -1,0 +1,210 @@
+#include "input/drawing/card/lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "base/nth.h"
+#include "input/color.h"
+#include "input/drawing/notation.h"
+
+namespace popup::drawing::card {
+namespace {
+
+using StrokeKey = std::tuple<Dash, std::uint8_t, std::uint8_t, std::uint8_t>;
+StrokeKey key_of(const TracedLine& line) { return {line.dash, line.color.r, line.color.g, line.color.b}; }
+
+// Lines within this of the sides of all that is drawn make its frame.
+constexpr double kFrameMm = 0.5;
+
+enum class Meaning { cut, mountain, valley, fold, hole, print, ignore };
+constexpr std::array<std::string_view, 7> kMeanings{"cuts",  "mountain folds", "valley folds",        "folds",
+                                                    "holes", "printed",        "nothing of the sheet"};
+
+struct Guess {
+    Meaning meaning = Meaning::cut;
+    std::string_view by;  // empty: nothing needs to be said of it
+};
+
+// How the lines along all four sides of the drawing are drawn: these are cuts.
+std::set<StrokeKey> frame_strokes(const Tracing& tracing) {
+    Box box;
+    for (const TracedLine& line : tracing.lines) {
+        for (const Vec2 p : line.points) box.extend(p);
+    }
+    std::map<StrokeKey, std::array<bool, 4>> sides;
+    for (const TracedLine& line : tracing.lines) {
+        if (line.use == Use::shape) continue;
+        const std::size_t count = line.points.size();
+        for (std::size_t i = 0; i + (line.closed ? 0 : 1) < count; ++i) {
+            const Vec2 a = line.points[i];
+            const Vec2 b = line.points[(i + 1) % count];
+            const auto along = [&](double p, double q, double side) {
+                return std::abs(p - side) <= kFrameMm && std::abs(q - side) <= kFrameMm;
+            };
+            const bool wide = std::abs(b.x - a.x) > 0.5 * box.width();
+            const bool high = std::abs(b.y - a.y) > 0.5 * box.height();
+            std::array<bool, 4>& of = sides[key_of(line)];
+            of[0] = of[0] || (wide && along(a.y, b.y, box.min.y));
+            of[1] = of[1] || (wide && along(a.y, b.y, box.max.y));
+            of[2] = of[2] || (high && along(a.x, b.x, box.min.x));
+            of[3] = of[3] || (high && along(a.x, b.x, box.max.x));
+        }
+    }
+    std::set<StrokeKey> found;
+    for (const auto& [key, of] : sides) {
+        if (of[0] && of[1] && of[2] && of[3]) found.insert(key);
+    }
+    return found;
+}
+
+Guess by_name(const TracedLine& line) {
+    const std::string_view by = line.ruled ? std::string_view() : "by their layer, class or id";
+    switch (line.named) {
+        case Named::nothing:
+        case Named::cut:
+            return {Meaning::cut, by};
+        case Named::fold:
+            return {Meaning::fold, by};
+        case Named::mountain:
+            return {Meaning::mountain, by};
+        case Named::valley:
+            return {Meaning::valley, by};
+        case Named::hole:
+            return {Meaning::hole, by};
+        case Named::print:
+            return {Meaning::print, by};
+        case Named::ignore:
+            return {Meaning::ignore, by};
+    }
+    return {};
+}
+
+// Of a sheet that this program made.
+Guess by_layer(Use use) {
+    switch (use) {
+        case Use::mountain:
+            return {Meaning::mountain, {}};
+        case Use::valley:
+            return {Meaning::valley, {}};
+        case Use::cut:
+            return {Meaning::cut, {}};
+        case Use::seam:
+        case Use::shape:
+        case Use::print:
+            return {Meaning::ignore, {}};
+    }
+    return {};
+}
+
+Guess by_stroke(const TracedLine& line) {
+    constexpr std::string_view kColor = "by their colour";
+    constexpr std::string_view kDashes = "by their dashes";
+    const bool broken = line.dash != Dash::none;
+    switch (hue_of(line.color)) {
+        case Hue::red:
+            return {Meaning::mountain, kColor};
+        case Hue::blue:
+            return {Meaning::valley, kColor};
+        case Hue::magenta:
+            return {Meaning::fold, kColor};
+        case Hue::yellow:
+            return {Meaning::ignore, kColor};
+        case Hue::dark:
+        case Hue::green:
+        case Hue::other:
+            if (line.dash == Dash::mixed) return {Meaning::mountain, kDashes};
+            if (broken) return {Meaning::fold, kDashes};
+            return {Meaning::cut, {}};
+    }
+    return {};
+}
+
+class Sorter {
+ public:
+    Sorter(const Tracing& tracing, Diagnostics& diagnostics)
+        : tracing_(tracing), diagnostics_(diagnostics), frame_(frame_strokes(tracing)) {}
+
+    CardLines run() {
+        for (const TracedLine& line : tracing_.lines) {
+            if (line.use == Use::shape) continue;
+            const Guess guess = guess_of(line);
+            take(line, guess.meaning);
+            if (!guess.by.empty()) count(line, guess);
+        }
+        // Fills are outlines where nothing else is cut.
+        if (out_.lines.empty()) {
+            for (const TracedLine& line : tracing_.lines) {
+                if (line.use == Use::shape) take(line, Meaning::cut);
+            }
+        }
+        tell();
+        return std::move(out_);
+    }
+
+ private:
+    struct Row {
+        const TracedLine* first = nullptr;
+        Guess guess;
+        int count = 0;
+    };
+
+    [[nodiscard]] Guess guess_of(const TracedLine& line) const {
+        if (line.ruled) return by_name(line);
+        if (line.owner > 0) return by_layer(line.use);
+        if (line.named != Named::nothing) return by_name(line);
+        if (frame_.find(key_of(line)) != frame_.end()) return {Meaning::cut, {}};
+        return by_stroke(line);
+    }
+
+    void take(const TracedLine& line, Meaning meaning) {
+        constexpr std::array<unsigned, 5> kInks{kCut, kMountain, kValley, kFold, kHole};
+        if (meaning == Meaning::print) out_.printed.push_back(&line);
+        if (meaning == Meaning::print || meaning == Meaning::ignore) return;
+        out_.lines.push_back({line.points, line.closed, nth(kInks, meaning), line.element});
+    }
+
+    void count(const TracedLine& line, const Guess& guess) {
+        const auto key = std::tuple(key_of(line), guess.meaning, guess.by);
+        const auto [at, fresh] = row_of_.try_emplace(key, rows_.size());
+        if (fresh) rows_.push_back({&line, guess, 0});
+        ++rows_[at->second].count;
+    }
+
+    void tell() {
+        for (const Row& row : rows_) {
+            diagnostics_
+                .remark("line-meaning", nth(tracing_.elements, row.first->element).place,
+                        fmt::format("{} {} line{} taken for {}, {}", row.count, shown_stroke(*row.first),
+                                    row.count == 1 ? " is" : "s are", nth(kMeanings, row.guess.meaning),
+                                    row.guess.by))
+                .hint(fmt::format("--lines says otherwise: --lines cut={}", to_string(row.first->color)));
+        }
+    }
+
+    const Tracing& tracing_;
+    Diagnostics& diagnostics_;
+    std::set<StrokeKey> frame_;
+    std::vector<Row> rows_;
+    std::map<std::tuple<StrokeKey, Meaning, std::string_view>, std::size_t> row_of_;
+    CardLines out_;
+};
+
+}  // namespace
+
+CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics) {
+    return Sorter(tracing, diagnostics).run();
+}
+
+std::string shown_point(const Tracing& tracing, Vec2 at) {
+    // Never "-0.00".
+    const auto rounded = [](double value) { return std::round(100.0 * value) / 100.0 + 0.0; };
+    return fmt::format("({:.2f}, {:.2f}) mm", rounded(at.x), rounded(tracing.page.y - at.y));
+}
+
+}  // namespace popup::drawing::card

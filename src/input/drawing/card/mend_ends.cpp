@@ -1,0 +1,251 @@
+#include "input/drawing/card/mend_ends.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/geometry/edge_index.h"
+#include "base/nth.h"
+
+namespace popup::drawing::card {
+namespace {
+
+// Mending one end may show that another misses. What is not mended after so many rounds stays.
+constexpr int kMostRounds = 4;
+// Lines that meet at a smaller angle (its sine) do not say where.
+constexpr double kLeastSine = 0.2;
+
+struct LooseEnd {
+    int line = 0;
+    bool last = false;
+    int corner = 0;
+    int half = 0;  // that leads away from the corner, along the line
+    Vec2 at;
+    Vec2 onwards;  // unit, out of the line
+};
+
+struct Move {
+    int line = 0;
+    bool last = false;
+    Vec2 to;
+};
+
+class Round {
+ public:
+    Round(const std::vector<CardLine>& lines, const SheetGraph& graph) : lines_(lines), graph_(graph) {
+        std::vector<Segment> segments;
+        for (std::size_t i = 0; i < graph.edges.size(); ++i)
+            segments.push_back(graph.segment(static_cast<int>(2 * i)));
+        index_ = EdgeIndex({}, segments);
+        find_loose();
+    }
+
+    std::vector<Move> moves() {
+        trim();
+        join_pairs();
+        for (std::size_t i = 0; i < loose_.size(); ++i) {
+            if (done_[i]) continue;
+            if (const auto to = ahead(loose_[i]))
+                move(i, *to);
+            else if (const auto near = nearest(loose_[i]))
+                move(i, *near);
+        }
+        return std::move(moves_);
+    }
+
+ private:
+    void find_loose() {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (lines_[i].closed) continue;
+            for (const bool last : {false, true}) {
+                const int corner = graph_.ends[i][last ? 1 : 0];
+                const std::vector<int>& around = graph_.around(corner);
+                if (around.size() != 1) continue;
+                const Segment away = graph_.segment(around.front());
+                loose_.push_back(
+                    {static_cast<int>(i), last, corner, around.front(), away.a, unit(away.a - away.b)});
+                loose_at_.emplace(corner, loose_.size() - 1);
+            }
+        }
+        done_.assign(loose_.size(), false);
+    }
+
+    void move(std::size_t loose, Vec2 to) {
+        done_[loose] = true;
+        moves_.push_back({loose_[loose].line, loose_[loose].last, to});
+    }
+
+    // Ends that run over what they meet are cut off there.
+    void trim() {
+        for (std::size_t i = 0; i < loose_.size(); ++i) {
+            double way = 0.0;
+            int half = loose_[i].half;
+            while (true) {
+                way += distance(graph_.at(graph_.from(half)), graph_.at(graph_.to(half)));
+                const std::vector<int>& around = graph_.around(graph_.to(half));
+                if (way > kSnapMm || around.size() == 1) break;
+                if (around.size() > 2) {
+                    move(i, graph_.at(graph_.to(half)));
+                    break;
+                }
+                half = around.front() == (half ^ 1) ? around.back() : around.front();
+            }
+        }
+    }
+
+    // Two loose ends near each other meet where their lines do.
+    void join_pairs() {
+        for (std::size_t i = 0; i < loose_.size(); ++i) {
+            if (done_[i]) continue;
+            std::optional<std::size_t> mate;
+            double best = 2.0 * kSnapMm;
+            Box box;
+            box.extend(loose_[i].at - Vec2{best, best});
+            box.extend(loose_[i].at + Vec2{best, best});
+            found_.clear();
+            index_.query(box, found_);
+            for (const int edge : found_) {
+                for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
+                    const auto other = loose_at_.find(corner);
+                    if (other == loose_at_.end() || other->second == i || done_[other->second]) continue;
+                    const double off = distance(loose_[i].at, loose_[other->second].at);
+                    if (off >= best || !meeting(loose_[i], loose_[other->second])) continue;
+                    best = off;
+                    mate = other->second;
+                }
+            }
+            if (!mate) continue;
+            const Vec2 to = *meeting(loose_[i], loose_[*mate]);
+            move(i, to);
+            move(*mate, to);
+        }
+    }
+
+    static std::optional<Vec2> meeting(const LooseEnd& a, const LooseEnd& b) {
+        const double by = cross(a.onwards, b.onwards);
+        Vec2 to = lerp(a.at, b.at, 0.5);
+        if (std::abs(by) >= kLeastSine) to = a.at + cross(b.at - a.at, b.onwards) / by * a.onwards;
+        if (distance(a.at, to) > kSnapMm || distance(b.at, to) > kSnapMm) return std::nullopt;
+        return to;
+    }
+
+    void near(const LooseEnd& end) {
+        Box box;
+        box.extend(end.at - Vec2{kSnapMm, kSnapMm});
+        box.extend(end.at + Vec2{kSnapMm, kSnapMm});
+        found_.clear();
+        index_.query(box, found_);
+    }
+
+    // What its line would meet next.
+    std::optional<Vec2> ahead(const LooseEnd& end) {
+        near(end);
+        std::optional<Vec2> to;
+        double best = kSnapMm;
+        for (const int edge : found_) {
+            if (edge == end.half / 2) continue;
+            const Segment s = graph_.segment(2 * edge);
+            const Vec2 along = s.b - s.a;
+            const double by = cross(end.onwards, along);
+            if (std::abs(by) < kLeastSine * length(along)) continue;
+            const double way = cross(s.a - end.at, along) / by;
+            const double t = cross(s.a - end.at, end.onwards) / by;
+            if (way < 0.0 || way > best || t < 0.0 || t > 1.0) continue;
+            best = way;
+            to = end.at + way * end.onwards;
+        }
+        return to;
+    }
+
+    // The nearest point of another line, its corners first.
+    std::optional<Vec2> nearest(const LooseEnd& end) {
+        near(end);
+        std::optional<Vec2> corner_to;
+        std::optional<Vec2> to;
+        double corner_best = kSnapMm;
+        double best = kSnapMm;
+        for (const int edge : found_) {
+            const GraphEdge& other = nth(graph_.edges, edge);
+            if (edge == end.half / 2 || is_own(end, other)) continue;
+            const Segment s = graph_.segment(2 * edge);
+            for (const Vec2 p : {s.a, s.b}) {
+                if (distance(p, end.at) >= corner_best) continue;
+                corner_best = distance(p, end.at);
+                corner_to = p;
+            }
+            const Vec2 along = s.b - s.a;
+            const double t = std::clamp(dot(end.at - s.a, along) / dot(along, along), 0.0, 1.0);
+            const Vec2 p = lerp(s.a, s.b, t);
+            if (distance(p, end.at) >= best) continue;
+            best = distance(p, end.at);
+            to = p;
+        }
+        return corner_to ? corner_to : to;
+    }
+
+    // Edges of the line itself, just before its end.
+    static bool is_own(const LooseEnd& end, const GraphEdge& edge) { return edge.line == end.line; }
+
+    const std::vector<CardLine>& lines_;
+    const SheetGraph& graph_;
+    EdgeIndex index_;
+    std::vector<LooseEnd> loose_;
+    std::map<int, std::size_t> loose_at_;  // by corner
+    std::vector<bool> done_;
+    std::vector<Move> moves_;
+    std::vector<int> found_;
+};
+
+std::string_view noun_of(unsigned ink) { return (ink & kAnyFold) != 0 ? "fold" : "cut"; }
+
+}  // namespace
+
+std::optional<SheetGraph> mend_ends(const Tracing& tracing, std::vector<CardLine>& lines,
+                                    std::vector<Segment>& moves, Diagnostics& diagnostics) {
+    // Where each end was drawn, of those that moved.
+    std::map<std::pair<int, bool>, Vec2> drawn;
+    const auto end_of = [&](int line, bool last) -> Vec2& {
+        std::vector<Vec2>& points = nth(lines, line).points;
+        return last ? points.back() : points.front();
+    };
+    std::optional<SheetGraph> graph;
+    for (int round = 0;; ++round) {
+        graph = make_graph(lines);
+        if (!graph) {
+            diagnostics.error("document-too-large", {},
+                              "the lines of the drawing cross one another too often to be looked at");
+            return std::nullopt;
+        }
+        if (round == kMostRounds) break;
+        bool moved = false;
+        for (const Move& move : Round(lines, *graph).moves()) {
+            Vec2& end = end_of(move.line, move.last);
+            const Vec2 from = drawn.try_emplace({move.line, move.last}, end).first->second;
+            if (distance(from, move.to) > kSnapMm || end == move.to) continue;
+            end = move.to;
+            moved = true;
+        }
+        if (!moved) break;
+    }
+    for (const auto& [which, from] : drawn) {
+        const Vec2 to = end_of(which.first, which.second);
+        const double size = distance(from, to);
+        if (size == 0.0) continue;
+        moves.push_back({from, to});
+        if (size <= kSilentMm) continue;
+        const CardLine& line = nth(lines, which.first);
+        diagnostics
+            .warning(
+                "end-moved", nth(tracing.elements, line.element).place,
+                fmt::format("the end of this {} misses what it meets by {:.2f} mm at {}; it was moved there",
+                            noun_of(line.ink), size, shown_point(tracing, to)))
+            .hint("let ends snap to the lines that they meet in the drawing program")
+            .changed(shown_point(tracing, from), shown_point(tracing, to));
+    }
+    return graph;
+}
+
+}  // namespace popup::drawing::card
