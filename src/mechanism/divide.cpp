@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace popup {
@@ -88,18 +89,51 @@ Border with_corners_on(const Border& border, const DirectedLine& line) {
     Border made;
     made.cubics = border.cubics;
     made.edges.reserve(border.edges.size() + 8);
+    // A corner between two chords of one curve that is as near as this to where the curve crosses the line
+    // goes there: the chords need it nowhere else, and a sliver beside a fold is no use to anybody.
+    constexpr double kNearMm = 0.05;
+    const auto goes_on = [&](const BorderEdge& a, const BorderEdge& b) {
+        return a.curve >= 0 && a.curve == b.curve && a.t1 == b.t0;
+    };
+    std::optional<BorderEdge> moved;  // where the next edge begins instead
+    std::optional<BorderEdge> first;  // the same of the first edge
     for (std::size_t i = 0; i < border.edges.size(); ++i) {
         BorderEdge edge = border.edges[i];
         const Segment chord = border.chord(i);
+        if (side_of(chord.a, line) == 0) edge.from = at_of(along_of(edge.from, line), line);
         const int from = side_of(chord.a, line);
         const int to = side_of(chord.b, line);
-        if (from == 0) edge.from = at_of(along_of(edge.from, line), line);
+        const auto begin = std::exchange(moved, std::nullopt);
+        if (begin) {
+            edge.from = begin->from;
+            edge.t0 = begin->t0;
+        }
         made.edges.push_back(edge);
         if (from * to >= 0) continue;
         double t = 0.0;
         const Vec2 at = crossing_at(border, i, line, t);
-        made.edges.back().t1 = edge.curve < 0 ? edge.t1 : t;
-        made.edges.push_back({at, edge.curve, edge.curve < 0 ? edge.t0 : t, edge.t1, edge.of});
+        if (edge.curve < 0) {
+            made.edges.push_back({at, -1, 0.0, 0.0, edge.of});
+            continue;
+        }
+        const BorderEdge& next = border.edges[border.next(i)];
+        if (made.edges.size() > 1 && !begin && distance(at, chord.a) < kNearMm &&
+            goes_on(made.edges[made.edges.size() - 2], edge)) {
+            made.edges.back().from = at;
+            made.edges.back().t0 = t;
+            made.edges[made.edges.size() - 2].t1 = t;
+        } else if (distance(at, chord.b) < kNearMm && goes_on(edge, next) &&
+                   side_of(border.chord(border.next(i)).b, line) == to) {
+            made.edges.back().t1 = t;
+            (i + 1 < border.edges.size() ? moved : first) = BorderEdge{at, edge.curve, t, t, edge.of};
+        } else {
+            made.edges.back().t1 = t;
+            made.edges.push_back({at, edge.curve, t, edge.t1, edge.of});
+        }
+    }
+    if (first) {
+        made.edges.front().from = first->from;
+        made.edges.front().t0 = first->t0;
     }
     return made;
 }
@@ -181,6 +215,18 @@ Division divide(const Border& border, const DirectedLine& line, EdgeOf made) {
             }
             result.next_[static_cast<std::size_t>(from.edge)] = best->edge;
         }
+    }
+    // Where rounding leaves no telling what follows what, nothing is divided.
+    std::vector<char> followed(result.next_.size(), 0);
+    for (const int next : result.next_) {
+        if (next >= 0) followed[static_cast<std::size_t>(next)] = 1;
+    }
+    if (std::find(followed.begin(), followed.end(), 0) != followed.end()) {
+        result.chords.clear();
+        result.chord_edge_.clear();
+        result.edges_.resize(drawn);
+        result.next_.resize(drawn);
+        for (std::size_t i = 0; i < drawn; ++i) result.next_[i] = index(marked.next(i));
     }
     result.part_.assign(result.edges_.size(), -1);
     for (std::size_t i = 0; i < result.edges_.size(); ++i) {

@@ -130,7 +130,9 @@ class MeshBuilder {
             } else {
                 // The outline's own corners come first: triangles of large polygons stand on a grid.
                 for (const Ring& hole : outline.holes) ring_of(hole);
-                const Triangulation cut = triangulate(outline);
+                // Where it is not cut up first no corner stands in the middle of another triangle's side.
+                constexpr std::size_t kUncut = 4000;
+                const Triangulation cut = triangulate(outline, kUncut);
                 for (const auto& t : cut.triangles) {
                     add_face(plate, ring_of({cut.points[t[0]], cut.points[t[1]], cut.points[t[2]]}));
                 }

@@ -103,6 +103,7 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::fill, "fill", "fillcolor color", in({Name::text, Name::area}), 0},
     {Name::folds, "folds", "", in({Name::structure}), 0},
     {Name::t, "t", "time", in({Name::point}), 0},
+    {Name::hole, "hole", "", in({Name::popup}), in({Name::popup})},
     {Name::value, "value", "", kScalars | kPoints | in({Name::argument, Name::text}), 0},
 });
 

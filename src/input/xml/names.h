@@ -52,6 +52,7 @@ enum class Name : std::uint8_t {
     fill,
     folds,     // of what is cut from one sheet: <folds top="12" bottom="8"/>
     t,         // of a touch point: when it was touched
+    hole,      // beside the structurelist: <hole d="M …"/>
     argument,  // a structure's value under the name of a parameter, other than the four colours
     value,     // of anything that is a single value: <leftcolor value="red"/>
 };

@@ -72,6 +72,7 @@ class DocumentReader {
         // Lists are not parsed whole: their items are, one at a time.
         Fields fields(shell->root(), Name::popup, reporter_);
         std::deque<Tree> trees;
+        std::deque<Tree> holes;
         Offset structures = 0;
         Offset lines = 0;
         for (Offset child = 1; child < located_.elements[0].after; child = located_.elements[child].after) {
@@ -81,6 +82,10 @@ class DocumentReader {
             auto tree = Tree::parse(located_, child, list ? Tree::Extent::shell : Tree::Extent::whole,
                                     reporter_.diagnostics());
             if (!tree) return false;
+            if (found == Name::hole) {
+                holes.push_back(std::move(*tree));
+                continue;
+            }
             trees.push_back(std::move(*tree));
             fields.add(found, trees.back().root());
             if (found == Name::structurelist) structures = child;
@@ -94,6 +99,13 @@ class DocumentReader {
             if (!read_list(structures, field->node, Name::structurelist, &DocumentReader::read_structure))
                 return false;
         }
+        if (design_.structures.size() + holes.size() > kItemsLimit) {
+            reporter_.error(
+                "document-too-large", holes.back().root().place(),
+                fmt::format("'structurelist' has more than {} entries, holes included", kItemsLimit));
+            return false;
+        }
+        for (const Tree& hole : holes) read_hole(hole.root());
         if (const Field* field = element_field(fields, Name::drawnlinelist)) {
             if (!read_list(lines, field->node, Name::drawnlinelist, &DocumentReader::read_printed))
                 return false;
@@ -216,6 +228,29 @@ class DocumentReader {
         read_outer_points(fields, made, info);
         if (info) read_arguments(fields, made, *info);
         read_ground(fields, made, info);
+        reporter_.set_structure(Reporter::kNone);
+    }
+
+    // A hole that stands beside the list of structures comes after all of them.
+    void read_hole(Node node) {
+        const ElementInfo* info = find_element("hole");
+        if (info == nullptr) return reporter_.unknown_name(Name::popup, node.name(), node.place(), false);
+        reporter_.set_structure(design_.structures.size());
+        Structure& made = design_.structures.emplace_back();
+        made.type = info->name;
+        made.place = made.type_place = node.place();
+        made.tag_text = node.whole();
+        made.start_tag = node.start_tag();
+        if (info->since > design_.version) {
+            reporter_
+                .warning("newer-element", node.place(),
+                         fmt::format("'{}' is not an element of version {}", info->name, design_.version))
+                .hint(fmt::format("write version=\"{}\"", info->since));
+        }
+        const Field field{Name::argument, node.place(), {}, node, info->parameters.front().name};
+        if (auto value = values_.argument(field, info->parameters.front()))
+            made.argument(0) = std::move(*value);
+        find_ground(made, *info);
         reporter_.set_structure(Reporter::kNone);
     }
 

@@ -463,7 +463,7 @@ std::string render_schema() {
     return std::string(kHead) + units() + types() +
            fmt::format(kStructure, fewest->points.empty() ? " minOccurs=\"0\"" : "",
                        std::max<std::size_t>(1, fewest->points.size()), most->points.size(),
-                       value_elements() + value_groups(), grounds(), value_attributes(),
+                       value_groups() + value_elements(), grounds(), value_attributes(),
                        format_number(kThickestLine), enumeration(kPictureFitNames, 10),
                        enumeration(kTextFontNames, 14), kPageLimit) +
            value_types() + "</xs:schema>\n";

@@ -205,8 +205,12 @@ TEST(Manual, HasEveryElementTypeWithItsPointsInOrder) {
     for (const ManLine& line : manual("popup.5")) {
         if (line.section != "TYPES" || !line.text.starts_with(".It Li ")) continue;
         const std::vector<std::string> words = words_of(line.text);
-        ASSERT_GT(words.size(), 5U) << line.text;
-        ASSERT_EQ(words[4], "Pq") << line.text;
+        // What is drawn alone has no points.
+        ASSERT_GT(words.size(), 3U) << line.text;
+        ASSERT_NE(words.size(), 5U) << line.text;
+        if (words.size() > 4) {
+            ASSERT_EQ(words[4], "Pq") << line.text;
+        }
         std::string entry = words[2] + " " + words[3] + ":";
         for (std::size_t i = 5; i < words.size(); ++i) entry += " " + words[i];
         in_manual.push_back(entry);

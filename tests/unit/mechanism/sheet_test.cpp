@@ -500,6 +500,25 @@ TEST(Sheet, AHoleOverACutTakesIt) {
     EXPECT_NEAR(length_of(lines_of(*made.assembly, LineKind::cut)), 700.0 + 100.0 - 10.0 + 40.0, 1e-6);
 }
 
+TEST(Sheet, AHoleMayStandBesideTheStructures) {
+    const auto read = [](const std::string& before, const std::string& inside) {
+        Diagnostics diagnostics;
+        auto design =
+            xml::read({"card.xml", "<popup version='3.0' units='mm'><mainpage width='200' height='150'/>" +
+                                       before + "<structurelist>" + box(-30, -10, 20, 40, "b") + inside +
+                                       "</structurelist></popup>"},
+                      {}, diagnostics);
+        EXPECT_EQ(findings(diagnostics), "");
+        return write_document(design.value());
+    };
+    const std::string d = "M -5 0 h 3 v 3 h -3 Z";
+    const std::string as_structure = "<structure type='hole'><outline page='0' d='" + d + "'/></structure>";
+    EXPECT_EQ(read("<hole page='0' d='" + d + "'/>", ""), read("", as_structure));
+    EXPECT_EQ(
+        read("<hole page='0' d='" + d + "'/><hole d='M 5 0 h 3 v 3 h -3 Z'/>", ""),
+        read("", as_structure + "<structure type='hole'><outline d='M 5 0 h 3 v 3 h -3 Z'/></structure>"));
+}
+
 TEST(Sheet, RefusesHolesThatPartTheCard) {
     EXPECT_EQ(from_xml(hole("M 80 0 h 30 v 10 h -30 Z")).text,
               "error does-not-fit: \"hole\": it leaves the page by 10.00 mm\n");

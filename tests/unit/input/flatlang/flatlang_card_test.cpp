@@ -359,6 +359,41 @@ TEST(FlatLangCard, ElementsHaveAllTheirValues) {
               "2:1 box() ends with \"height\", which wants a value behind it");
 }
 
+// What is drawn across a fold is drawn beside it: the same numbers make the same shape there.
+TEST(FlatLangCard, OutlinesAreSeenFromTheirFold) {
+    const Design made = design_of(
+        "c = popup(8, 6)\n"
+        "b = box_fold(c, [-1, -1], [2, 1])\n"
+        "polygon(c, \"M 0.5 -2.5 H -0.5 V -1.5 H 0.5 Z\", \"top\", 0.4)\n"
+        "polygon(b.right, \"M 0.5 -0.5 H -0.5 V 0.5 H 0.5 Z\")\n"
+        "freeform(b.left, [-0.25, -0.5], [0.25, -0.5], [0.25, 0.5], [-0.25, 0.5])\n"
+        "hole(b, \"M -3 -2 h 0.5 v 0.5 Z\")\n");
+    ASSERT_EQ(made.structures.size(), 5U);
+    const auto box_of = [&](std::size_t n) {
+        Box box;
+        for (const Argument& argument : made.structures[n].arguments) {
+            if (const auto* path = std::get_if<DrawnPath>(&argument.value))
+                box = bounds(path->inside.areas.at(0).outer);
+            if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
+                for (const DesignPoint& point : *points) box.extend(point.at);
+            }
+        }
+        return box;
+    };
+    const auto expect_box = [&](std::size_t n, Vec2 min, Vec2 max) {
+        EXPECT_LT(distance(box_of(n).min, 25.4 * min), 1e-4) << n;
+        EXPECT_LT(distance(box_of(n).max, 25.4 * max), 1e-4) << n;
+    };
+    expect_box(1, {-0.5, -2.5}, {0.5, -1.5});
+    expect_box(2, {1.5, -0.5}, {2.5, 0.5});
+    expect_box(3, {-1.25, -0.5}, {-0.75, 0.5});
+    expect_box(4, {-3, -2}, {-2.5, -1.5});
+    EXPECT_TRUE(made.structures[4].finds_ground);
+    Diagnostics diagnostics;
+    EXPECT_TRUE(check(made, {}, diagnostics));
+    EXPECT_EQ(test::findings(diagnostics), "");
+}
+
 TEST(FlatLangCard, PointsThatMakeNoFoldsMakeAnElementWithoutThem) {
     EXPECT_EQ(
         complaint("c = popup()\ns = step(c, [0, 0], [0, 0])\nstep(s.left, [-1, 0], [-1, 1])"),
