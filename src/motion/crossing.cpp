@@ -16,6 +16,8 @@ constexpr double kFar = 20.0;       // how far from an edge is far enough
 constexpr double kInsideMm = 1e-4;
 constexpr double kInsideShare = 0.02;
 constexpr int kMostLooks = 400;
+// Edges this near to the line run along it.
+constexpr double kAlongMm = 1e-6;
 
 // Where an outline passes the line, and how far it reaches from there to either side before it comes back.
 struct Passage {
@@ -28,6 +30,20 @@ struct CutLine {
     Vec2 at, along;  // along: unit
     [[nodiscard]] double across(Vec2 p) const { return cross(along, p - at); }
 };
+
+struct Stretch {
+    double from = 0.0, to = 0.0;
+};
+
+// Where edges of the outline run along the line: no point there is inside.
+void add_runs(const Ring& ring, const CutLine& line, std::vector<Stretch>& runs) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        if (std::abs(line.across(ring[i])) > kAlongMm || std::abs(line.across(ring[j])) > kAlongMm) continue;
+        const auto [from, to] =
+            std::minmax({dot(line.along, ring[j] - line.at), dot(line.along, ring[i] - line.at)});
+        runs.push_back({from, to});
+    }
+}
 
 // Passages of one ring, each with the reach of the two stretches of ring that meet in it.
 void cut(const Ring& ring, const CutLine& line, std::vector<Passage>& passages) {
@@ -75,6 +91,25 @@ std::vector<Passage> cut(const PlateShape& shape, const CutLine& line) {
 
 double reach_of(const Passage& from, const Passage& to) {
     return std::min(std::max(from.reach_left, to.reach_left), std::max(from.reach_right, to.reach_right));
+}
+
+// Calls back with what of a stretch lies on none of these. False: nothing of it does.
+template <typename Function>
+bool each_between(const std::vector<Stretch>& runs, double from, double to, const Function& on_part) {
+    bool any = false;
+    const auto part = [&](double begin, double end) {
+        if (!(begin < end)) return;
+        any = true;
+        on_part(begin, end);
+    };
+    for (const Stretch& run : runs) {
+        if (run.to <= from) continue;
+        if (run.from >= to) break;
+        part(from, run.from);
+        from = run.to;
+    }
+    part(from, to);
+    return any;
 }
 
 // Where a function that rises and falls no faster than its argument is highest: halves what may still be
@@ -125,6 +160,11 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
     on_b.along = {along.x, along.y};
     const std::vector<Passage> of_a = cut(a, on_a);
     const std::vector<Passage> of_b = cut(b, on_b);
+    // Left out of the search: where plates turn about an edge, these are long, and all looks would go there.
+    std::vector<Stretch> runs;
+    for (const Ring& ring : a.rings) add_runs(ring, on_a, runs);
+    for (const Ring& ring : b.rings) add_runs(ring, on_b, runs);
+    std::sort(runs.begin(), runs.end(), [](const Stretch& s, const Stretch& t) { return s.from < t.from; });
 
     const auto inside = [&](double t) {
         const double from_a = a.to_edge(on_a.at + t * on_a.along, kFar);
@@ -135,22 +175,26 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
     for (std::size_t i = 0, k = 0; i + 1 < of_a.size() && k + 1 < of_b.size();) {
         const double from = std::max(of_a[i].along, of_b[k].along);
         const double to = std::min(of_a[i + 1].along, of_b[k + 1].along);
-        if (from < to) {
-            const auto [at, most, bound] = highest(inside, from, to);
-            at_most = std::max(at_most, bound);
-            if (!best || most > best->inside_mm) {
-                Crossing found;
-                const Vec2 p = on_a.at + at * on_a.along;
-                found.point = {p.x, p.y, 0.0};
-                found.inside_mm = most;
-                const double reach_a = reach_of(of_a[i], of_a[i + 1]);
-                const double reach_b = reach_of(of_b[k], of_b[k + 1]);
-                found.b_is_longer = reach_b < reach_a;
-                found.excess_mm = std::min(reach_a, reach_b);
-                found.sine = sine;
-                found.depth_mm = found.excess_mm * sine;
-                best = found;
-            }
+        const auto keep = [&](const Highest& there) {
+            at_most = std::max(at_most, there.bound);
+            if (best && there.value <= best->inside_mm) return;
+            Crossing found;
+            const Vec2 p = on_a.at + there.at * on_a.along;
+            found.point = {p.x, p.y, 0.0};
+            found.inside_mm = there.value;
+            const double reach_a = reach_of(of_a[i], of_a[i + 1]);
+            const double reach_b = reach_of(of_b[k], of_b[k + 1]);
+            found.b_is_longer = reach_b < reach_a;
+            found.excess_mm = std::min(reach_a, reach_b);
+            found.sine = sine;
+            found.depth_mm = found.excess_mm * sine;
+            best = found;
+        };
+        if (from < to && !each_between(runs, from, to, [&](double begin, double end) {
+                keep(highest(inside, begin, end));
+            })) {
+            const double middle = 0.5 * (from + to);
+            keep({middle, inside(middle), kAlongMm});
         }
         if (of_a[i + 1].along <= of_b[k + 1].along) {
             i += 2;
