@@ -165,6 +165,27 @@ void sort_stretches(std::vector<Stretch>& stretches, std::size_t own) {
 
 }  // namespace
 
+namespace {
+
+// Without corners in the middle of a straight cut, where it crosses a line that is no fold.
+void drop_straight_corners(Border& border) {
+    constexpr double kStraight = 1e-9;  // mm beside the line
+    const auto is_cut = [](const BorderEdge& edge) { return edge.of == EdgeOf::drawn && edge.curve < 0; };
+    std::vector<BorderEdge> kept;
+    for (std::size_t i = 0; i < border.edges.size(); ++i) {
+        if (!kept.empty() && is_cut(kept.back()) && is_cut(border.edges[i])) {
+            const Vec2 from = kept.back().from;
+            const Vec2 to = border.chord(i).b;
+            const Vec2 at = border.edges[i].from;
+            if (distance(at, Segment{from, to}) <= kStraight && dot(at - from, to - at) > 0.0) continue;
+        }
+        kept.push_back(border.edges[i]);
+    }
+    border.edges = std::move(kept);
+}
+
+}  // namespace
+
 std::optional<SheetFault> finish(const Element& e, const SheetParts& parts,
                                  const std::function<bool(const Segment&)>& along, CutShape& into) {
     into = {};
@@ -175,7 +196,8 @@ std::optional<SheetFault> finish(const Element& e, const SheetParts& parts,
     const bool far_left = parts.far_left;
     slit.more_on = far_left ? Side::left : Side::right;
     for (std::size_t i = 0; i < parts.plates.size(); ++i) {
-        const Border& plate = parts.plates[i];
+        Border plate = parts.plates[i];
+        drop_straight_corners(plate);
         const bool is_left = i == 0 || (i > 1 && far_left);
         Ring ring;
         for (std::size_t k = 0; k < plate.edges.size(); ++k) {
@@ -219,7 +241,8 @@ std::optional<SheetFault> finish(const Element& e, const SheetParts& parts,
                 {of_kind[i].which, line(of_kind[i].line), of_kind[i].plate, of_kind[i].other});
     }
     // From the fold along the border and back to it.
-    const auto gone = [&](const Border& side) {
+    const auto gone = [&](Border side) {
+        drop_straight_corners(side);
         Ring path;
         for (std::size_t i = 1; i <= side.edges.size(); ++i)
             path.push_back(page(side.edges[i % side.edges.size()].from));
