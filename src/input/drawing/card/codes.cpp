@@ -39,12 +39,19 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
     {"folds-found", Severity::remark, "an outline across a fold without its own folds",
      "A closed outline that lies across a fold is a feature that pops up. This one has no folds inside that "
      "say where it is held, so they were found: where it is two millimetres wide, seen from its far ends. "
-     "Draw the folds to have them elsewhere. If the outline is a hole that goes over the fold, say so with "
-     "the name of its layer, class or id: hole or window."},
+     "Draw the folds to have them elsewhere. If the outline is a hole that goes over the fold, end the fold "
+     "at "
+     "it, or say so with the name of its layer, class or id: hole or window."},
     {"gutter-off-middle", Severity::error, "a gutter that is not in the middle of the page",
      "The two halves of a card are equally wide, so that they lie on each other when it is closed. The fold "
      "that goes from edge to edge lies more than half a millimetre beside the middle of the border. Move the "
      "fold, or the border of the page, until both halves are the same."},
+    {"hole-over-fold", Severity::remark, "an outline across a fold that is a hole",
+     "A closed outline that lies across a fold is a feature that pops up if there are folds in it: its own, "
+     "or "
+     "the fold that it lies across, drawn on through it. This one has none, so it is cut out and falls out, "
+     "as "
+     "a window over a corner does. Draw the folds that hold it if it is to pop up."},
     {"island", Severity::warning, "something drawn in a hole",
      "A hole falls out with all that lies in it, so what is drawn there can neither be cut nor fold. It was "
      "left out. Join it to the paper around it by a bridge that is not cut, or take it out of the drawing."},

@@ -399,6 +399,13 @@ class FeatureFinder {
             if (ring.empty() || named_hole) continue;
             const std::vector<int> drives = crossed_drives(ring);
             if (drives.empty()) continue;
+            // Without any fold in it, it is cut out of the fold.
+            if (std::all_of(faces.begin(), faces.end(),
+                            [&](int face) { return nth(folds_, face).empty(); })) {
+                if (out_.holes_over_folds.insert(group).second)
+                    out_.over_folds.push_back({first_element(graph_, ring), {}, {}});
+                continue;
+            }
             if (drives.size() > 1) {
                 refuse(group, ring,
                        fmt::format("this outline lies across {} folds, and can stand on one only",

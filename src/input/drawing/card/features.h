@@ -39,8 +39,11 @@ struct Features {
     std::vector<Drive> drives;           // the gutter first
     std::vector<DrawnFeature> features;  // parents first
     std::vector<NotUnderstood> faults;
-    std::vector<int> plate_of;     // of each face; -1: of none
-    std::vector<int> group_of;     // faces that folds join have one number
+    std::vector<int> plate_of;  // of each face; -1: of none
+    std::vector<int> group_of;  // faces that folds join have one number
+    // Outlines across folds without a fold in them: holes, as any that nothing holds. Groups, and each once.
+    std::set<int> holes_over_folds;
+    std::vector<NotUnderstood> over_folds;
     std::map<int, NoLinkage> why;  // faces that make no feature, and why
     std::set<int> refused;         // groups that are outlined and make none: told in `faults`
 };

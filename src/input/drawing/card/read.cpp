@@ -40,6 +40,12 @@ class Teller {
                 .hint("end the fold at the cuts of the feature")
                 .changed("a fold through the feature", "a fold up to its cuts");
         }
+        for (const NotUnderstood& one : features.over_folds) {
+            diagnostics_
+                .remark("hole-over-fold", place(one),
+                        "this outline lies across a fold and has no fold in it: it is a hole")
+                .hint("draw the fold on through it, or its own folds in it, if it is to pop up");
+        }
         for (const NotUnderstood& one : left.islands) {
             diagnostics_
                 .warning("island", place(one),
