@@ -68,7 +68,7 @@ struct ReadOptions {
     bool strict = false;   // unknown markup is an error, not a warning
     std::string language;  // name of a row of language_table(); empty: by the source's suffix
     ProgramOptions program;
-    DrawingOptions drawing;
+    DrawingOptions drawing = {};
 };
 
 // What a source describes: the design of a card, which is still to be checked and assembled, or an assembly

@@ -102,10 +102,19 @@ Guess by_layer(Use use) {
     return {};
 }
 
-Guess by_stroke(const TracedLine& line) {
+// True of the notation `workshop`, in which this program draws sheets: only there valleys are dashed magenta.
+bool is_workshop(const Tracing& tracing) {
+    return std::any_of(tracing.lines.begin(), tracing.lines.end(), [](const TracedLine& line) {
+        return line.use != Use::shape && line.dash != Dash::none && hue_of(line.color) == Hue::magenta;
+    });
+}
+
+Guess by_stroke(const TracedLine& line, bool workshop) {
     constexpr std::string_view kColor = "by their colour";
     constexpr std::string_view kDashes = "by their dashes";
     const bool broken = line.dash != Dash::none;
+    if (workshop && broken && hue_of(line.color) == Hue::magenta) return {Meaning::valley, kColor};
+    if (workshop && broken && hue_of(line.color) == Hue::blue) return {Meaning::mountain, kColor};
     switch (hue_of(line.color)) {
         case Hue::red:
             return {Meaning::mountain, kColor};
@@ -128,7 +137,10 @@ Guess by_stroke(const TracedLine& line) {
 class Sorter {
  public:
     Sorter(const Tracing& tracing, Diagnostics& diagnostics)
-        : tracing_(tracing), diagnostics_(diagnostics), frame_(frame_strokes(tracing)) {}
+        : tracing_(tracing),
+          diagnostics_(diagnostics),
+          frame_(frame_strokes(tracing)),
+          workshop_(is_workshop(tracing)) {}
 
     CardLines run() {
         for (const TracedLine& line : tracing_.lines) {
@@ -159,7 +171,7 @@ class Sorter {
         if (line.owner > 0) return by_layer(line.use);
         if (line.named != Named::nothing) return by_name(line);
         if (frame_.find(key_of(line)) != frame_.end()) return {Meaning::cut, {}};
-        return by_stroke(line);
+        return by_stroke(line, workshop_);
     }
 
     void take(const TracedLine& line, Meaning meaning) {
@@ -190,6 +202,7 @@ class Sorter {
     const Tracing& tracing_;
     Diagnostics& diagnostics_;
     std::set<StrokeKey> frame_;
+    bool workshop_;
     std::vector<Row> rows_;
     std::map<std::tuple<StrokeKey, Meaning, std::string_view>, std::size_t> row_of_;
     CardLines out_;

@@ -33,7 +33,8 @@ struct CardLines {
 };
 
 // Sorts the lines of a drawing, which must outlive the result. Rules and names come first, then colours: red
-// mountain, blue valley, magenta fold, yellow nothing; then dashes, of which all are folds and those with
+// mountain, blue valley, magenta fold, yellow nothing (in the notation `workshop` dashed blue is mountain and
+// dashed magenta valley); then dashes, of which all are folds and those with
 // dots are mountains. What is left is cut, and so is all that is drawn as the drawing's frame is. Each guess
 // is a `line-meaning` remark with how many lines it took.
 CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics);
