@@ -7,6 +7,7 @@
 
 #include "base/nth.h"
 #include "input/drawing/card/boundary.h"
+#include "input/drawing/card/mend_ends.h"
 
 namespace popup::drawing::card {
 namespace {
@@ -97,9 +98,15 @@ class LeftoverFinder {
         }
     }
 
+    // Where the end of a line and the chord of a curve that it meets are not quite one.
+    [[nodiscard]] bool is_rounding(int edge) const {
+        const Segment s = graph_.segment(2 * edge);
+        return distance(s.a, s.b) <= kSilentMm;
+    }
+
     void tell_way(int edge, bool mountain) {
         const unsigned ink = nth(graph_.edges, edge).ink & (kMountain | kValley);
-        if (ink == 0) return;
+        if (ink == 0 || is_rounding(edge)) return;
         const bool right = (ink & (mountain ? kMountain : kValley)) != 0;
         (right ? out_.as_drawn : out_.other_way).push_back(edge);
     }
@@ -118,7 +125,9 @@ class LeftoverFinder {
             const GraphEdge& edge = graph_.edges[i];
             const int a = graph_.face_of(half);
             const int b = graph_.face_of(half ^ 1);
-            if (!is_fold(edge) || a == 0 || b == 0 || used_.count(static_cast<int>(i)) > 0) continue;
+            if (!is_fold(edge) || a == 0 || b == 0 || used_.count(static_cast<int>(i)) > 0 ||
+                is_rounding(static_cast<int>(i)))
+                continue;
             const int p = plate_of(a);
             const int q = plate_of(b);
             const bool hangs = p < 0 || q < 0;
@@ -143,7 +152,9 @@ class LeftoverFinder {
             const int half = static_cast<int>(2 * i);
             const GraphEdge& edge = graph_.edges[i];
             const int face = graph_.face_of(half);
-            if (is_fold(edge) || face != graph_.face_of(half ^ 1) || nth(outside_, face) != 0) continue;
+            if (is_fold(edge) || face != graph_.face_of(half ^ 1) || nth(outside_, face) != 0 ||
+                is_rounding(static_cast<int>(i)))
+                continue;
             const Segment s = graph_.segment(half);
             out_.faults.push_back(
                 {edge.element,

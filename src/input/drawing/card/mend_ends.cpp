@@ -44,14 +44,16 @@ class Round {
     }
 
     std::vector<Move> moves() {
-        trim();
-        join_pairs();
+        // What is only rounding is no reason to look further.
+        trim(kSilentMm);
+        go_ahead(kSilentMm);
+        join_groups(false);
+        trim(kSnapMm);
+        go_ahead(kSnapMm);
+        join_groups(true);
         for (std::size_t i = 0; i < loose_.size(); ++i) {
             if (done_[i]) continue;
-            if (const auto to = ahead(loose_[i]))
-                move(i, *to);
-            else if (const auto near = nearest(loose_[i]))
-                move(i, *near);
+            if (const auto near = nearest(loose_[i])) move(i, *near);
         }
         return std::move(moves_);
     }
@@ -79,14 +81,15 @@ class Round {
     }
 
     // Ends that run over what they meet are cut off there.
-    void trim() {
+    void trim(double most) {
         for (std::size_t i = 0; i < loose_.size(); ++i) {
+            if (done_[i]) continue;
             double way = 0.0;
             int half = loose_[i].half;
             while (true) {
                 way += distance(graph_.at(graph_.from(half)), graph_.at(graph_.to(half)));
                 const std::vector<int>& around = graph_.around(graph_.to(half));
-                if (way > kSnapMm || around.size() == 1) break;
+                if (way > most || around.size() == 1) break;
                 if (around.size() > 2) {
                     move(i, graph_.at(graph_.to(half)));
                     break;
@@ -96,39 +99,78 @@ class Round {
         }
     }
 
-    // Two loose ends near each other meet where their lines do.
-    void join_pairs() {
-        for (std::size_t i = 0; i < loose_.size(); ++i) {
-            if (done_[i]) continue;
-            std::optional<std::size_t> mate;
-            double best = 2.0 * kSnapMm;
-            Box box;
-            box.extend(loose_[i].at - Vec2{best, best});
-            box.extend(loose_[i].at + Vec2{best, best});
-            found_.clear();
-            index_.query(box, found_);
-            for (const int edge : found_) {
-                for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
-                    const auto other = loose_at_.find(corner);
-                    if (other == loose_at_.end() || other->second == i || done_[other->second]) continue;
-                    const double off = distance(loose_[i].at, loose_[other->second].at);
-                    if (off >= best || !meeting(loose_[i], loose_[other->second])) continue;
-                    best = off;
-                    mate = other->second;
+    // Loose ends near each other, all of them.
+    [[nodiscard]] std::vector<std::size_t> ends_near(std::size_t first) {
+        const double reach = 2.0 * kSnapMm;
+        std::vector<std::size_t> group{first};
+        Box box;
+        box.extend(loose_[first].at - Vec2{reach, reach});
+        box.extend(loose_[first].at + Vec2{reach, reach});
+        found_.clear();
+        index_.query(box, found_);
+        for (const int edge : found_) {
+            for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
+                const auto [begin, end] = loose_at_.equal_range(corner);
+                for (auto other = begin; other != end; ++other) {
+                    const bool far = distance(loose_[first].at, loose_[other->second].at) > reach;
+                    if (!far && !done_[other->second]) group.push_back(other->second);
                 }
             }
-            if (!mate) continue;
-            const Vec2 to = *meeting(loose_[i], loose_[*mate]);
-            move(i, to);
-            move(*mate, to);
+        }
+        std::sort(group.begin(), group.end());
+        group.erase(std::unique(group.begin(), group.end()), group.end());
+        return group;
+    }
+
+    // Loose ends near each other meet where their lines do: all that are near, else the nearest two. `level`:
+    // those of lines that go on in each other.
+    void join_groups(bool level) {
+        for (std::size_t i = 0; i < loose_.size(); ++i) {
+            if (done_[i]) continue;
+            std::vector<std::size_t> group = ends_near(i);
+            // A line that is drawn twice ends twice in one corner.
+            const auto elsewhere = [&](std::size_t other) {
+                return loose_[other].corner != loose_[i].corner;
+            };
+            if (std::none_of(group.begin(), group.end(), elsewhere)) continue;
+            auto to = meeting(group, level);
+            if (!to) {
+                const auto off = [&](std::size_t other) {
+                    return elsewhere(other) ? distance(loose_[i].at, loose_[other].at) : HUGE_VAL;
+                };
+                const auto nearest = std::min_element(group.begin(), group.end(),
+                                                      [&](auto a, auto b) { return off(a) < off(b); });
+                group = {i, *nearest};
+                to = meeting(group, level);
+            }
+            if (!to) continue;
+            for (const std::size_t one : group) move(one, *to);
         }
     }
 
-    static std::optional<Vec2> meeting(const LooseEnd& a, const LooseEnd& b) {
-        const double by = cross(a.onwards, b.onwards);
-        Vec2 to = lerp(a.at, b.at, 0.5);
-        if (std::abs(by) >= kLeastSine) to = a.at + cross(b.at - a.at, b.onwards) / by * a.onwards;
-        if (distance(a.at, to) > kSnapMm || distance(b.at, to) > kSnapMm) return std::nullopt;
+    // The point nearest to the lines of all these ends, which cross; of level ones their middle.
+    [[nodiscard]] std::optional<Vec2> meeting(const std::vector<std::size_t>& group, bool level) const {
+        double xx = 0.0;
+        double xy = 0.0;
+        double yy = 0.0;
+        Vec2 right;
+        Vec2 middle;
+        for (const std::size_t one : group) {
+            const Vec2 n = left_of(loose_[one].onwards);
+            const double by = dot(n, loose_[one].at);
+            xx += n.x * n.x;
+            xy += n.x * n.y;
+            yy += n.y * n.y;
+            right = right + by * n;
+            middle = middle + (1.0 / static_cast<double>(group.size())) * loose_[one].at;
+        }
+        const double det = xx * yy - xy * xy;
+        if ((det <= kLeastSine * kLeastSine) != level) return std::nullopt;
+        Vec2 to = middle;
+        if (!level) to = {(yy * right.x - xy * right.y) / det, (xx * right.y - xy * right.x) / det};
+        for (const std::size_t one : group) {
+            if (distance(loose_[one].at, to) > kSnapMm) return std::nullopt;
+        }
         return to;
     }
 
@@ -140,11 +182,18 @@ class Round {
         index_.query(box, found_);
     }
 
+    void go_ahead(double most) {
+        for (std::size_t i = 0; i < loose_.size(); ++i) {
+            if (done_[i]) continue;
+            if (const auto to = ahead(loose_[i], most)) move(i, *to);
+        }
+    }
+
     // What its line would meet next.
-    std::optional<Vec2> ahead(const LooseEnd& end) {
+    std::optional<Vec2> ahead(const LooseEnd& end, double most) {
         near(end);
         std::optional<Vec2> to;
-        double best = kSnapMm;
+        double best = most;
         for (const int edge : found_) {
             if (edge == end.half / 2) continue;
             const Segment s = graph_.segment(2 * edge);
@@ -193,7 +242,7 @@ class Round {
     const SheetGraph& graph_;
     EdgeIndex index_;
     std::vector<LooseEnd> loose_;
-    std::map<int, std::size_t> loose_at_;  // by corner
+    std::multimap<int, std::size_t> loose_at_;  // by corner
     std::vector<bool> done_;
     std::vector<Move> moves_;
     std::vector<int> found_;

@@ -183,7 +183,7 @@ class DesignMaker {
             for (const auto& [aside, fold] :
                  {std::pair{1.0, feature.linkage.left}, {-1.0, feature.linkage.right}}) {
                 const double over = reach(drive, outline.ring, aside) - fold;
-                if (over <= kOverMm) continue;
+                if (over <= kSnapMm) continue;
                 fault(place,
                       fmt::format("this feature reaches {:.2f} mm beyond the fold that holds it", over), {});
                 return;
