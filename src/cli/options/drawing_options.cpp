@@ -44,11 +44,9 @@ void add_drawing_options(CLI::App& verb, Options& options) {
           group, [&drawing](std::string_view text) {
               drawing.card = choose<bool>("--as", text, {{"parts", false}, {"card", true}});
           });
-    values(
-        verb, "--lines", "USE=LINES",
-        "what lines of a colour, layer, class or id are: cut, fold, mountain, valley, print or ignore, such "
-        "as cut=#005cff,fold=creases. Repeatable",
-        group, [&drawing](std::string_view text) { read_rules(text, drawing.lines); });
+    values(verb, "--lines", "USE=LINES",
+           "what lines of a colour, layer, class or id are, as cut=#f00. Repeatable", group,
+           [&drawing](std::string_view text) { read_rules(text, drawing.lines); });
 }
 
 }  // namespace popup::cli

@@ -116,12 +116,14 @@ Use use_of(Named named) {
 }
 
 // True of drawings with the colours of Origami Simulator: with red or green lines, and no dashed magenta.
+// Where red outlines close, red is what is cut, as in this program's own sheets.
 bool has_simulator_colors(const Tracing& tracing) {
     bool found = false;
     for (const TracedLine& line : tracing.lines) {
         if (line.owner > 0 || line.use == Use::shape) continue;
         const Hue hue = hue_of(line.color);
         if (hue == Hue::magenta && line.dash != Dash::none) return false;
+        if (hue == Hue::red && line.closed && line.dash == Dash::none) return false;
         found = found || hue == Hue::red || hue == Hue::green;
     }
     return found;
@@ -205,6 +207,15 @@ LineRules::LineRules(const std::vector<LineRule>& rules) {
         const Paint paint = parse_paint(rule.name);
         if (paint.kind == Paint::Kind::color) colors_.emplace_back(paint.color, named);
         words_.emplace_back(lower(trimmed(rule.name)), named);
+    }
+}
+
+void LineRules::follow(std::initializer_list<std::string_view> names, Said& said) const {
+    for (const std::string_view name : names) {
+        const Said own = said_by(name);
+        if (own.named == Named::nothing) continue;
+        if (own.ruled || !said.ruled) said = own;
+        return;
     }
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ class LineRules {
  public:
     explicit LineRules(const std::vector<LineRule>& rules);
     [[nodiscard]] Said said_by(std::string_view name) const;
+    // Of an element with these names, the weightiest first, in one of which that was said: the first that
+    // says something counts, and a rule above all names.
+    void follow(std::initializer_list<std::string_view> names, Said& said) const;
     // Where a rule names the colour of the stroke, it says what the line is.
     void apply_colors(const Paint& stroke, TracedLine& line) const;
 

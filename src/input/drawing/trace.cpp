@@ -252,7 +252,8 @@ class Tracer {
         Context context = around;
         const Declarations declared = declarations(tag, attributes);
         context.style.take(declared);
-        read_names(attributes, context);
+        rules_.follow({attributes.value("inkscape:label"), attributes.value("class"), attributes.value("id")},
+                      context.said);
         if (!context.style.displayed) return tally_.hidden(at.place);
         for (const Property property : {Property::clip, Property::mask}) {
             const std::string* value = declared.find(property);
@@ -288,16 +289,6 @@ class Tracer {
         }
         sheet_.apply(tag, attributes.value("id"), attributes.value("class"), all);
         return all;
-    }
-
-    // The innermost name that says something counts, and a rule above all names.
-    void read_names(const Attributes& attributes, Context& context) const {
-        for (const std::string_view name : {"inkscape:label", "class", "id"}) {
-            const Said said = rules_.said_by(attributes.value(name));
-            if (said.named == Named::nothing) continue;
-            if (said.ruled || !context.said.ruled) context.said = said;
-            return;
-        }
     }
 
     bool apply_transform(const Attributes& attributes, Context& context) {

@@ -512,7 +512,7 @@ class FeatureFinder {
             if (distance(s.a, s.b) > distance(longest.a, longest.b)) longest = s;
         }
         if (longest == Segment{}) return {};
-        return lerp(longest.a, longest.b, 0.5) + kMeetMm * left_of(unit(longest.b - longest.a));
+        return lerp(longest.a, longest.b, 0.5) + kOnePointMm * left_of(unit(longest.b - longest.a));
     }
 
     static constexpr std::size_t kMostWays = 200;

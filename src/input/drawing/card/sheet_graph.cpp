@@ -47,10 +47,10 @@ class GraphMaker {
  private:
     // The corner at a point: one that is there already, or a new one.
     int corner_at(Vec2 p) {
-        const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v / kMeetMm)); };
+        const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v / kOnePointMm)); };
         const PlaneCell at{cell(p.x), cell(p.y)};
         int nearest = -1;
-        double best = kMeetMm;
+        double best = kOnePointMm;
         for (std::int64_t x = at.x - 1; x <= at.x + 1; ++x) {
             for (std::int64_t y = at.y - 1; y <= at.y + 1; ++y) {
                 const auto found = cells_.find({x, y});
@@ -99,8 +99,8 @@ class GraphMaker {
             Box box;
             box.extend(segments[i].a);
             box.extend(segments[i].b);
-            box.min = box.min - Vec2{kMeetMm, kMeetMm};
-            box.max = box.max + Vec2{kMeetMm, kMeetMm};
+            box.min = box.min - Vec2{kOnePointMm, kOnePointMm};
+            box.max = box.max + Vec2{kOnePointMm, kOnePointMm};
             found.clear();
             index.query(box, found);
             looks += found.size();
@@ -117,7 +117,7 @@ class GraphMaker {
         const Chord& c = nth(chords_, chord);
         if (corner == c.a || corner == c.b) return false;
         const Segment s = segment(c);
-        if (distance(graph_.at(corner), s) > kMeetMm) return false;
+        if (distance(graph_.at(corner), s) > kOnePointMm) return false;
         const Vec2 along = s.b - s.a;
         meetings_.push_back({chord, dot(graph_.at(corner) - s.a, along) / dot(along, along), corner});
         return true;

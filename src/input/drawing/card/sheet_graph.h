@@ -19,7 +19,7 @@
 namespace popup::drawing::card {
 
 // Corners this near to one another, in mm, are one, and a corner this near to an edge lies on it.
-inline constexpr double kMeetMm = 0.002;
+inline constexpr double kOnePointMm = 0.002;
 
 struct GraphEdge {
     int a = 0, b = 0;               // corners

@@ -21,7 +21,7 @@ namespace popup::drawing::card {
 namespace {
 
 // Corners no further from a rectangle, in mm, make one.
-constexpr double kSquareMm = 0.005;
+constexpr double kOnCornerMm = 0.005;
 // What reaches no further over a side fold is rounding.
 constexpr double kOverMm = 0.02;
 constexpr double kPointsPerMm = 72.0 / 25.4;
@@ -157,8 +157,8 @@ class DesignMaker {
         for (const Vec2 p : ring) box.extend(drive.there(p));
         for (const Vec2 p : ring) {
             const Vec2 at = drive.there(p);
-            if (std::min(at.x - box.min.x, box.max.x - at.x) > kSquareMm ||
-                std::min(at.y - box.min.y, box.max.y - at.y) > kSquareMm)
+            if (std::min(at.x - box.min.x, box.max.x - at.x) > kOnCornerMm ||
+                std::min(at.y - box.min.y, box.max.y - at.y) > kOnCornerMm)
                 return std::nullopt;
         }
         return std::array{drive.back({box.min.x, box.max.y}), drive.back({box.max.x, box.min.y})};
@@ -237,7 +237,7 @@ class DesignMaker {
         const Vec2 apex = drive.back({linkage.apex, 0.0});
         const Ring& ring = outline.ring;
         const bool at_apex =
-            std::any_of(ring.begin(), ring.end(), [&](Vec2 p) { return distance(p, apex) <= kSquareMm; });
+            std::any_of(ring.begin(), ring.end(), [&](Vec2 p) { return distance(p, apex) <= kOnCornerMm; });
         if (ring.size() == 3 && at_apex) {
             Structure& made = begin(drive.mountain ? "inverted-beak" : "beak", place);
             Vec2 left = apex;
