@@ -147,6 +147,7 @@ std::optional<Linkage> find_linkage(const Drive& drive, const Segment& left, con
     const Seen l = seen(drive, left);
     const Seen r = seen(drive, right);
     std::vector<Seen> between;
+    between.reserve(mids.size());
     for (const Segment& s : mids) between.push_back(seen(drive, s));
     Linkage parallel = as_parallel(l, between, r);
     Linkage meeting = as_meeting(l, between, r);

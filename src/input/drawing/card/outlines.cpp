@@ -59,6 +59,7 @@ Ring simple(const SheetGraph& graph, const std::vector<Corner>& corners) {
 
 std::vector<int> elements_of(const SheetGraph& graph, const std::vector<int>& halves) {
     std::vector<int> elements;
+    elements.reserve(halves.size());
     for (const int half : halves) elements.push_back(graph.edge(half).element);
     std::sort(elements.begin(), elements.end());
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
@@ -169,6 +170,7 @@ Outline outline_of(const SheetGraph& graph, const Features& features, const Draw
 Outline outline_of(const SheetGraph& graph, const DrawnHole& hole) {
     const std::vector<int> halves = outer_boundary(graph, hole.faces);
     std::vector<Corner> corners;
+    corners.reserve(halves.size());
     for (const int half : halves) corners.push_back({graph.at(graph.from(half)), Part::cut, half / 2});
     return {simple(graph, corners), elements_of(graph, halves)};
 }
