@@ -84,6 +84,7 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
     box.max = box.max + Vec2{around, around};
     const std::vector<int> plates = sheet.plates.in(page, box);
     std::vector<Polygon> sheets;
+    sheets.reserve(plates.size());
     for (const int plate : plates) sheets.push_back(nth(sheet.skeleton.draft.plates, plate).outline);
     sheets = unite(sheets);
     const std::vector<Polygon> hole{{ring, {}}};

@@ -124,6 +124,7 @@ std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
 
 std::vector<std::string> names_of(const std::vector<PendingFile>& files) {
     std::vector<std::string> names;
+    names.reserve(files.size());
     for (const PendingFile& file : files) names.push_back(file.path);
     return names;
 }
