@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "base/nth.h"
@@ -115,18 +116,19 @@ Use use_of(Named named) {
     return Use::cut;
 }
 
-// True of drawings with the colours of Origami Simulator: with red or green lines, and no dashed magenta.
-// Where red outlines close, red is what is cut, as in this program's own sheets.
+// True of drawings with the colours of Origami Simulator: red or green lines beside outlines of another
+// colour, and no dashed magenta.
 bool has_simulator_colors(const Tracing& tracing) {
-    bool found = false;
+    std::set<Hue> outlines;
+    std::set<Hue> others;
     for (const TracedLine& line : tracing.lines) {
         if (line.owner > 0 || line.use == Use::shape) continue;
         const Hue hue = hue_of(line.color);
         if (hue == Hue::magenta && line.dash != Dash::none) return false;
-        if (hue == Hue::red && line.closed && line.dash == Dash::none) return false;
-        found = found || hue == Hue::red || hue == Hue::green;
+        (line.closed && line.dash == Dash::none ? outlines : others).insert(hue);
     }
-    return found;
+    if (outlines.empty() || outlines.count(Hue::red) > 0) return false;
+    return others.count(Hue::red) > 0 || others.count(Hue::green) > 0;
 }
 
 // Strokes that are broken or have a fold's colour, and never make an outline.
@@ -203,19 +205,24 @@ void tell_fold_like(const Tracing& tracing, Diagnostics& diagnostics) {
 
 LineRules::LineRules(const std::vector<LineRule>& rules) {
     for (const LineRule& rule : rules) {
-        const Named named = nth(kNamedOfUse, rule.use);
+        Rule& made = rules_.emplace_back();
+        made.word = lower(trimmed(rule.name));
+        made.named = nth(kNamedOfUse, rule.use);
         const Paint paint = parse_paint(rule.name);
-        if (paint.kind == Paint::Kind::color) colors_.emplace_back(paint.color, named);
-        words_.emplace_back(lower(trimmed(rule.name)), named);
+        if (paint.kind == Paint::Kind::color) made.color = paint.color;
     }
 }
 
 void LineRules::follow(std::initializer_list<std::string_view> names, Said& said) const {
+    bool own = false;
     for (const std::string_view name : names) {
-        const Said own = said_by(name);
-        if (own.named == Named::nothing) continue;
-        if (own.ruled || !said.ruled) said = own;
-        return;
+        const Said told = said_by(name);
+        if (told.rule) {
+            if (!said.rule || *told.rule < *said.rule) said = told;
+        } else if (told.named != Named::nothing && !said.rule && !own) {
+            said = told;
+            own = true;
+        }
     }
 }
 
@@ -224,10 +231,11 @@ Said LineRules::said_by(std::string_view name) const {
     const std::string text = decoded(name);
     std::vector<std::string> words;
     each_word(text, [&](const std::string& word) { words.push_back(word); });
-    for (const auto& [wanted, named] : words_) {
+    for (std::size_t i = 0; i < rules_.size(); ++i) {
+        const std::string& wanted = rules_[i].word;
         if (wanted == lower(trimmed(name)) || wanted == lower(trimmed(text)) ||
             std::find(words.begin(), words.end(), wanted) != words.end()) {
-            return {named, true};
+            return {rules_[i].named, i};
         }
     }
     std::array<bool, 8> said{};
@@ -236,14 +244,17 @@ Said LineRules::said_by(std::string_view name) const {
             std::find_if(kWords.begin(), kWords.end(), [&](const auto& r) { return r.first == word; });
         if (row != kWords.end()) nth(said, row->second) = true;
     }
-    return {together(said), false};
+    return {together(said), std::nullopt};
 }
 
-void LineRules::apply_colors(const Paint& stroke, TracedLine& line) const {
+void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) const {
+    line.named = names.named;
+    line.ruled = names.rule.has_value();
     if (stroke.kind != Paint::Kind::color) return;
-    for (const auto& [color, named] : colors_) {
-        if (color != stroke.color) continue;
-        line.named = named;
+    const std::size_t end = std::min(names.rule.value_or(rules_.size()), rules_.size());
+    for (std::size_t i = 0; i < end; ++i) {
+        if (rules_[i].color != stroke.color) continue;
+        line.named = rules_[i].named;
         line.ruled = true;
         return;
     }

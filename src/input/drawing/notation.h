@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -21,10 +22,10 @@
 
 namespace popup::drawing {
 
-// What a name says, and whether by a rule of the caller.
+// What a name says, and by which rule of the caller, where there is one.
 struct Said {
     Named named = Named::nothing;
-    bool ruled = false;
+    std::optional<std::size_t> rule;
 };
 
 // The rules of DrawingOptions, and below them the words that people call layers: cut, folds, mountain,
@@ -35,14 +36,18 @@ class LineRules {
     explicit LineRules(const std::vector<LineRule>& rules);
     [[nodiscard]] Said said_by(std::string_view name) const;
     // Of an element with these names, the weightiest first, in one of which that was said: the first that
-    // says something counts, and a rule above all names.
+    // says something counts, and above all names the first rule that fits one.
     void follow(std::initializer_list<std::string_view> names, Said& said) const;
-    // Where a rule names the colour of the stroke, it says what the line is.
-    void apply_colors(const Paint& stroke, TracedLine& line) const;
+    // What the names of a line say, or the first rule that fits its colour or a name of it.
+    void say(const Said& names, const Paint& stroke, TracedLine& line) const;
 
  private:
-    std::vector<std::pair<std::string, Named>> words_;  // in lower case
-    std::vector<std::pair<Color, Named>> colors_;
+    struct Rule {
+        std::string word;  // in lower case
+        std::optional<Color> color;
+        Named named = Named::nothing;
+    };
+    std::vector<Rule> rules_;
 };
 
 // The colours that notations have, each with all that is nearest to it: #ed1c24 is red, too.

@@ -467,8 +467,8 @@ class Tracer {
             out_.lines.push_back({std::move(line.points), line.closed, use,
                                   static_cast<int>(out_.elements.size()) - 1, context.owner,
                                   context.style.stroke.color, context.style.width * context.to_mm.growth(),
-                                  context.style.dash, context.said.named, context.said.ruled});
-            rules_.apply_colors(context.style.stroke, out_.lines.back());
+                                  context.style.dash});
+            rules_.say(context.said, context.style.stroke, out_.lines.back());
         }
     }
 

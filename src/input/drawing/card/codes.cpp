@@ -16,6 +16,13 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
      "meet. The end was moved: along its own line where that meets the other, or to where two loose ends "
      "meet. The message has the place and the size. Switch on snapping in the drawing program and draw the "
      "line to the other; ends that miss by more are not moved."},
+    {"fold-added", Severity::warning, "a feature whose middle fold is not drawn",
+     "A feature has three folds: one on either side that holds it, and one in the middle, which lets it "
+     "fold. "
+     "The drawing has the two outer ones and the cuts between them. The middle fold was added: as far from "
+     "the "
+     "one side fold as the other side fold lies from the fold that the feature stands on, which alone folds "
+     "flat. Draw it, so that drawing and sheet are the same."},
     {"fold-drawn-on", Severity::warning, "a fold that is drawn on through what stands on it",
      "A fold is interrupted where a feature stands on it: between the feature's cuts the paper moves out of "
      "the fold. This one is drawn as a whole line, so that the sheet would be folded in a plane that must "

@@ -175,10 +175,6 @@ class FeatureFinder {
                 ways.back().push_back(next);
             }
         }
-        const auto [why, fresh] = out_.why.try_emplace(first);
-        if (fresh || why->second.what.empty())
-            why->second.what =
-                "it hangs on one fold, and no folds lead on from it to the other side of a fold";
     }
 
     bool try_way(int number, bool from_left, std::vector<int> way) {

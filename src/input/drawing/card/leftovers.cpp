@@ -24,8 +24,7 @@ class LeftoverFinder {
     Leftovers run() {
         sort_loose();
         look_at_features();
-        look_at_folds();
-        look_at_cuts();
+        look_at_lines();
         look_at_hanging();
         return std::move(out_);
     }
@@ -88,7 +87,12 @@ class LeftoverFinder {
             const Drive& drive = nth(features_.drives, feature.drive);
             for (const FoldLine* line : {&feature.left, &feature.right, &feature.centre}) {
                 const bool mountain = (line == &feature.centre) != drive.mountain;
-                for (const int edge : line->edges) tell_way(edge, mountain);
+                // The fold that an outline lies across was drawn on through it as what it is elsewhere.
+                const bool drawn_on =
+                    feature.outlined && !line->edges.empty() && runs_along(drive, line->line);
+                for (const int edge : line->edges) {
+                    if (!drawn_on) tell_way(edge, mountain);
+                }
                 used_.insert(line->edges.begin(), line->edges.end());
             }
             used_.insert(feature.run_on.begin(), feature.run_on.end());
@@ -106,7 +110,9 @@ class LeftoverFinder {
 
     void tell_way(int edge, bool mountain) {
         const unsigned ink = nth(graph_.edges, edge).ink & (kMountain | kValley);
-        if (ink == 0 || is_rounding(edge)) return;
+        const Segment s = graph_.segment(2 * edge);
+        // Shorter ones are ends that run over.
+        if (ink == 0 || distance(s.a, s.b) <= kSnapMm) return;
         const bool right = (ink & (mountain ? kMountain : kValley)) != 0;
         (right ? out_.as_drawn : out_.other_way).push_back(edge);
     }
@@ -119,48 +125,78 @@ class LeftoverFinder {
                            [&](int drive) { return runs_along(nth(features_.drives, drive), s); });
     }
 
-    void look_at_folds() {
+    // What stretches of lines do that are no part of anything.
+    enum class Idle { fold_in_paper, fold_of_nothing, cut };
+
+    void look_at_lines() {
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-            const int half = static_cast<int>(2 * i);
-            const GraphEdge& edge = graph_.edges[i];
-            const int a = graph_.face_of(half);
-            const int b = graph_.face_of(half ^ 1);
-            if (!is_fold(edge) || a == 0 || b == 0 || used_.count(static_cast<int>(i)) > 0 ||
-                is_rounding(static_cast<int>(i)))
-                continue;
-            const int p = plate_of(a);
-            const int q = plate_of(b);
-            const bool hangs = p < 0 || q < 0;
-            if (a != b && hangs) continue;  // told with what hangs there
-            const Segment s = graph_.segment(half);
-            if (p != q && is_drive(p, q, s)) {
-                if (p + q == 1) tell_way(static_cast<int>(i), false);
-                continue;
+            const int number = static_cast<int>(i);
+            if (is_rounding(number)) continue;
+            if (is_fold(graph_.edges[i]))
+                look_at_fold(number);
+            else if (graph_.face_of(2 * number) == graph_.face_of(2 * number + 1))
+                add_idle(number, Idle::cut);
+        }
+        tell_idle();
+    }
+
+    void look_at_fold(int number) {
+        const int a = graph_.face_of(2 * number);
+        const int b = graph_.face_of(2 * number + 1);
+        if (a == 0 || b == 0 || used_.count(number) > 0) return;
+        if (a == b) return add_idle(number, Idle::fold_in_paper);
+        const int p = plate_of(a);
+        const int q = plate_of(b);
+        if (p < 0 || q < 0) return;  // told with what hangs there
+        if (p == q || !is_drive(p, q, graph_.segment(2 * number)))
+            return add_idle(number, Idle::fold_of_nothing);
+        if (p + q == 1) tell_way(number, false);
+    }
+
+    struct IdleLine {
+        int element = 0;
+        double size = 0.0;
+        Vec2 at;
+        double gap = HUGE_VAL;  // from a loose end of it to the nearest other line
+    };
+
+    void add_idle(int number, Idle kind) {
+        const int face = graph_.face_of(2 * number);
+        if (nth(outside_, face) != 0) return;
+        const GraphEdge& edge = nth(graph_.edges, number);
+        const Segment s = graph_.segment(2 * number);
+        IdleLine& line = idle_.try_emplace({edge.line, kind}, IdleLine{edge.element, 0.0, s.a}).first->second;
+        line.size += distance(s.a, s.b);
+        constexpr int kMostGaps = 100;
+        for (const int corner : {edge.a, edge.b}) {
+            if (graph_.around(corner).size() != 1 || gaps_++ > kMostGaps) continue;
+            for (const int half : graph_.halves_of(face)) {
+                const GraphEdge& other = graph_.edge(half);
+                if (other.line == edge.line) continue;
+                line.gap = std::min(line.gap, distance(graph_.at(corner), graph_.segment(half)));
             }
-            const double size = distance(s.a, s.b);
-            out_.faults.push_back(
-                {edge.element,
-                 a == b ? fmt::format("this fold ends in the paper, {:.2f} mm of it", size)
-                        : fmt::format("{:.2f} mm of this fold belong to nothing that moves", size),
-                 s.a});
         }
     }
 
-    // Cuts with one face on both sides.
-    void look_at_cuts() {
-        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-            const int half = static_cast<int>(2 * i);
-            const GraphEdge& edge = graph_.edges[i];
-            const int face = graph_.face_of(half);
-            if (is_fold(edge) || face != graph_.face_of(half ^ 1) || nth(outside_, face) != 0 ||
-                is_rounding(static_cast<int>(i)))
-                continue;
-            const Segment s = graph_.segment(half);
-            out_.faults.push_back(
-                {edge.element,
-                 fmt::format("this cut parts nothing, {:.2f} mm of it: it ends in the paper",
-                             distance(s.a, s.b)),
-                 s.a});
+    void tell_idle() {
+        constexpr double kNearMm = 5.0;
+        for (const auto& [key, line] : idle_) {
+            std::string what;
+            switch (key.second) {
+                case Idle::fold_in_paper:
+                    what = fmt::format("this fold ends in the paper, {:.2f} mm of it", line.size);
+                    break;
+                case Idle::fold_of_nothing:
+                    what = fmt::format("{:.2f} mm of this fold belong to nothing that moves", line.size);
+                    break;
+                case Idle::cut:
+                    what = fmt::format("this cut ends in the paper, {:.2f} mm of it, and parts nothing",
+                                       line.size);
+                    break;
+            }
+            if (line.gap <= kNearMm)
+                what += fmt::format(", and the nearest line is {:.2f} mm away", line.gap);
+            out_.faults.push_back({line.element, std::move(what), line.at});
         }
     }
 
@@ -180,13 +216,14 @@ class LeftoverFinder {
     void tell_hanging(int first, std::vector<char>& seen) {
         std::vector<int> part{first};
         nth(seen, first) = 1;
-        NoLinkage why{"it stands on no fold that moves", HUGE_VAL};
+        NoLinkage why{"no folds lead from it to both sides of a fold", HUGE_VAL};
         bool tried = false;
         int element = -1;
         Vec2 at;
         for (std::size_t i = 0; i < part.size(); ++i) {
             const auto found = features_.why.find(part[i]);
-            if (found != features_.why.end() && (!tried || found->second.off < why.off)) {
+            if (found != features_.why.end() && (!tried || found->second.off < why.off) &&
+                !found->second.what.empty()) {
                 why = found->second;
                 tried = true;
             }
@@ -210,8 +247,10 @@ class LeftoverFinder {
     const SheetGraph& graph_;
     const Features& features_;
     std::map<std::pair<int, int>, std::vector<int>> drives_of_;
-    std::vector<char> outside_;  // faces
-    std::set<int> used_;         // folds
+    std::vector<char> outside_;                      // faces
+    std::set<int> used_;                             // folds
+    std::map<std::pair<int, Idle>, IdleLine> idle_;  // by line
+    int gaps_ = 0;
     Leftovers out_;
 };
 

@@ -26,6 +26,8 @@ enum class Meaning { cut, mountain, valley, fold, hole, print, ignore };
 constexpr std::array<std::string_view, 7> kMeanings{"cuts",  "mountain folds", "valley folds",        "folds",
                                                     "holes", "printed",        "nothing of the sheet"};
 
+constexpr std::string_view kByName = "by their layer, class or id";
+
 struct Guess {
     Meaning meaning = Meaning::cut;
     std::string_view by;  // empty: nothing needs to be said of it
@@ -64,7 +66,7 @@ std::set<StrokeKey> frame_strokes(const Tracing& tracing) {
 }
 
 Guess by_name(const TracedLine& line) {
-    const std::string_view by = line.ruled ? std::string_view() : "by their layer, class or id";
+    const std::string_view by = line.ruled ? std::string_view() : kByName;
     switch (line.named) {
         case Named::nothing:
         case Named::cut:
@@ -195,7 +197,10 @@ class Sorter {
                         fmt::format("{} {} line{} taken for {}, {}", row.count, shown_stroke(*row.first),
                                     row.count == 1 ? " is" : "s are", nth(kMeanings, row.guess.meaning),
                                     row.guess.by))
-                .hint(fmt::format("--lines says otherwise: --lines cut={}", to_string(row.first->color)));
+                .hint(
+                    row.guess.by == kByName
+                        ? std::string("--lines says otherwise: --lines cut=NAME, of a layer, class or id")
+                        : fmt::format("--lines says otherwise: --lines cut={}", to_string(row.first->color)));
         }
     }
 

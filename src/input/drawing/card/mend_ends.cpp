@@ -45,6 +45,7 @@ class Round {
 
     std::vector<Move> moves() {
         // What is only rounding is no reason to look further.
+        weld();
         trim(kSilentMm);
         go_ahead(kSilentMm);
         join_groups(false);
@@ -73,6 +74,38 @@ class Round {
             }
         }
         done_.assign(loose_.size(), false);
+    }
+
+    // Ends at a corner that is another up to rounding go there.
+    void weld() {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (lines_[i].closed) continue;
+            for (const bool last : {false, true}) {
+                const int corner = graph_.ends[i][last ? 1 : 0];
+                if (const int other = corner_beside(corner, graph_.ends[i][last ? 0 : 1]); other != corner)
+                    moves_.push_back({static_cast<int>(i), last, graph_.at(other)});
+            }
+        }
+    }
+
+    // The corner within kSilentMm where most lines meet, the first of several.
+    [[nodiscard]] int corner_beside(int corner, int never) {
+        const Vec2 p = graph_.at(corner);
+        Box box;
+        box.extend(p - Vec2{kSilentMm, kSilentMm});
+        box.extend(p + Vec2{kSilentMm, kSilentMm});
+        found_.clear();
+        index_.query(box, found_);
+        int best = corner;
+        const auto rank = [&](int c) { return std::pair(-static_cast<int>(graph_.around(c).size()), c); };
+        for (const int edge : found_) {
+            for (const int other : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
+                if (other == never || distance(graph_.at(other), p) > kSilentMm || rank(other) >= rank(best))
+                    continue;
+                best = other;
+            }
+        }
+        return best;
     }
 
     void move(std::size_t loose, Vec2 to) {

@@ -28,8 +28,8 @@ class Teller {
             for (const NotUnderstood& one : *faults) {
                 diagnostics_.error("not-understood", place(one), one.what + at(one))
                     .hint(
-                        "mend the drawing there, or say with --lines that such lines are nothing of the "
-                        "sheet");
+                        "mend the drawing there; what is no part of the card is left out with --lines "
+                        "ignore=NAME, of a layer, class, id or colour");
             }
         }
         for (const NotUnderstood& one : left.run_on) {

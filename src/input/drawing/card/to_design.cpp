@@ -125,7 +125,9 @@ class DesignMaker {
 
     void fault(Place place, const std::string& what, std::optional<Vec2> at) {
         diagnostics_.error("not-understood", place, at ? what + ", at " + shown_point(tracing_, *at) : what)
-            .hint("take it out, or draw it as --lines names it: what is ignored or printed needs no sense");
+            .hint(
+                "draw it otherwise, or leave it out with --lines ignore=NAME, of a layer, class, id or "
+                "colour");
     }
 
     // --- features
@@ -281,12 +283,15 @@ class DesignMaker {
 
     // Folds that were drawn a little beside where they fold.
     void tell_mended(const DrawnFeature& feature) {
-        if (feature.outlined || feature.linkage.off <= kSilentMm) return;
+        if (feature.outlined) return;
         const Drive& drive = nth(features_.drives, feature.drive);
+        if (feature.centre.edges.empty()) tell_added(feature, drive);
+        if (feature.linkage.off <= kSilentMm) return;
         const FoldLine& centre = feature.centre.edges.empty() ? feature.left : feature.centre;
         const Segment drawn = centre.line;
-        const Segment exact = feature.centre.edges.empty() ? feature.linkage.left_line(drive, drawn)
-                                                           : feature.linkage.centre_line(drive, drawn);
+        Segment exact = feature.centre.edges.empty() ? feature.linkage.left_line(drive, drawn)
+                                                     : feature.linkage.centre_line(drive, drawn);
+        if (dot(exact.b - exact.a, drawn.b - drawn.a) < 0.0) std::swap(exact.a, exact.b);
         diagnostics_
             .warning(
                 "fold-straightened", place_of(nth(graph_.edges, centre.edges.front()).element),
@@ -296,6 +301,18 @@ class DesignMaker {
             .about(design_.structures.empty() ? std::string() : design_.structures.back().id)
             .changed(shown_point(tracing_, drawn.a) + " to " + shown_point(tracing_, drawn.b),
                      shown_point(tracing_, exact.a) + " to " + shown_point(tracing_, exact.b));
+    }
+
+    void tell_added(const DrawnFeature& feature, const Drive& drive) {
+        const Segment added = feature.linkage.centre_line(drive, feature.left.line);
+        diagnostics_
+            .warning("fold-added", place_of(nth(graph_.edges, feature.left.edges.front()).element),
+                     "the middle fold of this feature is not drawn; it was added where it folds flat")
+            .about(design_.structures.empty() ? std::string() : design_.structures.back().id)
+            .hint("draw it, so that the drawing shows what is folded")
+            .changed("no middle fold",
+                     fmt::format("one in the line from {} to {}", shown_point(tracing_, added.a),
+                                 shown_point(tracing_, added.b)));
     }
 
     void add(const Outline& outline) {

@@ -151,21 +151,14 @@ TEST(DrawnCard, RandomCardsComeOutAsTheyAreDrawn) {
 
 TEST(DrawnCard, EndsThatMissAreMovedAndTold) {
     std::size_t moved = 0;
-    std::size_t refused = 0;
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const InkedCard card = test::CardMaker(seed).run();
         HandOptions options;
         options.jitter = 0.3;
         const std::string text = test::draw_card(card, test::kHands.at(seed % 6), options, seed);
         const CompiledDesign one = compiled("rough.svg", text);
-        if (!one.pattern) {
-            // Where an end came to lie as near to another line, the drawing is refused at its place. That is
-            // rare.
-            ++refused;
-            EXPECT_NE(findings(one).find("not-understood"), std::string::npos) << seed << "\n"
-                                                                               << findings(one);
-            continue;
-        }
+        // A few have their hole on a fold, where it cannot be.
+        if (!compiled("clean.svg", test::draw_card(card, test::kHands.at(seed % 6))).pattern) continue;
         // Ends were moved along their lines alone, so the sheet is the one that was meant.
         expect_drawn(card, one, 0.02, fmt::format("seed {}\n{}", seed, findings(one)));
         if (HasFailure()) return;
@@ -177,7 +170,6 @@ TEST(DrawnCard, EndsThatMissAreMovedAndTold) {
         }
     }
     EXPECT_GT(moved, 200U);
-    EXPECT_LE(refused, 1U);
 }
 
 }  // namespace
