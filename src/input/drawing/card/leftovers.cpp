@@ -179,7 +179,7 @@ class LeftoverFinder {
     }
 
     void tell_idle() {
-        constexpr double kNearMm = 5.0;
+        constexpr double kNeighbourMm = 5.0;
         for (const auto& [key, line] : idle_) {
             std::string what;
             switch (key.second) {
@@ -194,7 +194,7 @@ class LeftoverFinder {
                                        line.size);
                     break;
             }
-            if (line.gap <= kNearMm)
+            if (line.gap <= kNeighbourMm)
                 what += fmt::format(", and the nearest line is {:.2f} mm away", line.gap);
             out_.faults.push_back({line.element, std::move(what), line.at});
         }
