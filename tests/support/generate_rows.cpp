@@ -93,8 +93,7 @@ Proposal propose_of(Dice& random, const Fold& fold, const ElementInfo& info) {
             argument = star_path(random, lerp(made.extra[0], made.extra[1], 0.5), 0.3 * reach, reach);
         // Side folds well inside of the star are long enough for others.
         if (parameter.kind == ParameterKind::length && parameter.group == "folds" && random.chance(0.7))
-            argument.value =
-                std::clamp(reach * random.uniform(0.1, 0.25), parameter.least, parameter.most);
+            argument.value = std::clamp(reach * random.uniform(0.1, 0.25), parameter.least, parameter.most);
         if (parameter.kind == ParameterKind::length && parameter.required)
             argument.value = std::clamp(reach * random.uniform(0.3, 1.5), parameter.least, parameter.most);
         if (parameter.kind == ParameterKind::choice && random.chance(0.5))

@@ -33,8 +33,8 @@ class EdgeIndex {
     void query(const Box& box, std::vector<int>& found) const;
     // Distance from p to the nearest segment, or `limit` when none is nearer.
     [[nodiscard]] double clearance(Vec2 p, double limit) const;
-    // Whether a segment is nearer to p than `limit`: clearance(p, limit) < limit, in one look. `spare` is room
-    // to work in.
+    // Whether a segment is nearer to p than `limit`: clearance(p, limit) < limit, in one look. `spare` is
+    // room to work in.
     [[nodiscard]] bool is_within(Vec2 p, double limit, std::vector<int>& spare) const;
     // How often the boundary segments run counter-clockwise round p. For p on an edge: either side's answer.
     // Cost: the number of segments level with p (or, in wide drawings, above and below it).

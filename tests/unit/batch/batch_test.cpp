@@ -344,7 +344,8 @@ TEST(Batch, NoJobWritesOverWhatOthersHave) {
     };
     refused(row("designs/card0.xml", "a.svg", two_sheets) + row("designs/card1.xml", "a-2.svg", ""),
             "a-2.svg would be written, and the job of line 2 has a file of that name");
-    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"), "this job would overwrite m.jsonl, the manifest");
+    refused(row("designs/card0.xml", "a.svg", "-MD -MF m.jsonl"),
+            "this job would overwrite m.jsonl, the manifest");
     refused(row("designs/card0.xml", "a.svg", "-MD -MF designs/card1.xml") +
                 row("designs/card1.xml", "b.svg", ""),
             "this job would overwrite designs/card1.xml, an input of the batch");

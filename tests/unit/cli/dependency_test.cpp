@@ -173,7 +173,8 @@ TEST_F(Dependencies, WrongUsageIsRefusedAndNothingIsWritten) {
          "standard output has more than one user"},
         {{"-o", "a.svg", "-MD", "-MF", "bird.xml"}, "bird.xml is an input"},
         {{"-o", "a.svg", "-MD", "-MF", "./a.svg"}, "a.svg and ./a.svg are the same output"},
-        {{"-o", "a.svg", "--profile", "cutter.toml", "-MD", "-MF", "cutter.toml"}, "overwrite cutter.toml, the profile"},
+        {{"-o", "a.svg", "--profile", "cutter.toml", "-MD", "-MF", "cutter.toml"},
+         "overwrite cutter.toml, the profile"},
         {{"-o", "a.svg", "-MX"}, "there is no option"},
     };
     for (const auto& [words, message] : cases) {
