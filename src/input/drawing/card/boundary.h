@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "input/drawing/card/sheet_graph.h"
+#include "base/geometry/sheet_graph.h"
 
 namespace popup::drawing::card {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "base/geometry/sheet_graph.h"
 #include "input/drawing/card/linkage.h"
 #include "input/drawing/card/page.h"
-#include "input/drawing/card/sheet_graph.h"
 
 namespace popup::drawing::card {
 

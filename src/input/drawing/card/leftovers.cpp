@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/geometry/mend_ends.h"
 #include "base/nth.h"
 #include "input/drawing/card/boundary.h"
-#include "input/drawing/card/mend_ends.h"
 
 namespace popup::drawing::card {
 namespace {

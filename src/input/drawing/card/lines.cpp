@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/geometry/mend_ends.h"
 #include "base/nth.h"
 #include "input/color.h"
 #include "input/drawing/notation.h"
@@ -217,6 +218,31 @@ class Sorter {
 
 CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics) {
     return Sorter(tracing, diagnostics).run();
+}
+
+std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLine>& lines,
+                                    std::vector<Segment>& moves, Diagnostics& diagnostics) {
+    std::vector<MovedEnd> moved;
+    std::optional<SheetGraph> graph = mend_ends(lines, {}, moved);
+    if (!graph) {
+        diagnostics.error("document-too-large", {},
+                          "the lines of the drawing cross one another too often to be looked at");
+        return std::nullopt;
+    }
+    for (const MovedEnd& end : moved) {
+        moves.push_back({end.from, end.to});
+        const double size = distance(end.from, end.to);
+        if (size <= kSilentMm) continue;
+        const SheetLine& line = nth(lines, end.line);
+        diagnostics
+            .warning(
+                "end-moved", nth(tracing.elements, line.element).place,
+                fmt::format("the end of this {} misses what it meets by {:.2f} mm at {}; it was moved there",
+                            (line.ink & kAnyFold) != 0 ? "fold" : "cut", size, shown_point(tracing, end.to)))
+            .hint("let ends snap to the lines that they meet in the drawing program")
+            .changed(shown_point(tracing, end.from), shown_point(tracing, end.to));
+    }
+    return graph;
 }
 
 std::string shown_point(const Tracing& tracing, Vec2 at) {

@@ -2,33 +2,18 @@
 // and the outline.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/geometry/sheet_graph.h"
 #include "parts/tracing.h"
 #include "popup/diagnostics.h"
 
 namespace popup::drawing::card {
 
-// What a line is drawn for; of edges where several lie on each other a set.
-enum Ink : unsigned {
-    kCut = 1U,
-    kMountain = 2U,
-    kValley = 4U,
-    kFold = 8U,   // that does not say which way
-    kHole = 16U,  // a cut around what is to fall out
-};
-inline constexpr unsigned kAnyFold = kMountain | kValley | kFold;
-
-struct CardLine {
-    std::vector<Vec2> points;  // in mm of the drawing, y up
-    bool closed = false;
-    unsigned ink = kCut;  // one of Ink
-    int element = 0;      // index into Tracing::elements
-};
-
 struct CardLines {
-    std::vector<CardLine> lines;
+    std::vector<SheetLine> lines;  // in mm of the drawing, y up; elements are those of the tracing
     std::vector<const TracedLine*> printed;
 };
 
@@ -38,6 +23,12 @@ struct CardLines {
 // dots are mountains. What is left is cut, and so is all that is drawn as the drawing's frame is. Each guess
 // is a `line-meaning` remark with how many lines it took.
 CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics);
+
+// Moves ends that miss what they mean to meet (base/geometry/mend_ends.h), and gives the graph of the lines.
+// Each is an `end-moved` repair with its place and size; where they were and are is appended to `moves`.
+// Nullopt after an error (`document-too-large`).
+std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLine>& lines,
+                                    std::vector<Segment>& moves, Diagnostics& diagnostics);
 
 // A point of a drawing in words, from its upper left corner: "(12.00, 30.50) mm".
 std::string shown_point(const Tracing& tracing, Vec2 at);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "input/drawing/card/mend_ends.h"
+#include "base/geometry/mend_ends.h"
 
 namespace popup::drawing::card {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/geometry/mend_ends.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
-#include "input/drawing/card/mend_ends.h"
 
 namespace popup::drawing::card {
 namespace {

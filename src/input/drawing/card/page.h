@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "input/drawing/card/sheet_graph.h"
+#include "base/geometry/sheet_graph.h"
+#include "parts/tracing.h"
 #include "popup/diagnostics.h"
 
 namespace popup::drawing::card {

@@ -9,7 +9,6 @@
 #include "input/drawing/card/features.h"
 #include "input/drawing/card/leftovers.h"
 #include "input/drawing/card/lines.h"
-#include "input/drawing/card/mend_ends.h"
 #include "input/drawing/card/page.h"
 #include "input/drawing/card/to_design.h"
 #include "input/drawing/read.h"
@@ -108,7 +107,7 @@ std::optional<Design> read(const Source& source, const ReadOptions& options, Dia
     if (!tracing) return std::nullopt;
     CardLines drawn = card_lines(*tracing, diagnostics);
     std::vector<Segment> moves;
-    const auto graph = mend_ends(*tracing, drawn.lines, moves, diagnostics);
+    const auto graph = join_ends(*tracing, drawn.lines, moves, diagnostics);
     if (!graph) return std::nullopt;
     const auto page = find_page(*tracing, *graph, diagnostics);
     if (!page) return std::nullopt;

@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/geometry/mend_ends.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
 #include "input/design_limits.h"
-#include "input/drawing/card/mend_ends.h"
 #include "input/drawing/card/outlines.h"
 #include "popup/curves.h"
 #include "popup/mechanism.h"

@@ -13,10 +13,26 @@
 #include <optional>
 #include <vector>
 
-#include "input/drawing/card/lines.h"
 #include "popup/geometry.h"
 
-namespace popup::drawing::card {
+namespace popup {
+
+// What a line is drawn for; of edges where several lie on each other a set.
+enum Ink : unsigned {
+    kCut = 1U,
+    kMountain = 2U,
+    kValley = 4U,
+    kFold = 8U,   // that does not say which way
+    kHole = 16U,  // a cut around what is to fall out
+};
+inline constexpr unsigned kAnyFold = kMountain | kValley | kFold;
+
+struct SheetLine {
+    std::vector<Vec2> points;  // mm; at least two
+    bool closed = false;
+    unsigned ink = kCut;  // one of Ink
+    int element = 0;      // what drew it, in the caller's own list
+};
 
 // Corners this near to one another, in mm, are one, and a corner this near to an edge lies on it.
 inline constexpr double kOnePointMm = 0.002;
@@ -63,7 +79,8 @@ class SheetGraph {
     std::vector<std::vector<int>> halves_, around_;
 };
 
-// Nullopt when there are more crossings than a drawing has. Cost: near linear in chords and crossings.
-std::optional<SheetGraph> make_graph(const std::vector<CardLine>& lines);
+// Nullopt when there are more crossings than a drawing has. `one_point_mm` > 0, as kOnePointMm. Cost: near
+// linear in chords and crossings.
+std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm = kOnePointMm);
 
-}  // namespace popup::drawing::card
+}  // namespace popup

@@ -1,4 +1,4 @@
-#include "input/drawing/card/sheet_graph.h"
+#include "base/geometry/sheet_graph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/nth.h"
 
-namespace popup::drawing::card {
+namespace popup {
 namespace {
 
 // More looks at two chords than this are no drawing that somebody made.
@@ -33,7 +33,8 @@ struct Meeting {
 
 class GraphMaker {
  public:
-    explicit GraphMaker(const std::vector<CardLine>& lines) : lines_(lines) {}
+    GraphMaker(const std::vector<SheetLine>& lines, double one_point_mm)
+        : lines_(lines), one_point_mm_(one_point_mm) {}
 
     std::optional<SheetGraph> run() {
         for (std::size_t i = 0; i < lines_.size(); ++i) add_line(lines_[i], static_cast<int>(i));
@@ -47,10 +48,10 @@ class GraphMaker {
  private:
     // The corner at a point: one that is there already, or a new one.
     int corner_at(Vec2 p) {
-        const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v / kOnePointMm)); };
+        const auto cell = [this](double v) { return static_cast<std::int64_t>(std::floor(v / one_point_mm_)); };
         const PlaneCell at{cell(p.x), cell(p.y)};
         int nearest = -1;
-        double best = kOnePointMm;
+        double best = one_point_mm_;
         for (std::int64_t x = at.x - 1; x <= at.x + 1; ++x) {
             for (std::int64_t y = at.y - 1; y <= at.y + 1; ++y) {
                 const auto found = cells_.find({x, y});
@@ -70,7 +71,7 @@ class GraphMaker {
         return made;
     }
 
-    void add_line(const CardLine& line, int number) {
+    void add_line(const SheetLine& line, int number) {
         std::vector<int> corners;
         for (const Vec2 p : line.points) {
             corners.push_back(corner_at(p));
@@ -99,8 +100,8 @@ class GraphMaker {
             Box box;
             box.extend(segments[i].a);
             box.extend(segments[i].b);
-            box.min = box.min - Vec2{kOnePointMm, kOnePointMm};
-            box.max = box.max + Vec2{kOnePointMm, kOnePointMm};
+            box.min = box.min - Vec2{one_point_mm_, one_point_mm_};
+            box.max = box.max + Vec2{one_point_mm_, one_point_mm_};
             found.clear();
             index.query(box, found);
             looks += found.size();
@@ -117,7 +118,7 @@ class GraphMaker {
         const Chord& c = nth(chords_, chord);
         if (corner == c.a || corner == c.b) return false;
         const Segment s = segment(c);
-        if (distance(graph_.at(corner), s) > kOnePointMm) return false;
+        if (distance(graph_.at(corner), s) > one_point_mm_) return false;
         const Vec2 along = s.b - s.a;
         meetings_.push_back({chord, dot(graph_.at(corner) - s.a, along) / dot(along, along), corner});
         return true;
@@ -166,7 +167,7 @@ class GraphMaker {
         const auto key =
             (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | static_cast<std::uint64_t>(std::max(a, b));
         const auto [at, fresh] = edge_of_.try_emplace(key, graph_.edges.size());
-        const CardLine& line = nth(lines_, chord.line);
+        const SheetLine& line = nth(lines_, chord.line);
         if (fresh) {
             graph_.edges.push_back({a, b, line.ink, chord.line, line.element, {number, -1}, false});
             return;
@@ -314,7 +315,8 @@ class GraphMaker {
         }
     }
 
-    const std::vector<CardLine>& lines_;
+    const std::vector<SheetLine>& lines_;
+    double one_point_mm_;
     SheetGraph graph_;
     std::vector<Chord> chords_;
     std::vector<Meeting> meetings_;
@@ -322,6 +324,8 @@ class GraphMaker {
     std::unordered_map<std::uint64_t, std::size_t> edge_of_;
 };
 
-std::optional<SheetGraph> make_graph(const std::vector<CardLine>& lines) { return GraphMaker(lines).run(); }
+std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm) {
+    return GraphMaker(lines, one_point_mm).run();
+}
 
-}  // namespace popup::drawing::card
+}  // namespace popup

@@ -1,6 +1,4 @@
-#include "input/drawing/card/mend_ends.h"
-
-#include <fmt/format.h>
+#include "base/geometry/mend_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +8,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/nth.h"
 
-namespace popup::drawing::card {
+namespace popup {
 namespace {
 
 // Mending one end may show that another misses. What is not mended after so many rounds stays.
@@ -35,7 +33,8 @@ struct Move {
 
 class Round {
  public:
-    Round(const std::vector<CardLine>& lines, const SheetGraph& graph) : lines_(lines), graph_(graph) {
+    Round(const std::vector<SheetLine>& lines, const SheetGraph& graph, double snap_mm)
+        : lines_(lines), graph_(graph), snap_mm_(snap_mm) {
         std::vector<Segment> segments;
         for (std::size_t i = 0; i < graph.edges.size(); ++i)
             segments.push_back(graph.segment(static_cast<int>(2 * i)));
@@ -49,8 +48,8 @@ class Round {
         trim(kSilentMm);
         go_ahead(kSilentMm);
         join_groups(false);
-        trim(kSnapMm);
-        go_ahead(kSnapMm);
+        trim(snap_mm_);
+        go_ahead(snap_mm_);
         join_groups(true);
         for (std::size_t i = 0; i < loose_.size(); ++i) {
             if (done_[i]) continue;
@@ -134,7 +133,7 @@ class Round {
 
     // Loose ends near each other, all of them.
     [[nodiscard]] std::vector<std::size_t> ends_near(std::size_t first) {
-        const double reach = 2.0 * kSnapMm;
+        const double reach = 2.0 * snap_mm_;
         std::vector<std::size_t> group{first};
         Box box;
         box.extend(loose_[first].at - Vec2{reach, reach});
@@ -202,15 +201,15 @@ class Round {
         Vec2 to = middle;
         if (!level) to = {(yy * right.x - xy * right.y) / det, (xx * right.y - xy * right.x) / det};
         for (const std::size_t one : group) {
-            if (distance(loose_[one].at, to) > kSnapMm) return std::nullopt;
+            if (distance(loose_[one].at, to) > snap_mm_) return std::nullopt;
         }
         return to;
     }
 
     void near(const LooseEnd& end) {
         Box box;
-        box.extend(end.at - Vec2{kSnapMm, kSnapMm});
-        box.extend(end.at + Vec2{kSnapMm, kSnapMm});
+        box.extend(end.at - Vec2{snap_mm_, snap_mm_});
+        box.extend(end.at + Vec2{snap_mm_, snap_mm_});
         found_.clear();
         index_.query(box, found_);
     }
@@ -247,8 +246,8 @@ class Round {
         near(end);
         std::optional<Vec2> corner_to;
         std::optional<Vec2> to;
-        double corner_best = kSnapMm;
-        double best = kSnapMm;
+        double corner_best = snap_mm_;
+        double best = snap_mm_;
         for (const int edge : found_) {
             const GraphEdge& other = nth(graph_.edges, edge);
             if (edge == end.half / 2 || is_own(end, other)) continue;
@@ -271,8 +270,9 @@ class Round {
     // Edges of the line itself, just before its end.
     static bool is_own(const LooseEnd& end, const GraphEdge& edge) { return edge.line == end.line; }
 
-    const std::vector<CardLine>& lines_;
+    const std::vector<SheetLine>& lines_;
     const SheetGraph& graph_;
+    double snap_mm_;
     EdgeIndex index_;
     std::vector<LooseEnd> loose_;
     std::multimap<int, std::size_t> loose_at_;  // by corner
@@ -281,12 +281,10 @@ class Round {
     std::vector<int> found_;
 };
 
-std::string_view noun_of(unsigned ink) { return (ink & kAnyFold) != 0 ? "fold" : "cut"; }
-
 }  // namespace
 
-std::optional<SheetGraph> mend_ends(const Tracing& tracing, std::vector<CardLine>& lines,
-                                    std::vector<Segment>& moves, Diagnostics& diagnostics) {
+std::optional<SheetGraph> mend_ends(std::vector<SheetLine>& lines, const EndTolerances& tolerances,
+                                    std::vector<MovedEnd>& moved) {
     // Where each end was drawn, of those that moved.
     std::map<std::pair<int, bool>, Vec2> drawn;
     const auto end_of = [&](int line, bool last) -> Vec2& {
@@ -295,39 +293,24 @@ std::optional<SheetGraph> mend_ends(const Tracing& tracing, std::vector<CardLine
     };
     std::optional<SheetGraph> graph;
     for (int round = 0;; ++round) {
-        graph = make_graph(lines);
-        if (!graph) {
-            diagnostics.error("document-too-large", {},
-                              "the lines of the drawing cross one another too often to be looked at");
-            return std::nullopt;
-        }
+        graph = make_graph(lines, tolerances.one_point_mm);
+        if (!graph) return std::nullopt;
         if (round == kMostRounds) break;
-        bool moved = false;
-        for (const Move& move : Round(lines, *graph).moves()) {
+        bool any = false;
+        for (const Move& move : Round(lines, *graph, tolerances.snap_mm).moves()) {
             Vec2& end = end_of(move.line, move.last);
             const Vec2 from = drawn.try_emplace({move.line, move.last}, end).first->second;
-            if (distance(from, move.to) > kSnapMm || end == move.to) continue;
+            if (distance(from, move.to) > tolerances.snap_mm || end == move.to) continue;
             end = move.to;
-            moved = true;
+            any = true;
         }
-        if (!moved) break;
+        if (!any) break;
     }
     for (const auto& [which, from] : drawn) {
         const Vec2 to = end_of(which.first, which.second);
-        const double size = distance(from, to);
-        if (size == 0.0) continue;
-        moves.push_back({from, to});
-        if (size <= kSilentMm) continue;
-        const CardLine& line = nth(lines, which.first);
-        diagnostics
-            .warning(
-                "end-moved", nth(tracing.elements, line.element).place,
-                fmt::format("the end of this {} misses what it meets by {:.2f} mm at {}; it was moved there",
-                            noun_of(line.ink), size, shown_point(tracing, to)))
-            .hint("let ends snap to the lines that they meet in the drawing program")
-            .changed(shown_point(tracing, from), shown_point(tracing, to));
+        if (from != to) moved.push_back({which.first, which.second, from, to});
     }
     return graph;
 }
 
-}  // namespace popup::drawing::card
+}  // namespace popup
