@@ -261,6 +261,65 @@ struct Parallel {
     }
 };
 
+// A plate that the world holds still, on the page as it is: the one that a folded sheet is folded from.
+struct Still {
+    int plate = -1;
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+    }
+};
+
+// A plate that is folded from its base along a line of the page that both share, by an angle that the opening
+// alone says. Of the folds of one sheet each has its own law; that its loops stay closed is their maker's
+// affair (src/folded/).
+struct Folded {
+    int plate = -1;
+    int base = -1;  // lies on the right of the line
+    Vec2 at, dir;   // a point of the line, and its direction (unit)
+    // (opening, angle), both in degrees, by opening. The angle is 0 where both plates lie in one plane,
+    // positive where they are folded to their front. Between two points alone it goes straight. Else there
+    // are kLawSteps of them, and one more, to a range, neighbours sharing their end: in each range the angle
+    // is the polynomial through its points, whose openings are Chebyshev points of the second kind. Before
+    // the first point and behind the last it stays as it is.
+    std::vector<Vec2> law;
+    static constexpr std::size_t kLawSteps = 12;
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.plate("base", self.base);
+        to.point("at", self.at);
+        to.direction("dir", self.dir);
+        to.value("law_deg", self.law);
+    }
+};
+// A fold that closes a loop of a folded sheet: both its plates are placed by other joints, and it says how
+// they turn against each other.
+struct LoopFold {
+    int plate = -1;
+    int base = -1;          // on the right of the line
+    Vec2 at, dir;           // as of Folded
+    std::vector<Vec2> law;  // as of Folded
+
+    template <typename Self, typename Fields>
+    static void fields(Self& self, Fields& to) {
+        to.plate("plate", self.plate);
+        to.plate("base", self.base);
+        to.point("at", self.at);
+        to.direction("dir", self.dir);
+        to.value("law_deg", self.law);
+    }
+};
+
+// Where the Chebyshev point `i` of the second kind lies in its range, from 0 at its begin to 1 at its end, of
+// 0 <= i <= Folded::kLawSteps: (1 - cos(pi i / kLawSteps)) / 2.
+double chebyshev_share(std::size_t i);
+// The angle of a law at an opening, in degrees: its polynomial by the barycentric formula (Berrut and
+// Trefethen, Barycentric Lagrange Interpolation, 2004). Precondition: the law is one, as fault_of() has it.
+double fold_angle_deg(const std::vector<Vec2>& law, double opening_deg);
+
 // All kinds, and the names by which files know them: the table. Its row is ROW(struct, name).
 #define POPUP_JOINT_KINDS(ROW) \
     ROW(Drive, "drive")        \
@@ -268,7 +327,10 @@ struct Parallel {
     ROW(Rigid, "rigid")        \
     ROW(Prism, "prism")        \
     ROW(Lift, "lift")          \
-    ROW(Parallel, "parallel")
+    ROW(Parallel, "parallel")  \
+    ROW(Still, "still")        \
+    ROW(Folded, "folded")      \
+    ROW(LoopFold, "loop-fold")
 
 template <typename Nothing, typename... Kinds>
 using JointVariant = std::variant<Kinds...>;

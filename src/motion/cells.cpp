@@ -39,7 +39,7 @@ std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
 
 }  // namespace
 
-std::vector<double> cell_ends(const Sweep& sweep) {
+std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> turning_back) {
     std::vector<double> ends;
     double above = sweep.to_deg - sweep.from_deg;  // the beginning
     const double halved_below = sweep.closed_flat ? kHalvedBelowDeg : 0.0;
@@ -53,6 +53,12 @@ std::vector<double> cell_ends(const Sweep& sweep) {
     }
     ends.push_back(least_opening(sweep));
     std::reverse(ends.begin(), ends.end());
+    const std::size_t even = ends.size();
+    for (const double deg : turning_back) {
+        if (deg > ends.front() && deg < ends[even - 1]) ends.push_back(deg);
+    }
+    std::inplace_merge(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(even), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     return ends;
 }
 

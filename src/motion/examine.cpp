@@ -164,7 +164,7 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     std::vector<PairRange> all;
     std::vector<ContactRange> found;
     Cell cell;
-    const std::vector<double> ends = cell_ends(assembly.sweep);
+    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.turning_back());
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
     const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
     const auto look_at = [&](const Cell& range) {

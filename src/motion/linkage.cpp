@@ -23,6 +23,7 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
     joint_of_.assign(plates, -1);
     drive_turn_.assign(plates, -1);
     across_turn_.assign(plates, -1);
+    closing_turns_.resize(plates);
     fold_turn_.assign(assembly.joints.size(), -1);
     for (auto& seen : seen_) seen.assign(plates + 1, -1);
     wanted_.assign(assembly.joints.size(), 0);
@@ -47,6 +48,8 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
         add(j, between);
     }
     needs_begin_.push_back(needs_.size());
+    std::sort(turning_back_.begin(), turning_back_.end());
+    turning_back_.erase(std::unique(turning_back_.begin(), turning_back_.end()), turning_back_.end());
 }
 
 // The turns of a joint, and how its plates are reached by them.
@@ -71,7 +74,14 @@ void Linkage::add(std::size_t number, std::map<std::pair<int, int>, int>& betwee
                           t.at,
                           t.dir,
                           overall(t.opposite),
-                          {overall(t.sides[0]), overall(t.sides[1])}});
+                          {overall(t.sides[0]), overall(t.sides[1])},
+                          t.still});
+        turning_back_.insert(turning_back_.end(), t.back_deg.begin(), t.back_deg.end());
+        if (t.other >= 0 && joint_of(t.plate) != static_cast<int>(number)) {
+            for (const int plate : {t.plate, t.other})
+                closing_turns_[static_cast<std::size_t>(plate)].push_back(static_cast<int>(turns_.size()) -
+                                                                          1);
+        }
         if (t.other >= 0) between[ordered(t.plate, t.other)] = static_cast<int>(turns_.size()) - 1;
     }
     const JointPlates plates = plates_of(joint);
@@ -105,16 +115,16 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
                 const Visit at = visits_.at(side)[done.at(side)];
                 if (at.plate < 0) continue;
                 const auto plate = static_cast<std::size_t>(at.plate);
-                for (const int turn : {across_turn_[plate], drive_turn_[plate]}) {
-                    if (turn < 0) continue;
+                const auto go = [&](int turn) {
+                    if (turn < 0 || meeting != -2) return;
                     const Turn& t = turns_[static_cast<std::size_t>(turn)];
                     const int to = t.plate == at.plate ? t.other : t.plate;
                     rise(side, to, turn, static_cast<int>(done.at(side)));
-                    if (seen_.at(1 - side)[node(to)] >= 0) {
-                        meeting = to;
-                        break;
-                    }
-                }
+                    if (seen_.at(1 - side)[node(to)] >= 0) meeting = to;
+                };
+                for (const int turn : closing_turns_[plate]) go(turn);
+                go(across_turn_[plate]);
+                go(drive_turn_[plate]);
             }
         }
     }

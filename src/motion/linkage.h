@@ -26,6 +26,7 @@ struct Turn {
     // Numbers of turns. -1: as JointTurn::kNone.
     int opposite = -1;
     std::array<int, 2> sides{-1, -1};
+    bool still = false;  // as JointTurn::still
 };
 
 // The bends of a turn at two angles.
@@ -42,6 +43,9 @@ class Linkage {
     explicit Linkage(const Assembly& assembly);
 
     [[nodiscard]] std::span<const Turn> turns() const { return turns_; }
+    // Openings at which some turn turns back though its opposite does not pass, ascending, each once: ranges
+    // that travel() is asked of end there.
+    [[nodiscard]] std::span<const double> turning_back() const { return turning_back_; }
     // The joint that places a plate.
     [[nodiscard]] int joint_of(int plate) const { return joint_of_[static_cast<std::size_t>(plate)]; }
     [[nodiscard]] const Joint& element(int plate) const {
@@ -80,7 +84,9 @@ class Linkage {
 
     const Assembly& assembly_;
     std::vector<Turn> turns_;
+    std::vector<double> turning_back_;
     std::vector<int> joint_of_, drive_turn_, across_turn_, fold_turn_, twin_;
+    std::vector<std::vector<int>> closing_turns_;  // by plate: of joints that do not place it
     // Plates that joint j needs stand from needs_begin_[j] to needs_begin_[j + 1].
     std::vector<int> needs_;
     std::vector<std::size_t> needs_begin_;
@@ -98,7 +104,7 @@ double travel(std::span<const Turn> turns, int index, double opening_deg, const 
     constexpr double kPi = std::numbers::pi;
     const double opening = opening_deg * kPi / 180.0;
     const Turn& turn = turns[static_cast<std::size_t>(index)];
-    if (turn.other < 0) return 0.5 * opening;
+    if (turn.other < 0) return turn.still ? 0.0 : 0.5 * opening;
     if (turn.opposite < 0 || !bends(turn.opposite).passes()) return bends(index).change();
     // It may turn back in between. The four rates add up to nought, so it goes no further than the others
     // together.

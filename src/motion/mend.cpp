@@ -19,7 +19,7 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     Linkage linkage(assembly);
     PairSearch search(assembly, linkage, shapes);
-    const std::vector<double> ends = cell_ends(assembly.sweep);
+    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.turning_back());
     std::vector<std::vector<ContactRange>> stretches(pairs.size());
     std::vector<ContactRange> found;
     Cell cell;

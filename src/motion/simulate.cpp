@@ -87,6 +87,11 @@ struct Judge {
     }
 };
 
+bool is_driven(const Linkage& linkage) {
+    return std::any_of(linkage.turns().begin(), linkage.turns().end(),
+                       [](const Turn& turn) { return turn.other < 0 && !turn.still; });
+}
+
 // The first and last angle of each contact are looked at like those asked for.
 void add_witnesses(Motion& motion) {
     for (const Contact& contact : motion.examination->contacts) {
@@ -133,7 +138,8 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
         }
         if (!judge.closes(at, motion.max_closure_mm)) return std::nullopt;
     }
-    motion.not_forced = free_plates(assembly);
+    // A sheet that nothing drives is not forced at all.
+    if (is_driven(judge.linkage)) motion.not_forced = free_plates(assembly);
     report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
     if (!options.examine) return motion;
     const std::vector<PlateShape> shapes = plate_shapes(assembly);

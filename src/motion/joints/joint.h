@@ -30,6 +30,9 @@ struct JointTurn {
     static constexpr int kParent = -2;  // the turn between the two plates that the joint stands on
     int opposite = kNone;
     std::array<int, 2> sides{kNone, kNone};
+    bool still = false;  // against the world, of which it is a part: no opening turns it
+    // Openings at which it turns back, ascending: between them it goes one way.
+    std::vector<double> back_deg = {};
 };
 
 struct JointTurns {
@@ -37,6 +40,7 @@ struct JointTurns {
     // Plates that share the parent fold; -1: there is none. The joint has least room where that fold passes
     // flat.
     std::array<int, 2> stands_on{-1, -1};
+    // A turn whose plate the joint does not place leads from one plate to the other besides all others.
     // For each plate of plates_of().places: its turn towards the world, and another that leads on to a plate
     // of the same joint; kNone: there is none, it lies on its parent and moves with it.
     struct Ways {
