@@ -10,11 +10,13 @@
 #include "cli/codes.h"
 #include "fabrication/codes.h"
 #include "findings/codes.h"
+#include "folded/codes.h"
 #include "input/assembly/codes.h"
 #include "input/codes.h"
 #include "input/drawing/card/codes.h"
 #include "input/drawing/codes.h"
 #include "input/flatlang/codes.h"
+#include "input/fold/codes.h"
 #include "input/oa/codes.h"
 #include "input/xml/codes.h"
 #include "layout/codes.h"
@@ -32,10 +34,11 @@ namespace {
 std::vector<CodeInfo> sorted_rows() {
     std::vector<CodeInfo> rows;
     for (const std::span<const CodeInfo> room :
-         {base_codes(),     input_codes(),    xml_codes(),      drawing_codes(), drawn_card_codes(),
-          flatlang_codes(), assembly_codes(), oa_codes(),       parts_codes(),   mechanism_codes(),
-          check_codes(),    motion_codes(),   pattern_codes(),  layout_codes(),  fabrication_codes(),
-          output_codes(),   run_codes(),      findings_codes(), batch_codes(),   cli_codes()}) {
+         {base_codes(),      input_codes(),       xml_codes(),    drawing_codes(), drawn_card_codes(),
+          flatlang_codes(),  assembly_codes(),    fold_codes(),   oa_codes(),      parts_codes(),
+          mechanism_codes(), check_codes(),       folded_codes(), motion_codes(),  pattern_codes(),
+          layout_codes(),    fabrication_codes(), output_codes(), run_codes(),     findings_codes(),
+          batch_codes(),     cli_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

@@ -19,21 +19,21 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     one.further_files = std::move(reading.files);
     one.missing_files = std::move(reading.missing);
     one.design = std::move(reading.design);
+    one.creases = std::move(reading.creases);
     one.assembly = std::move(reading.assembly);
     if (one.assembly) {
         if (one.assembly->file.empty()) one.assembly->file = one.source.name;
         one.diagnostics.set_places_file(one.assembly->file);
-        one.assembly->stem = one.stem;
-    } else {
-        if (!one.design) return;
+    } else if (one.creases && options.until >= Stage::assembly) {
+        one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
+    } else if (one.design) {
         one.design->stem = one.stem;
         if (options.until == Stage::design) return;
-
         one.checked = check(*one.design, options.check, one.diagnostics);
         if (!one.checked || options.until == Stage::check) return;
-
         one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
     }
+    if (one.assembly) one.assembly->stem = one.stem;
     if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics)) return;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
     if (!one.assembly || options.until <= Stage::assembly) return;

@@ -207,7 +207,8 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
     }
     for (const std::string& name : request.inputs) {
         const Language* language = find_language(Source{name, {}}, request.language);
-        if (name == "-" || language == nullptr || !language->only_parts || request.card) continue;
+        if (name == "-" || language == nullptr || !language->only_parts || request.as != DrawnAs::parts)
+            continue;
         if (!can_be_made_of(Read::parts, name, plan, diagnostics)) return std::nullopt;
     }
     return plan;

@@ -30,6 +30,7 @@ struct CompileOptions {
     ReadOptions read;
     CheckOptions check;
     AssembleOptions assemble;
+    FoldOptions fold;
     MotionOptions motion;
     PatternOptions pattern;
     LayoutOptions layout;
@@ -61,6 +62,7 @@ struct CompiledDesign {
     std::vector<std::string> further_files;  // likewise: Reading::files
     std::vector<std::string> missing_files;  // likewise: Reading::missing
     std::optional<Design> design;
+    std::optional<CreasePattern> creases;
     std::optional<CheckedDesign> checked;
     std::optional<Assembly> assembly;
     std::optional<Motion> motion;

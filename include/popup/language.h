@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "popup/assembly.h"
+#include "popup/crease_pattern.h"
 #include "popup/design.h"
 
 namespace popup {
@@ -57,10 +58,16 @@ struct LineRule {
     DrawnUse use = DrawnUse::cut;
 };
 
+// What a drawing shows.
+enum class DrawnAs {
+    parts,   // flat parts
+    card,    // the sheet of a pop-up card, with its cuts and folds, whose elements are found
+    folded,  // a sheet with cuts and folds, of which nothing else is known
+};
+
 // Of inputs that are drawings.
 struct DrawingOptions {
-    // A drawing is the sheet of a pop-up card, with its cuts and folds, and not of flat parts.
-    bool card = false;
+    DrawnAs as = DrawnAs::parts;
     std::vector<LineRule> lines;  // above all that the drawing itself tells; the first that fits counts
 };
 
@@ -69,13 +76,15 @@ struct ReadOptions {
     std::string language;  // name of a row of language_table(); empty: by the source's suffix
     ProgramOptions program;
     DrawingOptions drawing = {};
+    std::optional<int> frame = {};  // of files with several (FOLD): 0 is the first; none: the crease pattern
 };
 
-// What a source describes: the design of a card, which is still to be checked and assembled, or an assembly
-// that needs neither: flat parts, and assemblies that were written as such. At most one of them; none where
-// there are errors, or only definitions for others.
+// What a source describes: the design of a card, which is still to be checked and assembled; a crease
+// pattern, which is still to be folded; or an assembly that needs neither: flat parts, and assemblies that
+// were written as such. At most one of them; none where there are errors, or only definitions for others.
 struct Reading {
     std::optional<Design> design;
+    std::optional<CreasePattern> creases;
     std::optional<Assembly> assembly;  // its pieces have paper; file and stem are not set
     std::string printed;               // what a program printed, also before an error; each line ends with \n
     std::vector<std::string> files;    // others that were read, once each, in the order in which they were

@@ -38,7 +38,7 @@ struct OutputRequest {
     std::string format = {};  // of standard output, and where a suffix says nothing; empty: there is none
     std::vector<std::string> inputs = {};  // names of the sources: none is written over
     std::string language = {};             // as in ReadOptions: of the inputs
-    bool card = false;                     // as in DrawingOptions: of the inputs
+    DrawnAs as = DrawnAs::parts;           // as in DrawingOptions: of the inputs
     std::vector<Other> others = {};        // no two outputs or others are the same file, and none is an input
     std::vector<std::string> streams = {};  // what else goes to standard output, as a message calls it
 };

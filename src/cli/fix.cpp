@@ -55,7 +55,7 @@ void check_usage(const Options& options, const InputFiles& files) {
 
 // A drawing that is read as a card becomes a document.
 bool becomes_document(const Options& options, const Language& language) {
-    return language.only_parts && options.compile.read.drawing.card;
+    return language.only_parts && options.compile.read.drawing.as == DrawnAs::card;
 }
 
 // Only documents have repairs that can be written back.
@@ -70,7 +70,7 @@ void check_language(const Options& options, const Language& language, const std:
         fmt::format("{}: fix mends popup documents, and this {}", name,
                     language.trail != nullptr ? "is a program"
                     : language.only_parts     ? "describes flat parts"
-                                              : "is an assembly"),
+                                              : "is none"),
         language.only_parts
             ? std::vector<std::string>{"--as card reads it as a pop-up card, and makes a document "
                                        "of it"}

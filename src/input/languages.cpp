@@ -8,8 +8,10 @@
 
 #include "input/assembly/read.h"
 #include "input/drawing/card/read.h"
+#include "input/drawing/folded/read.h"
 #include "input/drawing/read.h"
 #include "input/flatlang/read.h"
+#include "input/fold/read.h"
 #include "input/oa/read.h"
 #include "input/text.h"
 #include "input/xml/read.h"
@@ -25,10 +27,24 @@ Reading assembly_of(const Source& source, const ReadOptions& options, Diagnostic
     return reading;
 }
 
-Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    if (!options.drawing.card) return assembly_of<drawing::read>(source, options, diagnostics);
+Reading fold_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;
-    reading.design = drawing::card::read(source, options, diagnostics);
+    reading.creases = fold::read(source, options, diagnostics);
+    return reading;
+}
+
+Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+    Reading reading;
+    switch (options.drawing.as) {
+        case DrawnAs::parts:
+            return assembly_of<drawing::read>(source, options, diagnostics);
+        case DrawnAs::card:
+            reading.design = drawing::card::read(source, options, diagnostics);
+            break;
+        case DrawnAs::folded:
+            reading.creases = drawing::folded::read(source, options, diagnostics);
+            break;
+    }
     return reading;
 }
 
@@ -43,7 +59,7 @@ std::vector<Language> const& language_table() {
          .patch = xml::patch},
         {.name = "svg",
          .suffix = ".svg",
-         .about = "drawing of closed cut contours, each a flat part, or with --as card of a pop-up card",
+         .about = "drawing of closed cut contours, each a flat part, or with --as a card or a folded sheet",
          .read = drawing_of,
          .only_parts = true,
          .walked = false,
@@ -59,6 +75,12 @@ std::vector<Language> const& language_table() {
          .about = "design of webOAcard, a card of one sheet that opens to 90°",
          .read = assembly_of<oa::read>,
          .recognises = oa::recognises},
+        {.name = "fold",
+         .suffix = ".fold",
+         .about = "crease pattern in FOLD, which is folded from its flat sheet",
+         .read = fold_of,
+         .walked = false,
+         .recognises = fold::recognises},
         {.name = "flatlang",
          .suffix = ".fl",
          .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",
@@ -109,13 +131,14 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
         return std::nullopt;
     };
     const Language* language = find_language(source, options.language);
-    if (language != nullptr && language->only_parts && !options.drawing.card)
+    if (language != nullptr && language->only_parts && options.drawing.as == DrawnAs::parts)
         return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
     if (reading.assembly) {
         return refuse(moves(*reading.assembly) ? "this is an assembly, made of a design or by hand"
                                                : "this describes flat parts");
     }
+    if (reading.creases) return refuse("this is a crease pattern");
     if (!reading.design && !diagnostics.has_errors()) return refuse("this only defines functions");
     return std::move(reading.design);
 }

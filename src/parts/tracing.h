@@ -48,7 +48,8 @@ struct TracedLine {
     double width_mm = 0.0;
     Dash dash = Dash::none;
     Named named = Named::nothing;
-    bool ruled = false;  // `named` is the caller's
+    bool ruled = false;    // `named` is the caller's
+    double opacity = 1.0;  // of the stroke
 };
 
 // An area that is painted, by all subpaths of a path together.

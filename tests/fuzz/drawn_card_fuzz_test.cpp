@@ -24,7 +24,7 @@ using test::Random;
 
 CompiledDesign compiled(const std::string& text, Stage until) {
     CompileOptions options;
-    options.read.drawing.card = true;
+    options.read.drawing.as = DrawnAs::card;
     options.until = until;
     options.motion.examine = false;
     return std::move(compile({Source{"card.svg", text}}, options, {}).designs.front());

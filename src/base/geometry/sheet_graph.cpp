@@ -48,7 +48,9 @@ class GraphMaker {
  private:
     // The corner at a point: one that is there already, or a new one.
     int corner_at(Vec2 p) {
-        const auto cell = [this](double v) { return static_cast<std::int64_t>(std::floor(v / one_point_mm_)); };
+        const auto cell = [this](double v) {
+            return static_cast<std::int64_t>(std::floor(v / one_point_mm_));
+        };
         const PlaneCell at{cell(p.x), cell(p.y)};
         int nearest = -1;
         double best = one_point_mm_;

@@ -35,18 +35,41 @@ void read_rules(std::string_view text, std::vector<LineRule>& rules) {
     }
 }
 
+// "90", or "valley=90", "#ff0000=45", "12=30": how far folds are folded.
+FoldOptions::NamedAngle read_fold_angle(std::string_view text) {
+    const std::size_t equals = text.rfind('=');
+    const std::string_view angle = equals == std::string_view::npos ? text : text.substr(equals + 1);
+    const std::string_view name =
+        equals == std::string_view::npos ? std::string_view() : text.substr(0, equals);
+    std::string lower(name);  // colours are known in lower case
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return {std::move(lower), Angle::degrees(number_option("--fold-angle", angle, 0.0, 180.0))};
+}
+
 }  // namespace
 
 void add_drawing_options(CLI::App& verb, Options& options) {
     DrawingOptions& drawing = options.compile.read.drawing;
     const std::string group(kDrawingGroup);
-    value(verb, "--as", "WHAT", "what drawings show: parts (default), or card, a pop-up cut from one sheet",
+    value(verb, "--as", "WHAT", "what drawings show: parts (default), card (a pop-up) or folded (any sheet)",
           group, [&drawing](std::string_view text) {
-              drawing.card = choose<bool>("--as", text, {{"parts", false}, {"card", true}});
+              drawing.as = choose<DrawnAs>(
+                  "--as", text,
+                  {{"parts", DrawnAs::parts}, {"card", DrawnAs::card}, {"folded", DrawnAs::folded}});
           });
     values(verb, "--lines", "USE=LINES",
            "what lines of a colour, layer, class or id are, as cut=#f00. Repeatable", group,
            [&drawing](std::string_view text) { read_rules(text, drawing.lines); });
+    FoldOptions& fold = options.compile.fold;
+    values(verb, "--fold-angle", "ANGLE", "how far sheets fold: 120, or valley=45, #ff0000=30. Repeatable",
+           group, [&fold](std::string_view text) { fold.fold_angles.push_back(read_fold_angle(text)); });
+    value(verb, "--fold-to", "SHARE", "fold sheets to this share of their angles (default: 1)", group,
+          [&fold](std::string_view text) { fold.to = number_option("--fold-to", text, 0.01, 1.0); });
+    value(verb, "--frame", "N", "which frame of a FOLD file to read (default: its crease pattern)", group,
+          [&options](std::string_view text) {
+              options.compile.read.frame = static_cast<int>(number_option("--frame", text, 0.0, 1e6));
+          });
 }
 
 }  // namespace popup::cli

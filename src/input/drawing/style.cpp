@@ -21,6 +21,8 @@ constexpr std::array<std::pair<std::string_view, Property>, kProperties> kNames{
     {"display", Property::display},
     {"visibility", Property::visibility},
     {"stroke-dasharray", Property::dashes},
+    {"opacity", Property::opacity},
+    {"stroke-opacity", Property::stroke_opacity},
     {"stroke-width", Property::width},
     {"fill-rule", Property::fill_rule},
     {"clip-path", Property::clip},
@@ -243,6 +245,14 @@ void Style::take(const Declarations& declarations) {
         if (const auto length = parse_length(*text, 1.0); length && *length >= 0.0) width = *length;
     }
     if (const auto* text = value(Property::fill_rule)) even_odd = *text == "evenodd";
+    const auto share = [&](Property property) -> std::optional<double> {
+        const auto* text = value(property);
+        const auto length = text == nullptr ? std::nullopt : parse_length(*text, 1.0);
+        return length ? std::optional(std::clamp(*length, 0.0, 1.0)) : std::nullopt;
+    };
+    if (const auto own = share(Property::stroke_opacity)) stroke_opacity = *own;
+    // What it is drawn in fades as well.
+    if (const auto own = share(Property::opacity)) opacity *= *own;
     // Not inherited: an element that is not displayed is not looked into.
     const std::string* display = declarations.find(Property::display);
     displayed = display == nullptr || *display != "none";

@@ -14,8 +14,20 @@
 
 namespace popup::drawing {
 
-enum class Property { stroke, fill, display, visibility, dashes, width, fill_rule, clip, mask };
-inline constexpr std::size_t kProperties = 9;
+enum class Property {
+    stroke,
+    fill,
+    display,
+    visibility,
+    dashes,
+    width,
+    fill_rule,
+    clip,
+    mask,
+    opacity,
+    stroke_opacity
+};
+inline constexpr std::size_t kProperties = 11;
 // The property called `name` in CSS and as an attribute.
 std::optional<Property> find_property(std::string_view name);
 
@@ -79,6 +91,8 @@ struct Style {
     bool displayed = true;  // false for an element and all that is in it
     bool even_odd = false;
     double width = 1.0;  // of the stroke, in user units
+    // Of the stroke, 0 to 1: stroke-opacity, and opacity of the element and of all groups around it.
+    double stroke_opacity = 1.0, opacity = 1.0;
 
     void take(const Declarations& declarations);
 };

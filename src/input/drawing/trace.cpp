@@ -468,6 +468,7 @@ class Tracer {
                                   static_cast<int>(out_.elements.size()) - 1, context.owner,
                                   context.style.stroke.color, context.style.width * context.to_mm.growth(),
                                   context.style.dash});
+            out_.lines.back().opacity = context.style.opacity * context.style.stroke_opacity;
             rules_.say(context.said, context.style.stroke, out_.lines.back());
         }
     }

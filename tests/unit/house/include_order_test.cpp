@@ -27,6 +27,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"pictures", {"base"}},
         {"parts", {"base"}},
         {"input", {"base", "assembly", "parts"}},
+        {"folded", {"base", "assembly"}},
         {"mechanism", {"base", "assembly"}},
         {"check", {"base", "mechanism"}},
         {"motion", {"base", "assembly"}},
@@ -38,8 +39,8 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"run", {"base"}},
         {"findings", {"base"}},
         {"codes.cpp",
-         {"base", "input", "mechanism", "check", "motion", "parts", "pattern", "layout", "fabrication",
-          "output", "run", "findings", "batch", "cli"}},
+         {"base", "input", "folded", "mechanism", "check", "motion", "parts", "pattern", "layout",
+          "fabrication", "output", "run", "findings", "batch", "cli"}},
         {"compile.cpp", {"base", "fabrication", "run"}},
         {"write.cpp", {"base"}},
         {"batch", {"base"}},
@@ -53,9 +54,9 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",  "diagnostics", "geometry", "path",     "curves", "nest",     "print",     "image",
-        "files",  "lines",       "joints",   "assembly", "design", "language", "mechanism", "check",
-        "motion", "pattern",     "layout",   "profile",  "output", "compile",  "write"};
+        "units", "diagnostics", "geometry", "path",     "curves",         "nest",   "print",    "image",
+        "files", "lines",       "joints",   "assembly", "crease_pattern", "design", "language", "mechanism",
+        "check", "motion",      "pattern",  "layout",   "profile",        "output", "compile",  "write"};
     return order;
 }
 
@@ -70,6 +71,7 @@ std::string last_stage(const std::string& room, const std::string& file) {
     if (room == "base" || room == "run") return "files";
     if (room == "pictures") return "image";
     if (room == "parts" || room == "assembly") return "assembly";
+    if (room == "folded") return "crease_pattern";
     if (room == "input") return "mechanism";
     if (room == "mechanism" || room == "check") return "check";
     if (room == "fabrication") return "profile";

@@ -182,6 +182,7 @@ class Sorter {
         if (meaning == Meaning::print) out_.printed.push_back(&line);
         if (meaning == Meaning::print || meaning == Meaning::ignore) return;
         out_.lines.push_back({line.points, line.closed, nth(kInks, meaning), line.element});
+        out_.drawn_by.push_back(&line);
     }
 
     void count(const TracedLine& line, const Guess& guess) {

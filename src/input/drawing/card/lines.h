@@ -13,7 +13,8 @@
 namespace popup::drawing::card {
 
 struct CardLines {
-    std::vector<SheetLine> lines;  // in mm of the drawing, y up; elements are those of the tracing
+    std::vector<SheetLine> lines;             // in mm of the drawing, y up; elements are those of the tracing
+    std::vector<const TracedLine*> drawn_by;  // by line
     std::vector<const TracedLine*> printed;
 };
 

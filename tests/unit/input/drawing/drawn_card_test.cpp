@@ -21,7 +21,7 @@ using test::Pen;
 
 CompileOptions card_options() {
     CompileOptions options;
-    options.read.drawing.card = true;
+    options.read.drawing.as = DrawnAs::card;
     options.until = Stage::pattern;
     options.motion.examine = false;
     return options;

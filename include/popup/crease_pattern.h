@@ -1,0 +1,93 @@
+// The CreasePattern: a flat sheet as lines that are cut and folded, with nothing said about mechanisms.
+//
+// What is read from crease patterns (FOLD), and from drawings of cuts and folds. fold_sheet() lowers it to an
+// assembly: the panels between the lines are plates, and how far each fold is folded at an opening follows
+// from the angles that the pattern asks for and from its loops, which must stay closed.
+//
+//     CreasePattern pattern;
+//     pattern.lines.push_back({{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, true, CreaseUse::cut});
+//     pattern.lines.push_back({{{100, 0}, {100, 100}}, false, CreaseUse::valley, 180.0});
+//     const std::optional<Assembly> card = fold_sheet(pattern, {}, diagnostics);
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/assembly.h"
+#include "popup/diagnostics.h"
+#include "popup/geometry.h"
+#include "popup/units.h"
+
+namespace popup {
+
+enum class CreaseUse {
+    cut,  // the border is one, too
+    mountain,
+    valley,
+    fold,  // that does not say which way: it follows the others
+    flat,  // is never folded: both its sides are one panel
+};
+inline constexpr std::array<std::string_view, 5> kCreaseUseNames{"cut", "mountain", "valley", "fold", "flat"};
+
+struct CreaseLine {
+    std::vector<Vec2> points;  // mm, at least two
+    bool closed = false;
+    CreaseUse use = CreaseUse::cut;
+    // How far it is folded in the end, degrees in (0, 180]; none: as the pattern or the options say.
+    std::optional<double> fold_deg = {};
+    Place place = {};
+    std::string name = {};  // by which options name it: "#ff0000", or the number of its edge
+};
+
+struct CreasePattern {
+    std::string file;
+    std::string stem;
+    std::vector<CreaseLine> lines;
+    double fold_deg = 90.0;  // of mountains and valleys that do not say theirs; (0, 180]
+    // How points are told to the author, who knows the pattern in other coordinates: (p - origin) times
+    // `per_mm`, y turned over where it runs down.
+    Vec2 origin = {};
+    double per_mm = 1.0;
+    bool y_down = false;
+    std::string unit = "mm";  // behind the numbers; may be empty
+};
+// "(12.00, 30.50) mm".
+std::string shown_point(const CreasePattern& pattern, Vec2 at);
+
+struct FoldOptions {
+    // How far folds are folded in the end, [0°, 180°], whatever the pattern says: those of lines with that
+    // name, or that are called "mountain" or "valley"; an empty name: of all. The last that fits counts.
+    struct NamedAngle {
+        std::string name;
+        Angle angle;
+    };
+    std::vector<NamedAngle> fold_angles = {};
+    double to = 1.0;           // the share of the final angles at which the motion ends; (0, 1]
+    double merge_mm = 0.002;   // corners this near are one; > 0
+    double snap_mm = 0.5;      // ends that miss what they mean to meet are moved; >= 0.02
+    double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
+    double closure_mm = 1e-7;  // loops of a folded sheet are closed to this; > 0
+};
+
+// Lowers a crease pattern to an assembly: a piece of each part that folds hold together, a plate of each of
+// its panels, hinges, cuts and folds with their final angles, and joints. The largest panel of a piece stands
+// still; the others hang on it by a tree of folds, breadth first.
+//
+// The sweep goes from 180°, where the sheet is flat, to 0°, where each fold has its final angle: at an
+// opening of θ it has its share (1 - θ/180) of it, as far as the loops allow. A loop is what folds around an
+// inner corner, or around a hole, make; going around it the turns must add up to nought. Folds of loops
+// therefore leave the flat sheet along the mountains and valleys of the pattern, and then go straight towards
+// their final angles, brought to closure all the way (src/folded/path.h). Loops are closed to
+// FoldOptions::closure_mm at every opening, and not only at some.
+//
+// Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
+// `falls-out`, `fold-other-way`; errors `document-too-large`, `no-sheet`. A pattern whose loops do not close
+// is told of with `not-rigid`, with the worst loop and by how much it stays open; it is folded as far as it
+// can be, if at all. Cost: near linear in lines, and in panels times ranges of the motion.
+std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
+                                   Diagnostics& diagnostics);
+
+}  // namespace popup

@@ -1,0 +1,170 @@
+#include "folded/closure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "base/nth.h"
+#include "folded/rigid.h"
+
+namespace popup::folded {
+namespace {
+
+// Added to the normal equations, whose entries are of the size of 1.
+constexpr double kRegular = 1e-13;
+constexpr int kMostSteps = 60;
+// So many for all, whether they have come to closure before or not: in directions in which the loops hardly
+// say anything, each step goes a part of the way, and as many steps go the same part.
+constexpr int kSmoothSteps = 6;
+constexpr double kNotNearer = 0.5;  // of a residual
+constexpr double kSettled = 1e-11;  // below it steps need not get nearer
+constexpr int kMostHalvings = 6;
+// No fold is turned by more in one step, radians.
+constexpr double kLongestStep = 0.5;
+
+}  // namespace
+
+Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops) {
+    std::map<int, int> column;
+    for (std::size_t i = 0; i < folds.size(); ++i) column[folds[i]] = static_cast<int>(i);
+    int count = 0;
+    rows_.reserve(loops.size());
+    for (const int number : loops) {
+        const Loop& loop = nth(sheet.loops, number);
+        Row row;
+        row.loop = number;
+        row.first = count;
+        row.corner = loop.corner;
+        row.size = loop.size;
+        count += loop.corner ? 3 : 6;
+        row.terms.reserve(loop.steps.size());
+        for (const Step& one : loop.steps) {
+            const Fold& fold = nth(sheet.folds, one.fold);
+            const Segment line = sheet.line_of(fold);
+            const Vec2 dir = unit(line.b - line.a);
+            Vec2 at = line.a - loop.at;
+            at = at - dot(at, dir) * dir;
+            if (loop.corner) at = {};
+            row.terms.push_back({column.at(one.fold),
+                                 one.sign,
+                                 {at.x / loop.size, at.y / loop.size, 0.0},
+                                 {dir.x, dir.y, 0.0}});
+        }
+        rows_.push_back(std::move(row));
+    }
+    residual_.resize(count);
+    slopes_.resize(count, static_cast<Eigen::Index>(folds.size()));
+}
+
+void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
+    if (slopes) entries_.clear();
+    for (const Row& row : rows_) {
+        Rigid3 motion;
+        for (const Term& term : row.terms) {
+            if (slopes) {
+                const Vec3 dir = term.sign * motion.direction(term.dir);
+                const Vec3 moment = cross(motion.point(term.at), dir);
+                const std::array<double, 6> screw{dir.x, dir.y, dir.z, moment.x, moment.y, moment.z};
+                for (int i = 0; i < (row.corner ? 3 : 6); ++i)
+                    entries_.emplace_back(row.first + i, term.column, screw.at(static_cast<std::size_t>(i)));
+            }
+            motion = motion.after_turn(term.at, term.dir, term.sign * angles[term.column]);
+        }
+        const Vec3 turn = turn_of(motion);
+        residual_.segment<3>(row.first) << turn.x, turn.y, turn.z;
+        if (!row.corner) {
+            residual_.segment<3>(row.first + 3) << motion.shift.x, motion.shift.y, motion.shift.z;
+        }
+    }
+    if (slopes) slopes_.setFromTriplets(entries_.begin(), entries_.end());
+}
+
+double Closure::residual(const Eigen::VectorXd& angles, int* worst) {
+    evaluate(angles, false);
+    double largest = -1.0;
+    for (const Row& row : rows_) {
+        const double own = residual_.segment(row.first, row.corner ? 3 : 6).lpNorm<Eigen::Infinity>();
+        if (!(own > largest)) continue;
+        largest = own;
+        if (worst != nullptr) *worst = row.loop;
+    }
+    return largest;
+}
+
+double Closure::gap_mm(const Eigen::VectorXd& angles) {
+    evaluate(angles, false);
+    double largest = 0.0;
+    for (const Row& row : rows_) {
+        const double own = residual_.segment(row.first, row.corner ? 3 : 6).lpNorm<Eigen::Infinity>();
+        largest = std::max(largest, own * row.size);
+    }
+    return largest;
+}
+
+void Closure::factorise() {
+    transposed_ = slopes_.transpose();
+    Matrix normal = slopes_ * transposed_;
+    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += kRegular;
+    if (!analysed_) {
+        solver_.analyzePattern(normal);
+        analysed_ = true;
+    }
+    solver_.factorize(normal);
+}
+
+bool Closure::step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by) {
+    if (solver_.info() != Eigen::Success) return false;
+    by = transposed_ * solver_.solve(residuals);
+    return by.allFinite();
+}
+
+double Closure::approach_smoothly(Eigen::VectorXd& angles) {
+    Eigen::VectorXd by;
+    double here = HUGE_VAL;
+    for (int i = 0; i < kSmoothSteps; ++i) {
+        evaluate(angles, true);
+        const double before = residual_.lpNorm<Eigen::Infinity>();
+        if (before > kNotNearer * here) return HUGE_VAL;
+        here = std::max(before, kSettled);
+        factorise();
+        if (!step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep) return HUGE_VAL;
+        angles += by;
+    }
+    return residual(angles);
+}
+
+Eigen::VectorXd Closure::along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction) {
+    evaluate(angles, true);
+    factorise();
+    Eigen::VectorXd left = direction;
+    Eigen::VectorXd by;
+    // Once more, for what the regularisation leaves.
+    for (int i = 0; i < 2 && step(slopes_ * left, by); ++i) left -= by;
+    return left;
+}
+
+double Closure::approach(Eigen::VectorXd& angles, double enough) {
+    double here = residual(angles);
+    Eigen::VectorXd by;
+    for (int i = 0; i < kMostSteps && here > enough; ++i) {
+        evaluate(angles, true);
+        factorise();
+        if (!step(-residual_, by)) break;
+        const double longest = by.lpNorm<Eigen::Infinity>();
+        double share = longest > kLongestStep ? kLongestStep / longest : 1.0;
+        bool nearer = false;
+        for (int k = 0; k <= kMostHalvings && !nearer; ++k, share *= 0.5) {
+            const Eigen::VectorXd next = angles + share * by;
+            const double there = residual(next);
+            if (!(there < here)) continue;
+            angles = next;
+            here = there;
+            nearer = true;
+        }
+        if (!nearer) break;
+    }
+    return here;
+}
+
+}  // namespace popup::folded

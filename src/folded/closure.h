@@ -1,0 +1,63 @@
+// The loops of a cluster as equations of its folds' angles, and their solution.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "folded/sheet.h"
+
+namespace popup::folded {
+
+class Closure {
+ public:
+    // Loops of the sheet, and the folds that they cross; angles have the order of `folds`.
+    Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
+
+    // How far the worst loop is from closed: radians of its turn, or its shift as a share of its size.
+    // *worst (if given) is its number in the sheet.
+    double residual(const Eigen::VectorXd& angles, int* worst = nullptr);
+    // The same in mm: what the panels of a loop gape at most.
+    double gap_mm(const Eigen::VectorXd& angles);
+
+    // Brings the angles nearer to closure, each step the smallest one that closes the loops to the first
+    // order, until the residual is `enough` or no step helps. Returns the residual.
+    double approach(Eigen::VectorXd& angles, double enough = kRounding);
+    // The same by a fixed number of whole steps, so that where it ends depends smoothly on where it begins.
+    // Infinite if one does not help.
+    double approach_smoothly(Eigen::VectorXd& angles);
+    // What is left of a direction when all is taken out that opens loops, to the first order.
+    Eigen::VectorXd along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction);
+    static constexpr double kRounding = 2e-14;  // of a few dozen turns
+
+ private:
+    using Matrix = Eigen::SparseMatrix<double>;
+    struct Term {
+        int column = 0;
+        double sign = 1.0;
+        Vec3 at, dir;  // of the fold's line on the sheet, from the loop's own point; lengths over its size
+    };
+    struct Row {
+        int loop = 0;
+        int first = 0;  // row
+        bool corner = false;
+        double size = 0.0;
+        std::vector<Term> terms;
+    };
+
+    // Residuals of all loops, and with `slopes` their derivatives.
+    void evaluate(const Eigen::VectorXd& angles, bool slopes);
+    // The smallest step that adds `by` to the residuals, to the first order.
+    bool step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by);
+    void factorise();
+
+    std::vector<Row> rows_;
+    Eigen::VectorXd residual_;
+    Matrix transposed_;
+    Matrix slopes_;  // all entries that may be other than nought are there
+    Eigen::SimplicialLDLT<Matrix> solver_;
+    bool analysed_ = false;
+    std::vector<Eigen::Triplet<double>> entries_;
+};
+
+}  // namespace popup::folded

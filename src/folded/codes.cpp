@@ -1,0 +1,61 @@
+#include "folded/codes.h"
+
+#include <array>
+
+namespace popup {
+namespace {
+
+constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
+    {"corners-refined", Severity::remark, "corners of a crease pattern that were moved a little",
+     "Around a corner or a hole the folds must fit together exactly, or the sheet cannot be folded at all; "
+     "and a "
+     "drawing has only so many decimals. Where loops close to within its rounding, and not exactly, popupc "
+     "moves "
+     "corners so that they do, by 0.2 mm at most. The message says how many moved, and how far the furthest. "
+     "What is cut is the sheet with the corners moved."},
+    {"dangling-fold", Severity::warning, "a fold that ends in the middle of a panel",
+     "A fold divides the sheet: on either side of it there is another panel. This one, or a stretch of it, "
+     "has "
+     "the same panel on both sides, because it ends before it meets a cut or another fold, or leads to "
+     "nothing "
+     "else. Nothing can be folded there without bending the paper, so the stretch is left out. Draw it on, "
+     "or "
+     "take it out of the drawing. Ends that miss by up to half a millimetre are joined by themselves."},
+    {"falls-out", Severity::warning, "a part with folds that lies in a hole",
+     "The part is cut out on all sides of the sheet around it, and so it falls out when the sheet is cut. "
+     "Its "
+     "folds hold it to nothing but itself. It is neither cut nor folded here. If it is meant to be a piece "
+     "of "
+     "its own, draw it beside the sheet; if it belongs to the sheet, one of its cuts should be a fold."},
+    {"fold-drawn-twice", Severity::warning, "a fold that is a mountain and a valley",
+     "Two lines lie on each other, one drawn as a mountain fold and the other as a valley fold. The fold "
+     "goes "
+     "the way that its neighbours make it go, as folds do that say no way at all. Take one of the two lines "
+     "out; drawing programs leave such doubles behind when shapes with a common edge are copied."},
+    {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
+     "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
+     "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "
+     "into something else, or into nothing, and so this is said. Draw the outline of the sheet as a cut."},
+    {"no-sheet", Severity::error, "a crease pattern that encloses no paper",
+     "The lines of the pattern make no closed outline: there is no sheet to be folded. The border must be "
+     "closed, as one line or as several whose ends meet; ends that miss by up to half a millimetre are "
+     "joined. "
+     "Look for a border that is drawn with a wide gap, or in a colour that means something else."},
+    {"not-rigid", Severity::warning, "a sheet that cannot be folded without bending its panels",
+     "Around an inner corner, and around a hole, the folds make a loop: turning from panel to panel by each "
+     "of "
+     "them must lead back to the first. When no angles near those that are asked for do so, the panels would "
+     "have to bend or tear. The message says which loop stays open, and by how much. Where the sheet folds "
+     "rigidly a part of the way it is folded as far as that; where it cannot leave the flat state, its "
+     "panels "
+     "are shown as if each hung on one fold only. Mountains and valleys that do not go together are the "
+     "usual "
+     "reason: at each inner corner that folds flat, they differ in number by two. Else add the creases along "
+     "which the paper bends."},
+});
+
+}  // namespace
+
+std::span<const CodeInfo> folded_codes() { return kFoldedCodes; }
+
+}  // namespace popup

@@ -1,0 +1,323 @@
+// From panels, folds and their laws to an assembly.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "assembly/settle.h"
+#include "base/nth.h"
+#include "folded/path.h"
+#include "folded/refine.h"
+#include "folded/sheet.h"
+
+namespace popup {
+namespace {
+
+using folded::Fold;
+using folded::Paths;
+using folded::SharePoint;
+using folded::Sheet;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kFlatDeg = 180.0;   // the opening at which the sheet is flat
+constexpr double kFoldedRad = 1e-6;  // so near to 0 or half a turn a panel lies flat
+// A fold that goes the other way by less than this is hardly folded, degrees.
+constexpr double kOtherWayDeg = 0.1;
+constexpr std::size_t kToldAtMost = 10;
+// What is folded flat comes as near to it as the square root of what its corners are rounded to: a share of
+// this or more is the whole way, to the digits that were drawn.
+constexpr double kNearlyThere = 0.998;
+// On large sheets corners may be moved by this share of the sheet.
+constexpr double kRefineShare = 1e-3;
+// Corners that move by no more are not told of, mm.
+constexpr double kToldMm = 1e-4;
+
+// How panels hang on one another: breadth first, from the largest of each piece.
+struct Tree {
+    std::vector<int> order;     // panels, each after the one that it hangs on
+    std::vector<int> fold_of;   // by panel: the fold that it hangs on; -1: it stands still
+    std::vector<int> plate_of;  // by panel: its place in `order`
+};
+
+Tree make_tree(const Sheet& sheet) {
+    const std::size_t count = sheet.panels.size();
+    std::vector<std::vector<int>> folds(count);
+    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
+        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
+    }
+    std::vector<int> root(sheet.cuts.size(), -1);
+    std::vector<double> largest(sheet.cuts.size(), 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = area(sheet.outline_of(sheet.panels[i]));
+        const int piece = sheet.panels[i].piece;
+        // Areas that are equal but for rounding: the first counts.
+        if (nth(root, piece) >= 0 && own <= nth(largest, piece) * (1.0 + 1e-9)) continue;
+        nth(root, piece) = static_cast<int>(i);
+        nth(largest, piece) = own;
+    }
+    Tree tree;
+    tree.fold_of.assign(count, -1);
+    tree.plate_of.assign(count, -1);
+    for (const int first : root) {
+        if (first < 0) continue;
+        std::size_t done = tree.order.size();
+        nth(tree.plate_of, first) = static_cast<int>(tree.order.size());
+        tree.order.push_back(first);
+        for (; done < tree.order.size(); ++done) {
+            const int panel = tree.order[done];
+            for (const int number : nth(folds, panel)) {
+                const Fold& fold = nth(sheet.folds, number);
+                const int other = fold.left == panel ? fold.right : fold.left;
+                if (nth(tree.plate_of, other) >= 0) continue;
+                nth(tree.plate_of, other) = static_cast<int>(tree.order.size());
+                nth(tree.fold_of, other) = number;
+                tree.order.push_back(other);
+            }
+        }
+    }
+    return tree;
+}
+
+double degrees(double radians) { return radians * 180.0 / kPi; }
+
+class Lowering {
+ public:
+    Lowering(const CreasePattern& pattern, const Sheet& sheet, const Paths& paths, double to,
+             Diagnostics& diagnostics)
+        : pattern_(pattern),
+          sheet_(sheet),
+          paths_(paths),
+          diagnostics_(diagnostics),
+          tree_(make_tree(sheet)),
+          open_(sheet.folds.size(), 0),
+          reached_(to) {}
+
+    Assembly run() {
+        out_.file = pattern_.file;
+        out_.stem = pattern_.stem;
+        for (const folded::Cluster& cluster : paths_.clusters) {
+            if (cluster.reached >= 1.0) continue;
+            if (cluster.reached < kNearlyThere) tell(cluster);
+            if (cluster.reached > 0.0) {
+                reached_ = std::min(reached_, cluster.reached);
+                continue;
+            }
+            for (const int fold : cluster.folds) nth(open_, fold) = 1;
+        }
+        add_pieces();
+        add_plates();
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) add_fold(static_cast<int>(i));
+        tell_other_ways();
+        out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
+        out_.sweep.to_deg = kFlatDeg;
+        out_.sweep.closed_flat = reached_ == 1.0 && folds_flat();
+        settle_numbers(out_);
+        return std::move(out_);
+    }
+
+ private:
+    void tell(const folded::Cluster& cluster) {
+        if (cluster.worst_loop < 0) return;
+        const folded::Loop& loop = nth(sheet_.loops, cluster.worst_loop);
+        const std::string where =
+            fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
+                        loop.corner ? "the corner" : "the hole", shown_point(pattern_, loop.at));
+        const std::string by = loop.corner ? fmt::format("{:.1f}°", degrees(cluster.residual))
+                                           : fmt::format("{:.2f} mm", cluster.residual * loop.size);
+        const Place place = nth(pattern_.lines, loop.line).place;
+        auto& finding =
+            cluster.reached > 0.0
+                ? diagnostics_.warning("not-rigid", place,
+                                       fmt::format("{} closes only until {:.0f} % of the way; the sheet is "
+                                                   "folded as far as that",
+                                                   where, std::floor(100.0 * cluster.reached)))
+                : diagnostics_.warning(
+                      "not-rigid", place,
+                      fmt::format("{} closes only while nothing is folded: half way it is open by {}; the "
+                                  "panels are shown as if each hung on one fold alone",
+                                  where, by));
+        finding.hint(
+            "its panels would have to bend, or its folds to be folded one after another: add creases, or "
+            "change "
+            "which folds are mountains");
+    }
+
+    void add_pieces() {
+        for (std::size_t i = 0; i < sheet_.cuts.size(); ++i) {
+            Piece piece;
+            piece.name = sheet_.cuts.size() == 1 ? "sheet" : fmt::format("sheet-{}", i + 1);
+            out_.pieces.push_back(std::move(piece));
+            for (const folded::Stretch cut : sheet_.cuts[i])
+                out_.lines.push_back({LineKind::cut, sheet_.segment(cut), static_cast<int>(i), -1, -1});
+        }
+    }
+
+    void add_plates() {
+        std::vector<int> numbers(out_.pieces.size(), 0);
+        for (std::size_t i = 0; i < tree_.order.size(); ++i) {
+            const int panel = tree_.order[i];
+            const folded::Panel& from = nth(sheet_.panels, panel);
+            Plate plate;
+            plate.piece = from.piece;
+            plate.name = fmt::format("{}/{}", nth(out_.pieces, from.piece).name, ++nth(numbers, from.piece));
+            plate.outline = sheet_.outline_of(from);
+            plate.uncut = plate.outline.outer;
+            nth(out_.pieces, from.piece).plates.push_back(static_cast<int>(i));
+            out_.plates.push_back(std::move(plate));
+        }
+        for (std::size_t i = 0; i < tree_.order.size(); ++i) add_joint(static_cast<int>(i));
+    }
+
+    void add_joint(int plate) {
+        const int panel = nth(tree_.order, plate);
+        const int number = nth(tree_.fold_of, panel);
+        Joint joint;
+        joint.name = nth(out_.plates, plate).name;
+        if (number < 0) {
+            joint.how = Still{plate};
+        } else {
+            const Fold& fold = nth(sheet_.folds, number);
+            joint.place = nth(pattern_.lines, fold.line).place;
+            const bool onwards = fold.left == panel;  // its base is on the right
+            Folded how;
+            how.plate = plate;
+            how.base = nth(tree_.plate_of, onwards ? fold.right : fold.left);
+            const Segment line = sheet_.line_of(fold);
+            how.at = line.a;
+            how.dir = unit(onwards ? line.b - line.a : line.a - line.b);
+            how.law = law_of(number);
+            joint.how = std::move(how);
+        }
+        hang_plates(joint, out_.plates);
+        out_.joints.push_back(std::move(joint));
+    }
+
+    // The point of the fold's line next to p, which may be off it where corners could not be refined.
+    [[nodiscard]] Vec2 on_line_of(const Fold& fold, Vec2 p) const {
+        const Segment line = sheet_.line_of(fold);
+        const Vec2 dir = unit(line.b - line.a);
+        return line.a + dot(dir, p - line.a) * dir;
+    }
+
+    void add_closing(int number, int left, int right) {
+        const Fold& fold = nth(sheet_.folds, number);
+        const Segment line = sheet_.line_of(fold);
+        Joint joint;
+        joint.name = fmt::format("{}|{}", nth(out_.plates, left).name, nth(out_.plates, right).name);
+        joint.place = nth(pattern_.lines, fold.line).place;
+        joint.how = LoopFold{left, right, line.a, unit(line.b - line.a), law_of(number)};
+        out_.joints.push_back(std::move(joint));
+    }
+
+    // Over the opening, which falls as the share rises.
+    [[nodiscard]] std::vector<Vec2> law_of(int fold) const {
+        const std::vector<SharePoint>& law = nth(paths_.laws, fold);
+        std::vector<Vec2> result;
+        result.reserve(law.size());
+        for (auto at = law.rbegin(); at != law.rend(); ++at)
+            result.push_back({kFlatDeg * (1.0 - at->share), degrees(at->angle)});
+        return result;
+    }
+
+    // Where the sweep ends, in radians.
+    [[nodiscard]] double final_angle(int fold) const {
+        return fold_angle_deg(law_of(fold), kFlatDeg * (1.0 - reached_)) * kPi / 180.0;
+    }
+
+    void add_fold(int number) {
+        const Fold& fold = nth(sheet_.folds, number);
+        const double angle = final_angle(number);
+        const int left = nth(tree_.plate_of, fold.left);
+        const int right = nth(tree_.plate_of, fold.right);
+        const bool in_tree =
+            nth(tree_.fold_of, fold.left) == number || nth(tree_.fold_of, fold.right) == number;
+        if (!in_tree && nth(open_, number) == 0) add_closing(number, left, right);
+        for (const Segment& stretch : sheet_.stretches_of(fold)) {
+            Line line{angle < 0.0 ? LineKind::mountain : LineKind::valley, stretch,
+                      nth(sheet_.panels, fold.left).piece, left, right};
+            if (std::abs(angle) > kFoldedRad) line.fold_angle = std::min(std::abs(angle), kPi);
+            out_.lines.push_back(line);
+            // What is left open holds nothing together.
+            if (in_tree || nth(open_, number) == 0) {
+                const Segment on_line{on_line_of(fold, stretch.a), on_line_of(fold, stretch.b)};
+                out_.hinges.push_back({left, right, on_line, on_line});
+            }
+        }
+    }
+
+    // Folds that the loops turn the other way than they are drawn.
+    void tell_other_ways() {
+        std::size_t told = 0;
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+            const Fold& fold = sheet_.folds[i];
+            if (fold.target == 0.0) continue;
+            const double deg = degrees(final_angle(static_cast<int>(i)));
+            if (deg * fold.target > -kOtherWayDeg * std::abs(fold.target)) continue;
+            if (++told > kToldAtMost) return;
+            diagnostics_
+                .warning("fold-other-way", nth(pattern_.lines, fold.line).place,
+                         fmt::format("this fold is drawn as a {}, and its loops turn it the other way, by "
+                                     "{:.1f}°, at {}",
+                                     fold.target < 0.0 ? "mountain" : "valley", std::abs(deg),
+                                     shown_point(pattern_, sheet_.line_of(fold).a)))
+                .hint("draw it as the other kind, or look at the folds around its ends");
+        }
+    }
+
+    [[nodiscard]] bool folds_flat() const {
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+            const double angle = std::abs(final_angle(static_cast<int>(i)));
+            if (angle > kFoldedRad && std::abs(angle - kPi) > kFoldedRad) return false;
+        }
+        return true;
+    }
+
+    const CreasePattern& pattern_;
+    const Sheet& sheet_;
+    const Paths& paths_;
+    Diagnostics& diagnostics_;
+    Tree tree_;
+    std::vector<char> open_;  // by fold: its loops do not close
+    double reached_;          // where the sweep ends
+    Assembly out_;
+};
+
+bool is_sound(const Paths& paths) {
+    return paths.reached >= kNearlyThere &&
+           std::none_of(paths.clusters.begin(), paths.clusters.end(),
+                        [](const folded::Cluster& cluster) { return cluster.other_way; });
+}
+
+void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sheet& sheet,
+          Diagnostics& diagnostics) {
+    if (refined.most_mm <= kToldMm) return;
+    diagnostics
+        .remark("corners-refined", {},
+                fmt::format("{} corners were moved so that the folds close, by {:.3f} mm at most, at {}",
+                            refined.moved, refined.most_mm, shown_point(pattern, sheet.at(refined.corner))))
+        .hint("a drawing with more decimals needs none of it");
+}
+
+}  // namespace
+
+std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
+                                   Diagnostics& diagnostics) {
+    std::optional<Sheet> sheet = folded::make_sheet(pattern, options, diagnostics);
+    if (!sheet) return std::nullopt;
+    const bool bent = folded::has_bent_folds(*sheet);
+    Paths paths = folded::find_paths(*sheet, {options.closure_mm});
+    if (bent || !is_sound(paths)) {
+        if (const folded::Refined refined =
+                folded::refine(*sheet, paths, std::max(options.refine_mm, kRefineShare * sheet->size()));
+            refined.closes) {
+            tell(refined, pattern, *sheet, diagnostics);
+            paths = folded::find_paths(*sheet, {options.closure_mm});
+        }
+    }
+    return Lowering(pattern, *sheet, paths, options.to, diagnostics).run();
+}
+
+}  // namespace popup

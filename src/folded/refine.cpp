@@ -1,0 +1,343 @@
+#include "folded/refine.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/nth.h"
+#include "folded/closure.h"
+#include "folded/rigid.h"
+
+namespace popup::folded {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+// Shares at which all loops are closed; the second set is for sheets that fold only a part of the way.
+constexpr std::array kShares{0.1, 0.25, 0.45, 0.7, 0.92, 1.0};
+constexpr std::array kFirstShares{0.04, 0.1, 0.2};
+// A corner that moves by this share of the sheet counts as much as an angle by a radian.
+constexpr double kCornersPerRadian = 0.003;
+constexpr double kRegular = 1e-13;
+constexpr int kMostSteps = 40;
+constexpr double kClosed = 1e-13;
+// Angles come as near to closure as this times their share before corners are moved. Sheets that are rigid
+// but for corners would come nearer by not folding at all, others need it; so several are tried.
+constexpr std::array kNear{0.0, 3e-6, 3e-4, 0.02};
+// So far they go towards the final angles at a time.
+constexpr double kWay = 0.05;
+constexpr double kNearlyClosed = 2e-11;  // where steps do not help any more
+constexpr double kBentMm = 1e-9;
+// A second solution counts where its corners move by less than this share of the first's.
+constexpr double kClearlyLess = 0.7;
+constexpr double kMovedMm = 1e-6;
+// Folds that are left with less of their share were closed by not folding them.
+constexpr double kStays = 0.05;
+
+// A velocity of rigid bodies: turning about the origin, and the origin's own.
+struct Twist {
+    Vec3 turn, shift;
+    friend Twist operator-(const Twist& a, const Twist& b) { return {a.turn - b.turn, a.shift - b.shift}; }
+};
+
+// The twist as a motion carries it.
+Twist carried(const Rigid3& motion, const Twist& twist) {
+    const Vec3 turn = motion.direction(twist.turn);
+    return {turn, motion.direction(twist.shift) + cross(motion.shift, turn)};
+}
+
+class Solver {
+ public:
+    Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near)
+        : sheet_(sheet), paths_(paths), shares_(shares), near_(near) {
+        size_ = sheet.size();
+        std::vector<char> in_loop(sheet.folds.size(), 0);
+        for (const Loop& loop : sheet.loops) {
+            for (const Step& step : loop.steps) nth(in_loop, step.fold) = 1;
+        }
+        unknown_of_.assign(sheet.corners.size(), -1);
+        fold_of_.assign(sheet.folds.size(), -1);
+        for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+            const Fold& fold = sheet.folds[i];
+            if (in_loop[i] != 0) fold_of_[i] = folds_++;
+            if (in_loop[i] == 0 && fold.stretches.size() < 2) continue;
+            for (const Stretch one : fold.stretches) {
+                for (const int end : {one.a, one.b}) {
+                    if (nth(unknown_of_, end) < 0) nth(unknown_of_, end) = corners_++;
+                }
+            }
+        }
+        corner_of_.resize(static_cast<std::size_t>(corners_));
+        for (std::size_t i = 0; i < unknown_of_.size(); ++i) {
+            if (unknown_of_[i] >= 0) nth(corner_of_, unknown_of_[i]) = static_cast<int>(i);
+        }
+        unknowns_ = 2 * corners_ + folds_ * static_cast<int>(shares.size());
+        x_ = Eigen::VectorXd::Zero(unknowns_);
+        begin();
+    }
+
+    bool run() {
+        double here = evaluate();
+        double best = here;
+        int idle = 0;
+        for (int i = 0; i < kMostSteps && here > kClosed; ++i) {
+            if (!step()) return false;
+            here = evaluate();
+            if (!(here < HUGE_VAL)) return false;
+            idle = here < 0.9 * best ? 0 : idle + 1;
+            best = std::min(best, here);
+            if (idle > 5) break;
+        }
+        return here <= kNearlyClosed && all_fold();
+    }
+
+    [[nodiscard]] Vec2 moved_by(int corner) const {
+        const int unknown = nth(unknown_of_, corner);
+        return unknown < 0 ? Vec2{} : Vec2{size_ * x_[2 * unknown], size_ * x_[2 * unknown + 1]};
+    }
+
+ private:
+    // Angles near to closure at all shares, with corners as they are: those of the paths as far as they lead,
+    // and then from share to share straight towards the final angles.
+    void begin() {
+        std::vector<int> folds;
+        std::vector<int> loops(sheet_.loops.size());
+        std::iota(loops.begin(), loops.end(), 0);
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+            if (fold_of_[i] >= 0) folds.push_back(static_cast<int>(i));
+        }
+        Closure closure(sheet_, folds, loops);
+        Eigen::VectorXd target(folds_);
+        for (int i = 0; i < folds_; ++i) target[i] = nth(sheet_.folds, nth(folds, i)).target;
+        std::vector<double> reached_of(sheet_.folds.size(), 0.0);
+        for (const Cluster& cluster : paths_.clusters) {
+            for (const int fold : cluster.folds)
+                nth(reached_of, fold) = cluster.other_way ? 0.0 : cluster.reached;
+        }
+        Eigen::VectorXd here = Eigen::VectorXd::Zero(folds_);
+        double share = 0.0;
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            while (share < shares_[k]) {
+                const double to = std::min(share + kWay, shares_[k]);
+                here += ((to - share) / (1.0 - share)) * (target - here);
+                share = to;
+                for (int i = 0; i < folds_; ++i) {
+                    const std::vector<SharePoint>& law = nth(paths_.laws, nth(folds, i));
+                    const double reached = nth(reached_of, nth(folds, i));
+                    if (share <= reached) here[i] = angle_at(law, share);
+                }
+                closure.approach(here, near_ * share);
+            }
+            x_.segment(angle(k, 0), folds_) = here;
+        }
+    }
+
+    [[nodiscard]] int angle(std::size_t share, int fold) const {
+        return 2 * corners_ + static_cast<int>(share) * folds_ + fold;
+    }
+    [[nodiscard]] Vec2 at(int corner) const { return sheet_.at(corner) + moved_by(corner); }
+    [[nodiscard]] Segment line_of(const Fold& fold) const {
+        return {at(fold.stretches.front().a), at(fold.stretches.back().b)};
+    }
+
+    void enter(int row, int column, double value) {
+        // Corners are scaled, so that they are dear.
+        entries_.emplace_back(row, column, column < 2 * corners_ ? kCornersPerRadian * value : value);
+    }
+    void enter_corner(int row, int corner, Vec2 slope) {
+        const int unknown = nth(unknown_of_, corner);
+        enter(row, 2 * unknown, slope.x);
+        enter(row, 2 * unknown + 1, slope.y);
+    }
+
+    // Residuals and slopes; the largest residual.
+    double evaluate() {
+        entries_.clear();
+        residual_.clear();
+        for (const Fold& fold : sheet_.folds) add_line(fold);
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            for (const Loop& loop : sheet_.loops) add_loop(k, loop);
+        }
+        double largest = 0.0;
+        for (const double r : residual_) largest = std::max(largest, std::abs(r));
+        return largest;
+    }
+
+    // The corners between the first and the last one lie on the line of these.
+    void add_line(const Fold& fold) {
+        if (fold.stretches.size() < 2) return;
+        const Segment line = line_of(fold);
+        const double length = distance(line.a, line.b);
+        const Vec2 dir = (1.0 / length) * (line.b - line.a);
+        const Vec2 n = left_of(dir);
+        const auto add = [&](int corner) {
+            const int row = static_cast<int>(residual_.size());
+            const double t = dot(dir, at(corner) - line.a) / length;
+            residual_.push_back(dot(n, at(corner) - line.a) / size_);
+            enter_corner(row, corner, n);
+            enter_corner(row, fold.stretches.front().a, (t - 1.0) * n);
+            enter_corner(row, fold.stretches.back().b, -t * n);
+        };
+        for (std::size_t i = 0; i + 1 < fold.stretches.size(); ++i) {
+            add(fold.stretches[i].b);
+            if (fold.stretches[i + 1].a != fold.stretches[i].b) add(fold.stretches[i + 1].a);
+        }
+    }
+
+    void add_loop(std::size_t share, const Loop& loop) {
+        const int row = static_cast<int>(residual_.size());
+        const int rows = loop.corner ? 3 : 6;
+        const Vec2 origin = loop.corner ? at(loop.corner_number) : loop.at;
+        Rigid3 motion;
+        for (const Step& one : loop.steps) {
+            const Fold& fold = nth(sheet_.folds, one.fold);
+            const Segment line = line_of(fold);
+            const double length = distance(line.a, line.b);
+            const Vec2 dir = (1.0 / length) * (line.b - line.a);
+            const Vec2 from = (1.0 / loop.size) * (line.a - origin);
+            const Vec3 axis{dir.x, dir.y, 0.0};
+            const Vec3 point = loop.corner ? Vec3{} : Vec3{from.x, from.y, 0.0};
+            const int column = angle(share, nth(fold_of_, one.fold));
+            const Vec3 turned = one.sign * motion.direction(axis);
+            const Rigid3 before = motion;
+            motion = motion.after_turn(point, axis, one.sign * x_[column]);
+            enter_twist(row, rows, column, {turned, cross(before.point(point), turned)}, 1.0);
+            // The line follows its ends across: a turn in the sheet about one while the other moves.
+            const Vec2 n = left_of(dir);
+            const auto follow = [&](int corner, double turn, double across) {
+                const Vec2 still = across * n - turn * left_of(from);  // of the origin
+                Twist twist{{0.0, 0.0, turn}, {still.x, still.y, 0.0}};
+                if (loop.corner) twist.shift = {};
+                const Twist by = carried(before, twist) - carried(motion, twist);
+                const int unknown = nth(unknown_of_, corner);
+                // Unknowns are shares of the sheet, lengths of the loop shares of its size.
+                enter_twist(row, rows, 2 * unknown, by, n.x * size_ / loop.size);
+                enter_twist(row, rows, 2 * unknown + 1, by, n.y * size_ / loop.size);
+            };
+            const double own = length / loop.size;
+            follow(fold.stretches.front().a, -1.0 / own, 1.0);
+            follow(fold.stretches.back().b, 1.0 / own, 0.0);
+        }
+        const Vec3 turn = turn_of(motion);
+        residual_.insert(residual_.end(), {turn.x, turn.y, turn.z});
+        if (!loop.corner) residual_.insert(residual_.end(), {motion.shift.x, motion.shift.y, motion.shift.z});
+    }
+
+    void enter_twist(int row, int rows, int column, const Twist& twist, double by) {
+        const std::array<double, 6> values{twist.turn.x,  twist.turn.y,  twist.turn.z,
+                                           twist.shift.x, twist.shift.y, twist.shift.z};
+        for (int i = 0; i < rows; ++i) enter(row + i, column, by * nth(values, i));
+    }
+
+    bool step() {
+        Matrix slopes(static_cast<Eigen::Index>(residual_.size()), unknowns_);
+        slopes.setFromTriplets(entries_.begin(), entries_.end());
+        const Matrix transposed = slopes.transpose();
+        Matrix normal = slopes * transposed;
+        for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += kRegular;
+        Eigen::SimplicialLDLT<Matrix> solver(normal);
+        if (solver.info() != Eigen::Success) return false;
+        const Eigen::Map<const Eigen::VectorXd> residual(residual_.data(),
+                                                         static_cast<Eigen::Index>(residual_.size()));
+        Eigen::VectorXd by = transposed * solver.solve(-residual);
+        if (!by.allFinite()) return false;
+        by.head(2 * corners_) *= kCornersPerRadian;
+        x_ += by;
+        return true;
+    }
+
+    [[nodiscard]] bool all_fold() const {
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            double largest = 0.0;
+            double wanted = 0.0;
+            for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+                if (fold_of_[i] < 0) continue;
+                largest = std::max(largest, std::abs(x_[angle(k, fold_of_[i])]));
+                wanted = std::max(wanted, std::abs(shares_[k] * sheet_.folds[i].target));
+            }
+            if (largest < kStays * wanted) return false;
+        }
+        return true;
+    }
+
+    const Sheet& sheet_;
+    const Paths& paths_;
+    std::span<const double> shares_;
+    double near_;
+    double size_ = 1.0;
+    std::vector<int> unknown_of_;  // by corner: its number among those that move; -1: it stays
+    std::vector<int> corner_of_;
+    std::vector<int> fold_of_;  // by fold: its number among those in loops
+    int corners_ = 0, folds_ = 0, unknowns_ = 0;
+    Eigen::VectorXd x_;  // moves of corners as shares of the sheet, then the angles at each share
+    std::vector<Eigen::Triplet<double>> entries_;
+    std::vector<double> residual_;
+};
+
+// Whether a panel would have no area left.
+bool turns_panels_over(const Sheet& sheet, const Solver& solver) {
+    return std::any_of(sheet.panels.begin(), sheet.panels.end(), [&](const Panel& panel) {
+        Ring ring;
+        ring.reserve(panel.outer.size());
+        for (const int corner : panel.outer) ring.push_back(sheet.at(corner) + solver.moved_by(corner));
+        return signed_area(ring) <= 0.0;
+    });
+}
+
+}  // namespace
+
+Refined refine(Sheet& sheet, const Paths& paths, double most_mm) {
+    Refined best;
+    std::vector<Vec2> corners;
+    for (const std::span<const double> shares :
+         {std::span<const double>(kShares), std::span<const double>(kFirstShares)}) {
+        for (const double near : kNear) {
+            Solver solver(sheet, paths, shares, near);
+            if (!solver.run()) continue;
+            Refined result;
+            result.closes = true;
+            for (std::size_t i = 0; i < sheet.corners.size(); ++i) {
+                const double by = length(solver.moved_by(static_cast<int>(i)));
+                if (by > kMovedMm) ++result.moved;
+                if (by <= result.most_mm) continue;
+                result.most_mm = by;
+                result.corner = static_cast<int>(i);
+            }
+            if (result.most_mm > most_mm || turns_panels_over(sheet, solver) ||
+                (best.closes && result.most_mm >= kClearlyLess * best.most_mm))
+                continue;
+            best = result;
+            corners = sheet.corners;
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                corners[i] = corners[i] + solver.moved_by(static_cast<int>(i));
+        }
+        if (best.closes) break;
+    }
+    if (!best.closes) return best;
+    sheet.corners = std::move(corners);
+    for (Loop& loop : sheet.loops) {
+        if (loop.corner) loop.at = sheet.at(loop.corner_number);
+    }
+    return best;
+}
+
+bool has_bent_folds(const Sheet& sheet) {
+    for (const Fold& fold : sheet.folds) {
+        const Segment line = sheet.line_of(fold);
+        const Vec2 dir = unit(line.b - line.a);
+        for (const Stretch one : fold.stretches) {
+            for (const int end : {one.a, one.b}) {
+                if (std::abs(cross(dir, sheet.at(end) - line.a)) > kBentMm) return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace popup::folded

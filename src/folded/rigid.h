@@ -1,0 +1,44 @@
+// Rigid motions of space, as loops of folds compose them.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "popup/geometry.h"
+
+namespace popup::folded {
+
+// A rigid motion: x to axes x + shift; axes by columns.
+struct Rigid3 {
+    std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    Vec3 shift;
+
+    [[nodiscard]] Vec3 direction(Vec3 d) const { return d.x * axes[0] + d.y * axes[1] + d.z * axes[2]; }
+    [[nodiscard]] Vec3 point(Vec3 p) const { return shift + direction(p); }
+    // This motion after a turn about a line.
+    [[nodiscard]] Rigid3 after_turn(Vec3 at, Vec3 dir, double angle) const {
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const auto turned = [&](Vec3 v) {
+            return c * v + s * cross(dir, v) + ((1.0 - c) * dot(dir, v)) * dir;
+        };
+        Rigid3 result;
+        result.axes = {direction(turned({1, 0, 0})), direction(turned({0, 1, 0})),
+                       direction(turned({0, 0, 1}))};
+        result.shift = point(at - turned(at));
+        return result;
+    }
+};
+
+// The turn of a motion as axis times angle, exact to the first order in small turns and right up to a half.
+inline Vec3 turn_of(const Rigid3& motion) {
+    const Vec3 twice_sine{motion.axes[1].z - motion.axes[2].y, motion.axes[2].x - motion.axes[0].z,
+                          motion.axes[0].y - motion.axes[1].x};
+    const double trace = motion.axes[0].x + motion.axes[1].y + motion.axes[2].z;
+    const double sine = 0.5 * length(twice_sine);
+    if (sine < 1e-6 && trace > 0.0) return 0.5 * twice_sine;
+    if (sine < 1e-9) return {3.14, 0.0, 0.0};  // about half a turn: far from closed, the axis does not matter
+    return (std::atan2(sine, 0.5 * (trace - 1.0)) / (2.0 * sine)) * twice_sine;
+}
+
+}  // namespace popup::folded

@@ -1,0 +1,464 @@
+#include "folded/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "base/geometry/mend_ends.h"
+#include "base/nth.h"
+#include "base/sets.h"
+#include "base/text/numbers.h"
+#include "folded/loops.h"
+
+namespace popup {
+
+std::string shown_point(const CreasePattern& pattern, Vec2 at) {
+    const Vec2 off = pattern.per_mm * (at - pattern.origin);
+    // Never "-0.00".
+    const auto rounded_to = [](double value) { return rounded(value, 2) + 0.0; };
+    return fmt::format("({:.2f}, {:.2f}){}{}", rounded_to(off.x), rounded_to(pattern.y_down ? -off.y : off.y),
+                       pattern.unit.empty() ? "" : " ", pattern.unit);
+}
+
+}  // namespace popup
+
+namespace popup::folded {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+// A corner at which an outline turns by less is none.
+constexpr double kInLineRad = 1e-9;
+constexpr double kSliverMm2 = 1e-3;
+// Of one kind so many findings are told.
+constexpr std::size_t kToldAtMost = 10;
+
+unsigned ink_of(CreaseUse use) {
+    switch (use) {
+        case CreaseUse::cut:
+            return kCut;
+        case CreaseUse::mountain:
+            return kMountain;
+        case CreaseUse::valley:
+            return kValley;
+        case CreaseUse::fold:
+        case CreaseUse::flat:
+            return kFold;
+    }
+    return kFold;
+}
+
+bool is_cut(const GraphEdge& edge) { return (edge.ink & kCut) != 0; }
+
+class Maker {
+ public:
+    Maker(const CreasePattern& pattern, const FoldOptions& options, Diagnostics& diagnostics)
+        : pattern_(pattern), options_(options), diagnostics_(diagnostics) {}
+
+    std::optional<Sheet> run() {
+        for (std::size_t i = 0; i < pattern_.lines.size(); ++i) {
+            const CreaseLine& line = pattern_.lines[i];
+            // What is never folded is no line of the sheet.
+            if (line.use == CreaseUse::flat) continue;
+            lines_.push_back({line.points, line.closed, ink_of(line.use), static_cast<int>(i)});
+        }
+        if (!mend() || !take_out_dangling()) return std::nullopt;
+        find_paper();
+        if (panels_ == 0) {
+            diagnostics_.error("no-sheet", {}, "no line of the pattern encloses paper")
+                .hint("draw the border of the sheet as a closed line");
+            return std::nullopt;
+        }
+        out_.corners = graph_.corners;
+        one_line_mm_ = std::max(kSilentMm, kOneLine * out_.size());
+        make_panels();
+        make_folds();
+        make_cuts();
+        out_.loops = find_loops(graph_, halves_, out_.folds, out_.panels);
+        fold_free();
+        return std::move(out_);
+    }
+
+ private:
+    [[nodiscard]] Place place_of(int line) const { return nth(pattern_.lines, line).place; }
+    [[nodiscard]] std::string shown(Vec2 at) const { return shown_point(pattern_, at); }
+
+    bool too_many() {
+        diagnostics_.error("document-too-large", {},
+                           "the lines of the pattern cross one another too often to be looked at");
+        return false;
+    }
+
+    bool mend() {
+        std::vector<MovedEnd> moved;
+        std::optional<SheetGraph> graph = mend_ends(lines_, {options_.snap_mm, options_.merge_mm}, moved);
+        if (!graph) return too_many();
+        for (const MovedEnd& end : moved) {
+            const double size = distance(end.from, end.to);
+            if (size <= kSilentMm) continue;
+            const SheetLine& line = nth(lines_, end.line);
+            diagnostics_
+                .warning("end-moved", place_of(line.element),
+                         fmt::format(
+                             "the end of this {} misses what it meets by {:.2f} mm at {}; it was moved there",
+                             (line.ink & kAnyFold) != 0 ? "fold" : "cut", size, shown(end.to)))
+                .hint("let ends snap to the lines that they meet in the drawing program")
+                .changed(shown(end.from), shown(end.to));
+        }
+        graph_ = std::move(*graph);
+        return true;
+    }
+
+    // Folds that have one panel on both sides fold nothing. Taking them out may leave others like them.
+    bool take_out_dangling() {
+        while (true) {
+            std::map<int, Vec2> dangling;  // line of the pattern: where
+            std::vector<SheetLine> kept;
+            bool any = false;
+            for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+                const GraphEdge& edge = graph_.edges[i];
+                const int half = static_cast<int>(2 * i);
+                if (is_cut(edge) || graph_.face_of(half) != graph_.face_of(half + 1)) {
+                    const Segment at = graph_.segment(half);
+                    kept.push_back({{at.a, at.b}, false, edge.ink, edge.element});
+                    continue;
+                }
+                any = true;
+                if (graph_.face_of(half) != 0) dangling.try_emplace(edge.element, graph_.at(edge.a));
+            }
+            if (!any) return true;
+            std::size_t told = 0;
+            for (const auto& [line, at] : dangling) {
+                if (++told > kToldAtMost) break;
+                diagnostics_
+                    .warning("dangling-fold", place_of(line),
+                             "this fold ends in the middle of a panel, at " + shown(at) +
+                                 "; that stretch was left out")
+                    .hint("draw it on to a cut or another fold, or take it out");
+            }
+            lines_ = std::move(kept);
+            std::optional<SheetGraph> graph = make_graph(lines_, options_.merge_mm);
+            if (!graph) return too_many();
+            graph_ = std::move(*graph);
+        }
+    }
+
+    // Faces that folds hold together are all paper or none. What lies at the outside is paper; what lies at
+    // paper, but not at the outside, is a hole, if it has no fold.
+    void find_paper() {
+        const auto faces = static_cast<std::size_t>(graph_.faces());
+        Sets parts(faces);
+        std::vector<char> folded(faces, 0);
+        std::map<int, Vec2> open;  // folds at the outside
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const GraphEdge& edge = graph_.edges[i];
+            if (is_cut(edge)) continue;
+            const int left = graph_.face_of(static_cast<int>(2 * i));
+            const int right = graph_.face_of(static_cast<int>(2 * i + 1));
+            if (left == 0 || right == 0) {
+                open.try_emplace(edge.element, graph_.at(edge.a));
+                continue;
+            }
+            if (is_sliver(left) || is_sliver(right)) continue;
+            parts.unite(left, right);
+            nth(folded, left) = nth(folded, right) = 1;
+        }
+        if (!open.empty()) {
+            const auto& [line, at] = *open.begin();
+            diagnostics_
+                .warning("no-border", place_of(line),
+                         fmt::format("the sheet has no border here: {} of its folds {} at the outside, the "
+                                     "first at {}; they were taken for cuts",
+                                     open.size(), open.size() == 1 ? "lies" : "lie", shown(at)))
+                .hint("draw the border of the sheet as cuts");
+        }
+        // How many cuts lie between a part and the outside.
+        std::vector<int> level(faces, -1);
+        std::vector<std::vector<int>> beside(faces);
+        const auto part = [&](int face) { return face == 0 ? 0 : parts.find(face); };
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const int a = part(graph_.face_of(static_cast<int>(2 * i)));
+            const int b = part(graph_.face_of(static_cast<int>(2 * i + 1)));
+            if (a == b) continue;
+            nth(beside, a).push_back(b);
+            nth(beside, b).push_back(a);
+        }
+        std::vector<char> any_fold(faces, 0);
+        for (int face = 1; face < graph_.faces(); ++face) {
+            if (nth(folded, face) != 0) nth(any_fold, part(face)) = 1;
+        }
+        std::vector<int> order{0};
+        level[0] = 0;
+        for (std::size_t done = 0; done < order.size(); ++done) {
+            for (const int other : nth(beside, order[done])) {
+                if (nth(level, other) >= 0) continue;
+                nth(level, other) = nth(level, order[done]) + 1;
+                order.push_back(other);
+            }
+        }
+        halves_.panel_of.assign(faces, -1);
+        piece_of_.assign(faces, -1);
+        std::map<int, int> piece_of_part;
+        for (int face = 1; face < graph_.faces(); ++face) {
+            const int of = part(face);
+            if (nth(level, of) != 1 || is_sliver(face)) {
+                if (nth(level, of) != 1 && nth(any_fold, of) != 0 && of == face) tell_falling(face);
+                continue;
+            }
+            nth(halves_.panel_of, face) = panels_++;
+            const auto [at, fresh] = piece_of_part.try_emplace(of, static_cast<int>(piece_of_part.size()));
+            nth(piece_of_, face) = at->second;
+        }
+        pieces_ = static_cast<int>(piece_of_part.size());
+    }
+
+    // Where lines nearly lie on each other there is paper between them, and no panel.
+    [[nodiscard]] bool is_sliver(int face) const {
+        double twice = 0.0;
+        const Vec2 origin = graph_.at(graph_.from(graph_.halves_of(face).front()));
+        for (const int half : graph_.halves_of(face)) {
+            const Segment at = graph_.segment(half);
+            twice += cross(at.a - origin, at.b - origin);
+        }
+        return twice <= 2.0 * kSliverMm2;
+    }
+
+    void tell_falling(int face) {
+        const int half = graph_.halves_of(face).front();
+        diagnostics_
+            .warning("falls-out", place_of(graph_.edge(half).element),
+                     "this part lies in a hole of another and falls out with it, at " +
+                         shown(graph_.at(graph_.from(half))) + "; it is not folded")
+            .hint("join it to the paper around it with a fold, or take its folds out");
+    }
+
+    // The rings of a face, without what is gone along there and back.
+    void make_panels() {
+        out_.panels.resize(static_cast<std::size_t>(panels_));
+        for (int face = 1; face < graph_.faces(); ++face) {
+            const int number = nth(halves_.panel_of, face);
+            if (number < 0) continue;
+            Panel& panel = nth(out_.panels, number);
+            panel.piece = nth(piece_of_, face);
+            std::vector<char> done(graph_.halves_of(face).size(), 0);
+            std::map<int, std::size_t> index;
+            for (std::size_t i = 0; i < done.size(); ++i) index[graph_.halves_of(face)[i]] = i;
+            for (std::size_t i = 0; i < done.size(); ++i) {
+                if (done[i] != 0) continue;
+                std::vector<int> ring;
+                for (int half = graph_.halves_of(face)[i]; done[index.at(half)] == 0;
+                     half = graph_.next(half)) {
+                    done[index.at(half)] = 1;
+                    ring.push_back(half);
+                }
+                add_rings(ring, panel);
+            }
+        }
+    }
+
+    // Splits a walk at corners that it comes back to.
+    void add_rings(const std::vector<int>& walk, Panel& panel) {
+        std::vector<int> open;  // corners
+        std::map<int, std::size_t> at;
+        const auto close = [&](std::size_t begin) {
+            std::vector<int> corners(open.begin() + static_cast<std::ptrdiff_t>(begin), open.end());
+            for (const int corner : corners) at.erase(corner);
+            open.resize(begin);
+            Ring ring;
+            ring.reserve(corners.size());
+            for (const int corner : corners) ring.push_back(graph_.at(corner));
+            if (signed_area(ring) > 0.0) {
+                panel.outer = std::move(corners);
+            } else if (signed_area(ring) < 0.0) {
+                panel.holes.push_back(std::move(corners));
+            }
+        };
+        for (const int half : walk) {
+            const int corner = graph_.from(half);
+            const auto known = at.find(corner);
+            if (known != at.end()) close(known->second);
+            at[corner] = open.size();
+            open.push_back(corner);
+        }
+        close(0);
+    }
+
+    void make_folds() {
+        halves_.fold.assign(graph_.edges.size(), -1);
+        // By the panels on both sides: folds, of which those on one line are one.
+        std::map<std::pair<int, int>, std::vector<int>> between;
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const GraphEdge& edge = graph_.edges[i];
+            if (is_cut(edge)) continue;
+            int half = static_cast<int>(2 * i);
+            int left = nth(halves_.panel_of, graph_.face_of(half));
+            int right = nth(halves_.panel_of, graph_.face_of(half + 1));
+            if (left < 0 || right < 0) continue;
+            if (left > right) {
+                std::swap(left, right);
+                ++half;
+            }
+            const Stretch stretch{graph_.from(half), graph_.to(half)};
+            std::vector<int>& known = between[{left, right}];
+            const auto same = std::find_if(known.begin(), known.end(), [&](int number) {
+                return in_line(nth(out_.folds, number).stretches.front(), stretch);
+            });
+            if (same != known.end()) {
+                halves_.fold[i] = *same;
+                Fold& fold = nth(out_.folds, *same);
+                fold.stretches.push_back(stretch);
+                fold.ink |= edge.ink;
+                continue;
+            }
+            halves_.fold[i] = static_cast<int>(out_.folds.size());
+            known.push_back(halves_.fold[i]);
+            Fold fold;
+            fold.left = left;
+            fold.right = right;
+            fold.stretches = {stretch};
+            fold.ink = edge.ink;
+            fold.line = edge.element;
+            out_.folds.push_back(std::move(fold));
+        }
+        for (Fold& fold : out_.folds) finish(fold);
+    }
+
+    // Whether two stretches lie on one line, in one direction: the ends of the shorter one on the line of the
+    // longer.
+    [[nodiscard]] bool in_line(Stretch one, Stretch other) const {
+        Segment s{graph_.at(one.a), graph_.at(one.b)};
+        Segment t{graph_.at(other.a), graph_.at(other.b)};
+        if (distance(s.a, s.b) < distance(t.a, t.b)) std::swap(s, t);
+        const Vec2 dir = unit(s.b - s.a);
+        return dot(dir, t.b - t.a) > 0.0 && std::abs(cross(dir, t.a - s.a)) <= one_line_mm_ &&
+               std::abs(cross(dir, t.b - s.a)) <= one_line_mm_;
+    }
+
+    // Puts its stretches in their order, and says how far it is folded.
+    void finish(Fold& fold) {
+        const Vec2 at = graph_.at(fold.stretches.front().a);
+        const Vec2 dir = graph_.at(fold.stretches.front().b) - at;
+        const auto along = [&](int corner) { return dot(dir, graph_.at(corner) - at); };
+        std::sort(fold.stretches.begin(), fold.stretches.end(),
+                  [&](Stretch s, Stretch t) { return along(s.a) < along(t.a); });
+        const bool both = (fold.ink & kMountain) != 0 && (fold.ink & kValley) != 0;
+        if (both) {
+            diagnostics_
+                .warning("fold-drawn-twice", place_of(fold.line),
+                         "this fold is drawn as a mountain and as a valley, at " +
+                             shown(graph_.at(fold.stretches.front().a)) + "; it goes as the others make it")
+                .hint("take one of its lines out");
+            return;
+        }
+        const unsigned way = fold.ink & (kMountain | kValley);
+        if (way == 0) return;
+        fold.target = angle_of(fold, way == kMountain ? CreaseUse::mountain : CreaseUse::valley);
+    }
+
+    // What no loop turns, and does not say which way it goes, goes to the front, as walls of a box do.
+    void fold_free() {
+        std::vector<char> in_loop(out_.folds.size(), 0);
+        for (const Loop& loop : out_.loops) {
+            for (const Step& step : loop.steps) nth(in_loop, step.fold) = 1;
+        }
+        for (std::size_t i = 0; i < in_loop.size(); ++i) {
+            Fold& fold = out_.folds[i];
+            if (in_loop[i] == 0 && (fold.ink & (kMountain | kValley)) == 0)
+                fold.target = angle_of(fold, CreaseUse::valley);
+        }
+    }
+
+    // How far it is folded in the end, radians, as a mountain or a valley.
+    [[nodiscard]] double angle_of(const Fold& fold, CreaseUse use) const {
+        const CreaseLine& line = nth(pattern_.lines, fold.line);
+        double deg = line.fold_deg.value_or(pattern_.fold_deg);
+        const std::string_view kind = kCreaseUseNames.at(static_cast<std::size_t>(use));
+        for (const FoldOptions::NamedAngle& one : options_.fold_angles) {
+            if (one.name.empty() || one.name == line.name || one.name == kind) deg = one.angle.deg;
+        }
+        return (use == CreaseUse::mountain ? -deg : deg) * kDegree;
+    }
+
+    void make_cuts() {
+        out_.cuts.resize(static_cast<std::size_t>(pieces_));
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const int half = static_cast<int>(2 * i);
+            if (halves_.fold[i] >= 0) continue;
+            const int left = nth(piece_of_, graph_.face_of(half));
+            const int right = nth(piece_of_, graph_.face_of(half + 1));
+            if (left >= 0) nth(out_.cuts, left).push_back({graph_.from(half), graph_.to(half)});
+            if (right >= 0 && right != left)
+                nth(out_.cuts, right).push_back({graph_.from(half), graph_.to(half)});
+        }
+    }
+
+    const CreasePattern& pattern_;
+    const FoldOptions& options_;
+    Diagnostics& diagnostics_;
+    std::vector<SheetLine> lines_;
+    SheetGraph graph_;
+    HalfFolds halves_;
+    std::vector<int> piece_of_;  // by face
+    double one_line_mm_ = kSilentMm;
+    int panels_ = 0, pieces_ = 0;
+    Sheet out_;
+};
+
+// Corners at which nothing turns say nothing of the outline.
+Ring straightened(const Ring& ring) {
+    Ring kept;
+    const std::size_t count = ring.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 in = ring[i] - ring[(i + count - 1) % count];
+        const Vec2 out = ring[(i + 1) % count] - ring[i];
+        if (std::abs(cross(in, out)) > kInLineRad * length(in) * length(out) || dot(in, out) < 0.0)
+            kept.push_back(ring[i]);
+    }
+    return kept.size() >= 3 ? kept : ring;
+}
+
+}  // namespace
+
+double Sheet::size() const {
+    Box box;
+    for (const Vec2 p : corners) box.extend(p);
+    return std::max({box.width(), box.height(), kSilentMm});
+}
+
+std::vector<Segment> Sheet::stretches_of(const Fold& fold) const {
+    std::vector<Segment> joined;
+    int end = -1;
+    for (const Stretch one : fold.stretches) {
+        if (one.a == end) {
+            joined.back().b = at(one.b);
+        } else {
+            joined.push_back(segment(one));
+        }
+        end = one.b;
+    }
+    return joined;
+}
+
+Polygon Sheet::outline_of(const Panel& panel) const {
+    const auto ring_of = [this](const std::vector<int>& numbers) {
+        Ring ring;
+        ring.reserve(numbers.size());
+        for (const int corner : numbers) ring.push_back(at(corner));
+        return straightened(ring);
+    };
+    Polygon outline{ring_of(panel.outer), {}};
+    for (const std::vector<int>& hole : panel.holes) outline.holes.push_back(ring_of(hole));
+    return outline;
+}
+
+std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions& options,
+                                Diagnostics& diagnostics) {
+    return Maker(pattern, options, diagnostics).run();
+}
+
+}  // namespace popup::folded

@@ -1,0 +1,297 @@
+// Sheets whose motion is known from formulas, and what is found in patterns that are not clean.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "miura.h"
+#include "popup/crease_pattern.h"
+#include "popup/motion.h"
+#include "support/designs.h"
+
+namespace popup {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Ring rectangle(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+CreasePattern sheet(std::vector<CreaseLine> lines) {
+    CreasePattern pattern;
+    pattern.lines = std::move(lines);
+    return pattern;
+}
+
+Assembly folded(const CreasePattern& pattern, Diagnostics& diagnostics, const FoldOptions& options = {}) {
+    auto assembly = fold_sheet(pattern, options, diagnostics);
+    EXPECT_TRUE(assembly) << test::findings(diagnostics);
+    return assembly ? std::move(*assembly) : Assembly{};
+}
+
+Assembly folded(const CreasePattern& pattern, const FoldOptions& options = {}) {
+    Diagnostics diagnostics("sheet");
+    Assembly assembly = folded(pattern, diagnostics, options);
+    EXPECT_EQ(test::findings(diagnostics), "");
+    return assembly;
+}
+
+std::vector<Frame> frames_at(const Assembly& assembly, double deg) {
+    std::vector<Frame> frames(assembly.plates.size());
+    EXPECT_TRUE(place(assembly, Angle::degrees(deg), frames));
+    return frames;
+}
+
+// The largest distance between the places that plates give one corner of the sheet: whatever is said of
+// hinges and loops, paper that is not cut hangs together there.
+double torn(const Assembly& assembly, double deg) {
+    const std::vector<Frame> frames = frames_at(assembly, deg);
+    double largest = 0.0;
+    for (const Line& line : assembly.lines) {
+        if (line.kind == LineKind::cut) continue;
+        const Frame& a = frames[static_cast<std::size_t>(line.plate)];
+        const Frame& b = frames[static_cast<std::size_t>(line.other_plate)];
+        for (const Vec2 p : {line.at.a, line.at.b})
+            largest = std::max(largest, distance(a.point(p), b.point(p)));
+    }
+    return largest;
+}
+
+// How far a fold is bent, degrees; positive when its plates come nearer to each other in front of the paper.
+double bend(const Assembly& assembly, const std::vector<Frame>& frames, const Line& line) {
+    const Frame& left = frames[static_cast<std::size_t>(line.plate)];
+    const Frame& right = frames[static_cast<std::size_t>(line.other_plate)];
+    const Vec3 along = left.direction(unit(line.at.b - line.at.a));
+    EXPECT_GE(line.piece, 0);
+    EXPECT_LT(line.piece, static_cast<int>(assembly.pieces.size()));
+    return std::atan2(dot(along, cross(right.normal(), left.normal())), dot(left.normal(), right.normal())) *
+           180.0 / kPi;
+}
+
+TEST(FoldSheet, FoldsOneCreaseByItsShare) {
+    const Assembly card = folded(sheet({{rectangle(0, 0, 200, 100), true, CreaseUse::cut},
+                                        {{{100, 0}, {100, 100}}, false, CreaseUse::valley, 120.0}}));
+    ASSERT_EQ(card.plates.size(), 2U);
+    const Line& crease = card.lines.back();
+    EXPECT_EQ(crease.kind, LineKind::valley);
+    EXPECT_NEAR(*crease.fold_angle, 120.0 * kPi / 180.0, 1e-12);
+    for (const double deg : {180.0, 135.0, 90.0, 10.0, 0.0})
+        EXPECT_NEAR(bend(card, frames_at(card, deg), crease), 120.0 * (1.0 - deg / 180.0), 1e-9);
+    EXPECT_FALSE(card.sweep.closed_flat);
+}
+
+TEST(FoldSheet, FoldsACubeWhoseFacesMeet) {
+    // A cross of six squares.
+    std::vector<CreaseLine> lines;
+    lines.push_back({{{0, 0},
+                      {10, 0},
+                      {10, -10},
+                      {20, -10},
+                      {20, 0},
+                      {40, 0},
+                      {40, 10},
+                      {20, 10},
+                      {20, 20},
+                      {10, 20},
+                      {10, 10},
+                      {0, 10}},
+                     true,
+                     CreaseUse::cut});
+    for (const Segment& s :
+         {Segment{{10, 0}, {10, 10}}, Segment{{20, 0}, {20, 10}}, Segment{{30, 0}, {30, 10}},
+          Segment{{10, 0}, {20, 0}}, Segment{{10, 10}, {20, 10}}})
+        lines.push_back({{s.a, s.b}, false, CreaseUse::mountain});
+    const Assembly cube = folded(sheet(lines));
+    ASSERT_EQ(cube.plates.size(), 6U);
+    const std::vector<Frame> half = frames_at(cube, 90.0);
+    for (const Line& line : cube.lines) {
+        if (line.kind != LineKind::cut) {
+            EXPECT_NEAR(bend(cube, half, line), -45.0, 1e-9);
+        }
+    }
+    // Folded, its 24 corners are eight points.
+    const std::vector<Frame> whole = frames_at(cube, 0.0);
+    std::map<std::array<long, 3>, int> corners;
+    for (std::size_t i = 0; i < cube.plates.size(); ++i) {
+        for (const Vec2 p : cube.plates[i].outline.outer) {
+            const Vec3 at = whole[i].point(p);
+            ++corners[{std::lround(at.x * 1e6), std::lround(at.y * 1e6), std::lround(at.z * 1e6)}];
+        }
+    }
+    EXPECT_EQ(corners.size(), 8U);
+    for (const auto& [at, count] : corners) EXPECT_EQ(count, 3);
+}
+
+// A Miura sheet has one motion: all angles follow from one of them. With the lean γ of its sides, half of the
+// turn about a side and about a crossing line are related by tan(across / 2) = sin γ tan(side / 2), as
+// spherical trigonometry has it of a corner that folds flat.
+TEST(FoldSheet, FoldsAMiuraSheetAsItsFormulaSays) {
+    constexpr double kLean = 0.35;
+    const Assembly sheet = folded(test::miura(6, 6, 12.0, 15.0, kLean));
+    ASSERT_EQ(sheet.plates.size(), 36U);
+    EXPECT_TRUE(sheet.sweep.closed_flat);
+    for (int deg = 0; deg <= 180; deg += 5) EXPECT_LT(torn(sheet, deg), 1e-9 * 90.0) << deg;
+    for (const double deg : {175.0, 120.0, 60.0, 20.0}) {
+        const std::vector<Frame> frames = frames_at(sheet, deg);
+        double side = 0.0;
+        double across = 0.0;
+        for (const Line& line : sheet.lines) {
+            if (line.kind == LineKind::cut) continue;
+            const double half = std::abs(bend(sheet, frames, line)) * kPi / 360.0;
+            const bool is_across = std::abs(line.at.b.y - line.at.a.y) < 1e-6;
+            double& known = is_across ? across : side;
+            if (known == 0.0) known = half;
+            EXPECT_NEAR(half, known, 1e-9) << deg;
+            EXPECT_EQ(bend(sheet, frames, line) > 0.0, line.kind == LineKind::valley);
+        }
+        const double factor = std::tan(across) / std::tan(side);
+        EXPECT_NEAR(std::min(factor, 1.0 / factor), std::sin(kLean), 1e-9) << deg;
+    }
+}
+
+// Two boxes on the fold of a card whose corners are off by up to a hundredth of a millimetre: their folds are
+// not parallel, so the sheet is rigid, strictly.
+TEST(FoldSheet, RefinesCornersThatADrawingRounded) {
+    std::vector<CreaseLine> lines{{rectangle(0, 0, 150, 160), true, CreaseUse::cut},
+                                  {{{0, 80}, {30, 80}}, false, CreaseUse::valley, 180.0},
+                                  {{{70, 80}, {80, 80}}, false, CreaseUse::valley, 180.0},
+                                  {{{120, 80}, {150, 80}}, false, CreaseUse::valley, 180.0}};
+    for (const double x : {30.0, 80.0}) {
+        const double high = 15.0 + 0.2 * x;
+        for (const double side : {x, x + 40.0})
+            lines.push_back({{{side, 80 - high}, {side, 80 + high}}, false, CreaseUse::cut});
+        for (const double y : {80 - high, 80 + high})
+            lines.push_back({{{x, y}, {x + 40.0, y}}, false, CreaseUse::valley, 180.0});
+        lines.push_back({{{x, 80}, {x + 40.0, 80}}, false, CreaseUse::mountain, 180.0});
+    }
+    CreasePattern rounded = sheet(std::move(lines));
+    for (CreaseLine& line : rounded.lines) {
+        for (Vec2& p : line.points) {
+            // As much for all lines that meet in it.
+            const double by = 0.01 * std::sin(7.0 * std::round(p.x) + 3.0 * std::round(p.y));
+            p = p + Vec2{by, -0.7 * by};
+        }
+    }
+    Diagnostics diagnostics("rounded");
+    const Assembly card = folded(rounded, diagnostics);
+    EXPECT_NE(test::findings(diagnostics).find("corners-refined"), std::string::npos)
+        << test::findings(diagnostics);
+    EXPECT_EQ(card.sweep.from_deg, 0.0);
+    for (int deg = 0; deg <= 180; deg += 5) EXPECT_LT(torn(card, deg), 1e-9 * 160.0) << deg;
+    // No corner is far from where it was drawn.
+    for (const Plate& plate : card.plates) {
+        for (const Vec2 p : plate.outline.outer) {
+            double nearest = 1e9;
+            for (const CreaseLine& line : rounded.lines) {
+                for (const Vec2 q : line.points) nearest = std::min(nearest, distance(p, q));
+            }
+            EXPECT_LT(nearest, 0.05);
+        }
+    }
+}
+
+TEST(FoldSheet, SaysWhichLoopIsRigid) {
+    // Three folds meet in an inner corner: no angles but nought close them.
+    Diagnostics diagnostics("rigid");
+    const Assembly sheet_ = folded(sheet({{rectangle(-50, -50, 50, 50), true, CreaseUse::cut},
+                                          {{{0, 0}, {50, 0}}, false, CreaseUse::valley},
+                                          {{{0, 0}, {-50, 30}}, false, CreaseUse::valley},
+                                          {{{0, 0}, {-50, -30}}, false, CreaseUse::mountain}}),
+                                   diagnostics);
+    const std::string told = test::findings(diagnostics);
+    EXPECT_NE(told.find("not-rigid"), std::string::npos) << told;
+    EXPECT_NE(told.find("the corner at (0.00, 0.00) mm"), std::string::npos) << told;
+    EXPECT_EQ(sheet_.plates.size(), 3U);
+}
+
+TEST(FoldSheet, CutsHolesAndSlits) {
+    // A box on the fold of a card, whose sides are slits: its loops go around the two of them.
+    const Assembly card = folded(sheet({{rectangle(0, 0, 100, 160), true, CreaseUse::cut},
+                                        {{{0, 80}, {30, 80}}, false, CreaseUse::valley, 180.0},
+                                        {{{70, 80}, {100, 80}}, false, CreaseUse::valley, 180.0},
+                                        {{{30, 60}, {30, 100}}, false, CreaseUse::cut},
+                                        {{{70, 60}, {70, 100}}, false, CreaseUse::cut},
+                                        {{{30, 60}, {70, 60}}, false, CreaseUse::valley, 180.0},
+                                        {{{30, 100}, {70, 100}}, false, CreaseUse::valley, 180.0},
+                                        {{{30, 80}, {70, 80}}, false, CreaseUse::mountain, 180.0},
+                                        {rectangle(40, 110, 60, 140), true, CreaseUse::cut}}));
+    ASSERT_EQ(card.plates.size(), 4U);
+    for (int deg = 0; deg <= 180; deg += 5) {
+        EXPECT_LT(torn(card, deg), 1e-9) << deg;
+        const std::vector<Frame> frames = frames_at(card, deg);
+        for (const Line& line : card.lines) {
+            // It is a parallelogram: all four folds turn alike.
+            if (line.kind != LineKind::cut) {
+                EXPECT_NEAR(std::abs(bend(card, frames, line)), 180.0 - deg, 1e-8);
+            }
+        }
+    }
+    double paper = 0.0;
+    for (const Plate& plate : card.plates) paper += area(plate.outline);
+    EXPECT_NEAR(paper, 100.0 * 160.0 - 20.0 * 30.0, 1e-6);
+    EXPECT_TRUE(card.sweep.closed_flat);
+}
+
+TEST(FoldSheet, MendsWhatIsNotClean) {
+    const auto told = [](std::vector<CreaseLine> lines) {
+        Diagnostics diagnostics("untidy");
+        fold_sheet(sheet(std::move(lines)), {}, diagnostics);
+        return test::findings(diagnostics);
+    };
+    const CreaseLine border{rectangle(0, 0, 100, 60), true, CreaseUse::cut};
+    // An end that stops short of the border by 0.3 mm.
+    const std::string moved = told({border, {{{50, 0}, {50, 59.7}}, false, CreaseUse::valley}});
+    EXPECT_NE(moved.find("end-moved"), std::string::npos) << moved;
+    const std::string dangling = told({border, {{{50, 0}, {50, 40}}, false, CreaseUse::valley}});
+    EXPECT_NE(dangling.find("dangling-fold"), std::string::npos) << dangling;
+    const std::string twice = told({border,
+                                    {{{50, 0}, {50, 60}}, false, CreaseUse::valley},
+                                    {{{50, 0}, {50, 60}}, false, CreaseUse::mountain}});
+    EXPECT_NE(twice.find("fold-drawn-twice"), std::string::npos) << twice;
+    const std::string open = told({{{{0, 0}, {100, 0}, {100, 60}}, false, CreaseUse::cut},
+                                   {{{100, 60}, {0, 60}}, false, CreaseUse::cut},
+                                   {{{0, 60}, {0, 0}}, false, CreaseUse::valley},
+                                   {{{50, 0}, {50, 60}}, false, CreaseUse::valley}});
+    EXPECT_NE(open.find("no-border"), std::string::npos) << open;
+    const std::string falling = told({border,
+                                      {rectangle(20, 20, 60, 40), true, CreaseUse::cut},
+                                      {{{40, 20}, {40, 40}}, false, CreaseUse::valley}});
+    EXPECT_NE(falling.find("falls-out"), std::string::npos) << falling;
+    const std::string nothing = told({{{{0, 0}, {100, 0}}, false, CreaseUse::valley}});
+    EXPECT_NE(nothing.find("no-sheet"), std::string::npos) << nothing;
+}
+
+TEST(FoldSheet, TakesAnglesFromOptions) {
+    CreasePattern pattern = sheet({{rectangle(0, 0, 90, 50), true, CreaseUse::cut},
+                                   {{{30, 0}, {30, 50}}, false, CreaseUse::valley, 120.0, {}, "#0000ff"},
+                                   {{{60, 0}, {60, 50}}, false, CreaseUse::mountain, {}, {}, "#ff0000"}});
+    const auto angles = [&](FoldOptions options) {
+        const Assembly assembly = folded(pattern, options);
+        const std::vector<Frame> frames = frames_at(assembly, assembly.sweep.from_deg);
+        std::vector<double> found;
+        for (const Line& line : assembly.lines) {
+            if (line.kind != LineKind::cut) found.push_back(bend(assembly, frames, line));
+        }
+        return found;
+    };
+    const auto expect = [](const std::vector<double>& found, double valley, double mountain) {
+        ASSERT_EQ(found.size(), 2U);
+        EXPECT_NEAR(found[0], valley, 1e-9);
+        EXPECT_NEAR(found[1], mountain, 1e-9);
+    };
+    FoldOptions options;
+    expect(angles(options), 120.0, -90.0);
+    options.fold_angles = {{"", Angle::degrees(60.0)}, {"#ff0000", Angle::degrees(30.0)}};
+    expect(angles(options), 60.0, -30.0);
+    options.fold_angles = {{"valley", Angle::degrees(20.0)}};
+    options.to = 0.5;
+    expect(angles(options), 10.0, -45.0);
+}
+
+}  // namespace
+}  // namespace popup
