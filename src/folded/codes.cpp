@@ -47,8 +47,7 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "them must lead back to the first. When no angles near those that are asked for do so, the panels would "
      "have to bend or tear. The message says which loop stays open, and by how much. Where the sheet folds "
      "rigidly a part of the way it is folded as far as that; where it cannot leave the flat state, its "
-     "panels "
-     "are shown as if each hung on one fold only. Mountains and valleys that do not go together are the "
+     "folds stay flat. Mountains and valleys that do not go together are the "
      "usual "
      "reason: at each inner corner that folds flat, they differ in number by two. Else add the creases along "
      "which the paper bends."},

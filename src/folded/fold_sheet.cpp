@@ -92,7 +92,6 @@ class Lowering {
           paths_(paths),
           diagnostics_(diagnostics),
           tree_(make_tree(sheet)),
-          open_(sheet.folds.size(), 0),
           reached_(to) {}
 
     Assembly run() {
@@ -101,11 +100,8 @@ class Lowering {
         for (const folded::Cluster& cluster : paths_.clusters) {
             if (cluster.reached >= 1.0) continue;
             if (cluster.reached < kNearlyThere) tell(cluster);
-            if (cluster.reached > 0.0) {
-                reached_ = std::min(reached_, cluster.reached);
-                continue;
-            }
-            for (const int fold : cluster.folds) nth(open_, fold) = 1;
+            // What cannot be folded stays flat, and holds nothing else up.
+            if (cluster.reached > 0.0) reached_ = std::min(reached_, cluster.reached);
         }
         add_pieces();
         add_plates();
@@ -136,8 +132,8 @@ class Lowering {
                                                    where, std::floor(100.0 * cluster.reached)))
                 : diagnostics_.warning(
                       "not-rigid", place,
-                      fmt::format("{} closes only while nothing is folded: half way it is open by {}; the "
-                                  "panels are shown as if each hung on one fold alone",
+                      fmt::format("{} closes only while nothing is folded: half way it would be open by {}; "
+                                  "its folds stay flat",
                                   where, by));
         finding.hint(
             "its panels would have to bend, or its folds to be folded one after another: add creases, or "
@@ -230,21 +226,19 @@ class Lowering {
     void add_fold(int number) {
         const Fold& fold = nth(sheet_.folds, number);
         const double angle = final_angle(number);
+        const bool is_mountain = std::abs(angle) > kFoldedRad ? angle < 0.0 : (fold.ink & kMountain) != 0;
         const int left = nth(tree_.plate_of, fold.left);
         const int right = nth(tree_.plate_of, fold.right);
         const bool in_tree =
             nth(tree_.fold_of, fold.left) == number || nth(tree_.fold_of, fold.right) == number;
-        if (!in_tree && nth(open_, number) == 0) add_closing(number, left, right);
+        if (!in_tree) add_closing(number, left, right);
         for (const Segment& stretch : sheet_.stretches_of(fold)) {
-            Line line{angle < 0.0 ? LineKind::mountain : LineKind::valley, stretch,
+            Line line{is_mountain ? LineKind::mountain : LineKind::valley, stretch,
                       nth(sheet_.panels, fold.left).piece, left, right};
             if (std::abs(angle) > kFoldedRad) line.fold_angle = std::min(std::abs(angle), kPi);
             out_.lines.push_back(line);
-            // What is left open holds nothing together.
-            if (in_tree || nth(open_, number) == 0) {
-                const Segment on_line{on_line_of(fold, stretch.a), on_line_of(fold, stretch.b)};
-                out_.hinges.push_back({left, right, on_line, on_line});
-            }
+            const Segment on_line{on_line_of(fold, stretch.a), on_line_of(fold, stretch.b)};
+            out_.hinges.push_back({left, right, on_line, on_line});
         }
     }
 
@@ -280,8 +274,7 @@ class Lowering {
     const Paths& paths_;
     Diagnostics& diagnostics_;
     Tree tree_;
-    std::vector<char> open_;  // by fold: its loops do not close
-    double reached_;          // where the sweep ends
+    double reached_;  // where the sweep ends
     Assembly out_;
 };
 

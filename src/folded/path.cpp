@@ -52,8 +52,7 @@ struct Range {
 class Walk {
  public:
     Walk(const Sheet& sheet, const PathOptions& options, Cluster& cluster)
-        : sheet_(sheet),
-          cluster_(cluster),
+        : cluster_(cluster),
           closure_(sheet, cluster.folds, cluster.loops),
           target_(static_cast<Eigen::Index>(cluster.folds.size())) {
         for (std::size_t i = 0; i < cluster.folds.size(); ++i)
@@ -193,7 +192,6 @@ class Walk {
         return false;
     }
 
-    const Sheet& sheet_;
     Cluster& cluster_;
     double most_ = 0.0;  // residual between the points of a law
     Closure closure_;
@@ -241,7 +239,10 @@ Paths find_paths(const Sheet& sheet, const PathOptions& options) {
     for (Cluster& cluster : paths.clusters) {
         const std::vector<Range> ranges = Walk(sheet, options, cluster).run();
         paths.reached = std::min(paths.reached, cluster.reached);
-        if (ranges.empty()) continue;
+        if (ranges.empty()) {
+            for (const int fold : cluster.folds) nth(paths.laws, fold) = {{0.0, 0.0}, {1.0, 0.0}};
+            continue;
+        }
         for (std::size_t k = 0; k < cluster.folds.size(); ++k) {
             std::vector<SharePoint>& law = nth(paths.laws, cluster.folds[k]);
             law.assign(1, {0.0, 0.0});

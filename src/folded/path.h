@@ -47,7 +47,8 @@ struct Cluster {
 };
 
 struct Paths {
-    // By fold: its law over the share, as Folded has it over the opening. Folds of no loop go straight.
+    // By fold: its law over the share, as Folded has it over the opening. Folds of no loop go straight, those
+    // of a cluster that does not leave the flat sheet stay flat.
     std::vector<std::vector<SharePoint>> laws;
     std::vector<Cluster> clusters;  // of folds in loops
     double reached = 1.0;           // the least of all clusters

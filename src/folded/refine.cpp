@@ -24,8 +24,10 @@ constexpr std::array kShares{0.1, 0.25, 0.45, 0.7, 0.92, 1.0};
 constexpr std::array kFirstShares{0.04, 0.1, 0.2};
 // A corner that moves by this share of the sheet counts as much as an angle by a radian.
 constexpr double kCornersPerRadian = 0.003;
+constexpr std::size_t kMostConditions = 1000;
 constexpr double kRegular = 1e-13;
-constexpr int kMostSteps = 40;
+constexpr int kMostSteps = 15;
+constexpr int kMostIdle = 3;  // steps that do not halve what is open
 constexpr double kClosed = 1e-13;
 // Angles come as near to closure as this times their share before corners are moved. Sheets that are rigid
 // but for corners would come nearer by not folding at all, others need it; so several are tried.
@@ -79,20 +81,21 @@ class Solver {
         }
         unknowns_ = 2 * corners_ + folds_ * static_cast<int>(shares.size());
         x_ = Eigen::VectorXd::Zero(unknowns_);
-        begin();
+        begins_ = begin();
     }
 
     bool run() {
+        if (!begins_) return false;
         double here = evaluate();
-        double best = here;
+        const double first = here;
         int idle = 0;
-        for (int i = 0; i < kMostSteps && here > kClosed; ++i) {
+        for (int i = 0; i < kMostSteps && here > kClosed && idle < kMostIdle; ++i) {
+            const double before = here;
             if (!step()) return false;
             here = evaluate();
-            if (!(here < HUGE_VAL)) return false;
-            idle = here < 0.9 * best ? 0 : idle + 1;
-            best = std::min(best, here);
-            if (idle > 5) break;
+            // What is near comes nearer with each step; what is not, is not mended by a corner's rounding.
+            if (!(here <= first)) return false;
+            idle = here < 0.5 * before ? 0 : idle + 1;
         }
         return here <= kNearlyClosed && all_fold();
     }
@@ -105,7 +108,7 @@ class Solver {
  private:
     // Angles near to closure at all shares, with corners as they are: those of the paths as far as they lead,
     // and then from share to share straight towards the final angles.
-    void begin() {
+    bool begin() {
         std::vector<int> folds;
         std::vector<int> loops(sheet_.loops.size());
         std::iota(loops.begin(), loops.end(), 0);
@@ -134,8 +137,11 @@ class Solver {
                 }
                 closure.approach(here, near_ * share);
             }
+            if (here.lpNorm<Eigen::Infinity>() < kStays * share * target.lpNorm<Eigen::Infinity>())
+                return false;
             x_.segment(angle(k, 0), folds_) = here;
         }
+        return true;
     }
 
     [[nodiscard]] int angle(std::size_t share, int fold) const {
@@ -270,6 +276,7 @@ class Solver {
     const Paths& paths_;
     std::span<const double> shares_;
     double near_;
+    bool begins_ = false;  // there are angles to begin with
     double size_ = 1.0;
     std::vector<int> unknown_of_;  // by corner: its number among those that move; -1: it stays
     std::vector<int> corner_of_;
@@ -295,9 +302,15 @@ bool turns_panels_over(const Sheet& sheet, const Solver& solver) {
 Refined refine(Sheet& sheet, const Paths& paths, double most_mm) {
     Refined best;
     std::vector<Vec2> corners;
+    std::size_t conditions = 0;
+    for (const Loop& loop : sheet.loops) conditions += loop.corner ? 3 : 6;
     for (const std::span<const double> shares :
          {std::span<const double>(kShares), std::span<const double>(kFirstShares)}) {
         for (const double near : kNear) {
+            // Large sheets are tried with what helps most of them.
+            if (conditions > kMostConditions &&
+                (shares.size() != kShares.size() || (near != 0.0 && near != kNear.back())))
+                continue;
             Solver solver(sheet, paths, shares, near);
             if (!solver.run()) continue;
             Refined result;
