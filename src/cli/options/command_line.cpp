@@ -22,6 +22,7 @@ std::span<const Verb> verb_table() {
                                       {add_fix, run_fix},
                                       {add_batch, run_batch},
                                       {add_merge_reports, run_merge_reports},
+                                      {add_trace, run_trace},
                                       {add_explain, run_explain},
                                       {add_list, run_list},
                                       {add_completions, run_completions},

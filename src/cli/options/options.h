@@ -16,6 +16,7 @@
 #include "findings/message_formats.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
+#include "popup/trace.h"
 
 namespace CLI {
 class App;
@@ -135,6 +136,16 @@ struct MergeOptions {
     std::string missing;               // likewise
 };
 
+struct TraceVerbOptions {
+    std::string picture;  // "-": standard input
+    std::string output;   // empty: standard output
+    MaskOptions mask;
+    TraceOptions trace;
+    double dpi = 0.0;  // of these three at most one is not 0
+    double width_mm = 0.0;
+    double height_mm = 0.0;
+};
+
 // Where settings come from that are not on the command line.
 struct ConfigOptions {
     std::string file;    // --config; empty: popupc.toml, found upward from the inputs
@@ -161,6 +172,7 @@ struct Options {
     JudgeOptions judge;
     BatchOptions batch;
     MergeOptions merge;
+    TraceVerbOptions trace;
     ConfigOptions config;
     // The response files and the configuration by which the other options came to be: inputs of the run.
     std::vector<std::string> settings_files;
