@@ -18,13 +18,13 @@ namespace popup::cli {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kMostMm = 10'000.0;
+constexpr double kLargestMm = 10'000.0;
 
 double size_option(std::string_view option, std::string_view text, double least) {
     const std::optional<Length> length = parse_length(text);
-    if (length && length->mm >= least && length->mm <= kMostMm) return length->mm;
+    if (length && length->mm >= least && length->mm <= kLargestMm) return length->mm;
     throw UsageError(
-        fmt::format("{} takes a length from {} to {} mm, not \"{}\"", option, least, kMostMm, text),
+        fmt::format("{} takes a length from {} to {} mm, not \"{}\"", option, least, kLargestMm, text),
         {"write 5, 5mm, 0.5cm, 0.2in or 14pt"});
 }
 
@@ -39,13 +39,13 @@ void check_usage(const Options& options) {
         same_place(options.messages.file, trace.output)) {
         throw UsageError(trace.output + " is named twice as an output");
     }
+    const ReadFiles read = files_read(options, {trace.picture});
+    read.spare(trace.output, "-o");
+    read.spare(options.messages.file, "--diagnostics");
     if (!to_standard_output && !trace.output.ends_with(".svg")) {
         throw UsageError(fmt::format("{}: outlines are written as SVG", trace.output),
                          {"give the file a name that ends in .svg"});
     }
-    ReadFiles read = files_read(options, {trace.picture});
-    read.spare(trace.output, "-o");
-    read.spare(options.messages.file, "--diagnostics");
 }
 
 std::optional<ImagePixels> read_pixels(const std::string& name, Diagnostics& diagnostics, bool& readable) {
@@ -71,9 +71,12 @@ std::optional<Traced> traced(const Options& options, const ImagePixels& pixels, 
     const PixelMask mask = mask_of(pixels, verb.mask);
     if (mask.even && !verb.mask.threshold) {
         diagnostics
-            .error("trace-empty", {},
-                   fmt::format("all {} pixels have the same {}, and nothing tells a figure from its ground",
-                               mask.inside.size(), mask.by_alpha ? "opacity" : "brightness"))
+            .error(
+                "trace-empty", {},
+                fmt::format(
+                    "the picture has {} pixel{}, all of the same {}: nothing tells a figure from its ground",
+                    mask.inside.size(), mask.inside.size() == 1 ? "" : "s",
+                    mask.by_alpha ? "opacity" : "brightness"))
             .hint("--threshold says from where on pixels are the figure");
         return std::nullopt;
     }

@@ -15,17 +15,20 @@ struct Free {
 
 Vec2 point(const potrace_dpoint_t& p) { return {p.x, p.y}; }
 
+// A corner is two lines that meet in it. Between two corners the end of the first lies on a straight line,
+// and is left out.
 Path path_of(const potrace_curve_t& curve) {
+    const auto is_corner = [&curve](int i) { return curve.tag[i % curve.n] == POTRACE_CORNER; };
     Path path;
-    path.move(point(curve.c[curve.n - 1][2]));
+    path.move(point(is_corner(0) && is_corner(curve.n - 1) ? curve.c[0][1] : curve.c[curve.n - 1][2]));
     for (int i = 0; i < curve.n; ++i) {
         const potrace_dpoint_t* points = curve.c[i];
-        if (curve.tag[i] == POTRACE_CURVETO) {
+        if (!is_corner(i)) {
             path.cubic(point(points[0]), point(points[1]), point(points[2]));
             continue;
         }
-        path.line(point(points[1]));
-        path.line(point(points[2]));
+        if (i > 0 || !is_corner(curve.n - 1)) path.line(point(points[1]));
+        if (!is_corner(i + 1)) path.line(point(points[2]));
     }
     path.close();
     return path;
