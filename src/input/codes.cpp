@@ -25,6 +25,12 @@ constexpr std::array kInputCodes = std::to_array<CodeInfo>({
      "The input is a drawing of flat parts, or an assembly. What was asked for needs the design of a pop-up "
      "card, which these do not have. Give it to popupc build for sheets (.svg, .pdf) or the report "
      "(.json), or name a popup document."},
+    {"outline-unreadable", Severity::error, "an outline out of a file that cannot be used",
+     "The href of an outline or a hole names an SVG drawing, whose closed lines are taken. This file cannot "
+     "be "
+     "read as one, has no closed line, or has several shapes where an outline is a single one. The message "
+     "says where in the drawing the trouble is. \"popupc trace --largest\" makes such a drawing of a "
+     "picture."},
     {"picture-missing", Severity::error, "a picture whose file is not there",
      "An image of the document names a file that does not exist. Names are looked for from the folder in "
      "which the document lies (of standard input: from the working directory), and capital letters are not "

@@ -39,7 +39,7 @@ bool goes_up(std::string_view href) {
 
 PictureRefusal outside(std::string message) {
     return {"picture-outside", std::move(message),
-            "put the picture beside the document, and name it by its file name"};
+            "put the file beside the document, and name it by its file name"};
 }
 
 }  // namespace
@@ -48,31 +48,29 @@ PictureFiles::PictureFiles(const Source& document, const ReadOptions& options)
     : folder_{input_folder(folder_of(document.name), !options.program.read_file)},
       read_(options.program.read_file) {}
 
-const Image* PictureFiles::open(std::string_view href, PictureRefusal& refusal) {
+std::optional<std::string> PictureFiles::name(std::string_view href, std::string_view what,
+                                              PictureRefusal& refusal) {
     const std::string quoted = "\"" + shown(href) + "\"";
     if (href.starts_with('/') || href.starts_with('\\')) {
-        refusal = outside(quoted + " is an absolute path, and pictures lie below the folder of the document");
-        return nullptr;
+        refusal = outside(
+            fmt::format("{} is an absolute path, and {} lie below the folder of the document", quoted, what));
+        return std::nullopt;
     }
     if (has_scheme(href)) {
-        refusal = outside(quoted + " is a URL, and pictures are files below the folder of the document");
-        return nullptr;
+        refusal = outside(
+            fmt::format("{} is a URL, and {} are files below the folder of the document", quoted, what));
+        return std::nullopt;
     }
     if (goes_up(href)) {
         refusal = outside(quoted + " leads out of the folder of the document");
-        return nullptr;
+        return std::nullopt;
     }
     const std::string& folder = folder_.front().shown;
-    const std::string named =
-        normal_path(folder.empty() ? std::string(href) : folder + "/" + std::string(href));
-    auto known = by_name_.find(named);
-    if (known == by_name_.end()) known = by_name_.emplace(named, read(named)).first;
-    refusal = known->second.refusal;
-    return known->second.image;
+    return normal_path(folder.empty() ? std::string(href) : folder + "/" + std::string(href));
 }
 
-PictureFiles::Entry PictureFiles::read(const std::string& named) {
-    const std::string quoted = "\"" + shown(named) + "\"";
+std::optional<FileBelow> PictureFiles::bytes(const std::string& named, std::string_view what,
+                                             std::string_view hint, PictureRefusal& refusal) {
     FileBelow file;
     if (!read_) {
         file = read_file_below(named, folder_, "the folder of the document", kMostMiB);
@@ -80,36 +78,69 @@ PictureFiles::Entry PictureFiles::read(const std::string& named) {
         file.text = std::move(source->text);
         file.path = named;
     }
-    if (file.text) return opened(named, std::move(*file.text), file.path);
-    if (file.leads_out) return {nullptr, outside(std::move(file.trouble))};
-    if (!file.trouble.empty())
-        return {nullptr, {"picture-unreadable", std::move(file.trouble), "name a PNG or a JPEG file"}};
-    missing_.insert(named);
-    return {nullptr,
-            {"picture-missing", "there is no file " + quoted,
-             "file names are looked for from the folder of the document, and case counts"}};
+    if (file.text) {
+        files_.push_back(named);
+        return file;
+    }
+    if (file.leads_out) {
+        refusal = outside(std::move(file.trouble));
+    } else if (!file.trouble.empty()) {
+        refusal = {fmt::format("{}-unreadable", what), std::move(file.trouble), std::string(hint)};
+    } else {
+        missing_.insert(named);
+        refusal = {"picture-missing", "there is no file \"" + shown(named) + "\"",
+                   "file names are looked for from the folder of the document, and case counts"};
+    }
+    return std::nullopt;
 }
 
-PictureFiles::Entry PictureFiles::opened(const std::string& named, std::string bytes,
-                                         const std::string& path) {
-    files_.push_back(named);
-    const auto known = by_path_.find(path);
+bool PictureFiles::count(const FileBelow& file, const std::string& named, PictureRefusal& refusal) {
+    bytes_ += file.text->size();
+    if (bytes_ <= kMostMiBTogether << 20) return true;
+    refusal = {"document-too-large",
+               fmt::format("with \"{}\" the pictures of the document have more than {} MiB", shown(named),
+                           kMostMiBTogether),
+               "make the pictures smaller: 300 pixels an inch are enough for paper"};
+    return false;
+}
+
+const Image* PictureFiles::open(std::string_view href, PictureRefusal& refusal) {
+    const std::optional<std::string> named = name(href, "pictures", refusal);
+    if (!named) return nullptr;
+    auto known = by_name_.find(*named);
+    if (known == by_name_.end()) known = by_name_.emplace(*named, read(*named)).first;
+    refusal = known->second.refusal;
+    return known->second.image;
+}
+
+PictureFiles::Entry PictureFiles::read(const std::string& named) {
+    PictureRefusal refusal;
+    std::optional<FileBelow> file = bytes(named, "picture", "name a PNG or a JPEG file", refusal);
+    if (!file) return {nullptr, refusal};
+    const auto known = by_path_.find(file->path);
     if (known != by_path_.end()) return {&known->second, {}};
-    bytes_ += bytes.size();
-    if (bytes_ > kMostMiBTogether << 20) {
-        return {nullptr,
-                {"document-too-large",
-                 fmt::format("with \"{}\" the pictures of the document have more than {} MiB", shown(named),
-                             kMostMiBTogether),
-                 "make the pictures smaller: 300 pixels an inch are enough for paper"}};
-    }
-    std::variant<Image, ImageFault> image = open_image(std::move(bytes));
+    if (!count(*file, named, refusal)) return {nullptr, refusal};
+    std::variant<Image, ImageFault> image = open_image(std::move(*file->text));
     if (const auto* fault = std::get_if<ImageFault>(&image)) {
         return {nullptr,
                 {"picture-unreadable", fmt::format("\"{}\": {}", shown(named), to_string(*fault)),
                  "export the picture anew, as a PNG or as a JPEG in RGB"}};
     }
-    return {&by_path_.emplace(path, std::move(std::get<Image>(image))).first->second, {}};
+    return {&by_path_.emplace(file->path, std::move(std::get<Image>(image))).first->second, {}};
+}
+
+const std::string* PictureFiles::text(std::string_view href, std::string_view what, PictureRefusal& refusal) {
+    const std::optional<std::string> named = name(href, what, refusal);
+    if (!named) return nullptr;
+    auto known = texts_.find(*named);
+    if (known == texts_.end()) {
+        Text read;
+        std::optional<FileBelow> file = bytes(*named, "outline", "name an SVG file", read.refusal);
+        if (file && count(*file, *named, read.refusal)) read.text = std::move(*file->text);
+        known = texts_.emplace(*named, std::move(read)).first;
+    }
+    refusal = known->second.refusal;
+    return known->second.text ? &*known->second.text : nullptr;
 }
 
 }  // namespace popup

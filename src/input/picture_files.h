@@ -1,8 +1,10 @@
-// The pictures that a document names.
+// The pictures, and the drawings of outlines, that a document names.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -29,6 +31,9 @@ class PictureFiles {
     // of the folder.
     const Image* open(std::string_view href, PictureRefusal& refusal);
 
+    // The whole text of such a file, of which `what` ("outlines") are read; null with a refusal.
+    const std::string* text(std::string_view href, std::string_view what, PictureRefusal& refusal);
+
     // Files that were read, in the order in which they were; and those that are not there, sorted.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
     [[nodiscard]] const std::set<std::string>& missing() const { return missing_; }
@@ -38,14 +43,24 @@ class PictureFiles {
         const Image* image = nullptr;
         PictureRefusal refusal;
     };
-    Entry read(const std::string& shown);
-    Entry opened(const std::string& shown, std::string bytes, const std::string& path);
+    // Where the file is, as named from the working directory; nullopt with a refusal.
+    std::optional<std::string> name(std::string_view href, std::string_view what, PictureRefusal& refusal);
+    // Its bytes; nullopt with a refusal. `hint` says what could be read.
+    std::optional<FileBelow> bytes(const std::string& named, std::string_view what, std::string_view hint,
+                                   PictureRefusal& refusal);
+    bool count(const FileBelow& file, const std::string& named, PictureRefusal& refusal);
+    Entry read(const std::string& named);
 
     std::vector<InputFolder> folder_;
     std::function<std::optional<Source>(const std::string& path)> read_;
     std::map<std::string, Entry, std::less<>> by_name_;  // as named from the working directory
     std::map<std::string, Image> by_path_;               // canonical
-    std::size_t bytes_ = 0;                              // of all of them
+    struct Text {
+        std::optional<std::string> text;
+        PictureRefusal refusal;
+    };
+    std::map<std::string, Text, std::less<>> texts_;  // as named from the working directory
+    std::size_t bytes_ = 0;                           // of all of them
     std::vector<std::string> files_;
     std::set<std::string> missing_;
 };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text/nearest.h"
 #include "input/text.h"
@@ -87,7 +88,14 @@ bool Values::read_path(const Field& field, const ParameterInfo& parameter, Argum
     if (field.node) {
         Fields fields(field.node, Name::argument, reporter_);
         made.page = page(fields.find(Name::page), &made.page_text);
+        const Field* href = fields.find(Name::href);
         const Field* d = fields.find(Name::d);
+        if (href != nullptr && d == nullptr) return read_outline(fields, *href, parameter, made);
+        if (href != nullptr) {
+            reporter_.error("bad-path", href->place,
+                            fmt::format("this {} has both path data and a file", parameter.name));
+            return false;
+        }
         if (d == nullptr) d = fields.find(Name::value);
         if (d != nullptr) {
             fields.refuse_text();
@@ -111,6 +119,84 @@ bool Values::read_path(const Field& field, const ParameterInfo& parameter, Argum
     reporter_.error(refusal->too_large ? "document-too-large" : "bad-path", text->place,
                     fmt::format("the path data of {} {}", parameter.name, refusal->what));
     return false;
+}
+
+bool Values::read_outline_place(const Fields& fields, OutlinePlace& place) {
+    for (const Name name : {Name::x, Name::y, Name::width, Name::height, Name::rotate}) {
+        const Field* field = fields.find(name);
+        if (field == nullptr) continue;
+        const std::optional<double> value = name == Name::rotate ? number(*field) : length(*field);
+        if (!value) return false;
+        const bool extent = name == Name::width || name == Name::height;
+        const bool turn = name == Name::rotate;
+        if ((extent && !(*value > 0.0 && *value <= kLargestPage)) || (turn && !(std::abs(*value) <= 360.0))) {
+            reporter_.error(
+                "bad-number", field->place,
+                turn
+                    ? fmt::format("rotate is {}, and must be from -360 to 360 degrees", format_number(*value))
+                    : fmt::format("{} is {} mm, and must be above 0 and at most {} mm", field->word(),
+                                  format_number(*value), format_number(kLargestPage)));
+            return false;
+        }
+        if (name == Name::x) place.at.x = *value;
+        if (name == Name::y) place.at.y = *value;
+        if (name == Name::width) place.width_mm = *value;
+        if (name == Name::height) place.height_mm = *value;
+        if (turn) place.rotate_deg = *value;
+    }
+    const Field* field = fields.find(Name::mirror);
+    const std::optional<Text> text = field != nullptr ? value_of(*field, reporter_) : std::nullopt;
+    if (field == nullptr) return true;
+    if (!text) return false;
+    const std::string word = lower(trimmed(text->decoded));
+    place.mirror = word == "yes";
+    if (word == "yes" || word == "no") return true;
+    reporter_
+        .error("bad-choice", text->place,
+               fmt::format("mirror is '{}', which is not one of its words", shown(trimmed(text->decoded))))
+        .hint("known words are no, yes");
+    return false;
+}
+
+// The closed lines of a drawing, placed as a picture is.
+bool Values::read_outline(const Fields& fields, const Field& href, const ParameterInfo& parameter,
+                          Argument& made) {
+    const std::optional<Text> text = value_of(href, reporter_);
+    OutlinePlace place;
+    if (!text || !read_outline_place(fields, place)) return false;
+    POPUP_INVARIANT(files_ != nullptr);
+    const std::string name(trimmed(text->decoded));
+    PictureRefusal refusal;
+    const std::string* file = files_->text(name, "outlines", refusal);
+    if (file == nullptr) {
+        reporter_.error(refusal.code, text->place, refusal.message).hint(refusal.hint);
+        return false;
+    }
+    OutlineDrawing drawing;
+    const std::string trouble = read_outline_drawing(name, *file, drawing);
+    if (!trouble.empty()) {
+        reporter_.error("outline-unreadable", text->place, fmt::format("\"{}\": {}", shown(name), trouble))
+            .hint("name an SVG drawing with closed lines, such as popupc trace writes");
+        return false;
+    }
+    DrawnPath path;
+    const auto fault = place_outline(drawing, place, path);
+    if (fault) {
+        reporter_.error(fault->too_large ? "document-too-large" : "outline-unreadable", text->place,
+                        fmt::format("what \"{}\" draws {}", shown(name), fault->what));
+        return false;
+    }
+    if (parameter.name == "outline" && path.inside.areas.size() != 1) {
+        reporter_
+            .error("outline-unreadable", text->place,
+                   fmt::format("\"{}\" draws {} shapes, and an outline is one", shown(name),
+                               path.inside.areas.size()))
+            .hint("popupc trace --largest writes a single silhouette");
+        return false;
+    }
+    path.text = path_text(path, unit_);
+    made.value = std::move(path);
+    return true;
 }
 
 void Values::read_points(const Field& field, Argument& made) {

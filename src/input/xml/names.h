@@ -45,6 +45,7 @@ enum class Name : std::uint8_t {
     area,
     href,
     rotate,
+    mirror,  // of an outline out of a file
     fit,
     horizon,
     horizonheight,

@@ -107,7 +107,7 @@ class Patch {
             } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
                 if (argument.text.present())
                     replace(argument.text, path_text(*path, design_.unit));
-                else
+                else if (!argument.tag_text.present())  // what a file draws stays there
                     attribute(structure.start_tag, parameter.name, path_text(*path, design_.unit));
             }
         }

@@ -39,6 +39,7 @@ class DocumentReader {
           reporter_(diagnostics, options.strict),
           values_(source.text, {}, reporter_),
           pictures_(source, options) {
+        values_.set_files(pictures_);
         design_.file = source.name;
         design_.stem = source.stem();
     }

@@ -428,8 +428,17 @@ std::string value_types() {
     if (!parameters([](ParameterKind kind) { return kind == ParameterKind::path; }).empty()) {
         out +=
             "\n  <xs:complexType name=\"path\">\n    <xs:annotation>\n"
-            "      <xs:documentation>SVG path data, in the document's units, y up.</xs:documentation>\n"
-            "    </xs:annotation>\n    <xs:attribute name=\"d\" type=\"xs:string\" use=\"required\"/>\n"
+            "      <xs:documentation>SVG path data, in the document's units, y up; or an SVG drawing whose "
+            "closed lines are taken, placed as an image.</xs:documentation>\n"
+            "    </xs:annotation>\n    <xs:attribute name=\"d\" type=\"xs:string\"/>\n"
+            "    <xs:attribute name=\"href\" type=\"xs:string\"/>\n"
+            "    <xs:attribute name=\"x\" type=\"number\"/>\n    <xs:attribute name=\"y\" type=\"number\"/>\n"
+            "    <xs:attribute name=\"width\" type=\"number\"/>\n"
+            "    <xs:attribute name=\"height\" type=\"number\"/>\n"
+            "    <xs:attribute name=\"rotate\" type=\"number\"/>\n    <xs:attribute name=\"mirror\">\n"
+            "      <xs:simpleType>\n        <xs:restriction base=\"xs:string\">\n"
+            "          <xs:enumeration value=\"no\"/>\n          <xs:enumeration value=\"yes\"/>\n"
+            "        </xs:restriction>\n      </xs:simpleType>\n    </xs:attribute>\n"
             "    <xs:attribute name=\"page\" type=\"page\"/>\n  </xs:complexType>\n";
     }
     if (!parameters([](ParameterKind kind) { return kind == ParameterKind::points; }).empty()) {

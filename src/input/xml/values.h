@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "input/design_limits.h"
+#include "input/picture_files.h"
 #include "input/xml/fields.h"
+#include "input/xml/outline_file.h"
 #include "popup/design.h"
 #include "popup/mechanism.h"
 
@@ -19,6 +21,8 @@ class Values {
         : source_(source), unit_(unit), reporter_(reporter) {}
 
     void set_unit(Unit unit) { unit_ = unit; }
+    // Where outlines that are files are read from; must outlive this.
+    void set_files(PictureFiles& files) { files_ = &files; }
     // The bytes of a value, without blanks around.
     [[nodiscard]] TextRange tight(const Text& text) const;
     // A length in document units, as mm; at most kCoordinateLimit away from 0.
@@ -52,6 +56,9 @@ class Values {
     bool read_number(const Text& text, const ParameterInfo& parameter, Argument& made);
     bool read_choice(const Text& text, const ParameterInfo& parameter, Argument& made);
     bool read_path(const Field& field, const ParameterInfo& parameter, Argument& made);
+    bool read_outline(const Fields& fields, const Field& href, const ParameterInfo& parameter,
+                      Argument& made);
+    bool read_outline_place(const Fields& fields, OutlinePlace& place);
     void read_points(const Field& field, Argument& made);
     DesignPoint point_of(const Token& x, const Token& y);
     DesignPoint point(Node node, Name context);
@@ -60,6 +67,7 @@ class Values {
     std::string_view source_;
     Unit unit_;
     Reporter& reporter_;
+    PictureFiles* files_ = nullptr;
     std::size_t points_ = 0;  // read so far
 };
 
