@@ -16,6 +16,13 @@
 namespace popup::test {
 namespace {
 
+// Sanitized, fewer pictures tell as much of what sanitizers look for.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kRounds = 1;
+#else
+constexpr int kRounds = 10;
+#endif
+
 PixelMask mask_from(int width, int height, std::vector<std::uint8_t> inside) {
     PixelMask mask;
     mask.width = width;
@@ -221,7 +228,7 @@ void expect_same_area(const PixelMask& mask, const Traced& result) {
 
 TEST(Trace, StaysWithinAPixelOfThePixels) {
     Random random(18);
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < kRounds * 4; ++round) {
         // A disc with a hole in each quarter.
         std::vector<Disc> discs;
         for (int i = 0; i < 4; ++i) {
@@ -242,7 +249,7 @@ TEST(Trace, StaysWithinAPixelOfThePixels) {
 // Where discs meet there are tips of single pixels, which curves cut short.
 TEST(Trace, CutsTipsShortByLessThanThreePixels) {
     Random random(18);
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < kRounds * 6; ++round) {
         const PixelMask mask = random_blobs(random, 120, 0.0);
         if (std::count(mask.inside.begin(), mask.inside.end(), 1) == 0) continue;
         const Traced result = traced(mask, pixels_of_a_tenth());
@@ -257,7 +264,7 @@ TEST(Trace, NeitherCrossesNorTouchesWhateverTheNoise) {
     Random random(7);
     std::size_t holes = 0;
     std::size_t islands = 0;
-    for (int round = 0; round < 150; ++round) {
+    for (int round = 0; round < kRounds * 15; ++round) {
         const PixelMask mask =
             random_blobs(random, 20 + static_cast<int>(random.below(40)), 0.02 * (round % 20));
         if (std::count(mask.inside.begin(), mask.inside.end(), 1) == 0) continue;
