@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/nth.h"
@@ -27,6 +28,8 @@ constexpr double kClosed = 5e-11;
 constexpr double kStays = 1e-3;
 // One that goes more than this share of it the other way was not meant to.
 constexpr double kOtherWay = 0.02;
+// Paper is not folded by more than half a turn, but for rounding.
+constexpr double kHalfTurn = std::numbers::pi + 1e-9;
 
 // A range of shares with the angles at its Chebyshev points.
 struct Range {
@@ -117,7 +120,7 @@ class Walk {
         for (const double first : kFirstShares) {
             here = first * target_;
             const bool closes = closure_.approach(here) <= kClosed;
-            if (!closes || stays_flat(first, here)) continue;
+            if (!closes || stays_flat(first, here) || !is_paper(here)) continue;
             if (goes_other_way(first, here)) {
                 if (share == 0.0) {
                     share = first;
@@ -172,19 +175,21 @@ class Walk {
         range.points.assign(kSteps + 1, begin);
         for (std::size_t i = 1; i <= kSteps; ++i) {
             range.points[i] = guess(range.share(i));
-            if (closure_.approach_smoothly(range.points[i]) <= kClosed) continue;
+            if (closure_.approach_smoothly(range.points[i]) <= kClosed && is_paper(range.points[i])) continue;
             return blame(range.points[i]);
         }
         // Between its points, where a polynomial departs furthest.
         for (std::size_t i = 0; i < kSteps; ++i) {
             const double share = 0.5 * (range.share(i) + range.share(i + 1));
             const Angles there = range.between(share);
-            if (closure_.residual(there) <= most_) continue;
+            if (closure_.residual(there) <= most_ && is_paper(there)) continue;
             return blame(there);
         }
         ranges_.push_back(std::move(range));
         return true;
     }
+
+    static bool is_paper(const Angles& angles) { return angles.lpNorm<Eigen::Infinity>() <= kHalfTurn; }
 
     // Keeps the loop that is furthest from closed there.
     bool blame(const Angles& angles) {
