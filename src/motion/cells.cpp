@@ -18,7 +18,6 @@ constexpr double kHalvedBelowDeg = 12.0;
 // Each turn's line in the world, and how far it goes to either end of the cell.
 std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
     const auto turns = linkage.turns();
-    const double half = 0.5 * (cell.to - cell.from);
     const auto before = [&](int n) {
         return Bends{cell.first[static_cast<std::size_t>(n)], cell.middle[static_cast<std::size_t>(n)]};
     };
@@ -32,14 +31,50 @@ std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
         const int n = static_cast<int>(i);
         const Frame& frame = cell.frames[static_cast<std::size_t>(t.plate)];
         arms.push_back({frame.point(t.at), frame.direction(t.dir),
-                        std::max(travel(turns, n, half, before), travel(turns, n, half, after))});
+                        travel_from_middle(linkage, n, cell.from, cell.to, before, after)});
     }
     return arms;
 }
 
+// By turn: how what it drives moves against the world, where all turns up to there have laws.
+std::vector<std::optional<Drift>> world_drifts(const Cell& cell, const Linkage& linkage,
+                                               std::span<const Arm> arms) {
+    const auto turns = linkage.turns();
+    const double half = Angle::degrees(0.5 * (cell.to - cell.from)).rad();
+    std::vector<std::optional<Drift>> drifts(turns.size());
+    std::vector<char> known(turns.size(), 0);
+    std::vector<int> open;
+    const auto above = [&](int turn) {
+        const int base = turns[static_cast<std::size_t>(turn)].other;
+        return base < 0 ? -1 : linkage.drive_turn(base);
+    };
+    for (std::size_t plate = 0; plate < cell.frames.size(); ++plate) {
+        for (int turn = linkage.drive_turn(static_cast<int>(plate));
+             turn >= 0 && known[static_cast<std::size_t>(turn)] == 0; turn = above(turn)) {
+            open.push_back(turn);
+        }
+        while (!open.empty()) {
+            const int number = open.back();
+            const auto turn = static_cast<std::size_t>(number);
+            open.pop_back();
+            known[turn] = 1;
+            const auto rate = linkage.rate(number, cell.from, cell.to);
+            if (!rate) continue;
+            const int base = above(number);
+            if (base < 0) {
+                drifts[turn].emplace(half);
+            } else {
+                drifts[turn] = drifts[static_cast<std::size_t>(base)];
+            }
+            if (drifts[turn]) drifts[turn]->turn(arms[turn].at, arms[turn].dir, *rate, 1.0);
+        }
+    }
+    return drifts;
+}
+
 }  // namespace
 
-std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> turning_back) {
+std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> range_ends) {
     std::vector<double> ends;
     double above = sweep.to_deg - sweep.from_deg;  // the beginning
     const double halved_below = sweep.closed_flat ? kHalvedBelowDeg : 0.0;
@@ -54,7 +89,7 @@ std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> turnin
     ends.push_back(least_opening(sweep));
     std::reverse(ends.begin(), ends.end());
     const std::size_t even = ends.size();
-    for (const double deg : turning_back) {
+    for (const double deg : range_ends) {
         if (deg > ends.front() && deg < ends[even - 1]) ends.push_back(deg);
     }
     std::inplace_merge(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(even), ends.end());
@@ -80,6 +115,7 @@ std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& lin
                                             std::span<const PlateShape> shapes, double distance_mm,
                                             std::size_t most) {
     const std::vector<Arm> arms = world_arms(cell, linkage);
+    const std::vector<std::optional<Drift>> drifts = world_drifts(cell, linkage, arms);
     const auto turns = linkage.turns();
     std::vector<std::pair<TreeBox, int>> boxes;
     boxes.reserve(shapes.size());
@@ -87,6 +123,8 @@ std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& lin
         const double inf = std::numeric_limits<double>::infinity();
         Vec3 low{inf, inf, inf};
         Vec3 high{-inf, -inf, -inf};
+        const std::optional<Drift>& drift =
+            drifts[static_cast<std::size_t>(linkage.drive_turn(static_cast<int>(i)))];
         for (const Vec2 corner : shapes[i].hull) {
             const Vec3 p = cell.frames[i].point(corner);
             double reach = 0.0;
@@ -95,6 +133,7 @@ std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& lin
                 reach += arms[turn].turn * (length(cross(p - arms[turn].at, arms[turn].dir)) + reach);
                 plate = turns[turn].other;
             }
+            if (drift) reach = std::min(reach, drift->of(p));
             reach += 0.5 * distance_mm;
             low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach), std::min(low.z, p.z - reach)};
             high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach),

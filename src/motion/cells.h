@@ -10,9 +10,9 @@
 namespace popup {
 
 // Ends of the ranges, from the least opening to the end of the sweep. Near a flat closed state distances are
-// as the angle to it, so each range there is as wide as what lies below it. `turning_back`, ascending, are
-// ends as well (Linkage::turning_back).
-std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> turning_back);
+// as the angle to it, so each range there is as wide as what lies below it. `range_ends`, ascending, are
+// ends as well (Linkage::range_ends()).
+std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> range_ends);
 
 // Places everything; false when a linkage does not reach one of the three angles.
 bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, double to, Cell& cell);

@@ -2,6 +2,7 @@
 #include "motion/examine.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "motion/cells.h"
@@ -23,6 +24,10 @@ constexpr double kFoldingDeg = 45.0;
 constexpr std::size_t kMostWork = 20'000'000;
 constexpr std::size_t kMostWorkPerPlate = 2'000;
 constexpr std::size_t kMostPairsPerPlate = 500;
+// Cells with more pairs than this a plate are halved, as long as that leaves this share of them or less.
+constexpr double kManyPairsPerPlate = 16.0;
+constexpr double kHalvedHelps = 0.75;
+constexpr double kLeastCellDeg = 0.1;
 constexpr double kLeastDeg = 1e-4;  // to which the angle of the smallest distance is found
 constexpr int kLooks = 64;          // where a smallest distance is looked for, before halving
 
@@ -164,11 +169,11 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     std::vector<PairRange> all;
     std::vector<ContactRange> found;
     Cell cell;
-    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.turning_back());
+    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.range_ends());
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
     const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
-    const auto look_at = [&](const Cell& range) {
-        const auto pairs = near_pairs(range, linkage, shapes, options.clearance_mm.value_or(0.0), most_pairs);
+    const double distance = options.clearance_mm.value_or(0.0);
+    const auto look_at = [&](const Cell& range, std::span<const std::pair<int, int>> pairs) {
         if (pairs.size() > most_pairs) return false;
         for (const auto& [a, b] : pairs) {
             if (search.work() > most_work) return false;
@@ -181,8 +186,33 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
         }
         return true;
     };
+    // Where plates move by laws, half a cell has far fewer pairs as long as bounds are what makes them many.
+    const double most_split = linkage.is_lawful() ? kManyPairsPerPlate * static_cast<double>(shapes.size())
+                                                  : std::numeric_limits<double>::infinity();
+    const auto look_between = [&](double from, double to) {
+        struct Part {
+            double from, to, most;  // pairs up to which it is not halved
+        };
+        std::vector<Part> parts{{from, to, most_split}};
+        while (!parts.empty()) {
+            const Part part = parts.back();
+            parts.pop_back();
+            if (!fill_cell(assembly, linkage, part.from, part.to, cell)) return false;
+            const auto pairs = near_pairs(cell, linkage, shapes, distance, most_pairs);
+            const auto count = static_cast<double>(pairs.size());
+            if (count > part.most && part.to - part.from > kLeastCellDeg) {
+                const double middle = 0.5 * (part.from + part.to);
+                const double most = std::max(most_split, kHalvedHelps * count);
+                parts.push_back({middle, part.to, most});
+                parts.push_back({part.from, middle, most});
+            } else if (!look_at(cell, pairs)) {
+                return false;
+            }
+        }
+        return true;
+    };
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        if (fill_cell(assembly, linkage, ends[i], ends[i + 1], cell) && look_at(cell)) continue;
+        if (look_between(ends[i], ends[i + 1])) continue;
         result.decided_up_to_deg = cell.from;
         break;
     }

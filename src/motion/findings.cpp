@@ -76,7 +76,7 @@ class Findings {
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
-            if (const auto move = freeing_move(assembly_, shapes_, all_pairs(joints), budget_)) {
+            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), budget_)) {
                 finding.hint(fmt::format(
                     "moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, "
                     "frees the two",

@@ -48,8 +48,8 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
         add(j, between);
     }
     needs_begin_.push_back(needs_.size());
-    std::sort(turning_back_.begin(), turning_back_.end());
-    turning_back_.erase(std::unique(turning_back_.begin(), turning_back_.end()), turning_back_.end());
+    std::sort(range_ends_.begin(), range_ends_.end());
+    range_ends_.erase(std::unique(range_ends_.begin(), range_ends_.end()), range_ends_.end());
 }
 
 // The turns of a joint, and how its plates are reached by them.
@@ -75,8 +75,14 @@ void Linkage::add(std::size_t number, std::map<std::pair<int, int>, int>& betwee
                           t.dir,
                           overall(t.opposite),
                           {overall(t.sides[0]), overall(t.sides[1])},
-                          t.still});
-        turning_back_.insert(turning_back_.end(), t.back_deg.begin(), t.back_deg.end());
+                          t.still,
+                          t.law.empty() ? -1 : static_cast<int>(laws_.size())});
+        if (t.law.empty() && !t.still) is_lawful_ = false;
+        if (!t.law.empty()) {
+            laws_.emplace_back(t.law);
+            const auto ends = laws_.back().ends();
+            range_ends_.insert(range_ends_.end(), ends.begin(), ends.end());
+        }
         if (t.other >= 0 && joint_of(t.plate) != static_cast<int>(number)) {
             for (const int plate : {t.plate, t.other})
                 closing_turns_[static_cast<std::size_t>(plate)].push_back(static_cast<int>(turns_.size()) -
@@ -165,6 +171,13 @@ void Linkage::joints_under(std::span<const int> plates, std::vector<std::size_t>
     }
     std::sort(joints.begin(), joints.end());
     for (const std::size_t joint : joints) wanted_[joint] = 0;
+}
+
+std::optional<TurnRate> Linkage::rate(int turn, double from_deg, double to_deg) const {
+    const Turn& t = turns_[static_cast<std::size_t>(turn)];
+    if (t.law >= 0) return laws_[static_cast<std::size_t>(t.law)].rate(from_deg, to_deg);
+    if (t.still) return TurnRate{};
+    return std::nullopt;
 }
 
 double Linkage::bend(int turn, std::span<const Frame> frames) const {

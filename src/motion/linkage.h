@@ -7,14 +7,18 @@
 // flat while its parent fold is bent by less than 180°.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "motion/turn_law.h"
 #include "popup/assembly.h"
+#include "popup/units.h"
 
 namespace popup {
 
@@ -27,6 +31,7 @@ struct Turn {
     int opposite = -1;
     std::array<int, 2> sides{-1, -1};
     bool still = false;  // as JointTurn::still
+    int law = -1;        // of Linkage::rate(); -1: it has none
 };
 
 // The bends of a turn at two angles.
@@ -43,9 +48,13 @@ class Linkage {
     explicit Linkage(const Assembly& assembly);
 
     [[nodiscard]] std::span<const Turn> turns() const { return turns_; }
-    // Openings at which some turn turns back though its opposite does not pass, ascending, each once: ranges
-    // that travel() is asked of end there.
-    [[nodiscard]] std::span<const double> turning_back() const { return turning_back_; }
+    // Openings at which a law has another polynomial, ascending, each once: ranges that rate() is asked of
+    // end there.
+    [[nodiscard]] std::span<const double> range_ends() const { return range_ends_; }
+    // Whether rate() knows all turns.
+    [[nodiscard]] bool is_lawful() const { return is_lawful_; }
+    // How fast a turn turns, from its other plate to its own; nullopt: that is not known.
+    [[nodiscard]] std::optional<TurnRate> rate(int turn, double from_deg, double to_deg) const;
     // The joint that places a plate.
     [[nodiscard]] int joint_of(int plate) const { return joint_of_[static_cast<std::size_t>(plate)]; }
     [[nodiscard]] const Joint& element(int plate) const {
@@ -84,7 +93,9 @@ class Linkage {
 
     const Assembly& assembly_;
     std::vector<Turn> turns_;
-    std::vector<double> turning_back_;
+    std::vector<TurnLaw> laws_;
+    bool is_lawful_ = true;
+    std::vector<double> range_ends_;
     std::vector<int> joint_of_, drive_turn_, across_turn_, fold_turn_, twin_;
     std::vector<std::vector<int>> closing_turns_;  // by plate: of joints that do not place it
     // Plates that joint j needs stand from needs_begin_[j] to needs_begin_[j + 1].
@@ -120,6 +131,20 @@ double travel(std::span<const Turn> turns, int index, double opening_deg, const 
         sum += bends(side).change();
     }
     return sum;
+}
+
+// The same from the middle of a range to either of its ends. `before`, `after`: the bends at the ends of its
+// lower and of its upper half. A turn with a law may turn back.
+template <typename BendsBefore, typename BendsAfter>
+double travel_from_middle(const Linkage& linkage, int index, double from_deg, double to_deg,
+                          const BendsBefore& before, const BendsAfter& after) {
+    const double half_deg = 0.5 * (to_deg - from_deg);
+    if (linkage.turns()[static_cast<std::size_t>(index)].law >= 0) {
+        const TurnRate rate = *linkage.rate(index, from_deg, to_deg);
+        if (!rate.one_way) return Angle::degrees(half_deg).rad() * rate.most;
+    }
+    return std::max(travel(linkage.turns(), index, half_deg, before),
+                    travel(linkage.turns(), index, half_deg, after));
 }
 
 // Calls `need(turn)` for each turn whose bends travel() of `index` may ask for.

@@ -19,7 +19,7 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
     Linkage linkage(assembly);
     PairSearch search(assembly, linkage, shapes);
-    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.turning_back());
+    const std::vector<double> ends = cell_ends(assembly.sweep, linkage.range_ends());
     std::vector<std::vector<ContactRange>> stretches(pairs.size());
     std::vector<ContactRange> found;
     Cell cell;
@@ -49,9 +49,16 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
 
 }  // namespace
 
-std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
+std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
+                                 std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget) {
-    const Linkage linkage(assembly);
+    std::vector<std::pair<int, double>> ways;  // element and sense
+    for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
+        if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) continue;
+        ways.emplace_back(joint, 1.0);
+        ways.emplace_back(joint, -1.0);
+    }
+    if (ways.empty()) return std::nullopt;
     Assembly trial = assembly;
     const auto free = [&](int number, double mm) {
         const auto joint = static_cast<std::size_t>(number);
@@ -60,12 +67,6 @@ std::optional<Move> freeing_move(const Assembly& assembly, std::span<const Plate
         trial.joints[joint] = assembly.joints[joint];
         return result;
     };
-    std::vector<std::pair<int, double>> ways;  // element and sense
-    for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
-        if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) continue;
-        ways.emplace_back(joint, 1.0);
-        ways.emplace_back(joint, -1.0);
-    }
     // Further and further in all ways at once; of those that are free first, the shortest.
     std::optional<Move> best;
     double before = 0.0;

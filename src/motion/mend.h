@@ -28,8 +28,10 @@ struct MoveBudget {
 
 // The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
 // plates (one of each element) is in contact at any angle; none when there is no such move or the budget is
-// used up before one is found. Cost: a few dozen times that of examining the pairs.
-std::optional<Move> freeing_move(const Assembly& assembly, std::span<const PlateShape> shapes,
+// used up before one is found. `linkage`: of the assembly. Cost: a few dozen times that of examining the
+// pairs.
+std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
+                                 std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget);
 
 }  // namespace popup

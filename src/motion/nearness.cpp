@@ -29,14 +29,20 @@ Sides side_from(double lowest, double highest) {
 
 }  // namespace
 
-double stray(Vec3 point, std::span<const Arm> arms) {
-    double moved = 0.0;
-    for (const Arm& arm : arms) moved += arm.turn * (length(cross(point - arm.at, arm.dir)) + moved);
-    return moved;
+double Moves::turns() const {
+    double sum = 0.0;
+    for (const Arm& arm : arms) sum += arm.turn;
+    return drift ? std::min(sum, drift->turns()) : sum;
 }
 
-double stray(const Triangle3& triangle, std::span<const Arm> arms) {
-    return std::max({stray(triangle[0], arms), stray(triangle[1], arms), stray(triangle[2], arms)});
+double stray(Vec3 point, const Moves& moves) {
+    double moved = 0.0;
+    for (const Arm& arm : moves.arms) moved += arm.turn * (length(cross(point - arm.at, arm.dir)) + moved);
+    return moves.drift ? std::min(moved, moves.drift->of(point)) : moved;
+}
+
+double stray(const Triangle3& triangle, const Moves& moves) {
+    return std::max({stray(triangle[0], moves), stray(triangle[1], moves), stray(triangle[2], moves)});
 }
 
 Vec3 direction_in_frame(const Frame& frame, Vec3 d) {
@@ -55,9 +61,10 @@ Frame relative(const Frame& a, const Frame& b) {
 // Plates that only turn about lines of one direction do not move along it: true when they do not lie beside
 // each other there, but for what touches.
 bool apart_along_arms(const PairPose& pose) {
-    if (pose.from_b.empty()) return false;
-    const Vec3 way = pose.from_b[0].dir;
-    for (const Arm& arm : pose.from_b) {
+    const std::span<const Arm> arms = pose.from_b.arms;
+    if (arms.empty()) return false;
+    const Vec3 way = arms[0].dir;
+    for (const Arm& arm : arms) {
         if (length(cross(arm.dir, way)) > kParallel) return false;
     }
     double a_least = HUGE_VAL;
@@ -112,7 +119,7 @@ Sides sides_of(const PairPose& pose) {
     return std::max(b, side_from(lowest, highest));
 }
 
-bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std::span<const Arm> arms,
+bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, const Moves& moves,
                            double distance_mm, Found& found) {
     pieces_.clear();
     pieces_.push_back({moving, 0});
@@ -122,7 +129,7 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, std:
         double most = 0.0;
         double least = std::numeric_limits<double>::infinity();
         for (const Vec3 p : piece.corners) {
-            const double s = stray(p, arms);
+            const double s = stray(p, moves);
             most = std::max(most, s);
             least = std::min(least, s);
         }
@@ -185,15 +192,17 @@ void NearnessTest::each_near(const PairPose& pose, bool whole, const Margin& mar
 
 Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool whole) {
     Found found;
-    const auto arms = [&](bool moving_is_a) { return moving_is_a ? pose.from_a : pose.from_b; };
+    const auto moves = [&](bool moving_is_a) -> const Moves& {
+        return moving_is_a ? pose.from_a : pose.from_b;
+    };
     each_near(
         pose, whole,
         [&](const Triangle3& moving, bool moving_is_a) {
-            return stray(moving, arms(moving_is_a)) + distance_mm;
+            return stray(moving, moves(moving_is_a)) + distance_mm;
         },
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
             Found here;
-            if (cleared(fixed, moving, arms(moving_is_a), distance_mm, here)) return true;
+            if (cleared(fixed, moving, moves(moving_is_a), distance_mm, here)) return true;
             if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||
                 here.least_mm < found.least_mm) {
                 found = here;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "motion/drift.h"
 #include "motion/plate_shape.h"
 #include "motion/triangle_distance.h"
 
@@ -17,20 +19,27 @@ struct Arm {
     double turn = 0.0;
 };
 
-// How far a point can get from where it is, when what it is on turns about the arms, the nearest one first.
-// Each turn moves it along an arc no longer than the turn times its distance from the line, which the turns
-// before may have lengthened.
-double stray(Vec3 point, std::span<const Arm> arms);
-// The same for all points of a triangle: its corners go furthest.
-double stray(const Triangle3& triangle, std::span<const Arm> arms);
+// What moves a plate, the nearest arm first; and how it drifts, where all arms have laws.
+struct Moves {
+    std::span<const Arm> arms;
+    std::optional<Drift> drift;
 
-// Plates a and b in the page coordinates of a. `from_b` are the arms from b's end on, `from_a` the same ones
-// from a's.
+    // Radians by which the plate turns at most.
+    [[nodiscard]] double turns() const;
+};
+
+// How far a point can get from where it is, when what it is on moves so. Each turn about an arm moves it
+// along an arc no longer than the turn times its distance from the line, which the turns before may have
+// lengthened. No point of a triangle or a hull goes further than the corner for which this is largest.
+double stray(Vec3 point, const Moves& moves);
+double stray(const Triangle3& triangle, const Moves& moves);
+
+// Plates a and b in the page coordinates of a. `from_b`: how b moves against a; `from_a`: a against b.
 struct PairPose {
     const PlateShape* a = nullptr;
     const PlateShape* b = nullptr;
     Frame b_in_a;
-    std::span<const Arm> from_b, from_a;
+    Moves from_b, from_a;
 };
 
 // The pose of b in a's page coordinates, from their frames.
@@ -78,8 +87,8 @@ class NearnessTest {
         Triangle3 corners;
         int level;
     };
-    bool cleared(const Triangle3& fixed, const Triangle3& moving, std::span<const Arm> arms,
-                 double distance_mm, Found& found);
+    bool cleared(const Triangle3& fixed, const Triangle3& moving, const Moves& moves, double distance_mm,
+                 Found& found);
     std::vector<int> near_;
     std::vector<Piece> pieces_;
 };

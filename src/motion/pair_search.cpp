@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "motion/joints/joint.h"
-
 namespace popup {
 namespace {
 
@@ -15,7 +13,8 @@ constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
 // in between can be called something.
 constexpr double kNearlyFirmMm = 0.5 * kFirmMm;
-constexpr int kMostPoses = 20000;  // of one pair in one cell
+constexpr int kMostPoses = 20000;    // of one pair in one cell
+constexpr std::size_t kLongWay = 3;  // turns, from which their directions are looked at
 
 double degrees_between(double from, double to) { return 0.5 * (from + to); }
 
@@ -26,7 +25,7 @@ PairSearch::PairSearch(const Assembly& assembly, Linkage& linkage, std::span<con
       linkage_(linkage),
       shapes_(shapes),
       slot_(linkage.turns().size(), -1),
-      frames_(assembly.plates.size()) {}
+      poses_at_(assembly, linkage) {}
 
 void PairSearch::begin(const Cell& cell, int a, int b) {
     a_ = a;
@@ -45,17 +44,32 @@ void PairSearch::begin(const Cell& cell, int a, int b) {
     pool_.clear();
     for (const int turn : needed_) pool_.push_back(cell.first[static_cast<std::size_t>(turn)]);
     for (const int turn : needed_) pool_.push_back(cell.last[static_cast<std::size_t>(turn)]);
-    ranges_.push_back({cell.from, cell.to, 0});
+    ranges_.push_back({cell.from, cell.to, 0, 1});
+    poses_at_.begin(cell.from, cell.to);
+    have_laws_ = way_.size() >= kLongWay && std::all_of(way_.begin(), way_.end(), [&](int turn) {
+                     return linkage_.rate(turn, cell.from, cell.to).has_value();
+                 });
 }
 
-bool PairSearch::place_pair(double deg) {
+bool PairSearch::place_pair(std::size_t number, double deg) {
     if (!joints_known_) {
-        linkage_.joints_under(std::array{a_, b_, linkage_.twin(a_), linkage_.twin(b_)}, joints_);
+        // A way may lead over plates on which neither stands: folds that close loops are shortcuts.
+        under_ = {a_, b_, linkage_.twin(a_), linkage_.twin(b_)};
+        for (const int turn : needed_) {
+            const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
+            under_.push_back(t.plate);
+            if (t.other >= 0) under_.push_back(t.other);
+        }
+        linkage_.joints_under(under_, joints_);
         joints_known_ = true;
     }
-    return std::all_of(joints_.begin(), joints_.end(), [&](std::size_t joint) {
-        return place_plates(assembly_.joints[joint], Angle::degrees(deg), frames_);
-    });
+    return poses_at_.place(number, deg, joints_);
+}
+
+bool PairSearch::place_only(int a, int b, double deg) {
+    linkage_.joints_under(std::array{a, b}, joints_);
+    joints_known_ = false;
+    return poses_at_.place(0, deg, joints_);
 }
 
 bool PairSearch::next(Range& range, const Cell& cell) {
@@ -70,9 +84,9 @@ bool PairSearch::next(Range& range, const Cell& cell) {
         pose_frames_ = cell.frames;
         for (const int turn : needed_) middle_.push_back(cell.middle[static_cast<std::size_t>(turn)]);
     } else {
-        reached_ = place_pair(degrees_between(range.from, range.to));
-        pose_frames_ = frames_;
-        for (const int turn : needed_) middle_.push_back(linkage_.bend(turn, frames_));
+        reached_ = place_pair(range.number, degrees_between(range.from, range.to));
+        pose_frames_ = poses_at_.frames();
+        for (const int turn : needed_) middle_.push_back(poses_at_.bend(turn));
     }
     set_pose(range, middle_);
     return true;
@@ -83,7 +97,6 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
     pose_.a = &shapes_[static_cast<std::size_t>(a_)];
     pose_.b = &shapes_[static_cast<std::size_t>(b_)];
     pose_.b_in_a = relative(a, pose_frames_[static_cast<std::size_t>(b_)]);
-    const double half = 0.5 * (range.to - range.from);
     const double* first = pool_.data() + range.bends;
     const double* last = first + needed_.size();
     from_a_.clear();
@@ -96,12 +109,30 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
         const auto after = [&](int n) { return Bends{middle[slot(n)], last[slot(n)]}; };
         const Frame& frame = pose_frames_[static_cast<std::size_t>(t.plate)];
         from_a_.push_back({in_frame(a, frame.point(t.at)), direction_in_frame(a, frame.direction(t.dir)),
-                           std::max(travel(linkage_.turns(), turn, half, before),
-                                    travel(linkage_.turns(), turn, half, after))});
+                           travel_from_middle(linkage_, turn, range.from, range.to, before, after)});
     }
     from_b_.assign(from_a_.rbegin(), from_a_.rend());
-    pose_.from_a = from_a_;
-    pose_.from_b = from_b_;
+    pose_.from_a = {from_a_, std::nullopt};
+    pose_.from_b = {from_b_, std::nullopt};
+    if (have_laws_) drift(range);
+}
+
+void PairSearch::drift(const Range& range) {
+    rates_.clear();
+    int at = linkage_.twin(a_);
+    for (const int turn : way_) {
+        const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
+        const bool onwards = at != t.plate;
+        at = onwards ? t.plate : t.other;
+        rates_.push_back({onwards ? 1.0 : -1.0, *linkage_.rate(turn, range.from, range.to)});
+    }
+    const double half = Angle::degrees(0.5 * (range.to - range.from)).rad();
+    Drift& of_b = pose_.from_b.drift.emplace(half);
+    for (std::size_t i = 0; i < way_.size(); ++i)
+        of_b.turn(from_a_[i].at, from_a_[i].dir, rates_[i].rate, rates_[i].sign);
+    Drift& of_a = pose_.from_a.drift.emplace(half);
+    for (std::size_t i = way_.size(); i-- > 0;)
+        of_a.turn(from_a_[i].at, from_a_[i].dir, rates_[i].rate, -rates_[i].sign);
 }
 
 void PairSearch::split(const Range& range) {
@@ -116,8 +147,8 @@ void PairSearch::split(const Range& range) {
     std::copy_n(middle_.begin(), n, at);
     std::copy_n(at + 3 * n, n, at + n);
     std::copy_n(middle_.begin(), n, at + 3 * n);
-    ranges_.push_back({middle, range.to, range.bends});
-    ranges_.push_back({range.from, middle, range.bends + 2 * n});
+    ranges_.push_back({middle, range.to, range.bends, poses_at_.upper(range.number)});
+    ranges_.push_back({range.from, middle, range.bends + 2 * n, poses_at_.lower(range.number)});
 }
 
 void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRange>& found) {
@@ -148,8 +179,7 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRan
         const double width = range.to - range.from;
         const auto here = crossing(*pose_.a, *pose_.b, pose_.b_in_a);
         const bool firm = here && here->firm();
-        double turns = 0.0;
-        for (const Arm& arm : from_b_) turns += arm.turn;
+        const double turns = std::min(pose_.from_a.turns(), pose_.from_b.turns());
         if (here && here->firmness_mm() > kNearlyFirmMm &&
             (width <= kLeastHitDeg || crosses_throughout(*here, turns))) {
             add(range, ContactRange::crossing, firm);
@@ -175,6 +205,11 @@ bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
     const double middle = middle_[0];
     const double last = pool_[range.bends + needed_.size()];
     if (Bends{first, middle}.passes() || Bends{middle, last}.passes()) return false;
+    if (t.law >= 0) {
+        const TurnRate rate = *linkage_.rate(way_[0], range.from, range.to);
+        const double half = Angle::degrees(0.5 * (range.to - range.from)).rad();
+        if (!rate.one_way && std::abs(middle) <= half * rate.most) return false;
+    }
     // Where the turn opposite passes, this one may have turned back on the way.
     if (t.opposite >= 0) {
         const auto n = static_cast<std::size_t>(slot_[static_cast<std::size_t>(t.opposite)]);
@@ -201,7 +236,8 @@ bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
 // through that, and where it does, that one's edges are still ahead.
 bool PairSearch::crosses_throughout(const Crossing& here, double turns) const {
     const double d = here.inside_mm;
-    const double moved = std::max(stray(here.point, from_b_), stray(here.point, from_a_)) + turns * d;
+    const double moved =
+        std::max(stray(here.point, pose_.from_b), stray(here.point, pose_.from_a)) + turns * d;
     return moved < 0.5 * d * here.sine;
 }
 
@@ -244,13 +280,11 @@ void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm,
 
 PairSearch::At PairSearch::at(int a, int b, double deg) {
     ++poses_;
-    a_ = a;
-    b_ = b;
-    joints_known_ = false;
     At result;
-    if (!place_pair(deg)) return result;
-    result.a = frames_[static_cast<std::size_t>(a)];
-    result.b_in_a = relative(result.a, frames_[static_cast<std::size_t>(b)]);
+    if (!place_only(a, b, deg)) return result;
+    const std::span<const Frame> frames = poses_at_.frames();
+    result.a = frames[static_cast<std::size_t>(a)];
+    result.b_in_a = relative(result.a, frames[static_cast<std::size_t>(b)]);
     result.crossing =
         crossing(shapes_[static_cast<std::size_t>(a)], shapes_[static_cast<std::size_t>(b)], result.b_in_a);
     return result;
@@ -258,15 +292,13 @@ PairSearch::At PairSearch::at(int a, int b, double deg) {
 
 PairSearch::Distance PairSearch::distance(int a, int b, double deg, double limit_mm) {
     ++poses_;
-    a_ = a;
-    b_ = b;
-    joints_known_ = false;
-    if (!place_pair(deg)) return {limit_mm, {}};
-    const Frame& frame = frames_[static_cast<std::size_t>(a)];
+    if (!place_only(a, b, deg)) return {limit_mm, {}};
+    const std::span<const Frame> frames = poses_at_.frames();
+    const Frame& frame = frames[static_cast<std::size_t>(a)];
     PairPose pose;
     pose.a = &shapes_[static_cast<std::size_t>(a)];
     pose.b = &shapes_[static_cast<std::size_t>(b)];
-    pose.b_in_a = relative(frame, frames_[static_cast<std::size_t>(b)]);
+    pose.b_in_a = relative(frame, frames[static_cast<std::size_t>(b)]);
     const ClosestPoints found = nearness_.least(pose, limit_mm);
     return {found.distance, frame.point({found.on_a.x, found.on_a.y})};
 }

@@ -10,6 +10,7 @@
 #include "motion/crossing.h"
 #include "motion/linkage.h"
 #include "motion/nearness.h"
+#include "motion/poses.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -69,13 +70,16 @@ class PairSearch {
  private:
     struct Range {
         double from, to;
-        std::size_t bends;  // where those of its two ends begin
+        std::size_t bends;   // where those of its two ends begin
+        std::size_t number;  // of Poses
     };
     void begin(const Cell& cell, int a, int b);
+    void drift(const Range& range);
     void set_pose(const Range& range, std::span<const double> middle);
     bool next(Range& range, const Cell& cell);
     void split(const Range& range);
-    bool place_pair(double deg);
+    bool place_pair(std::size_t number, double deg);
+    bool place_only(int a, int b, double deg);
     [[nodiscard]] bool one_hinge_keeps_apart(const Range& range) const;
     [[nodiscard]] bool crosses_throughout(const Crossing& here, double turns) const;
     [[nodiscard]] bool only_touches(double inside_mm, double turns);
@@ -91,13 +95,20 @@ class PairSearch {
     std::vector<int> way_;     // turns from a's end on
     std::vector<int> needed_;  // turns whose bends are kept: those of the way and their four-bars'
     std::vector<int> slot_;    // by turn: where in needed_
+    std::vector<int> under_;   // plates that are placed
     std::vector<std::size_t> joints_;
     bool joints_known_ = false;
-    bool reached_ = true;        // the linkages get to the pose
-    std::vector<Frame> frames_;  // by plate; only those under a_ and b_ are right
+    bool reached_ = true;  // the linkages get to the pose
+    Poses poses_at_;
     std::vector<double> middle_, pool_;
     std::vector<Range> ranges_;
+    bool have_laws_ = false;  // all turns of the way
     std::vector<Arm> from_a_, from_b_;
+    struct TurnNow {
+        double sign;  // 1: the way goes from its other plate to its own
+        TurnRate rate;
+    };
+    std::vector<TurnNow> rates_;  // by turn of the way
     std::span<const Frame> pose_frames_;
     PairPose pose_;
 };

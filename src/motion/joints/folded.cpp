@@ -11,73 +11,10 @@ namespace popup {
 namespace {
 
 constexpr std::size_t kSteps = Folded::kLawSteps;
-// A law is looked at so often between two of its points, to find where it turns back.
-constexpr int kLooks = 4;
-// Turning back by less is rounding, degrees: it moves a point at 1 m by less than 1e-7 mm.
-constexpr double kWiggleDeg = 1e-9;
-constexpr double kFoundDeg = 1e-9;  // to which the opening is found
 // So far may an opening of a law lie from its Chebyshev point, as a share of its range.
 constexpr double kOffPoint = 1e-6;
 
 bool is_straight(const std::vector<Vec2>& law) { return law.size() == 2; }
-
-// Where the law is largest (sign 1) or smallest (-1) between two openings: golden section.
-double extreme_between(const std::vector<Vec2>& law, double from, double to, double sign) {
-    constexpr double kGolden = 0.6180339887498949;
-    double a = to - kGolden * (to - from);
-    double b = from + kGolden * (to - from);
-    double at_a = sign * fold_angle_deg(law, a);
-    double at_b = sign * fold_angle_deg(law, b);
-    while (to - from > kFoundDeg) {
-        if (at_a >= at_b) {
-            to = b;
-            b = a;
-            at_b = at_a;
-            a = to - kGolden * (to - from);
-            at_a = sign * fold_angle_deg(law, a);
-        } else {
-            from = a;
-            a = b;
-            at_a = at_b;
-            b = from + kGolden * (to - from);
-            at_b = sign * fold_angle_deg(law, b);
-        }
-    }
-    return 0.5 * (from + to);
-}
-
-std::vector<double> turning_back(const std::vector<Vec2>& law) {
-    std::vector<double> found;
-    if (is_straight(law)) return found;
-    struct Look {
-        double opening, angle;
-    };
-    std::vector<Look> looks;
-    looks.reserve((law.size() - 1) * kLooks + 1);
-    for (std::size_t i = 0; i + 1 < law.size(); ++i) {
-        for (int k = 0; k < kLooks; ++k) {
-            const double opening = law[i].x + (law[i + 1].x - law[i].x) * k / kLooks;
-            looks.push_back({opening, fold_angle_deg(law, opening)});
-        }
-    }
-    looks.push_back({law.back().x, law.back().y});
-    // The furthest point so far that may be an extreme, and which way the law goes.
-    std::size_t furthest = 0;
-    double way = 0.0;
-    for (std::size_t i = 1; i < looks.size(); ++i) {
-        const double by = looks[i].angle - looks[furthest].angle;
-        if (way == 0.0 ? std::abs(by) > kWiggleDeg : by * way > 0.0) {
-            if (way == 0.0) way = by > 0.0 ? 1.0 : -1.0;
-            furthest = i;
-        } else if (way != 0.0 && std::abs(by) > kWiggleDeg) {
-            const std::size_t before = furthest == 0 ? 0 : furthest - 1;
-            found.push_back(extreme_between(law, looks[before].opening, looks[furthest + 1].opening, way));
-            way = -way;
-            furthest = i;
-        }
-    }
-    return found;
-}
 
 // Of Folded and LoopFold.
 template <typename Kind>
@@ -87,7 +24,7 @@ JointTurn turn_about(const Kind& how) {
     turn.other = how.base;
     turn.at = how.at;
     turn.dir = how.dir;
-    turn.back_deg = turning_back(how.law);
+    turn.law = how.law;
     return turn;
 }
 

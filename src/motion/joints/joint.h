@@ -31,8 +31,9 @@ struct JointTurn {
     int opposite = kNone;
     std::array<int, 2> sides{kNone, kNone};
     bool still = false;  // against the world, of which it is a part: no opening turns it
-    // Openings at which it turns back, ascending: between them it goes one way.
-    std::vector<double> back_deg = {};
+    // Where its angle follows a law (Folded of popup/joints.h), that of the joint; it may turn back anywhere.
+    // Else empty.
+    std::span<const Vec2> law = {};
 };
 
 struct JointTurns {

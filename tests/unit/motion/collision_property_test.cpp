@@ -11,6 +11,7 @@
 
 #include "motion/plate_shape.h"
 #include "popup/check.h"
+#include "popup/crease_pattern.h"
 #include "popup/files.h"
 #include "popup/motion.h"
 #include "support/brute_force.h"
@@ -473,6 +474,59 @@ void compare_samples(double step) {
     EXPECT_EQ(tally.crossings, 0U) << "no sample may collide";
 }
 
+// A strip of panels between slanted folds, each with a flap on one side or both: long chains, in which folds
+// undo one another, and much that meets.
+CreasePattern random_strip(int seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto unit = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    CreasePattern pattern;
+    const auto fold = [&](Vec2 a, Vec2 b) {
+        const CreaseUse use = unit() < 0.5 ? CreaseUse::mountain : CreaseUse::valley;
+        pattern.lines.push_back({{a, b}, false, use, 30.0 + 140.0 * unit()});
+    };
+    const int panels = 4 + seed % 9;
+    Vec2 low{0.0, 0.0};
+    Vec2 high{0.0, 30.0};
+    pattern.lines.push_back({{low, high}});
+    for (int i = 1; i <= panels; ++i) {
+        const double lean = 8.0 * (unit() - 0.5);
+        const Vec2 next_low{20.0 * i - lean, 0.0};
+        const Vec2 next_high{20.0 * i + lean, 30.0};
+        for (const bool above : {false, true}) {
+            const Vec2 a = above ? high : low;
+            const Vec2 b = above ? next_high : next_low;
+            if (unit() < 0.4) {
+                pattern.lines.push_back({{a, b}});
+                continue;
+            }
+            const double out = (above ? 1.0 : -1.0) * (10.0 + 30.0 * unit());
+            fold(a, b);
+            pattern.lines.push_back({{a, a + Vec2{3.0, out}, b + Vec2{-3.0, out}, b}});
+        }
+        low = next_low;
+        high = next_high;
+        if (i < panels) {
+            fold(low, high);
+        } else {
+            pattern.lines.push_back({{low, high}});
+        }
+    }
+    return pattern;
+}
+
+void compare_folded(int sheets, double step) {
+    Tally tally;
+    for (int seed = 1; seed <= sheets; ++seed) {
+        Diagnostics diagnostics;
+        const auto sheet = fold_sheet(random_strip(seed), {}, diagnostics);
+        ASSERT_TRUE(sheet) << seed;
+        ASSERT_EQ(findings(diagnostics), "") << seed;
+        Comparison(fmt::format("strip {}", seed), *sheet, tally).at_every(step);
+    }
+    EXPECT_GT(tally.crossings, 500U * static_cast<std::size_t>(sheets)) << "there must be much to find";
+    EXPECT_LE(static_cast<double>(tally.undecided), kUndecided * static_cast<double>(tally.crossings));
+}
+
 class Collisions : public testing::Test {
  protected:
     void SetUp() override {
@@ -483,9 +537,11 @@ class LongCollisions : public Collisions {};
 
 TEST_F(Collisions, CollisionsAgreeWithBruteForce) { compare_generated(kDesigns, 0.5); }
 TEST_F(Collisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kDesigns / 4, 1.0); }
+TEST_F(Collisions, OfFoldedSheetsAgreeWithBruteForce) { compare_folded(kDesigns / 4, 1.0); }
 TEST_F(Collisions, Samples) { compare_samples(0.05); }
 TEST_F(LongCollisions, CollisionsAgreeWithBruteForce) { compare_generated(kLongDesigns, 0.25); }
 TEST_F(LongCollisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kLongDesigns, 1.0); }
+TEST_F(LongCollisions, OfFoldedSheetsAgreeWithBruteForce) { compare_folded(kLongDesigns, 0.5); }
 
 }  // namespace
 }  // namespace popup::test

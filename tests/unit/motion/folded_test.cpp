@@ -7,22 +7,12 @@
 
 #include "motion/joints/joint.h"
 #include "popup/motion.h"
+#include "support/laws.h"
 
 namespace popup {
 namespace {
 
-// The law of a function, in ranges.
-template <typename Function>
-std::vector<Vec2> law_of(const std::vector<double>& ends, const Function& function) {
-    std::vector<Vec2> law{{ends.front(), function(ends.front())}};
-    for (std::size_t r = 0; r + 1 < ends.size(); ++r) {
-        for (std::size_t i = 1; i <= Folded::kLawSteps; ++i) {
-            const double x = ends[r] + (ends[r + 1] - ends[r]) * chebyshev_share(i);
-            law.push_back({x, function(x)});
-        }
-    }
-    return law;
-}
+using test::law_of;
 
 TEST(Folded, LawsGoThroughTheirPointsAndFollowSmoothFunctions) {
     const auto wave = [](double x) { return 100.0 * std::sin(x / 40.0); };
@@ -62,18 +52,6 @@ TEST(Folded, StaysRigidInLongChains) {
         EXPECT_NEAR(dot(frame.axes[0], frame.axes[1]), 0.0, 1e-13);
         EXPECT_LT(distance(cross(frame.axes[0], frame.axes[1]), frame.axes[2]), 1e-13);
     }
-}
-
-TEST(Folded, SaysWhereItTurnsBack) {
-    Folded how{1, 0, {}, {0.0, 1.0}, law_of({0.0, 90.0, 180.0}, [](double x) {
-                   return 50.0 * std::sin(x * 3.14159265358979 / 90.0);
-               })};
-    const std::vector<double> back = turns_of(Joint{"", {}, how}).turns.at(0).back_deg;
-    ASSERT_EQ(back.size(), 2U);
-    for (std::size_t i = 0; i < back.size(); ++i)
-        EXPECT_NEAR(back[i], 45.0 + 90.0 * static_cast<double>(i), 1e-4);
-    how.law = law_of({0.0, 180.0}, [](double x) { return 90.0 - 0.5 * x; });
-    EXPECT_TRUE(turns_of(Joint{"", {}, how}).turns.at(0).back_deg.empty());
 }
 
 TEST(Folded, NamesItsFaults) {
