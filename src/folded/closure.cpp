@@ -11,12 +11,18 @@
 namespace popup::folded {
 namespace {
 
-// Added to the normal equations, whose entries are of the size of 1.
+// Added to the normal equations, whose entries are of the size of 1: this, and so many times the mean square
+// of the residuals. Of loops that depend on each other most conditions are idle where all are closed, but not
+// beside it, and there steps go wherever such a condition wants. With a damping of that order they are
+// quadratically convergent nevertheless (Yamashita and Fukushima, On the rate of convergence of the
+// Levenberg-Marquardt method, 2001).
 constexpr double kRegular = 1e-13;
+constexpr double kDamped = 10.0;
 constexpr int kMostSteps = 60;
-// So many for all, whether they have come to closure before or not: in directions in which the loops hardly
+// As many for all, whether some have come to closure before or not: in directions in which the loops hardly
 // say anything, each step goes a part of the way, and as many steps go the same part.
 constexpr int kSmoothSteps = 6;
+constexpr double kRounded = 1e-10;  // of a residual, after which one step more is the last
 constexpr double kNotNearer = 0.5;  // of a residual
 constexpr double kSettled = 1e-11;  // below it steps need not get nearer
 constexpr int kMostHalvings = 6;
@@ -105,7 +111,9 @@ double Closure::gap_mm(const Eigen::VectorXd& angles) {
 void Closure::factorise() {
     transposed_ = slopes_.transpose();
     Matrix normal = slopes_ * transposed_;
-    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += kRegular;
+    const double mean_square = residual_.squaredNorm() / static_cast<double>(residual_.size());
+    const double damping = kRegular + kDamped * mean_square;
+    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += damping;
     if (!analysed_) {
         solver_.analyzePattern(normal);
         analysed_ = true;
@@ -119,19 +127,27 @@ bool Closure::step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by) {
     return by.allFinite();
 }
 
-double Closure::approach_smoothly(Eigen::VectorXd& angles) {
+int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {
     Eigen::VectorXd by;
-    double here = HUGE_VAL;
-    for (int i = 0; i < kSmoothSteps; ++i) {
-        evaluate(angles, true);
-        const double before = residual_.lpNorm<Eigen::Infinity>();
-        if (before > kNotNearer * here) return HUGE_VAL;
-        here = std::max(before, kSettled);
-        factorise();
-        if (!step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep) return HUGE_VAL;
-        angles += by;
+    std::vector<double> open(all.size(), HUGE_VAL);
+    for (int round = 0;; ++round) {
+        double worst = 0.0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool last = round == kSmoothSteps;
+            evaluate(all[i], !last);
+            const double before = residual_.lpNorm<Eigen::Infinity>();
+            if (last ? !(before <= enough) : !(before <= kNotNearer * open[i])) return static_cast<int>(i);
+            worst = std::max(worst, before);
+            open[i] = std::max(before, kSettled);
+            if (last) continue;
+            factorise();
+            if (!step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
+                return static_cast<int>(i);
+            all[i] += by;
+        }
+        // What was this near before the step is at rounding after it.
+        if (round == kSmoothSteps || worst <= kRounded) return -1;
     }
-    return residual(angles);
 }
 
 Eigen::VectorXd Closure::along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "folded/sheet.h"
@@ -23,9 +24,10 @@ class Closure {
     // Brings the angles nearer to closure, each step the smallest one that closes the loops to the first
     // order, until the residual is `enough` or no step helps. Returns the residual.
     double approach(Eigen::VectorXd& angles, double enough = kRounding);
-    // The same by a fixed number of whole steps, so that where it ends depends smoothly on where it begins.
-    // Infinite if one does not help.
-    double approach_smoothly(Eigen::VectorXd& angles);
+    // The same for angles at several shares, all by the same number of whole steps, so that where they end
+    // depends smoothly on where they begin. Returns the number of those that stay open by more than `enough`
+    // or that a step does not help, -1 for none.
+    int approach_smoothly(std::span<Eigen::VectorXd> all, double enough);
     // What is left of a direction when all is taken out that opens loops, to the first order.
     Eigen::VectorXd along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction);
     static constexpr double kRounding = 2e-14;  // of a few dozen turns

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "base/nth.h"
@@ -79,20 +80,27 @@ class Walk {
             if (target_[i] == 0.0) goal[i] = first[i] / first_share;
         }
         double width = kFirstWidth;
+        bool straight = true;
         while (share < 1.0) {
             const double to = share + 1.5 * width >= 1.0 ? 1.0 : share + width;
             const Angles from = ranges_.back().points.back();
             const double begin = share;
             // Straight to the goal where that is near enough to closure all the way, for it ends there; else
-            // along what keeps the loops closed, to the first order.
-            Angles way = goal - from;
-            const auto onwards = [&](double s) -> Angles {
-                return from + ((s - begin) / (1.0 - begin)) * way;
+            // along what keeps the loops closed, to the first order. What led on before is tried first, but
+            // the last range is to end at the goal.
+            const auto go = [&](bool straight) {
+                const Angles way = straight ? Angles(goal - from) : closure_.along_loops(from, goal - from);
+                return add_range(share, to, from, [&](double s) -> Angles {
+                    return from + ((s - begin) / (1.0 - begin)) * way;
+                });
             };
-            bool added = add_range(share, to, from, onwards);
-            if (!added) {
-                way = closure_.along_loops(from, way);
-                added = add_range(share, to, from, onwards);
+            const bool first = straight || to == 1.0;
+            bool added = go(first);
+            if (added) {
+                straight = first;
+            } else {
+                added = go(!first);
+                if (added) straight = !first;
             }
             if (added) {
                 share = to;
@@ -173,10 +181,12 @@ class Walk {
         range.from = from;
         range.to = to;
         range.points.assign(kSteps + 1, begin);
-        for (std::size_t i = 1; i <= kSteps; ++i) {
-            range.points[i] = guess(range.share(i));
-            if (closure_.approach_smoothly(range.points[i]) <= kClosed && is_paper(range.points[i])) continue;
-            return blame(range.points[i]);
+        for (std::size_t i = 1; i <= kSteps; ++i) range.points[i] = guess(range.share(i));
+        const std::span<Angles> moving = std::span(range.points).subspan(1);
+        if (const int open = closure_.approach_smoothly(moving, kClosed); open >= 0)
+            return blame(moving[static_cast<std::size_t>(open)]);
+        for (const Angles& there : moving) {
+            if (!is_paper(there)) return blame(there);
         }
         // Between its points, where a polynomial departs furthest.
         for (std::size_t i = 0; i < kSteps; ++i) {

@@ -13,8 +13,9 @@ constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
 // in between can be called something.
 constexpr double kNearlyFirmMm = 0.5 * kFirmMm;
-constexpr int kMostPoses = 20000;    // of one pair in one cell
-constexpr std::size_t kLongWay = 3;  // turns, from which their directions are looked at
+constexpr int kMostPoses = 20000;           // of one pair in one cell
+constexpr std::size_t kCrossingWork = 100;  // of one look, in turns of a way
+constexpr std::size_t kLongWay = 3;         // turns, from which their directions are looked at
 
 double degrees_between(double from, double to) { return 0.5 * (from + to); }
 
@@ -177,6 +178,7 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRan
         const Found near = nearness_(pose_, 0.0, false);
         if (near.nearness == Nearness::clear) continue;
         const double width = range.to - range.from;
+        work_ += kCrossingWork;
         const auto here = crossing(*pose_.a, *pose_.b, pose_.b_in_a);
         const bool firm = here && here->firm();
         const double turns = std::min(pose_.from_a.turns(), pose_.from_b.turns());
