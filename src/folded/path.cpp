@@ -22,6 +22,7 @@ constexpr std::size_t kSteps = Folded::kLawSteps;
 constexpr std::array kFirstShares{0.1, 0.05, 0.2, 0.02, 0.35};
 constexpr double kFirstWidth = 0.3;  // of a range
 constexpr double kLeastWidth = 1.0 / 4096.0;
+constexpr int kMostStages = 12;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
 // is held to between them, and above what rounding and flat states leave.
 constexpr double kClosed = 5e-11;
@@ -66,35 +67,88 @@ class Walk {
         most_ = std::max(options.closure_mm / lever, 4.0 * kClosed);
     }
 
+    // Folds that cannot go together go one after another: what stays as it is in one stage may leave in the
+    // next, when others are folded flat. Each stage takes as much of the motion as any other.
     std::vector<Range> run() {
-        Angles here;
-        double share = 0.0;
-        if (!leave(share, here)) return stays();
-        // Between the flat sheet and the first share the angles shrink in proportion.
-        const Angles first = here;
-        const double first_share = share;
-        const auto shrunk = [&](double s) -> Angles { return (s / first_share) * first; };
-        if (!add(0.0, share, Angles::Zero(first.size()), shrunk)) return stays();
-        Angles goal = target_;
-        for (Eigen::Index i = 0; i < goal.size(); ++i) {
-            if (target_[i] == 0.0) goal[i] = first[i] / first_share;
+        Angles here = Angles::Zero(target_.size());
+        double reached = 0.0;
+        int stages = 0;
+        bool all_there = false;
+        while (stages < kMostStages && reached == stages && !all_there) {
+            if (!leave(reached, here)) break;
+            ++stages;
+            reached = go_on(reached, stages);
+            here = ranges_.back().points.back();
+            all_there = !any_stays(here);
         }
+        if (stages == 0) return stays();
+        for (Range& range : ranges_) {
+            range.from /= stages;
+            range.to /= stages;
+        }
+        cluster_.reached = reached / stages;
+        return std::move(ranges_);
+    }
+
+ private:
+    // Nothing is folded. What stays open is measured half way, with each fold at its share.
+    std::vector<Range> stays() {
+        cluster_.reached = 0.0;
+        cluster_.residual = closure_.residual(0.5 * target_, &cluster_.worst_loop);
+        return {};
+    }
+
+    // From angles at which the loops are closed, but where many ways may lead on, to those at some share
+    // beyond. In between the angles change in proportion.
+    bool leave(double& share, const Angles& from) {
+        goal_ = target_;
+        bool found = false;
+        double first = 0.0;
+        Angles there;
+        for (const double one : kFirstShares) {
+            Angles here = from + one * (target_ - from);
+            const bool closes = closure_.approach(here) <= kClosed;
+            if (!closes || stays_at(from, one, here) || !is_paper(here)) continue;
+            const bool other_way = goes_other_way(from, one, here);
+            if (found && other_way) continue;
+            found = true;
+            first = one;
+            there = here;
+            cluster_.other_way = other_way;
+            if (!other_way) break;
+        }
+        if (!found) return false;
+        const double begin = share;
+        const auto towards = [&](double s) -> Angles {
+            return from + ((s - begin) / first) * (there - from);
+        };
+        if (!add(begin, begin + first, from, towards)) return false;
+        share += first;
+        for (Eigen::Index i = 0; i < goal_.size(); ++i) {
+            if (target_[i] == 0.0) goal_[i] = from[i] + (there[i] - from[i]) / first;
+        }
+        return true;
+    }
+
+    // From the last angles to the goal, at the share `end`. Returns how far it gets.
+    double go_on(double share, double end) {
         double width = kFirstWidth;
-        bool straight = true;
-        while (share < 1.0) {
-            const double to = share + 1.5 * width >= 1.0 ? 1.0 : share + width;
+        bool straight = true;  // led on last
+        while (share < end) {
+            const double to = share + 1.5 * width >= end ? end : share + width;
             const Angles from = ranges_.back().points.back();
             const double begin = share;
             // Straight to the goal where that is near enough to closure all the way, for it ends there; else
             // along what keeps the loops closed, to the first order. What led on before is tried first, but
             // the last range is to end at the goal.
-            const auto go = [&](bool straight) {
-                const Angles way = straight ? Angles(goal - from) : closure_.along_loops(from, goal - from);
-                return add_range(share, to, from, [&](double s) -> Angles {
-                    return from + ((s - begin) / (1.0 - begin)) * way;
+            const auto go = [&](bool straight_on) {
+                const Angles way =
+                    straight_on ? Angles(goal_ - from) : closure_.along_loops(from, goal_ - from);
+                return add_range(begin, to, from, [&](double s) -> Angles {
+                    return from + ((s - begin) / (end - begin)) * way;
                 });
             };
-            const bool first = straight || to == 1.0;
+            const bool first = straight || to == end;
             bool added = go(first);
             if (added) {
                 straight = first;
@@ -110,50 +164,28 @@ class Walk {
             width = 0.5 * (to - share);
             if (width < kLeastWidth) break;
         }
-        cluster_.reached = share;
-        return std::move(ranges_);
+        return share;
     }
 
- private:
-    // Nothing is folded. What stays open is measured half way, with each fold at its share.
-    std::vector<Range> stays() {
-        cluster_.reached = 0.0;
-        cluster_.residual = closure_.residual(0.5 * target_, &cluster_.worst_loop);
-        return {};
-    }
-
-    // From the flat sheet to the angles at some share.
-    bool leave(double& share, Angles& here) {
-        Angles other_way;
-        for (const double first : kFirstShares) {
-            here = first * target_;
-            const bool closes = closure_.approach(here) <= kClosed;
-            if (!closes || stays_flat(first, here) || !is_paper(here)) continue;
-            if (goes_other_way(first, here)) {
-                if (share == 0.0) {
-                    share = first;
-                    other_way = here;
-                }
-                continue;
-            }
-            share = first;
-            return true;
-        }
-        cluster_.other_way = share > 0.0;
-        here = other_way;
-        return share > 0.0;
-    }
-
-    [[nodiscard]] bool goes_other_way(double share, const Angles& angles) const {
+    [[nodiscard]] bool goes_other_way(const Angles& from, double share, const Angles& angles) const {
         for (Eigen::Index i = 0; i < angles.size(); ++i) {
-            if (angles[i] * target_[i] < -kOtherWay * share * target_[i] * target_[i]) return true;
+            const double way = target_[i] - from[i];
+            if ((angles[i] - from[i]) * way < -kOtherWay * share * way * way) return true;
         }
         return false;
     }
 
-    // Closure may have been found where nothing is folded.
-    [[nodiscard]] bool stays_flat(double share, const Angles& angles) const {
-        return angles.lpNorm<Eigen::Infinity>() < kStays * share * target_.lpNorm<Eigen::Infinity>();
+    // Closure may have been found where nothing moves.
+    [[nodiscard]] bool stays_at(const Angles& from, double share, const Angles& angles) const {
+        return (angles - from).lpNorm<Eigen::Infinity>() < kStays * share * target_.lpNorm<Eigen::Infinity>();
+    }
+
+    // Whether a fold has not left the flat sheet yet.
+    [[nodiscard]] bool any_stays(const Angles& angles) const {
+        for (Eigen::Index i = 0; i < angles.size(); ++i) {
+            if (std::abs(angles[i]) < kStays * std::abs(target_[i])) return true;
+        }
+        return false;
     }
 
     // One range, or as many as it takes.
@@ -211,6 +243,7 @@ class Walk {
     double most_ = 0.0;  // residual between the points of a law
     Closure closure_;
     Angles target_;
+    Angles goal_;  // of the stage
     std::vector<Range> ranges_;
 };
 

@@ -38,6 +38,11 @@ struct Turn {
 struct Bends {
     double from = 0.0, to = 0.0;
     [[nodiscard]] double change() const { return to > from ? to - from : from - to; }
+    // The same where it is less than half a turn: what is folded flat may be bent by a half turn to either
+    // side, as rounding has it.
+    [[nodiscard]] double nearer_change() const {
+        return change() > std::numbers::pi ? 2.0 * std::numbers::pi - change() : change();
+    }
     // Passes unfolded, or folded flat.
     [[nodiscard]] bool passes() const { return (from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0); }
 };
@@ -141,7 +146,9 @@ double travel_from_middle(const Linkage& linkage, int index, double from_deg, do
     const double half_deg = 0.5 * (to_deg - from_deg);
     if (linkage.turns()[static_cast<std::size_t>(index)].law >= 0) {
         const TurnRate rate = *linkage.rate(index, from_deg, to_deg);
-        if (!rate.one_way) return Angle::degrees(half_deg).rad() * rate.most;
+        const double most = Angle::degrees(half_deg).rad() * rate.most;
+        if (!rate.one_way || most > 0.5 * std::numbers::pi) return most;
+        return std::max(before(index).nearer_change(), after(index).nearer_change());
     }
     return std::max(travel(linkage.turns(), index, half_deg, before),
                     travel(linkage.turns(), index, half_deg, after));

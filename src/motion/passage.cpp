@@ -59,6 +59,8 @@ struct Walk {
         };
         for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
             const int turn = linkage.drive_turn(static_cast<int>(i));
+            // A law leads from everywhere to everywhere.
+            if (linkage.turns()[static_cast<std::size_t>(turn)].law >= 0) continue;
             const double by = travel(linkage.turns(), turn, to.deg - from.deg, bends);
             if (by > most.first) most = {by, static_cast<int>(i)};
         }
