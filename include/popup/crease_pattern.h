@@ -84,7 +84,7 @@ struct FoldOptions {
 // FoldOptions::closure_mm at every opening, and not only at some.
 //
 // Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
-// `falls-out`, `fold-other-way`; errors `document-too-large`, `no-sheet`. A pattern whose loops do not close
+// `falls-out`, `fold-other-way`, `fold-stays-flat`; errors `document-too-large`, `no-sheet`. A pattern whose loops do not close
 // is told of with `not-rigid`, with the worst loop and by how much it stays open; it is folded as far as it
 // can be, if at all. Cost: near linear in lines, and in panels times ranges of the motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,

@@ -32,6 +32,15 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "goes "
      "the way that its neighbours make it go, as folds do that say no way at all. Take one of the two lines "
      "out; drawing programs leave such doubles behind when shapes with a common edge are copied."},
+    {"fold-stays-flat", Severity::warning, "a fold that does not move though the sheet folds",
+     "The sheet can be folded, but only with this fold flat: around the corners at its ends, or the holes "
+     "beside "
+     "it, the other folds leave it no turn. Folds that cannot go together are tried one after another, and "
+     "this "
+     "one could not go in any stage. Around a corner of four folds, three must be of one kind and one of the "
+     "other if all are to move; where two lines cross, the line that is folded second changes from mountain "
+     "to "
+     "valley at the first. Draw it so, or leave the fold out if it is a mark."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "

@@ -11,6 +11,7 @@
 #include "folded/path.h"
 #include "folded/refine.h"
 #include "folded/sheet.h"
+#include "folded/straighten.h"
 
 namespace popup {
 namespace {
@@ -26,6 +27,8 @@ constexpr double kFoldedRad = 1e-6;  // so near to 0 or half a turn a panel lies
 // A fold that goes the other way by less than this is hardly folded, degrees.
 constexpr double kOtherWayDeg = 0.1;
 constexpr std::size_t kToldAtMost = 10;
+// A fold that gets no further than this share of its way stays flat.
+constexpr double kStaysFlat = 0.01;
 // What is folded flat comes as near to it as the square root of what its corners are rounded to: a share of
 // this or more is the whole way, to the digits that were drawn.
 constexpr double kNearlyThere = 0.998;
@@ -107,6 +110,7 @@ class Lowering {
         add_plates();
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) add_fold(static_cast<int>(i));
         tell_other_ways();
+        tell_flat_folds();
         out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
         out_.sweep.to_deg = kFlatDeg;
         out_.sweep.closed_flat = reached_ == 1.0 && folds_flat();
@@ -261,6 +265,27 @@ class Lowering {
         }
     }
 
+    // Folds that are to be folded, and that their loops keep flat though others move.
+    void tell_flat_folds() {
+        std::size_t told = 0;
+        for (const folded::Cluster& cluster : paths_.clusters) {
+            if (cluster.reached < kNearlyThere) continue;
+            for (const int number : cluster.folds) {
+                const Fold& fold = nth(sheet_.folds, number);
+                if (fold.target == 0.0 || std::abs(final_angle(number)) >= kStaysFlat * std::abs(fold.target))
+                    continue;
+                if (++told > kToldAtMost) return;
+                diagnostics_
+                    .warning("fold-stays-flat", nth(pattern_.lines, fold.line).place,
+                             fmt::format("this fold is to be folded by {:.1f}°, and its loops keep it flat, "
+                                         "at {}",
+                                         degrees(std::abs(fold.target)),
+                                         shown_point(pattern_, sheet_.line_of(fold).a)))
+                    .hint("look at the corners at its ends: where four folds meet, opposite ones must agree");
+            }
+        }
+    }
+
     [[nodiscard]] bool folds_flat() const {
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
             const double angle = std::abs(final_angle(static_cast<int>(i)));
@@ -281,7 +306,7 @@ class Lowering {
 bool is_sound(const Paths& paths) {
     return paths.reached >= kNearlyThere &&
            std::none_of(paths.clusters.begin(), paths.clusters.end(),
-                        [](const folded::Cluster& cluster) { return cluster.other_way; });
+                        [](const folded::Cluster& one) { return one.other_way || !one.all_fold; });
 }
 
 void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sheet& sheet,
@@ -301,14 +326,28 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
     std::optional<Sheet> sheet = folded::make_sheet(pattern, options, diagnostics);
     if (!sheet) return std::nullopt;
     const bool bent = folded::has_bent_folds(*sheet);
-    Paths paths = folded::find_paths(*sheet, {options.closure_mm});
-    if (bent || !is_sound(paths)) {
-        if (const folded::Refined refined =
-                folded::refine(*sheet, paths, std::max(options.refine_mm, kRefineShare * sheet->size()));
-            refined.closes) {
+    const folded::PathOptions path{options.closure_mm};
+    Paths paths = folded::find_paths(*sheet, path);
+    const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
+    const auto refine_whole = [&] {
+        if (const folded::Refined refined = folded::refine(*sheet, paths, most_mm); refined.closes) {
             tell(refined, pattern, *sheet, diagnostics);
-            paths = folded::find_paths(*sheet, {options.closure_mm});
+            paths = folded::find_paths(*sheet, path);
         }
+    };
+    if (!is_sound(paths)) {
+        Sheet straight = *sheet;
+        const folded::Refined refined = folded::straighten(straight, most_mm);
+        Paths straight_on = refined.closes ? folded::find_paths(straight, path) : Paths{};
+        if (refined.closes && is_sound(straight_on)) {
+            sheet = std::move(straight);
+            paths = std::move(straight_on);
+            tell(refined, pattern, *sheet, diagnostics);
+        } else {
+            refine_whole();
+        }
+    } else if (bent) {
+        refine_whole();
     }
     return Lowering(pattern, *sheet, paths, options.to, diagnostics).run();
 }

@@ -87,6 +87,7 @@ class Walk {
             range.to /= stages;
         }
         cluster_.reached = reached / stages;
+        cluster_.all_fold = all_there;
         return std::move(ranges_);
     }
 

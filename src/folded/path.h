@@ -18,8 +18,9 @@
 // both ways are brought to closure again at the Chebyshev points of ranges, which are halved until closure
 // holds between the points as well. So a fold's law is a polynomial in each range (Folded of popup/joints.h).
 //
-// Not all folds can go at once: those of a map go one line after another. What has not left the flat sheet when
-// the others are where they go leaves then, in a stage of its own, which begins at a singular point as well.
+// Not all folds can go at once: those of a map go one line after another. What has not left the flat sheet
+// when the others are where they go leaves then, in a stage of its own, which begins at a singular point as
+// well.
 #pragma once
 
 #include <vector>
@@ -46,6 +47,7 @@ struct Cluster {
     // is open half way when each fold has its share, in radians or as a share of its size.
     double residual = 0.0;
     int worst_loop = -1;
+    bool all_fold = true;    // no fold stays flat that is to be folded; of reached > 0
     bool other_way = false;  // it only leaves the flat sheet with folds that go the other way than drawn
 };
 

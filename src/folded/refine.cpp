@@ -333,11 +333,15 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm) {
         if (best.closes) break;
     }
     if (!best.closes) return best;
+    move_corners(sheet, std::move(corners));
+    return best;
+}
+
+void move_corners(Sheet& sheet, std::vector<Vec2> corners) {
     sheet.corners = std::move(corners);
     for (Loop& loop : sheet.loops) {
         if (loop.corner) loop.at = sheet.at(loop.corner_number);
     }
-    return best;
 }
 
 bool has_bent_folds(const Sheet& sheet) {

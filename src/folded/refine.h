@@ -6,6 +6,8 @@
 // beside the angles; corners are dear, so that they move only where angles do not help.
 #pragma once
 
+#include <vector>
+
 #include "folded/path.h"
 #include "folded/sheet.h"
 
@@ -23,6 +25,9 @@ struct Refined {
 // begins. Cost: a few sparse factorisations of as many rows as all loops have
 // conditions at all those shares.
 Refined refine(Sheet& sheet, const Paths& paths, double most_mm);
+
+// Gives the corners of a sheet new places.
+void move_corners(Sheet& sheet, std::vector<Vec2> corners);
 
 // Whether a fold has corners that do not lie on its line, to 1e-9 mm.
 bool has_bent_folds(const Sheet& sheet);

@@ -195,6 +195,79 @@ TEST(FoldSheet, RefinesCornersThatADrawingRounded) {
     }
 }
 
+// A map of panels of 20 mm: lines across are folded first, and the others over them.
+CreasePattern map_of(int columns, int rows, double bent_mm) {
+    CreasePattern pattern = sheet({{rectangle(0, 0, 20.0 * columns, 20.0 * rows), true, CreaseUse::cut}});
+    const auto corner = [&](int i, int j) {
+        const bool inside = i > 0 && i < columns && j > 0 && j < rows;
+        return Vec2{20.0 * i + (inside ? bent_mm * std::sin(5.0 * i + 3.0 * j) : 0.0), 20.0 * j};
+    };
+    const auto use = [](bool mountain) { return mountain ? CreaseUse::mountain : CreaseUse::valley; };
+    for (int j = 1; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i)
+            pattern.lines.push_back({{corner(i, j), corner(i + 1, j)}, false, use(j % 2 == 0), 180.0});
+    }
+    for (int i = 1; i < columns; ++i) {
+        for (int j = 0; j < rows; ++j)
+            pattern.lines.push_back({{corner(i, j), corner(i, j + 1)}, false, use((i + j) % 2 == 0), 180.0});
+    }
+    return pattern;
+}
+
+void expect_folds_in_turn(const Assembly& map) {
+    EXPECT_EQ(map.sweep.from_deg, 0.0);
+    const auto largest_bend = [&](const std::vector<Frame>& frames, bool across) {
+        double least = 1e9;
+        double most = 0.0;
+        for (const Line& line : map.lines) {
+            const bool is_across = std::abs(line.at.b.y - line.at.a.y) < 1e-3;
+            if (line.kind == LineKind::cut || is_across != across) continue;
+            const double angle = std::abs(bend(map, frames, line));
+            least = std::min(least, angle);
+            most = std::max(most, angle);
+        }
+        return std::pair{least, most};
+    };
+    for (int deg = 0; deg <= 180; deg += 5) EXPECT_LT(torn(map, deg), 1e-7) << deg;
+    // The first lines are folded flat half way, and then the others go.
+    const auto half = frames_at(map, 90.0);
+    EXPECT_GT(largest_bend(half, true).first, 179.99);
+    EXPECT_LT(largest_bend(half, false).second, 0.01);
+    const auto later = frames_at(map, 60.0);
+    EXPECT_GT(largest_bend(later, true).first, 179.99);
+    EXPECT_GT(largest_bend(later, false).first, 20.0);
+    EXPECT_GT(largest_bend(frames_at(map, 0.0), false).first, 179.99);
+}
+
+TEST(FoldSheet, FoldsTheLinesOfAMapOneAfterAnother) {
+    for (const auto& [columns, rows] : {std::pair{2, 2}, std::pair{3, 3}, std::pair{4, 3}, std::pair{8, 8}})
+        expect_folds_in_turn(folded(map_of(columns, rows, 0.0)));
+}
+
+TEST(FoldSheet, StraightensLinesThatADrawingRounded) {
+    Diagnostics diagnostics("map");
+    const Assembly map = folded(map_of(4, 4, 0.001), diagnostics);
+    const std::string told = test::findings(diagnostics);
+    EXPECT_NE(told.find("corners-refined"), std::string::npos) << told;
+    EXPECT_EQ(told.find("not-rigid"), std::string::npos) << told;
+    expect_folds_in_turn(map);
+}
+
+TEST(FoldSheet, SaysWhichFoldsStayFlat) {
+    // Of a corner with four folds of which one line is a valley and the other one as well, both cannot go.
+    CreasePattern pattern = map_of(2, 2, 0.0);
+    for (CreaseLine& line : pattern.lines) {
+        if (line.use == CreaseUse::cut) continue;
+        line.use = CreaseUse::valley;
+        if (line.points[0].x == line.points[1].x) line.fold_deg = 60.0;
+    }
+    Diagnostics diagnostics("valleys");
+    const Assembly card = folded(pattern, diagnostics);
+    const std::string told = test::findings(diagnostics);
+    EXPECT_NE(told.find("fold-stays-flat"), std::string::npos) << told;
+    for (int deg = 0; deg <= 180; deg += 5) EXPECT_LT(torn(card, deg), 1e-7) << deg;
+}
+
 TEST(FoldSheet, SaysWhichLoopIsRigid) {
     // Three folds meet in an inner corner: no angles but nought close them.
     Diagnostics diagnostics("rigid");
