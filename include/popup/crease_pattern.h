@@ -47,15 +47,8 @@ struct CreasePattern {
     std::string stem;
     std::vector<CreaseLine> lines;
     double fold_deg = 90.0;  // of mountains and valleys that do not say theirs; (0, 180]
-    // How points are told to the author, who knows the pattern in other coordinates: (p - origin) times
-    // `per_mm`, y turned over where it runs down.
-    Vec2 origin = {};
-    double per_mm = 1.0;
-    bool y_down = false;
-    std::string unit = "mm";  // behind the numbers; may be empty
+    Ruler ruler = {};        // of the drawing or file
 };
-// "(12.00, 30.50) mm".
-std::string shown_point(const CreasePattern& pattern, Vec2 at);
 
 struct FoldOptions {
     // How far folds are folded in the end, [0°, 180°], whatever the pattern says: those of lines with that

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace popup {
@@ -131,5 +132,16 @@ struct Tolerances {
     double closure_mm = 1e-6;    // a seam that opens further than this does not close
     double flat_deg = 1e-3;      // normals further apart than this at 0° are not flat
 };
+
+// How points are told to an author who knows them in other coordinates: (p - origin) times `per_mm`, y turned
+// over where it runs down.
+struct Ruler {
+    Vec2 origin;  // mm
+    double per_mm = 1.0;
+    bool y_down = false;
+    std::string unit = "mm";  // behind the numbers; may be empty
+};
+// "(12.00, 30.50) mm".
+std::string shown_point(const Ruler& ruler, Vec2 at);
 
 }  // namespace popup

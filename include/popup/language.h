@@ -67,7 +67,8 @@ enum class DrawnAs {
 
 // Of inputs that are drawings.
 struct DrawingOptions {
-    DrawnAs as = DrawnAs::parts;
+    // None: parts; of formats whose layers say what lines are (DXF) a folded sheet where any is a fold.
+    std::optional<DrawnAs> as = {};
     std::vector<LineRule> lines;  // above all that the drawing itself tells; the first that fits counts
 };
 
@@ -98,8 +99,8 @@ struct Language {
     std::string_view suffix;  // ".xml"
     std::string_view about;
     Reading (*read)(const Source&, const ReadOptions&, Diagnostics&) = nullptr;
-    // Every source of it describes flat parts, but where DrawingOptions say that it is a card: known before
-    // it is read.
+    bool drawn = false;  // DrawingOptions say what a source of it describes
+    // Of these: every source describes flat parts where DrawingOptions::as does not say otherwise.
     bool only_parts = false;
     // Directories that are walked are searched for it. Not of what others may have put there as pictures.
     bool walked = true;

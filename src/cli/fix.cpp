@@ -55,7 +55,7 @@ void check_usage(const Options& options, const InputFiles& files) {
 
 // A drawing that is read as a card becomes a document.
 bool becomes_document(const Options& options, const Language& language) {
-    return language.only_parts && options.compile.read.drawing.as == DrawnAs::card;
+    return language.drawn && options.compile.read.drawing.as == DrawnAs::card;
 }
 
 // Only documents have repairs that can be written back.
@@ -70,12 +70,12 @@ void check_language(const Options& options, const Language& language, const std:
         fmt::format("{}: fix mends popup documents, and this {}", name,
                     language.trail != nullptr ? "is a program"
                     : language.only_parts     ? "describes flat parts"
+                    : language.drawn          ? "is a drawing"
                                               : "is none"),
-        language.only_parts
-            ? std::vector<std::string>{"--as card reads it as a pop-up card, and makes a document "
-                                       "of it"}
-            : std::vector<std::string>{"popupc check tells what is wrong with it; popupc build "
-                                       "writes its sheets"});
+        language.drawn ? std::vector<std::string>{"--as card reads it as a pop-up card, and makes a document "
+                                                  "of it"}
+                       : std::vector<std::string>{"popupc check tells what is wrong with it; popupc build "
+                                                  "writes its sheets"});
 }
 
 // As far as names tell: no program is run that could not be mended.

@@ -124,7 +124,7 @@ class Lowering {
         const folded::Loop& loop = nth(sheet_.loops, cluster.worst_loop);
         const std::string where =
             fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
-                        loop.corner ? "the corner" : "the hole", shown_point(pattern_, loop.at));
+                        loop.corner ? "the corner" : "the hole", shown_point(pattern_.ruler, loop.at));
         const std::string by = loop.corner ? fmt::format("{:.1f}°", degrees(cluster.residual))
                                            : fmt::format("{:.2f} mm", cluster.residual * loop.size);
         const Place place = nth(pattern_.lines, loop.line).place;
@@ -260,7 +260,7 @@ class Lowering {
                          fmt::format("this fold is drawn as a {}, and its loops turn it the other way, by "
                                      "{:.1f}°, at {}",
                                      fold.target < 0.0 ? "mountain" : "valley", std::abs(deg),
-                                     shown_point(pattern_, sheet_.line_of(fold).a)))
+                                     shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
                 .hint("draw it as the other kind, or look at the folds around its ends");
         }
     }
@@ -313,9 +313,10 @@ void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sh
           Diagnostics& diagnostics) {
     if (refined.most_mm <= kToldMm) return;
     diagnostics
-        .remark("corners-refined", {},
-                fmt::format("{} corners were moved so that the folds close, by {:.3f} mm at most, at {}",
-                            refined.moved, refined.most_mm, shown_point(pattern, sheet.at(refined.corner))))
+        .remark(
+            "corners-refined", {},
+            fmt::format("{} corners were moved so that the folds close, by {:.3f} mm at most, at {}",
+                        refined.moved, refined.most_mm, shown_point(pattern.ruler, sheet.at(refined.corner))))
         .hint("a drawing with more decimals needs none of it");
 }
 

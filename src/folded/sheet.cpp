@@ -13,20 +13,7 @@
 #include "base/geometry/mend_ends.h"
 #include "base/nth.h"
 #include "base/sets.h"
-#include "base/text/numbers.h"
 #include "folded/loops.h"
-
-namespace popup {
-
-std::string shown_point(const CreasePattern& pattern, Vec2 at) {
-    const Vec2 off = pattern.per_mm * (at - pattern.origin);
-    // Never "-0.00".
-    const auto rounded_to = [](double value) { return rounded(value, 2) + 0.0; };
-    return fmt::format("({:.2f}, {:.2f}){}{}", rounded_to(off.x), rounded_to(pattern.y_down ? -off.y : off.y),
-                       pattern.unit.empty() ? "" : " ", pattern.unit);
-}
-
-}  // namespace popup
 
 namespace popup::folded {
 namespace {
@@ -86,7 +73,7 @@ class Maker {
 
  private:
     [[nodiscard]] Place place_of(int line) const { return nth(pattern_.lines, line).place; }
-    [[nodiscard]] std::string shown(Vec2 at) const { return shown_point(pattern_, at); }
+    [[nodiscard]] std::string shown(Vec2 at) const { return shown_point(pattern_.ruler, at); }
 
     bool too_many() {
         diagnostics_.error("document-too-large", {},

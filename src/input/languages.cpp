@@ -33,16 +33,21 @@ Reading fold_of(const Source& source, const ReadOptions& options, Diagnostics& d
     return reading;
 }
 
+// Of all formats of drawings.
+template <std::optional<drawing::Tracing> (*kTrace)(const Source&, const ReadOptions&, Diagnostics&)>
 Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;
-    switch (options.drawing.as) {
+    std::optional<drawing::Tracing> tracing = kTrace(source, options, diagnostics);
+    if (!tracing) return reading;
+    switch (options.drawing.as.value_or(drawing::shown_by(*tracing))) {
         case DrawnAs::parts:
-            return assembly_of<drawing::read>(source, options, diagnostics);
+            reading.assembly = drawing::flat_assembly(std::move(*tracing), diagnostics);
+            break;
         case DrawnAs::card:
-            reading.design = drawing::card::read(source, options, diagnostics);
+            reading.design = drawing::card::read(*tracing, source, diagnostics);
             break;
         case DrawnAs::folded:
-            reading.creases = drawing::folded::read(source, options, diagnostics);
+            reading.creases = drawing::folded::read(*tracing, source, diagnostics);
             break;
     }
     return reading;
@@ -60,7 +65,8 @@ std::vector<Language> const& language_table() {
         {.name = "svg",
          .suffix = ".svg",
          .about = "drawing of closed cut contours, each a flat part, or with --as a card or a folded sheet",
-         .read = drawing_of,
+         .read = drawing_of<drawing::read_tracing>,
+         .drawn = true,
          .only_parts = true,
          .walked = false,
          .recognises = drawing::recognises},
@@ -131,7 +137,8 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
         return std::nullopt;
     };
     const Language* language = find_language(source, options.language);
-    if (language != nullptr && language->only_parts && options.drawing.as == DrawnAs::parts)
+    if (language != nullptr && language->only_parts &&
+        options.drawing.as.value_or(DrawnAs::parts) == DrawnAs::parts)
         return refuse("this describes flat parts");
     Reading reading = read_source_text(source, options, diagnostics);
     if (reading.assembly) {

@@ -75,8 +75,8 @@ void tell_empty(const Tracing& tracing, Diagnostics& diagnostics) {
                               open == 1 ? " does" : "s do", kJoinMm));
         const Gap gap = narrowest_gap(tracing);
         if (gap.width < HUGE_VAL) {
-            told.hint(fmt::format("the narrowest gap is {:.2f} mm wide, at ({:.2f}, {:.2f}) mm", gap.width,
-                                  gap.at.x, tracing.page.y - gap.at.y));
+            told.hint(fmt::format("the narrowest gap is {:.2f} mm wide, at {}", gap.width,
+                                  shown_point(tracing.ruler, gap.at)));
         }
     }
     if (tracing.invisible > 0) {

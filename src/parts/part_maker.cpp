@@ -109,9 +109,7 @@ class PartMaker {
     [[nodiscard]] Place place(const std::vector<int>& elements) const { return element(elements[0]).place; }
 
     // Where a point is, as a drawing program shows it.
-    [[nodiscard]] std::string spot(Vec2 p) const {
-        return fmt::format("({:.2f}, {:.2f}) mm", p.x + 0.0, in_.page.y - p.y + 0.0);
-    }
+    [[nodiscard]] std::string spot(Vec2 p) const { return shown_point(in_.ruler, p); }
 
     void too_large(std::string_view why) {
         diagnostics_.error("document-too-large", {}, fmt::format("the drawing is too much work: {}", why));

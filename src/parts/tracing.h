@@ -1,6 +1,7 @@
 // A drawing as flat lines in millimetres, before it is known which of them make a part.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,8 @@ struct TracedLine {
     double width_mm = 0.0;
     Dash dash = Dash::none;
     Named named = Named::nothing;
-    bool ruled = false;    // `named` is the caller's
-    double opacity = 1.0;  // of the stroke
+    bool ruled = false;                  // `named` is the caller's
+    std::optional<double> opacity = {};  // of the stroke; none: the format has no such thing
 };
 
 // An area that is painted, by all subpaths of a path together.
@@ -82,6 +83,9 @@ struct Tracing {
     CurveTable curves;  // of all lines and fills
     int invisible = 0;  // shapes with neither stroke nor fill
     Vec2 page;          // size of the drawing, mm; 0 when it is not said
+    Ruler ruler;
+    // Lines are what their layers are called even of flat parts: in CAD drawings these are chosen to say it.
+    bool by_layers = false;
 };
 
 }  // namespace popup::drawing

@@ -1,7 +1,11 @@
 #include "popup/geometry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <queue>
+
+#include "base/text/numbers.h"
 
 namespace popup {
 
@@ -171,6 +175,12 @@ std::array<double, 4> quaternion(const Frame& frame) {
     const double scale = (q[3] < 0.0 ? -1.0 : 1.0) / norm;
     for (double& value : q) value *= scale;
     return q;
+}
+
+std::string shown_point(const Ruler& ruler, Vec2 at) {
+    const Vec2 off = ruler.per_mm * (at - ruler.origin);
+    return fmt::format("({:.2f}, {:.2f}){}{}", rounded(off.x, 2), rounded(ruler.y_down ? -off.y : off.y, 2),
+                       ruler.unit.empty() ? "" : " ", ruler.unit);
 }
 
 }  // namespace popup

@@ -65,7 +65,7 @@ OutputRequest request_of(const Options& options) {
                           .format = options.build.format,
                           .inputs = options.inputs.names,
                           .language = options.inputs.language,
-                          .as = options.compile.read.drawing.as};
+                          .as = options.compile.read.drawing.as.value_or(DrawnAs::parts)};
     if (options.build.emit) request.streams.emplace_back("--emit");
     if (options.messages.use_standard_output()) request.streams.emplace_back("the diagnostics");
     const auto add = [&request](const std::string& path, const std::string& name) {
@@ -120,7 +120,7 @@ OutputPlan plan_of(const Options& options) {
     for (const std::string& name : options.inputs.names) {
         const Language* language = find_language(Source{name, {}}, options.inputs.language);
         if (build.emit && name != "-" && language != nullptr && language->only_parts &&
-            options.compile.read.drawing.as == DrawnAs::parts) {
+            options.compile.read.drawing.as.value_or(DrawnAs::parts) == DrawnAs::parts) {
             check_emitted(*build.emit, name, false);
         }
     }

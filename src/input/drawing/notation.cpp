@@ -94,6 +94,10 @@ Named together(const std::array<bool, 8>& said) {
     return has(Named::print) ? Named::print : Named::nothing;
 }
 
+bool is_fold(Named named) {
+    return named == Named::fold || named == Named::mountain || named == Named::valley;
+}
+
 // How a line was drawn, for counts.
 using StrokeKey = std::tuple<Dash, std::uint8_t, std::uint8_t, std::uint8_t>;
 StrokeKey key_of(const TracedLine& line) { return {line.dash, line.color.r, line.color.g, line.color.b}; }
@@ -143,19 +147,7 @@ class FoldLike {
     }
     [[nodiscard]] bool is(const TracedLine& line) const {
         if (line.owner > 0 || line.use != Use::cut || line.ruled) return false;
-        switch (line.named) {
-            case Named::fold:
-            case Named::mountain:
-            case Named::valley:
-                return true;
-            case Named::cut:
-            case Named::hole:
-            case Named::print:
-            case Named::ignore:
-                return false;
-            case Named::nothing:
-                break;
-        }
+        if (line.named != Named::nothing) return is_fold(line.named);
         if (outlines_.find(key_of(line)) != outlines_.end()) return false;
         const Hue hue = hue_of(line.color);
         return line.dash != Dash::none ||
@@ -290,11 +282,22 @@ std::string shown_stroke(const TracedLine& line) {
                        to_string(line.color));
 }
 
+bool has_folds(const Tracing& tracing) {
+    const FoldLike fold_like(tracing);
+    return std::any_of(tracing.lines.begin(), tracing.lines.end(), [&](const TracedLine& line) {
+        return line.use == Use::mountain || line.use == Use::valley || is_fold(line.named) ||
+               fold_like.is(line);
+    });
+}
+
 void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {
     const bool simulator = has_simulator_colors(tracing);
+    const auto told = [&tracing](const TracedLine& line) {
+        return line.ruled || (tracing.by_layers && line.named != Named::nothing);
+    };
     for (TracedLine& line : tracing.lines) {
         if (line.owner > 0 || line.use == Use::shape) continue;
-        if (line.ruled) {
+        if (told(line)) {
             line.use = use_of(line.named);
         } else if (simulator && line.dash != Dash::none) {
             const Hue hue = hue_of(line.color);
@@ -303,7 +306,7 @@ void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {
         }
     }
     std::erase_if(tracing.lines,
-                  [](const TracedLine& line) { return line.ruled && line.named == Named::ignore; });
+                  [&](const TracedLine& line) { return told(line) && line.named == Named::ignore; });
     tell_fold_like(tracing, diagnostics);
 }
 

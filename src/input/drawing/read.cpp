@@ -22,16 +22,27 @@ std::optional<Tracing> read_tracing(const Source& source, const ReadOptions& opt
     return trace(*located, options, diagnostics);
 }
 
+namespace {
+
+std::optional<FlatParts> parts_of(Tracing&& tracing, Diagnostics& diagnostics) {
+    settle_uses(tracing, diagnostics);
+    return make_parts(tracing, diagnostics);
+}
+
+}  // namespace
+
 std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& options,
                                     Diagnostics& diagnostics) {
     auto tracing = read_tracing(source, options, diagnostics);
-    if (!tracing) return std::nullopt;
-    settle_uses(*tracing, diagnostics);
-    return make_parts(*tracing, diagnostics);
+    return tracing ? parts_of(std::move(*tracing), diagnostics) : std::nullopt;
 }
 
-std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    std::optional<FlatParts> parts = read_parts(source, options, diagnostics);
+DrawnAs shown_by(const Tracing& tracing) {
+    return tracing.by_layers && has_folds(tracing) ? DrawnAs::folded : DrawnAs::parts;
+}
+
+std::optional<Assembly> flat_assembly(Tracing&& tracing, Diagnostics& diagnostics) {
+    std::optional<FlatParts> parts = parts_of(std::move(tracing), diagnostics);
     if (!parts) return std::nullopt;
     Assembly assembly = assembly_of(std::move(*parts));
     settle_numbers(assembly);

@@ -1,4 +1,4 @@
-// Drawings as an input language: SVG.
+// Drawings as input languages: SVG, and what all formats of drawings share.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,10 @@ std::optional<FlatParts> read_parts(const Source& source, const ReadOptions& opt
 // The flat lines of a drawing, whatever they mean; nullopt after an error.
 std::optional<Tracing> read_tracing(const Source& source, const ReadOptions& options,
                                     Diagnostics& diagnostics);
-// The same as an assembly.
-std::optional<Assembly> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
+// A drawing of any format as flat parts.
+std::optional<Assembly> flat_assembly(Tracing&& tracing, Diagnostics& diagnostics);
+// What a drawing shows where nobody says it.
+DrawnAs shown_by(const Tracing& tracing);
 bool recognises(std::string_view text);
 
 }  // namespace popup::drawing

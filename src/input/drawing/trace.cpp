@@ -183,6 +183,7 @@ class Tracer {
         tell_unit(place, attributes, sized, width, height);
         constexpr double k = kMmPerPixel;
         out_.page = {k * width, k * height};
+        out_.ruler = {{0.0, out_.page.y}, 1.0, true};
         const std::string_view preserve = attributes.value("preserveAspectRatio");
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
         if (box) context.to_mm = context.to_mm.after(fitted(*box, width, height, preserve));

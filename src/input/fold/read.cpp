@@ -330,19 +330,19 @@ class Reader {
             for (const Unit& one : kUnits) {
                 if (one.name == *unit->text()) mm = one.mm;
             }
-            if (mm > 0.0) out_.unit = *unit->text();
+            if (mm > 0.0) out_.ruler.unit = *unit->text();
         }
         if (mm == 0.0) {
             mm = longer > 0.0 ? kSheetMm / longer : 1.0;
-            out_.unit = "";
+            out_.ruler.unit = "";
             diagnostics_
                 .remark(
                     "fold-size", {},
                     fmt::format("the pattern has no unit: its longer side was made {:g} mm long", kSheetMm))
                 .hint("say \"frame_unit\": \"mm\" in the file");
         }
-        out_.origin = {};
-        out_.per_mm = 1.0 / mm;
+        out_.ruler.origin = {};
+        out_.ruler.per_mm = 1.0 / mm;
         if (longer * mm > kLargestPatternMm) {
             sound_ = false;
             diagnostics_

@@ -239,17 +239,12 @@ std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLin
             .warning(
                 "end-moved", nth(tracing.elements, line.element).place,
                 fmt::format("the end of this {} misses what it meets by {:.2f} mm at {}; it was moved there",
-                            (line.ink & kAnyFold) != 0 ? "fold" : "cut", size, shown_point(tracing, end.to)))
+                            (line.ink & kAnyFold) != 0 ? "fold" : "cut", size,
+                            shown_point(tracing.ruler, end.to)))
             .hint("let ends snap to the lines that they meet in the drawing program")
-            .changed(shown_point(tracing, end.from), shown_point(tracing, end.to));
+            .changed(shown_point(tracing.ruler, end.from), shown_point(tracing.ruler, end.to));
     }
     return graph;
-}
-
-std::string shown_point(const Tracing& tracing, Vec2 at) {
-    // Never "-0.00".
-    const auto rounded = [](double value) { return std::round(100.0 * value) / 100.0 + 0.0; };
-    return fmt::format("({:.2f}, {:.2f}) mm", rounded(at.x), rounded(tracing.page.y - at.y));
 }
 
 }  // namespace popup::drawing::card

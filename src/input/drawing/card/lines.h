@@ -31,7 +31,4 @@ CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics);
 std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLine>& lines,
                                     std::vector<Segment>& moves, Diagnostics& diagnostics);
 
-// A point of a drawing in words, from its upper left corner: "(12.00, 30.50) mm".
-std::string shown_point(const Tracing& tracing, Vec2 at);
-
 }  // namespace popup::drawing::card

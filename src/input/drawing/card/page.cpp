@@ -114,7 +114,7 @@ class PageFinder {
             diagnostics_
                 .warning("page-mended", place_of(border_element()),
                          fmt::format("a corner of the page is {:.2f} mm off a rectangle, at {}", made.off,
-                                     shown_point(tracing_, made.worst)))
+                                     shown_point(tracing_.ruler, made.worst)))
                 .hint("draw the page as a rectangle")
                 .changed("a border of four sides",
                          fmt::format("a page of {:.2f} × {:.2f} mm", made.width, made.height));
@@ -222,8 +222,8 @@ class PageFinder {
                                 "moved by as much",
                                 gutter->off))
                 .hint("the halves of a card are equally wide")
-                .changed(fmt::format("a page about {}", shown_point(tracing_, page.middle)),
-                         fmt::format("a page about {}", shown_point(tracing_, made.centre)));
+                .changed(fmt::format("a page about {}", shown_point(tracing_.ruler, page.middle)),
+                         fmt::format("a page about {}", shown_point(tracing_.ruler, made.centre)));
         }
         // Looking up, the left face lies on the left of the half that runs up.
         made.left = graph_.face_of(gutter->from.half);

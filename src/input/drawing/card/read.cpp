@@ -11,7 +11,6 @@
 #include "input/drawing/card/lines.h"
 #include "input/drawing/card/page.h"
 #include "input/drawing/card/to_design.h"
-#include "input/drawing/read.h"
 
 namespace popup::drawing::card {
 namespace {
@@ -67,7 +66,7 @@ class Teller {
         return nth(tracing_.elements, one.element).place;
     }
     [[nodiscard]] std::string at(const NotUnderstood& one) const {
-        return ", at " + shown_point(tracing_, one.at);
+        return ", at " + shown_point(tracing_.ruler, one.at);
     }
 
     void tell_ways(const Leftovers& left) {
@@ -89,7 +88,7 @@ class Teller {
                          "{} of {} stretches of folds {} drawn as the other kind than {} must be, the first "
                          "at {}",
                          wrong, wrong + left.as_drawn.size(), wrong == 1 ? "is" : "are",
-                         wrong == 1 ? "it" : "they", shown_point(tracing_, graph_.at(first.a))))
+                         wrong == 1 ? "it" : "they", shown_point(tracing_.ruler, graph_.at(first.a))))
             .hint(
                 "folds that hold a feature go the way of the fold it stands on, its middle fold the other "
                 "way");
@@ -102,20 +101,18 @@ class Teller {
 
 }  // namespace
 
-std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
-    const auto tracing = read_tracing(source, options, diagnostics);
-    if (!tracing) return std::nullopt;
-    CardLines drawn = card_lines(*tracing, diagnostics);
+std::optional<Design> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+    CardLines drawn = card_lines(tracing, diagnostics);
     std::vector<Segment> moves;
-    const auto graph = join_ends(*tracing, drawn.lines, moves, diagnostics);
+    const auto graph = join_ends(tracing, drawn.lines, moves, diagnostics);
     if (!graph) return std::nullopt;
-    const auto page = find_page(*tracing, *graph, diagnostics);
+    const auto page = find_page(tracing, *graph, diagnostics);
     if (!page) return std::nullopt;
     const Features features = find_features(*graph, *page);
     const Leftovers left = find_leftovers(*graph, features);
-    Teller(*tracing, *graph, diagnostics).tell(features, left);
-    Design design = make_design(*tracing, *graph, *page, features, left.holes, drawn.printed,
-                                std::move(moves), diagnostics);
+    Teller(tracing, *graph, diagnostics).tell(features, left);
+    Design design = make_design(tracing, *graph, *page, features, left.holes, drawn.printed, std::move(moves),
+                                diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     design.file = source.name;
     design.stem = source.stem();

@@ -124,7 +124,8 @@ class DesignMaker {
     }
 
     void fault(Place place, const std::string& what, std::optional<Vec2> at) {
-        diagnostics_.error("not-understood", place, at ? what + ", at " + shown_point(tracing_, *at) : what)
+        diagnostics_
+            .error("not-understood", place, at ? what + ", at " + shown_point(tracing_.ruler, *at) : what)
             .hint(
                 "draw it otherwise, or leave it out with --lines ignore=NAME, of a layer, class, id or "
                 "colour");
@@ -299,8 +300,8 @@ class DesignMaker {
                             "were moved there",
                             feature.linkage.off))
             .about(design_.structures.empty() ? std::string() : design_.structures.back().id)
-            .changed(shown_point(tracing_, drawn.a) + " to " + shown_point(tracing_, drawn.b),
-                     shown_point(tracing_, exact.a) + " to " + shown_point(tracing_, exact.b));
+            .changed(shown_point(tracing_.ruler, drawn.a) + " to " + shown_point(tracing_.ruler, drawn.b),
+                     shown_point(tracing_.ruler, exact.a) + " to " + shown_point(tracing_.ruler, exact.b));
     }
 
     void tell_added(const DrawnFeature& feature, const Drive& drive) {
@@ -311,8 +312,8 @@ class DesignMaker {
             .about(design_.structures.empty() ? std::string() : design_.structures.back().id)
             .hint("draw it, so that the drawing shows what is folded")
             .changed("no middle fold",
-                     fmt::format("one in the line from {} to {}", shown_point(tracing_, added.a),
-                                 shown_point(tracing_, added.b)));
+                     fmt::format("one in the line from {} to {}", shown_point(tracing_.ruler, added.a),
+                                 shown_point(tracing_.ruler, added.b)));
     }
 
     void add(const Outline& outline) {

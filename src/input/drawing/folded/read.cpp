@@ -4,7 +4,6 @@
 
 #include "base/nth.h"
 #include "input/drawing/card/lines.h"
-#include "input/drawing/read.h"
 
 namespace popup::drawing::folded {
 namespace {
@@ -31,30 +30,26 @@ CreaseUse use_of(unsigned ink) {
 // As Origami Simulator has it.
 std::optional<double> angle_of(const TracedLine& line) {
     if (line.color != kSimulatorMountain && line.color != kSimulatorValley) return std::nullopt;
-    if (line.named != Named::nothing || line.dash != Dash::none || line.opacity < kLeastOpacity)
+    if (line.named != Named::nothing || line.dash != Dash::none || line.opacity.value_or(0.0) < kLeastOpacity)
         return std::nullopt;
-    return kFoldedDeg * line.opacity;
+    return kFoldedDeg * *line.opacity;
 }
 
 }  // namespace
 
-std::optional<CreasePattern> read(const Source& source, const ReadOptions& options,
-                                  Diagnostics& diagnostics) {
-    const std::optional<Tracing> tracing = read_tracing(source, options, diagnostics);
-    if (!tracing) return std::nullopt;
-    card::CardLines drawn = card::card_lines(*tracing, diagnostics);
+std::optional<CreasePattern> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+    card::CardLines drawn = card::card_lines(tracing, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     CreasePattern pattern;
     pattern.file = source.name;
     pattern.stem = source.stem();
-    pattern.origin = {0.0, tracing->page.y};
-    pattern.y_down = true;
+    pattern.ruler = tracing.ruler;
     pattern.lines.reserve(drawn.lines.size());
     for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
         SheetLine& line = drawn.lines[i];
         CreaseLine crease{std::move(line.points), line.closed, use_of(line.ink)};
         if ((line.ink & (kMountain | kValley)) != 0) crease.fold_deg = angle_of(*drawn.drawn_by[i]);
-        crease.place = nth(tracing->elements, line.element).place;
+        crease.place = nth(tracing.elements, line.element).place;
         crease.name = to_string(drawn.drawn_by[i]->color);
         pattern.lines.push_back(std::move(crease));
     }

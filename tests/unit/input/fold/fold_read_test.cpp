@@ -32,7 +32,7 @@ TEST(FoldRead, TakesUnitsAndMakesOthersLargeEnough) {
         ASSERT_TRUE(one.pattern) << one.told;
         EXPECT_NEAR(one.pattern->lines[0].points[1].x, mm, 1e-9) << unit;
         EXPECT_EQ(one.told, "") << unit;
-        EXPECT_EQ(shown_point(*one.pattern, one.pattern->lines[0].points[1]),
+        EXPECT_EQ(shown_point(one.pattern->ruler, one.pattern->lines[0].points[1]),
                   std::string("(2.00, 0.00) ") + unit);
     }
     const Read without = read("{" + square + "}");
