@@ -15,6 +15,7 @@
 #include "input/codes.h"
 #include "input/drawing/card/codes.h"
 #include "input/drawing/codes.h"
+#include "input/dxf/codes.h"
 #include "input/flatlang/codes.h"
 #include "input/fold/codes.h"
 #include "input/oa/codes.h"
@@ -35,11 +36,11 @@ namespace {
 std::vector<CodeInfo> sorted_rows() {
     std::vector<CodeInfo> rows;
     for (const std::span<const CodeInfo> room :
-         {base_codes(),      input_codes(),       xml_codes(),    drawing_codes(), drawn_card_codes(),
-          flatlang_codes(),  assembly_codes(),    fold_codes(),   oa_codes(),      parts_codes(),
-          mechanism_codes(), check_codes(),       folded_codes(), motion_codes(),  pattern_codes(),
-          layout_codes(),    fabrication_codes(), output_codes(), run_codes(),     findings_codes(),
-          batch_codes(),     cli_codes(),         trace_codes()}) {
+         {base_codes(),     input_codes(),     xml_codes(),         drawing_codes(), drawn_card_codes(),
+          flatlang_codes(), assembly_codes(),  fold_codes(),        dxf_codes(),     oa_codes(),
+          parts_codes(),    mechanism_codes(), check_codes(),       folded_codes(),  motion_codes(),
+          pattern_codes(),  layout_codes(),    fabrication_codes(), output_codes(),  run_codes(),
+          findings_codes(), batch_codes(),     cli_codes(),         trace_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

@@ -10,6 +10,7 @@
 #include "input/drawing/card/read.h"
 #include "input/drawing/folded/read.h"
 #include "input/drawing/read.h"
+#include "input/dxf/read.h"
 #include "input/flatlang/read.h"
 #include "input/fold/read.h"
 #include "input/oa/read.h"
@@ -70,6 +71,13 @@ std::vector<Language> const& language_table() {
          .only_parts = true,
          .walked = false,
          .recognises = drawing::recognises},
+        {.name = "dxf",
+         .suffix = ".dxf",
+         .about = "drawing of cuts and folds, as AutoCAD, carton designers and laser cutters exchange them",
+         .read = drawing_of<dxf::read_tracing>,
+         .drawn = true,
+         .walked = false,
+         .recognises = dxf::recognises},
         {.name = "assembly",
          .suffix = ".assembly.json",
          .about = "assembly of plates and joints, as --emit assembly prints it",
