@@ -15,27 +15,24 @@
 namespace popup::drawing {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Named>, 58> kWords{{
-    {"cut", Named::cut},           {"cuts", Named::cut},           {"cutting", Named::cut},
-    {"cutline", Named::cut},       {"cutlines", Named::cut},       {"knife", Named::cut},
-    {"outline", Named::cut},       {"outlines", Named::cut},       {"border", Named::cut},
-    {"contour", Named::cut},       {"contours", Named::cut},       {"fold", Named::fold},
-    {"folds", Named::fold},        {"folding", Named::fold},       {"foldline", Named::fold},
-    {"foldlines", Named::fold},    {"crease", Named::fold},        {"creases", Named::fold},
-    {"score", Named::fold},        {"scores", Named::fold},        {"scored", Named::fold},
-    {"scoring", Named::fold},      {"halfcut", Named::fold},       {"perf", Named::fold},
-    {"perforation", Named::fold},  {"perforations", Named::fold},  {"gutter", Named::fold},
-    {"spine", Named::fold},        {"hinge", Named::fold},         {"hinges", Named::fold},
-    {"mountain", Named::mountain}, {"mountains", Named::mountain}, {"valley", Named::valley},
-    {"valleys", Named::valley},    {"hole", Named::hole},          {"holes", Named::hole},
-    {"window", Named::hole},       {"windows", Named::hole},       {"cutout", Named::hole},
-    {"cutouts", Named::hole},      {"print", Named::print},        {"prints", Named::print},
-    {"printed", Named::print},     {"artwork", Named::print},      {"draw", Named::print},
-    {"engrave", Named::print},     {"engraving", Named::print},    {"guide", Named::ignore},
-    {"guides", Named::ignore},     {"guidelines", Named::ignore},  {"note", Named::ignore},
-    {"notes", Named::ignore},      {"dimension", Named::ignore},   {"dimensions", Named::ignore},
-    {"label", Named::ignore},      {"labels", Named::ignore},      {"glue", Named::ignore},
-    {"seam", Named::ignore},
+// With a blank before and behind each.
+constexpr std::array<std::pair<Named, std::string_view>, 7> kWords{{
+    {Named::cut,
+     " cut cuts cutting cutline cutlines knife outline outlines border contour contours "
+     "trim slit slits profile profiles diecut throughcut thrucut "},
+    {Named::fold,
+     " fold folds folding foldline foldlines crease creases score scores scored scoring "
+     "halfcut perf perforation perforations gutter spine hinge hinges creasing "
+     "creaseline creaselines creased scoreline scorelines bend bends bending bendline "
+     "bendlines perforated perfs cutcrease perfcrease "},
+    {Named::mountain, " mountain mountains "},
+    {Named::valley, " valley valleys "},
+    {Named::hole, " hole holes window windows cutout cutouts opening openings "},
+    {Named::print, " print prints printed artwork draw engrave engraving "},
+    {Named::ignore,
+     " guide guides guidelines note notes dimension dimensions label labels glue seam "
+     "bleed safety varnish gluearea glueing gluing annotation annotations construction "
+     "dim dims tangent registration regmarks "},
 }};
 
 constexpr std::array<Named, 6> kNamedOfUse{Named::cut,    Named::fold,  Named::mountain,
@@ -80,7 +77,8 @@ void each_word(std::string_view name, Use use) {
     if (!word.empty()) use(word);
 }
 
-// Several words together: "mountain folds" are mountains, and "cuts and folds" say nothing.
+// Several words together: "mountain folds" are mountains, "half cuts" folds, and "cuts and folds" say
+// nothing. A sheet that is bent up, towards who looks at it, has a valley fold there.
 Named together(const std::array<bool, 8>& said) {
     const auto has = [&](Named named) { return nth(said, named); };
     const bool fold = has(Named::fold) || has(Named::mountain) || has(Named::valley);
@@ -231,12 +229,19 @@ Said LineRules::said_by(std::string_view name) const {
         }
     }
     std::array<bool, 8> said{};
+    const auto has = [&words](std::string_view word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
     for (const std::string& word : words) {
-        const auto* const row =
-            std::find_if(kWords.begin(), kWords.end(), [&](const auto& r) { return r.first == word; });
-        if (row != kWords.end()) nth(said, row->second) = true;
+        for (const auto& [named, all] : kWords) {
+            if (all.find(" " + word + " ") != std::string_view::npos) nth(said, named) = true;
+        }
     }
-    return {together(said), std::nullopt};
+    if (has("half") && nth(said, Named::cut)) return {Named::fold, std::nullopt};
+    const Named named = together(said);
+    if (named == Named::fold && has("up") != has("down"))
+        return {has("up") ? Named::valley : Named::mountain, std::nullopt};
+    return {named, std::nullopt};
 }
 
 void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) const {

@@ -29,7 +29,7 @@ struct Said {
 };
 
 // The rules of DrawingOptions, and below them the words that people call layers: cut, folds, mountain,
-// valley, score, windows. Words are stretches of letters, so that "Mountain_x0020_folds-2" has two of them,
+// valley, score, half cut, bend up, windows. Words are stretches of letters, so that "Mountain_x0020_folds-2" has two of them,
 // whatever their case.
 class LineRules {
  public:

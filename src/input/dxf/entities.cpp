@@ -124,11 +124,10 @@ std::string spline(Record& record, Path& path) {
     made.closed = (record.whole(70) & kClosed) != 0;
     if (!record.sound()) return {};
     // Weights that are all one are none.
-    if (std::all_of(made.weights.begin(), made.weights.end(),
-                    [&](double w) { return w == made.weights[0]; }) &&
-        made.weights.size() == made.controls.size() && made.weights[0] > 0.0) {
+    const std::vector<double>& weights = made.weights;
+    const bool alike = std::all_of(weights.begin(), weights.end(), [&](double w) { return w == weights[0]; });
+    if (!weights.empty() && weights.size() == made.controls.size() && alike && weights[0] > 0.0)
         made.weights.clear();
-    }
     return add_spline(made, path);
 }
 

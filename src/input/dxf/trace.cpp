@@ -105,7 +105,7 @@ class Tracer {
         tally_.tell(false, diagnostics_);
         if (diagnostics_.has_errors()) return std::nullopt;
         tell_size();
-        out_.ruler.origin = -moved_;
+        out_.ruler.origin = moved_;
         out_.ruler.per_mm = 1.0 / unit_mm_;
         out_.ruler.unit = unit_;
         out_.by_layers = true;

@@ -498,7 +498,8 @@ TEST(DrawingLanguage, IsToldBySuffixAndOfStandardInputByItsFirstTag) {
     EXPECT_EQ(name("a.svg", ""), "svg");
     EXPECT_EQ(name("A.SVG", "<popup/>"), "svg");
     EXPECT_EQ(name("a.xml", "<svg/>"), "xml");
-    EXPECT_EQ(name("a.dxf", "<svg/>"), "");
+    EXPECT_EQ(name("a.dxf", "<svg/>"), "dxf");
+    EXPECT_EQ(name("a.dwg", "<svg/>"), "");
     EXPECT_EQ(name("-", "<svg/>"), "svg");
     EXPECT_EQ(name("-", "\xEF\xBB\xBF<?xml version='1.0'?> <!-- <popup> --><svg width='3'>"), "svg");
     EXPECT_EQ(name("-", "<!DOCTYPE svg PUBLIC 'x'><svg/>"), "svg");
@@ -510,7 +511,7 @@ TEST(DrawingLanguage, IsToldBySuffixAndOfStandardInputByItsFirstTag) {
         EXPECT_EQ(name("-", other), "xml") << other;
     }
     EXPECT_EQ(find_language(Source{"a.xml", ""}, "svg")->name, "svg");
-    EXPECT_EQ(find_language(Source{"a.xml", ""}, "dxf"), nullptr);
+    EXPECT_EQ(find_language(Source{"a.xml", ""}, "dwg"), nullptr);
 }
 
 TEST(DrawingLanguage, IsNoDesign) {
