@@ -129,12 +129,12 @@ Reading read_source_text(const Source& source, const ReadOptions& options, Diagn
     if (const Language* language = find_language(source, options.language)) {
         return language->read(source, options, diagnostics);
     }
-    Diagnostic& told = diagnostics.error(
-        "unknown-language", {},
-        options.language.empty() ? std::string("the name of the input does not tell its language")
-                                 : fmt::format("the language '{}' is not known", shown(options.language)));
-    if (lower(source.name).ends_with(".dwg")) told.hint("DWG is not read: save the drawing as ASCII DXF");
-    told.hint("--from names the language; known are " + known_languages());
+    diagnostics
+        .error("unknown-language", {},
+               options.language.empty()
+                   ? std::string("the name of the input does not tell its language")
+                   : fmt::format("the language '{}' is not known", shown(options.language)))
+        .hint("--from names the language; known are " + known_languages());
     return {};
 }
 

@@ -247,6 +247,11 @@ bool Run::has_findings() const {
 
 const Language& language_of(const InputOptions& options, const Source& source) {
     if (const Language* language = find_language(source, options.language)) return *language;
+    const std::string suffix = std::filesystem::path(source.name).extension().string();
+    if (suffix == ".dwg" || suffix == ".DWG") {
+        throw UsageError(fmt::format("{}: DWG is not read", source.name),
+                         {"save the drawing as ASCII DXF, of any version from R12 to 2018"});
+    }
     throw UsageError(fmt::format("{}: the suffix names no language", source.name),
                      {"languages: " + known_languages(), "--from LANGUAGE says what the file holds"});
 }

@@ -52,8 +52,8 @@ FoldOptions::NamedAngle read_fold_angle(std::string_view text) {
 void add_drawing_options(CLI::App& verb, Options& options) {
     DrawingOptions& drawing = options.compile.read.drawing;
     const std::string group(kDrawingGroup);
-    value(verb, "--as", "WHAT", "what drawings show: parts (default), card (a pop-up) or folded (any sheet)",
-          group, [&drawing](std::string_view text) {
+    value(verb, "--as", "WHAT", "what drawings show: parts, card (a pop-up) or folded (any sheet)", group,
+          [&drawing](std::string_view text) {
               drawing.as = choose<DrawnAs>(
                   "--as", text,
                   {{"parts", DrawnAs::parts}, {"card", DrawnAs::card}, {"folded", DrawnAs::folded}});

@@ -12,8 +12,10 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "one coordinate. Browsers draw such a path up to the mistake; a cut must not end there. Correct the "
      "path, or draw it anew."},
     {"bad-reference", Severity::error, "a reference to what cannot be drawn",
-     "A use element names something that is not in the drawing, is in another file, or holds the use "
-     "itself. What it should have drawn would be missing from the sheets, or never come to an end. Correct "
+     "A use element, or an INSERT of a DXF drawing, names something that is not in the drawing, is in "
+     "another "
+     "file, or holds the use itself. What it should have drawn would be missing from the sheets, or never "
+     "come to an end. Correct "
      "the id, or take the element out; in Inkscape Edit > Clone > Unlink makes a plain shape of it."},
     {"bad-transform", Severity::error, "a transform that cannot be read",
      "A transform is a list of matrix, translate, scale, rotate, skewX and skewY, each with its numbers in "
@@ -31,12 +33,15 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "If they are folds of a flat part, say so by --lines, such as --lines valley=#0000ff,mountain=#ff0000; "
      "if they are cuts, say that: --lines cut=#0000ff."},
     {"hidden-shape", Severity::remark, "shapes that are hidden",
-     "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut. "
+     "Elements with display:none or visibility:hidden, such as layers that are switched off, are not cut, "
+     "and "
+     "neither is what DXF drawings have on layers that are off, frozen or not plotted, or in a layout. "
      "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "
      "are to be cut."},
     {"not-cut", Severity::warning, "texts, images and the like in a drawing",
      "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
-     "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path), "
+     "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path; in "
+     "AutoCAD: TXTEXP), "
      "images traced. If they are only notes, accept this with --allow not-cut, or put them on a hidden "
      "layer."},
     {"size-in-pixels", Severity::remark, "a drawing whose size is in pixels",

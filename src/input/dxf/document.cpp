@@ -293,7 +293,7 @@ class DocumentReader {
 
     void insert(Entity& made) {
         Insert one;
-        one.block = key_of(record_.text(2));
+        one.block = record_.text(2);
         one.at = record_.point(10);
         one.scale = {record_.number(41, 1.0), record_.number(42, 1.0)};
         one.turn = kDegree * std::remainder(record_.number(50), 360.0);

@@ -34,7 +34,7 @@ struct Linetype {
 
 // A block that is drawn at a place, or at each of a grid of places.
 struct Insert {
-    std::string block;
+    std::string block;  // as it is written
     Vec2 at;
     Vec2 scale{1.0, 1.0};
     double turn = 0.0;  // radians, counter-clockwise

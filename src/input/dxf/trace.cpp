@@ -27,7 +27,7 @@ using drawing::Named;
 // Of strokes that are printed: what CAD programs draw where nothing is said.
 constexpr double kStrokeMm = 0.25;
 // No number of a drawing in mm is larger, not even before it is moved.
-constexpr double kMostMm = 1e9;
+constexpr double kBeyondMm = 1e9;
 // Larger drawings have the wrong unit, mostly.
 constexpr double kLargeMm = 5000.0;
 
@@ -232,7 +232,7 @@ class Tracer {
     void put(const Entity& entity, Inherited own, const Frame& around) {
         const Insert& insert = nth(document_.inserts, entity.insert);
         const Place place{entity.line, 1};
-        const auto found = blocks_.find(insert.block);
+        const auto found = blocks_.find(key_of(insert.block));
         const auto refuse = [&](std::string_view why) {
             diagnostics_.error("bad-reference", place,
                                fmt::format("the block \"{}\" {}", shown(insert.block), why));
@@ -269,12 +269,12 @@ class Tracer {
             for (const PathStep& step : subpath.steps) box.extend(step.to);
         }
         if (box.empty()) return true;
-        const auto within = [](Vec2 p) { return std::abs(p.x) <= kMostMm && std::abs(p.y) <= kMostMm; };
+        const auto within = [](Vec2 p) { return std::abs(p.x) <= kBeyondMm && std::abs(p.y) <= kBeyondMm; };
         if (!within(box.min) || !within(box.max)) {
             tell_far(place);
             return false;
         }
-        if (out_.elements.empty() && std::max(std::abs(box.min.x), std::abs(box.min.y)) > kFarMm)
+        if (out_.elements.empty() && std::max(std::abs(box.min.x), std::abs(box.min.y)) > kFarOffMm)
             moved_ = -Vec2{std::floor(box.min.x), std::floor(box.min.y)};
         if (moved_ != Vec2{}) path = path.mapped([this](Vec2 p) { return p + moved_; });
         return true;

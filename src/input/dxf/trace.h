@@ -14,7 +14,7 @@ namespace popup::dxf {
 // any number.
 inline constexpr int kPutEntitiesLimit = 1'000'000;
 // Drawings that begin further from their origin than this, in mm, are moved to it, by whole mm.
-inline constexpr double kFarMm = 1e4;
+inline constexpr double kFarOffMm = 1e4;
 
 // Everything that is drawn in model space. What is not (texts, dimensions, layers that are off) is told of
 // once a kind. Nullopt after an error. No recursion.

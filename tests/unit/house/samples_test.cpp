@@ -240,6 +240,7 @@ TEST(Samples, CreatureHasTwentySixElements) {
 TEST(Samples, OutputsDoNotDependOnTheProcessor) {
     const ScratchDirectory out;
     std::vector<std::string> names = sample_names();
+    for (const std::string& name : names_with(".dxf")) names.push_back(name + ".dxf");
     for (const auto& entry : fs::directory_iterator(kSamples / "flatlang")) {
         if (entry.path().extension() == ".fl") names.push_back("flatlang" / entry.path().filename());
     }
@@ -298,6 +299,8 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
     }
+    for (const std::string& name : names_with(".dxf"))
+        EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".glb"))) << name;
     for (const std::string& name : names_with(".svg")) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
     }

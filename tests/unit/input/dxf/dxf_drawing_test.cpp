@@ -82,7 +82,7 @@ TEST(DxfBlocks, CyclesAndBombsAreRefused) {
                                          "BLOCK|2 B|10 0|20 0|0 INSERT|8 0|2 A|10 0|20 0|0 "
                                          "ENDBLK"));
     EXPECT_FALSE(cycle.tracing);
-    EXPECT_NE(cycle.told.find("error bad-reference: the block \"a\" is put inside itself"), std::string::npos)
+    EXPECT_NE(cycle.told.find("error bad-reference: the block \"A\" is put inside itself"), std::string::npos)
         << cycle.told;
     std::string blocks = "0 BLOCK|2 B0|10 0|20 0|0 LINE|8 0|10 0|20 0|11 1|21 1|0 ENDBLK";
     for (int i = 1; i < 12; ++i) {
@@ -104,8 +104,8 @@ TEST(DxfBlocks, ThoseThatAreNotThereAreTold) {
                                        "0 BLOCK|2 OUT|70 4|10 0|20 0|1 other.dxf|0 ENDBLK"));
     EXPECT_FALSE(one.tracing);
     EXPECT_EQ(one.told,
-              "error bad-reference: the block \"gone\" is not there\n"
-              "error bad-reference: the block \"out\" is in another file, which is not read\n");
+              "error bad-reference: the block \"GONE\" is not there\n"
+              "error bad-reference: the block \"OUT\" is in another file, which is not read\n");
     EXPECT_EQ(one.findings[0].place.line, 36);
 }
 
