@@ -13,7 +13,7 @@ constexpr std::array kDxfCodes = std::to_array<CodeInfo>({
      "type "
      "DXF. For DWG files there are dwg2dxf of LibreDWG, QCAD and the ODA File Converter."},
     {"dxf-curve", Severity::error, "a curve of a DXF file that cannot be drawn",
-     "A circle or an arc has no radius, an ellipse no axis, or the numbers of a spline do not go together: a "
+     "A circle or an arc has a radius below zero, or the numbers of a spline do not go together: a "
      "spline of degree n with m control points has m + n + 1 knots that never go back, and as many weights "
      "as "
      "controls, all above zero, if it has any. A cut must not end there. Draw the curve anew, or explode it "

@@ -81,10 +81,7 @@ class DocumentReader {
                    broken   ? groups_.trouble()
                    : there_ ? fmt::format("{}, and not {} and \"{}\"", what, ahead_.code, shown(ahead_.value))
                             : what)
-            .hint(
-                "DXF is pairs of lines, a whole number and a value; export the file anew from the program "
-                "that "
-                "made it");
+            .hint("DXF is pairs of lines, a whole number and a value: export the file anew");
         return std::nullopt;
     }
 
@@ -242,13 +239,13 @@ class DocumentReader {
             if (!polyline(made)) made.skipped = kind_number("mesh");
             if (!upright) made.skipped = kind_number("tilted POLYLINE");
         } else if (!upright) {
-            made.skipped = kind_number("tilted " + shown(kind));
+            made.skipped = kind_number("tilted " + names_.decoded(kind));
         } else if (kind == "INSERT") {
             insert(made);
         } else if (is_line(kind)) {
             trouble = make_line(record_, made.path);
         } else {
-            made.skipped = kind_number(kind.empty() ? "unnamed" : shown(kind));
+            made.skipped = kind_number(kind.empty() ? "unnamed" : names_.decoded(kind));
         }
         if (!trouble.empty()) diagnostics_.error("dxf-curve", {made.line, 1}, trouble);
         if (!trouble.empty() || !record_.sound()) {
@@ -293,7 +290,8 @@ class DocumentReader {
 
     void insert(Entity& made) {
         Insert one;
-        one.block = record_.text(2);
+        one.block = key_of(record_.text(2));
+        one.title = names_.decoded(record_.text(2));
         one.at = record_.point(10);
         one.scale = {record_.number(41, 1.0), record_.number(42, 1.0)};
         one.turn = kDegree * std::remainder(record_.number(50), 360.0);

@@ -34,7 +34,8 @@ struct Linetype {
 
 // A block that is drawn at a place, or at each of a grid of places.
 struct Insert {
-    std::string block;  // as it is written
+    std::string block;  // its key
+    std::string title;  // as it is written
     Vec2 at;
     Vec2 scale{1.0, 1.0};
     double turn = 0.0;  // radians, counter-clockwise

@@ -40,7 +40,8 @@ void add_part(Vec2 centre, Vec2 u, Vec2 v, double from, double to, Path& path) {
 
 std::string arc(Record& record, Path& path) {
     const double radius = record.number(40);
-    if (!(radius > 0.0)) return record.sound() ? "the radius of this ARC is not above zero" : "";
+    if (radius < 0.0) return "the radius of this ARC is below zero";
+    if (radius == 0.0) return {};
     add_part(record.point(10), {radius, 0.0}, {0.0, radius}, kDegree * record.number(50),
              kDegree * record.number(51), path);
     return {};
@@ -48,7 +49,8 @@ std::string arc(Record& record, Path& path) {
 
 std::string circle(Record& record, Path& path) {
     const double radius = record.number(40);
-    if (!(radius > 0.0)) return record.sound() ? "the radius of this CIRCLE is not above zero" : "";
+    if (radius < 0.0) return "the radius of this CIRCLE is below zero";
+    if (radius == 0.0) return {};
     add_part(record.point(10), {radius, 0.0}, {0.0, radius}, 0.0, 0.0, path);
     return {};
 }
@@ -57,8 +59,7 @@ std::string circle(Record& record, Path& path) {
 std::string ellipse(Record& record, Path& path) {
     const Vec2 major = record.point(11);
     const double ratio = record.number(40, 1.0);
-    if (!(length(major) > 0.0) || !(std::abs(ratio) > 0.0))
-        return record.sound() ? "this ELLIPSE has no size" : "";
+    if (length(major) == 0.0 || ratio == 0.0) return {};
     const double side = record.number(230, 1.0) < 0.0 ? -1.0 : 1.0;
     add_part(record.point(10), major, side * ratio * left_of(major), record.number(41),
              record.number(42, kTurn), path);

@@ -12,7 +12,8 @@ namespace popup::dxf {
 // True of kinds that make_line() makes a path of.
 bool is_line(std::string_view kind);
 // Appends the path of a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE or SPLINE, in the coordinates of its entity.
-// Returns what is wrong with it, a sentence without its full stop; empty: nothing that is not told already.
+// What has no size is an empty path. Returns what is wrong with it, a sentence without its full stop; empty:
+// nothing that is not told already.
 std::string make_line(Record& record, Path& path);
 
 // A POLYLINE, whose corners are records of their own.

@@ -232,10 +232,10 @@ class Tracer {
     void put(const Entity& entity, Inherited own, const Frame& around) {
         const Insert& insert = nth(document_.inserts, entity.insert);
         const Place place{entity.line, 1};
-        const auto found = blocks_.find(key_of(insert.block));
+        const auto found = blocks_.find(insert.block);
         const auto refuse = [&](std::string_view why) {
             diagnostics_.error("bad-reference", place,
-                               fmt::format("the block \"{}\" {}", shown(insert.block), why));
+                               fmt::format("the block \"{}\" {}", shown(insert.title), why));
         };
         if (found == blocks_.end()) return refuse("is not there");
         const std::size_t number = found->second;
@@ -313,6 +313,12 @@ class Tracer {
             drawing::TracedLine made;
             made.points = std::move(line.points);
             made.closed = line.closed;
+            // Many outlines end where they begin, and do not say that they are closed.
+            constexpr std::size_t kLeast = 4;
+            if (!made.closed && made.points.size() >= kLeast && made.points.front() == made.points.back()) {
+                made.points.pop_back();
+                made.closed = true;
+            }
             made.use = drawing::use_of(style);
             made.element = static_cast<int>(out_.elements.size()) - 1;
             made.color = own.color;

@@ -401,12 +401,10 @@ TEST(DxfBad, NumbersThatAreNone) {
 }
 
 TEST(DxfBad, CurvesThatCannotBe) {
-    EXPECT_EQ(wrong(dxf_file("0 CIRCLE|8 0|10 0|20 0|40 0")),
-              "16 dxf-curve: the radius of this CIRCLE is not above zero");
+    EXPECT_EQ(wrong(dxf_file("0 CIRCLE|8 0|10 0|20 0|40 -2")),
+              "16 dxf-curve: the radius of this CIRCLE is below zero");
     EXPECT_EQ(wrong(dxf_file("0 ARC|8 0|10 0|20 0|40 -1|50 0|51 9")),
-              "16 dxf-curve: the radius of this ARC is not above zero");
-    EXPECT_EQ(wrong(dxf_file("0 ELLIPSE|8 0|10 0|20 0|11 0|21 0|40 1")),
-              "16 dxf-curve: this ELLIPSE has no size");
+              "16 dxf-curve: the radius of this ARC is below zero");
     EXPECT_EQ(wrong(dxf_file("0 SPLINE|8 0|71 3|10 0|20 0|10 1|20 1")),
               "16 dxf-curve: a spline of degree 3 needs 4 control points, and has 2");
     EXPECT_EQ(wrong(dxf_file("0 SPLINE|8 0|71 1|40 0|40 1|10 0|20 0|10 1|20 1")),
@@ -419,6 +417,16 @@ TEST(DxfBad, CurvesThatCannotBe) {
               "16 dxf-curve: a spline's degree is 99, and not from 1 to 25");
     EXPECT_EQ(wrong(dxf_file("0 SPLINE|8 0|71 1|40 0|40 0|40 1|40 1|41 1|41 0|10 0|20 0|10 1|20 1")),
               "16 dxf-curve: a weight of a spline is not above zero");
+}
+
+// As in SVG, what has no size draws nothing.
+TEST(DxfBad, NothingIsDrawnOfCurvesWithoutSize) {
+    const Traced one =
+        traced(dxf_file("0 CIRCLE|8 0|10 0|20 0|40 0|0 ARC|8 0|10 0|20 0|40 0|50 0|51 9|0 ELLIPSE|8 0|10 "
+                        "0|20 0|11 0|21 0|40 1|0 LWPOLYLINE|8 0|90 0|0 LINE|8 0|10 3|20 3|11 3|21 3"));
+    ASSERT_TRUE(one.tracing) << one.told;
+    EXPECT_TRUE(one.tracing->lines.empty());
+    EXPECT_EQ(one.told, "");
 }
 
 TEST(DxfBad, LinesMayEndInAnyWay) {

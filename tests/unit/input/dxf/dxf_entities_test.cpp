@@ -139,6 +139,16 @@ TEST(DxfEntities, APolylineClosesByItsLastBulge) {
     EXPECT_NEAR(box.max.x, 40, 1e-2);
 }
 
+TEST(DxfEntities, WhatEndsWhereItBeginsIsClosed) {
+    const Traced one = entities("0 LWPOLYLINE|8 0|90 4|70 0|10 0|20 0|10 30|20 0|10 30|20 20|10 0|20 0");
+    ASSERT_TRUE(one.tracing) << one.told;
+    EXPECT_TRUE(one.line().closed);
+    EXPECT_EQ(one.line().points.size(), 3U);
+    const Traced there_and_back = entities("0 LWPOLYLINE|8 0|90 3|70 0|10 0|20 0|10 30|20 0|10 0|20 0");
+    ASSERT_TRUE(there_and_back.tracing);
+    EXPECT_FALSE(there_and_back.line().closed);
+}
+
 TEST(DxfEntities, OldPolylinesAreTheSame) {
     const Traced old = entities(
         "0 POLYLINE|8 0|66 1|70 1|0 VERTEX|8 0|10 0|20 0|0 VERTEX|8 0|10 30|20 0|42 1|0 VERTEX|8 0|10 30|20 "
