@@ -280,7 +280,7 @@ class Lowering {
                              fmt::format("this fold is to be folded by {:.1f}°, and its loops keep it flat, "
                                          "at {}",
                                          degrees(std::abs(fold.target)),
-                                         shown_point(pattern_, sheet_.line_of(fold).a)))
+                                         shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
                     .hint("look at the corners at its ends: where four folds meet, opposite ones must agree");
             }
         }
