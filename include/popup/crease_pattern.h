@@ -59,8 +59,11 @@ struct FoldOptions {
     };
     std::vector<NamedAngle> fold_angles = {};
     double to = 1.0;           // the share of the final angles at which the motion ends; (0, 1]
-    double merge_mm = 0.002;   // corners this near are one; > 0
-    double snap_mm = 0.5;      // ends that miss what they mean to meet are moved; >= 0.02
+    // Corners this near are one; > 0. None: 0.002 mm, or 2e-6 of the sheet's longer side if that is more.
+    std::optional<double> merge_mm = {};
+    // Ends that miss what they mean to meet by no more are moved there; >= 0.02. None: 0.5 mm, or 1/400 of the
+    // sheet's longer side if that is more, for on large sheets lines are drawn more coarsely.
+    std::optional<double> snap_mm = {};
     double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
     double closure_mm = 1e-7;  // loops of a folded sheet are closed to this; > 0
 };

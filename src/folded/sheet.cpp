@@ -22,6 +22,10 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // A corner at which an outline turns by less is none.
 constexpr double kInLineRad = 1e-9;
 constexpr double kSliverMm2 = 1e-3;
+constexpr double kMergeMm = 0.002;
+// What tolerances are of large sheets.
+constexpr double kMergeShare = 2e-6;
+constexpr double kSnapShare = 1.0 / 400.0;
 // Of one kind so many findings are told.
 constexpr std::size_t kToldAtMost = 10;
 
@@ -54,6 +58,7 @@ class Maker {
             if (line.use == CreaseUse::flat) continue;
             lines_.push_back({line.points, line.closed, ink_of(line.use), static_cast<int>(i)});
         }
+        set_tolerances();
         if (!mend() || !take_out_dangling()) return std::nullopt;
         find_paper();
         if (panels_ == 0) {
@@ -72,6 +77,16 @@ class Maker {
     }
 
  private:
+    void set_tolerances() {
+        Box box;
+        for (const SheetLine& line : lines_) {
+            for (const Vec2 p : line.points) box.extend(p);
+        }
+        const double size = box.empty() ? 0.0 : std::max(box.width(), box.height());
+        merge_mm_ = options_.merge_mm.value_or(std::max(kMergeMm, kMergeShare * size));
+        snap_mm_ = std::max(options_.snap_mm.value_or(std::max(kSnapMm, kSnapShare * size)), kSilentMm);
+    }
+
     [[nodiscard]] Place place_of(int line) const { return nth(pattern_.lines, line).place; }
     [[nodiscard]] std::string shown(Vec2 at) const { return shown_point(pattern_.ruler, at); }
 
@@ -83,7 +98,7 @@ class Maker {
 
     bool mend() {
         std::vector<MovedEnd> moved;
-        std::optional<SheetGraph> graph = mend_ends(lines_, {options_.snap_mm, options_.merge_mm}, moved);
+        std::optional<SheetGraph> graph = mend_ends(lines_, {snap_mm_, merge_mm_}, moved);
         if (!graph) return too_many();
         for (const MovedEnd& end : moved) {
             const double size = distance(end.from, end.to);
@@ -129,7 +144,7 @@ class Maker {
                     .hint("draw it on to a cut or another fold, or take it out");
             }
             lines_ = std::move(kept);
-            std::optional<SheetGraph> graph = make_graph(lines_, options_.merge_mm);
+            std::optional<SheetGraph> graph = make_graph(lines_, merge_mm_);
             if (!graph) return too_many();
             graph_ = std::move(*graph);
         }
@@ -386,6 +401,8 @@ class Maker {
 
     const CreasePattern& pattern_;
     const FoldOptions& options_;
+    double merge_mm_ = 0.0;
+    double snap_mm_ = 0.0;
     Diagnostics& diagnostics_;
     std::vector<SheetLine> lines_;
     SheetGraph graph_;

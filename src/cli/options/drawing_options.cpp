@@ -66,6 +66,11 @@ void add_drawing_options(CLI::App& verb, Options& options) {
            group, [&fold](std::string_view text) { fold.fold_angles.push_back(read_fold_angle(text)); });
     value(verb, "--fold-to", "SHARE", "fold sheets to this share of their angles (default: 1)", group,
           [&fold](std::string_view text) { fold.to = number_option("--fold-to", text, 0.01, 1.0); });
+    value(verb, "--merge", "LENGTH",
+          "corners of sheets this near are one (default: 0.002mm, more on large ones)", group,
+          [&fold](std::string_view text) { fold.merge_mm = length_option("--merge", text, 1e-6).mm; });
+    value(verb, "--snap", "LENGTH", "ends of their lines move so far (default: 0.5mm, 1/400 of large sheets)",
+          group, [&fold](std::string_view text) { fold.snap_mm = length_option("--snap", text, 0.02).mm; });
     value(verb, "--frame", "N", "which frame of a FOLD file to read (default: its crease pattern)", group,
           [&options](std::string_view text) {
               options.compile.read.frame = static_cast<int>(number_option("--frame", text, 0.0, 1e6));

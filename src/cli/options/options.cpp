@@ -11,16 +11,6 @@
 namespace popup::cli {
 namespace {
 
-Length length_option(std::string_view option, std::string_view text, double least_mm) {
-    const std::optional<Length> length = parse_length(text);
-    if (!length || length->mm < least_mm || length->mm > 1e6) {
-        throw UsageError(fmt::format("{} takes a length {}, not \"{}\"", option,
-                                     least_mm > 0.0 ? "above zero" : "of zero or more", text),
-                         {"write 5, 5mm, 0.5cm, 0.2in or 14pt"});
-    }
-    return *length;
-}
-
 // The worst finding as "FILE:LINE:COLUMN: MESSAGE".
 std::string one_line(const Diagnostics& findings) {
     const std::vector<Diagnostic> all = findings.sorted();
@@ -45,6 +35,18 @@ void add_codes(CLI::App& verb, const std::string& name, const std::string& about
 }
 
 }  // namespace
+
+Length length_option(std::string_view option, std::string_view text, double least_mm) {
+    const std::optional<Length> length = parse_length(text);
+    if (!length || length->mm < least_mm || length->mm > 1e6) {
+        const std::string least = least_mm <= 0.0   ? "of zero or more"
+                                  : least_mm < 0.01 ? "above zero"
+                                                    : fmt::format("of {} mm or more", least_mm);
+        throw UsageError(fmt::format("{} takes a length {}, not \"{}\"", option, least, text),
+                         {"write 5, 5mm, 0.5cm, 0.2in or 14pt"});
+    }
+    return *length;
+}
 
 UsageError::UsageError(const Diagnostics& findings, std::string text)
     : std::runtime_error(one_line(findings)),

@@ -217,7 +217,9 @@ std::optional<std::vector<Angle>> parse_angles(std::string_view text);
 inline constexpr double kMostAngles = 100000;
 double count_angles(std::string_view text);
 
-// The number of `text` for `option`, within [least, most]; else a UsageError that says what was wanted.
+// The length or number of `text` for `option`, at least `least_mm` and at most 1 km, or within [least, most];
+// else a UsageError that says what was wanted.
+Length length_option(std::string_view option, std::string_view text, double least_mm);
 double number_option(std::string_view option, std::string_view text, double least, double most);
 
 // "did you mean …" for `word`; empty when nothing is like it.
