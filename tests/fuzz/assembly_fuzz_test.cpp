@@ -21,6 +21,7 @@
 #include "support/designs.h"
 #include "support/random.h"
 #include "support/run_program.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -181,7 +182,7 @@ TEST(AssemblyFuzz, SeedsThemselvesAreRead) {
     }
 }
 
-TEST(AssemblyFuzz, MutatedTexts) { fuzz(1, 120); }
+TEST(AssemblyFuzz, MutatedTexts) { fuzz(1, test::sanitized_count(120)); }
 
 TEST(LongAssemblyFuzz, ManyMutatedTexts) {
     for (std::uint64_t seed = 2; seed < 8; ++seed) fuzz(seed, 2'000);

@@ -15,6 +15,7 @@
 #include "popup/pattern.h"
 #include "support/drawings.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -232,7 +233,7 @@ TEST(DrawingFuzz, EveryTruncationIsRefusedOrRead) {
     }
 }
 
-TEST(DrawingFuzz, MutatedDrawings) { fuzz(1, 10'000); }
+TEST(DrawingFuzz, MutatedDrawings) { fuzz(1, test::sanitized_count(10'000)); }
 
 TEST(LongDrawingFuzz, ManyMutatedDrawings) {
     for (std::uint64_t seed = 2; seed < 40; ++seed) fuzz(seed, 10'000);

@@ -14,6 +14,7 @@
 #include "support/drawn_cards.h"
 #include "support/line_sets.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 using test::InkedCard;
 using test::Pen;
 using test::Random;
+using test::sanitized_count;
 
 CompiledDesign compiled(const std::string& text, Stage until) {
     CompileOptions options;
@@ -194,9 +196,9 @@ void fuzz_one_more(std::uint64_t from, std::uint64_t to) {
     EXPECT_GT(taken, (to - from) / 40);
 }
 
-TEST(DrawnCardFuzz, DamagedDrawings) { fuzz_texts(1, 1500); }
-TEST(DrawnCardFuzz, LinesWithoutSense) { fuzz_lines(1, 1500); }
-TEST(DrawnCardFuzz, OneLineMoreIsToldOrMade) { fuzz_one_more(1, 600); }
+TEST(DrawnCardFuzz, DamagedDrawings) { fuzz_texts(1, sanitized_count(1500)); }
+TEST(DrawnCardFuzz, LinesWithoutSense) { fuzz_lines(1, sanitized_count(1500)); }
+TEST(DrawnCardFuzz, OneLineMoreIsToldOrMade) { fuzz_one_more(1, sanitized_count(600)); }
 
 TEST(LongDrawnCardFuzz, ManyDrawings) {
     fuzz_texts(1500, 40'000);

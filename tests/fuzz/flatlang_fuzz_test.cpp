@@ -14,6 +14,7 @@
 #include "input/flatlang/syntax/parse.h"
 #include "popup/diagnostics.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 #include "support/text_columns.h"
 
 namespace popup::flatlang {
@@ -283,7 +284,7 @@ TEST(FlatLangParserFuzz, EveryTruncationIsReadOrRefused) {
     }
 }
 
-TEST(FlatLangParserFuzz, MutatedPrograms) { fuzz(1, 5'000); }
+TEST(FlatLangParserFuzz, MutatedPrograms) { fuzz(1, test::sanitized_count(5'000)); }
 
 TEST(LongFlatLangParserFuzz, ManyMutatedPrograms) {
     for (std::uint64_t seed = 2; seed < 14; ++seed) fuzz(seed, 20'000);

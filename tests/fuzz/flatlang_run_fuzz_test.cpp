@@ -20,6 +20,7 @@
 #include "input/flatlang/run/interpreter.h"
 #include "input/flatlang/trail_json.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 #include "support/text_columns.h"
 
 namespace popup::flatlang {
@@ -352,7 +353,7 @@ TEST(FlatLangRunFuzz, TheCorpusIsRun) {
     }
 }
 
-TEST(FlatLangRunFuzz, MutatedPrograms) { fuzz(1, 600); }
+TEST(FlatLangRunFuzz, MutatedPrograms) { fuzz(1, test::sanitized_count(600)); }
 
 TEST(LongFlatLangRunFuzz, ManyMutatedPrograms) {
     for (std::uint64_t seed = 2; seed < 12; ++seed) fuzz(seed, 3'000);

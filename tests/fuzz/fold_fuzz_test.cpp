@@ -16,11 +16,13 @@
 #include "popup/pattern.h"
 #include "support/mutate_json.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
 
 using test::Random;
+using test::sanitized_count;
 
 // A Miura corner with its four panels; a box of slits on a fold; a card with a window and a fold that
 // dangles.
@@ -77,20 +79,20 @@ TEST(FoldFuzz, SeedsAreSound) {
 
 TEST(FoldFuzz, DamagedBytes) {
     Random random(11);
-    for (int i = 0; i < 1500; ++i)
+    for (int i = 0; i < sanitized_count(1500); ++i)
         expect_sound(test::mutated_bytes(seeds()[random.below(seeds().size())], random));
 }
 
 TEST(FoldFuzz, DamagedValues) {
     Random random(12);
-    for (int i = 0; i < 1500; ++i)
+    for (int i = 0; i < sanitized_count(1500); ++i)
         expect_sound(test::mutated_values(seeds()[random.below(seeds().size())], random));
 }
 
 // Corners anywhere near a grid, and edges of all kinds between them.
 TEST(FoldFuzz, RandomPatterns) {
     Random random(13);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < sanitized_count(300); ++i) {
         test::Json file;
         const std::size_t corners = 4 + random.below(12);
         for (std::size_t k = 0; k < corners; ++k)

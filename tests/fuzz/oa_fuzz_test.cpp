@@ -19,6 +19,7 @@
 #include "support/mutate_json.h"
 #include "support/random.h"
 #include "support/run_program.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -27,6 +28,7 @@ using test::Json;
 using test::mutated_bytes;
 using test::mutated_values;
 using test::Random;
+using test::sanitized_count;
 
 const std::vector<std::string>& seeds() {
     static const std::vector<std::string> texts = [] {
@@ -74,19 +76,20 @@ TEST(OaFuzz, SeedsAreSound) {
 
 TEST(OaFuzz, DamagedBytes) {
     Random random(4101);
-    for (int n = 0; n < 6000; ++n) expect_sound(mutated_bytes(seeds()[random.below(seeds().size())], random));
+    for (int n = 0; n < sanitized_count(6000); ++n)
+        expect_sound(mutated_bytes(seeds()[random.below(seeds().size())], random));
 }
 
 TEST(OaFuzz, StrangeValues) {
     Random random(4102);
-    for (int n = 0; n < 1500; ++n)
+    for (int n = 0; n < sanitized_count(1500); ++n)
         expect_sound(mutated_values(seeds()[random.below(seeds().size())], random));
 }
 
 // Many polygons over each other: it ends, with a card or an error.
 TEST(OaFuzz, TangledContours) {
     Random random(4103);
-    for (int n = 0; n < 60; ++n) {
+    for (int n = 0; n < sanitized_count(60); ++n) {
         Json card{{"settings", {{"cardW", 100}, {"cardH", 100}}}, {"faces", Json::array()}};
         const std::size_t faces = 1 + random.below(12);
         for (std::size_t i = 0; i < faces; ++i) {

@@ -17,6 +17,7 @@
 #include "popup/files.h"
 #include "popup/language.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -214,7 +215,7 @@ TEST(XmlReaderFuzz, EveryTruncationIsRefusedOrRead) {
     }
 }
 
-TEST(XmlReaderFuzz, MutatedDocuments) { fuzz(1, 20'000); }
+TEST(XmlReaderFuzz, MutatedDocuments) { fuzz(1, test::sanitized_count(20'000)); }
 
 TEST(LongXmlReaderFuzz, ManyMutatedDocuments) {
     for (std::uint64_t seed = 2; seed < 60; ++seed) fuzz(seed, 20'000);

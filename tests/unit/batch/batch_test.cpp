@@ -17,6 +17,7 @@
 #include "batch/results.h"
 #include "support/background.h"
 #include "support/run_program.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
@@ -485,13 +486,8 @@ class Running : public Background {
     }
 };
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kDesigns = 60;
-constexpr int kKills = 20;
-#else
-constexpr int kDesigns = 1000;
-constexpr int kKills = 220;
-#endif
+constexpr int kDesigns = sanitized_count(1000, 16);
+constexpr int kKills = sanitized_count(220);
 
 // Workers, the first process, or all of them are killed at random moments, the batch begun again each time;
 // in between finished files are taken away, so that there is always something to do.

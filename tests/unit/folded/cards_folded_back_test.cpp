@@ -14,18 +14,13 @@
 #include "popup/compile.h"
 #include "support/designs.h"
 #include "support/run_program.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
 
-// Sanitized, fewer tell as much of what sanitizers look for.
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::uint64_t kSeeds = 2;
-constexpr int kLeast = 15;
-#else
-constexpr std::uint64_t kSeeds = 12;
-constexpr int kLeast = 120;
-#endif
+constexpr auto kSeeds = test::sanitized_count<std::uint64_t>(12, 6);
+constexpr int kLeast = test::sanitized_count(120, 6);
 
 // The pattern that is written of a card, read and folded again.
 std::optional<Assembly> folded_back(const Assembly& card, std::string& told) {

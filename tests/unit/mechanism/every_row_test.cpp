@@ -2,15 +2,22 @@
 // has mended stays as it is, and closes flat with its seams closed at every angle.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 
 #include "motion/linkage.h"
 #include "popup/motion.h"
 #include "support/designs.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
+
+constexpr auto kSeeds = sanitized_count<std::uint64_t>(5);
+// A prime number: whatever the number of rows, each of them comes to stand on some other.
+constexpr std::size_t kOneInPairs = kSanitized ? 11 : 1;
 
 // It needs no repair, its seams are closed at every degree, and it closes flat.
 void expect_folds(const Design& design) {
@@ -54,7 +61,7 @@ TEST(EveryRow, OfRandomPointsComesAnElementThatFolds) {
     for (const ElementInfo& info : element_table()) {
         if (!info.grounds.fold && !info.grounds.seam) continue;
         std::size_t made = 0;
-        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
             SCOPED_TRACE(std::string(info.name) + " " + std::to_string(seed));
             const Design design = generate_of(info, seed, 4);
             made += design.structures.size();
@@ -67,8 +74,10 @@ TEST(EveryRow, OfRandomPointsComesAnElementThatFolds) {
 // Everything stands on everything: each element on each fold of each other that is folded in the closed card,
 // and each that stands on plates on a plate of each other.
 TEST(EveryRow, StandsOnEveryOther) {
+    std::size_t pairs = 0;
     for (const ElementInfo& ground : element_table()) {
         for (const ElementInfo& info : element_table()) {
+            if (++pairs % kOneInPairs != 0) continue;
             SCOPED_TRACE(std::string(info.name) + " on " + std::string(ground.name));
             EXPECT_TRUE(stands_on_all(info, ground)) << "in some tries";
         }
@@ -78,7 +87,7 @@ TEST(EveryRow, StandsOnEveryOther) {
 // One on another, eight times: what carries is always what was made last.
 TEST(EveryRow, ComposesToDepthEight) {
     constexpr int kDepth = 8;
-    constexpr int kTowers = 8;
+    constexpr int kTowers = sanitized_count(8, 4);
     std::set<std::string_view> top;
     int reached = 0;
     for (std::uint64_t seed = 1; seed <= kTowers; ++seed) {
@@ -89,8 +98,8 @@ TEST(EveryRow, ComposesToDepthEight) {
         for (const Structure& one : design.structures) top.insert(find_element(one.type)->family);
         expect_folds(design);
     }
-    EXPECT_GE(reached, kTowers - 2);
-    EXPECT_GE(top.size(), 8U) << "of all kinds";
+    EXPECT_GE(reached, kTowers - kTowers / 4);
+    EXPECT_GE(top.size(), sanitized_count(8U, 4U)) << "of all kinds";
 }
 
 // What the examination takes for one body is one: of equal elements beside one another, the plates that are

@@ -16,6 +16,7 @@
 #include "popup/motion.h"
 #include "support/brute_force.h"
 #include "support/designs.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
@@ -23,12 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using PlatePair = std::pair<int, int>;
 
-// Sanitized, everything takes ten times as long, and fewer designs show as much.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kDesigns = 30;
-#else
-constexpr int kDesigns = 200;
-#endif
+constexpr int kDesigns = test::sanitized_count(200);
 constexpr int kLongDesigns = 3000;
 constexpr double kEndDeg = 0.02;         // so near the end of a contact either answer will do
 constexpr double kSlackMm = 2e-5;        // the same, for contacts that end slowly

@@ -12,16 +12,12 @@
 #include <string>
 
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
 
-// Sanitized, fewer pictures tell as much of what sanitizers look for.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kRounds = 1;
-#else
-constexpr int kRounds = 10;
-#endif
+constexpr int kRounds = sanitized_count(10);
 
 PixelMask mask_from(int width, int height, std::vector<std::uint8_t> inside) {
     PixelMask mask;
