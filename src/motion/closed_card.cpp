@@ -129,6 +129,19 @@ void clip(const Triangle2& by, std::vector<Vec2>& shape, std::vector<Vec2>& spar
     }
 }
 
+// Whether the second triangle lies beside an edge of the first, which runs counter-clockwise: then they have
+// no area in common, and most that are near each other have none.
+bool beside(const Triangle2& first, const Triangle2& second) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 from = first.at(i);
+        const Vec2 along = first.at((i + 1) % 3) - from;
+        if (cross(along, second[0] - from) <= 0.0 && cross(along, second[1] - from) <= 0.0 &&
+            cross(along, second[2] - from) <= 0.0)
+            return true;
+    }
+    return false;
+}
+
 // Plates over one another, and how.
 struct Overlap {
     int a, b;            // a < b
@@ -148,6 +161,10 @@ class Layers {
             diagonals.push_back({box.min, box.max});
         }
         boxes_ = EdgeIndex({}, diagonals);
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            std::vector<Triangle2>& triangles = seen_.emplace_back(shapes[i].core.all());
+            for (Triangle2& t : triangles) t = seen(t, frames_[i]);
+        }
         look();
     }
 
@@ -178,8 +195,8 @@ class Layers {
     void look() {
         std::vector<int> near;
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            if (const auto& own = shapes_[i].core.all(); !own.empty()) {
-                const Triangle2 first = seen(own[0], frames_[i]);
+            if (!seen_[i].empty()) {
+                const Triangle2& first = seen_[i][0];
                 points_.push_back(1.0 / 3.0 * (first[0] + first[1] + first[2]));
             }
             const Segment& diagonal = boxes_[static_cast<int>(i)];
@@ -219,8 +236,9 @@ class Layers {
         const bool a_has_more = shapes_[a].core.all().size() > shapes_[b].core.all().size();
         const std::size_t few = a_has_more ? b : a;
         const std::size_t many = a_has_more ? a : b;
-        for (const Triangle2& t : shapes_[few].core.all()) {
-            const Triangle2 by = seen(t, frames_[few]);
+        for (std::size_t n = 0; n < seen_[few].size(); ++n) {
+            const Triangle2& t = shapes_[few].core.all()[n];
+            const Triangle2& by = seen_[few][n];
             Box box;
             for (const Vec2 p : t) {
                 // Seen square to the other plate and from the side differs by less than this.
@@ -231,8 +249,8 @@ class Layers {
             shapes_[many].core.query(box, found_);
             if (too_much(1 + found_.size())) return false;
             for (const int number : found_) {
-                const Triangle2 other =
-                    seen(shapes_[many].core.all()[static_cast<std::size_t>(number)], frames_[many]);
+                const Triangle2& other = seen_[many][static_cast<std::size_t>(number)];
+                if (beside(by, other) || beside(other, by)) continue;
                 shape_.assign(other.begin(), other.end());
                 clip(by, shape_, spare_);
                 if (shape_.size() < 3 || std::abs(signed_area(shape_)) < kAreaMm2) continue;
@@ -265,8 +283,9 @@ class Layers {
         // Where most plates lie over one another is a region with a corner at which the outline of one of two
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
         for (const Vec2 p : shape) {
-            const bool corner = std::any_of(corners.begin(), corners.end(),
-                                            [p](Vec2 q) { return distance(p, q) < kSameCornerMm; });
+            const bool corner = std::any_of(corners.begin(), corners.end(), [p](Vec2 q) {
+                return dot(p - q, p - q) < kSameCornerMm * kSameCornerMm;
+            });
             if (corner || (by_outline(a, p) && by_outline(b, p))) points_.push_back(lerp(p, centre, 1e-2));
         }
     }
@@ -279,10 +298,12 @@ class Layers {
 
     void count(Vec2 p) {
         boxes_.query({p, p}, here_);
-        int layers = 0;
+        // Most points have fewer boxes over them than layers were found elsewhere.
+        int layers = static_cast<int>(here_.size());
         for (const int plate : here_) {
+            if (layers <= most_) return;
             const auto i = static_cast<std::size_t>(plate);
-            if (shapes_[i].covers(on_page(frames_[i], over(p, height(plate, p))))) ++layers;
+            if (!shapes_[i].covers(on_page(frames_[i], over(p, height(plate, p))))) --layers;
         }
         if (layers <= most_) return;
         most_ = layers;
@@ -290,6 +311,7 @@ class Layers {
     }
 
     std::span<const PlateShape> shapes_;
+    std::vector<std::vector<Triangle2>> seen_;  // of each shape's core
     ClosedPlane plane_;
     std::vector<Frame> frames_;
     EdgeIndex boxes_;

@@ -9,6 +9,7 @@
 
 #include "popup/compile.h"
 #include "support/designs.h"
+#include "support/freeform_sheet.h"
 
 namespace popup::test {
 namespace {
@@ -157,6 +158,23 @@ void whole_compile(benchmark::State& state) {
     }
 }
 
+const std::vector<int> kSheets{250, 500, 1000};
+
+// A sheet of so many drawn features, read, examined and written to SVG and GLB.
+void drawn_sheet(benchmark::State& state) {
+    const Source source{"sheet.xml", freeform_sheet(static_cast<int>(state.range(0)))};
+    CompileOptions options;
+    options.layout.sheet = {"", 40000.0, 40000.0};
+    for (auto _ : state) {
+        const Compilation c = compile({source}, options, {});
+        POPUP_INVARIANT(c.layout && !c.designs[0].diagnostics.has_findings());
+        Diagnostics diagnostics;
+        const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
+        benchmark::DoNotOptimize(write_with<SheetWriter>(".svg")(*c.layout, {}, diagnostics));
+        benchmark::DoNotOptimize(write_with<SceneWriter>(".glb")({&scene, 1}, {}, diagnostics));
+    }
+}
+
 // Keeps every result, besides printing it.
 class Keeper : public benchmark::ConsoleReporter {
  public:
@@ -227,7 +245,13 @@ void print_tables(const Keeper& keeper) {
             fmt::print("{}", std::isnan(cost) ? " |" : fmt::format(" {:.2f} |", cost));
         }
     }
-    fmt::print("\n");
+    fmt::print(
+        "\n\n| freeform features on a sheet, to SVG and GLB | ms | a feature, relative to 250 "
+        "|\n|---|---|---|\n");
+    for (const int size : kSheets) {
+        const auto of = [&](int n) { return ns(fmt::format("drawn sheet/{}", n)); };
+        fmt::print("| {} | {:.0f} | {:.2f} |\n", size, of(size) / 1e6, of(size) / size / (of(250) / 250));
+    }
 }
 
 }  // namespace
@@ -242,6 +266,8 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("solver/iterative, exact", solver_iterative<1000000>)
         ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark("whole compile", whole_compile)->Unit(benchmark::kMicrosecond);
+    auto* sheets = benchmark::RegisterBenchmark("drawn sheet", drawn_sheet)->Unit(benchmark::kMillisecond);
+    for (const int size : kSheets) sheets->Arg(size);
     static Diagnostics ignored;
     add_stage("read", [](const Stages& s) { return read_design(s.source, {}, ignored); });
     add_stage("check", [](const Stages& s) { return check(s.design, {}, ignored); });

@@ -137,11 +137,55 @@ std::vector<Polygon> to_polygons(Paths paths) {
     return polygons;
 }
 
+// Takes corners out of rings of which nothing but the box is asked: those whose neighbours lie beside the box
+// on the same side as they do. What runs there goes straight on there, so that it goes round every point of
+// the box as often as before.
+void straighten_outside(const GridBox& box, Paths& paths) {
+    const auto sides = [&box](const IntPoint& p) {
+        return (p.X < box.x0 ? 1U : 0U) | (p.X > box.x1 ? 2U : 0U) | (p.Y < box.y0 ? 4U : 0U) |
+               (p.Y > box.y1 ? 8U : 0U);
+    };
+    for (Path& path : paths) {
+        std::size_t kept = 1;
+        unsigned last = sides(path[0]);
+        unsigned here = sides(path[1]);
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const unsigned next = sides(path[i + 1 == path.size() ? 0 : i + 1]);
+            if ((last & here & next) == 0) {
+                path[kept++] = path[i];
+                last = here;
+            }
+            here = next;
+        }
+        path.resize(kept);
+    }
+    paths.erase(std::remove_if(paths.begin(), paths.end(), [](const Path& p) { return p.size() < 3; }),
+                paths.end());
+}
+
+GridBox box_of(const Paths& paths) {
+    GridBox box = box_of(paths[0]);
+    for (const Path& path : paths) {
+        const GridBox one = box_of(path);
+        box = {std::min(box.x0, one.x0), std::min(box.y0, one.y0), std::max(box.x1, one.x1),
+               std::max(box.y1, one.y1)};
+    }
+    return box;
+}
+
 // The paths of a boolean. The library calls nothing-to-do a failure; that is sorted out first.
 Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
+    Paths of_a = to_paths(a);
+    Paths of_b = to_paths(b);
+    // Nothing is common to both outside the box of either: a small region in a large one costs little.
+    if (type == ClipperLib::ctIntersection && !of_a.empty() && !of_b.empty()) {
+        const GridBox box = box_of(of_a);
+        straighten_outside(box_of(of_b), of_a);
+        straighten_outside(box, of_b);
+    }
     ClipperLib::Clipper clipper;
-    const bool any_a = clipper.AddPaths(to_paths(a), ClipperLib::ptSubject, true);
-    const bool any_b = clipper.AddPaths(to_paths(b), ClipperLib::ptClip, true);
+    const bool any_a = clipper.AddPaths(of_a, ClipperLib::ptSubject, true);
+    const bool any_b = clipper.AddPaths(of_b, ClipperLib::ptClip, true);
     Paths result;
     if (!any_a && !any_b) return result;
     const bool done = clipper.Execute(type, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);

@@ -66,6 +66,32 @@ TEST(Regions, BooleansAgreeWithPointwiseLogicOnRandomPolygons) {
     }
 }
 
+// What runs round a small region far outside of it still goes round it.
+TEST(Regions, ASmallPartOfALongCoilIsThatPart) {
+    Polygon coil;
+    constexpr int kCorners = 900;
+    const auto at = [](int i, double more) {
+        const double turn = 2.0 * 3.141592653589793 * i / 120.0;
+        return Vec2{50.0, 50.0} + (1.0 + 0.05 * i + more) * Vec2{std::cos(turn), std::sin(turn)};
+    };
+    for (int i = 0; i < kCorners; ++i) coil.outer.push_back(at(i, 3.0));
+    for (int i = kCorners; i-- > 0;) coil.outer.push_back(at(i, 0.0));
+    coil.holes.push_back({at(200, 1.0), at(200, 2.0), at(203, 1.5)});
+    std::mt19937 random(11);
+    for (int round = 0; round < 100; ++round) {
+        const Vec2 p{static_cast<double>(random() % 100), static_cast<double>(random() % 100)};
+        const Polygon part = round % 2 == 0 ? box(p.x, p.y, p.x + 6.0, p.y + 4.0) : random_star(random);
+        const auto both = round % 4 < 2 ? intersect({coil}, {part}) : intersect({part}, {coil});
+        const Box around = bounds(part.outer);
+        for (int i = 0; i < 100; ++i) {
+            const Vec2 q{around.min.x + around.width() * static_cast<double>(random() % 1000) / 1000.0,
+                         around.min.y + around.height() * static_cast<double>(random() % 1000) / 1000.0};
+            if (std::min(edge_distance({coil}, q), edge_distance({part}, q)) < 1e-5) continue;
+            EXPECT_EQ(covered(both, q), contains(coil, q) && contains(part, q)) << round;
+        }
+    }
+}
+
 TEST(Regions, ResultsHaveHolesClockwiseAndOutersCounterClockwise) {
     const auto frame = subtract({box(0, 0, 10, 10)}, {box(2, 2, 8, 8)});
     ASSERT_EQ(frame.size(), 1U);

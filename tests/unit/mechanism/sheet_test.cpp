@@ -16,6 +16,7 @@
 #include "popup/motion.h"
 #include "popup/path.h"
 #include "support/designs.h"
+#include "support/freeform_sheet.h"
 #include "support/paper_balance.h"
 
 namespace popup::test {
@@ -550,6 +551,20 @@ TEST(Sheet, SaysByHowMuchAFeatureLeavesThePage) {
         from_xml(freeform("M 20 -20 L -99.5 -20 L -99.5 10 L 20 10 Z")).text,
         "error does-not-fit: \"f\": on the left of its fold it comes nearer than 1.00 mm to an edge of the "
         "paper, a cut or a seam\n");
+}
+
+// What the benchmark of many outlines measures is a card.
+TEST(Sheet, ManyFreeformFeaturesShareThePageOut) {
+    Diagnostics diagnostics;
+    const auto design = read_design({"sheet.xml", freeform_sheet(23)}, {}, diagnostics);
+    ASSERT_TRUE(design) << findings(diagnostics);
+    const Built built = build(*design);
+    ASSERT_TRUE(built.assembly);
+    EXPECT_EQ(findings(built.diagnostics), "");
+    EXPECT_EQ(built.assembly->plates.size(), 2U + 2U * 23U);
+    const Balance balance = balance_of(*built.assembly, 0);
+    EXPECT_NEAR(balance.plates, design->width_mm * design->height_mm, 1e-6);
+    EXPECT_LT(balance.overlap, 5e-4);
 }
 
 TEST(Sheet, RemarksOnCurvesThatAKnifeCannotFollow) {
