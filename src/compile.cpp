@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fabrication/kerf.h"
+#include "popup/flat_folding.h"
 #include "run/crew.h"
 #include "run/unused_allowances.h"
 
@@ -25,7 +26,8 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         if (one.assembly->file.empty()) one.assembly->file = one.source.name;
         one.diagnostics.set_places_file(one.assembly->file);
     } else if (one.creases && options.until >= Stage::assembly) {
-        one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
+        if (options.fold.flat) fold_flat(*one.creases, options.fold, one.diagnostics);
+        if (!options.fold.flat) one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
     } else if (one.design) {
         one.design->stem = one.stem;
         if (options.until == Stage::design) return;
@@ -68,11 +70,8 @@ void name_stems(std::vector<CompiledDesign>& designs) {
     for (CompiledDesign& one : designs) {
         int& last = used[one.stem];
         if (++last == 1) continue;
-        std::string name;
-        for (;; ++last) {
-            name = one.stem + "~" + std::to_string(last);
-            if (taken.insert(name).second) break;
-        }
+        std::string name = one.stem + "~" + std::to_string(last);
+        while (!taken.insert(name).second) name = one.stem + "~" + std::to_string(++last);
         one.stem = std::move(name);
     }
 }

@@ -27,6 +27,56 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "folds hold it to nothing but itself. It is neither cut nor folded here. If it is meant to be a piece "
      "of "
      "its own, draw it beside the sheet; if it belongs to the sheet, one of its cuts should be a fold."},
+    {"flat-angles", Severity::warning, "a corner whose angles do not let it fold flat",
+     "Around an inner corner that is folded flat the paper goes to and fro, and must come back to where it "
+     "began: "
+     "the angles between its folds, every other one of them, add up to 180 degrees (Kawasaki's theorem). "
+     "Here they "
+     "do not. The message says what they add up to. Turn one of the folds about the corner by the "
+     "difference; then "
+     "look at its other end, where the angles change as well. Differences below 0.1 degrees are taken for "
+     "rounding."},
+    {"flat-kinds", Severity::warning, "a corner with too many or too few mountains",
+     "Around an inner corner that is folded flat mountains and valleys differ in number by two (Maekawa's "
+     "theorem): "
+     "of four folds three are of one kind. Here they do not. The message says how many there are of each. "
+     "Folds that "
+     "do not say which way they go may go either way. Make a mountain a valley, or a valley a mountain; the "
+     "corner at "
+     "the other end of that fold changes with it."},
+    {"flat-loop", Severity::warning, "panels that do not meet again around a hole",
+     "Folded flat, every panel has one place. Going around a hole or a cut from panel to panel one must come "
+     "back to "
+     "where one began, and here one does not: two panels that a fold joins miss each other, by as much as "
+     "the message "
+     "says. Around a hole nothing has to be so at each corner; it is the folds that lead around it, all "
+     "together, that "
+     "must undo one another."},
+    {"flat-odd", Severity::warning, "a corner with an odd number of folds",
+     "Around an inner corner that is folded flat each fold turns the paper over, so it takes an even number "
+     "of them to "
+     "come back to the same side. Here the number is odd, so the corner cannot be folded flat, whatever the "
+     "angles. Add "
+     "a fold, as one that halves the largest angle, or take one out; a line that is only a mark should be of "
+     "another "
+     "colour."},
+    {"flat-order", Severity::warning, "panels that have no order of layers",
+     "Folded flat, of two panels that lie on each other one is above. Mountains and valleys say it of "
+     "neighbours; no "
+     "panel may pass through the fold of two others; and who lies above whom must be an order. Here these "
+     "contradict "
+     "one another. The message names panels that have no order among themselves, by their middles on the "
+     "sheet, as few "
+     "as were found. Corners may all be right, and there be no order nevertheless: a long panel between two "
+     "short ones "
+     "that are folded over it to the same side is the usual reason."},
+    {"flat-undecided", Severity::warning, "layers that are too many to be put in order",
+     "So many panels lie on one another that the search for an order of them was given up. It may be that "
+     "there is "
+     "one, and it may be that there is none; nothing is said of it. The corners were looked at and are "
+     "right. Look at "
+     "a part of the pattern, or say of more folds whether they are mountains or valleys: that leaves less to "
+     "search."},
     {"fold-drawn-twice", Severity::warning, "a fold that is a mountain and a valley",
      "Two lines lie on each other, one drawn as a mountain fold and the other as a valley fold. The fold "
      "goes "
@@ -41,6 +91,14 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "other if all are to move; where two lines cross, the line that is folded second changes from mountain "
      "to "
      "valley at the first. Draw it so, or leave the fold out if it is a mark."},
+    {"folds-flat", Severity::remark, "a sheet that folds flat, with an order of its layers",
+     "Asked by --flat, popupc laid all panels of the sheet into one plane, each fold turned by half a turn, "
+     "and found "
+     "an order of all that lie on one another, in which no panel passes through another or through a fold. "
+     "The message "
+     "says how many panels there are and how many lie on one place at most. Whether the sheet gets there "
+     "without "
+     "bending is another question, and answered without --flat."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "

@@ -55,10 +55,10 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",   "diagnostics", "geometry",  "path",  "curves", "nest",     "print",
-        "image",   "trace",       "files",     "lines", "joints", "assembly", "crease_pattern",
-        "design",  "language",    "mechanism", "check", "motion", "pattern",  "layout",
-        "profile", "output",      "compile",   "write"};
+        "units",        "diagnostics", "geometry", "path",      "curves", "nest",     "print",
+        "image",        "trace",       "files",    "lines",     "joints", "assembly", "crease_pattern",
+        "flat_folding", "design",      "language", "mechanism", "check",  "motion",   "pattern",
+        "layout",       "profile",     "output",   "compile",   "write"};
     return order;
 }
 
@@ -74,7 +74,7 @@ std::string last_stage(const std::string& room, const std::string& file) {
     if (room == "pictures") return "image";
     if (room == "trace") return "trace";
     if (room == "parts" || room == "assembly") return "assembly";
-    if (room == "folded") return "crease_pattern";
+    if (room == "folded") return "flat_folding";
     if (room == "input") return "mechanism";
     if (room == "mechanism" || room == "check") return "check";
     if (room == "fabrication") return "profile";
