@@ -9,6 +9,7 @@
 #include "base/geometry/regions.h"
 #include "support/random.h"
 #include "support/restored.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -188,7 +189,7 @@ std::string random_path(Random& random) {
 TEST(Curves, AtRandomTheyStayNearWhatTheyStandFor) {
     Random random(7);
     std::size_t curves = 0;
-    for (int round = 0; round < 150; ++round) {
+    for (int round = 0; round < test::sanitized_count(150); ++round) {
         std::string data;
         for (std::size_t i = 0; i <= random.below(3); ++i) data += random_path(random);
         const Drawn all = drawn(data);
@@ -210,12 +211,12 @@ TEST(Curves, AtRandomTheyStayNearWhatTheyStandFor) {
             }
         }
     }
-    EXPECT_GT(curves, 500U);
+    EXPECT_GT(curves, test::sanitized_count<std::size_t>(500));
 }
 
 TEST(Curves, AtRandomAWholeDrawingComesBack) {
     Random random(11);
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < test::sanitized_count(100); ++round) {
         const std::string data = random_path(random);
         const Drawn one = drawn(data);
         const Restored restored = one.table.restored(one.points(), true, true);

@@ -17,6 +17,7 @@
 #include "support/background.h"
 #include "support/pictures.h"
 #include "support/run_program.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
@@ -178,7 +179,7 @@ TEST_F(Watch, NoChangeIsLostWhereverItFalls) {
     write_file(scratch / "a/card.xml", bird);
     start({"a/card.xml", "-o", "card.glb"});
     ASSERT_TRUE(comes(of_bird));
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < sanitized_count(12, 3); ++round) {
         // The output comes just before the build ends; each round a little later.
         ::usleep(static_cast<useconds_t>(200 * round));
         fs::rename(scratch / "a", scratch / ("old" + std::to_string(round)));

@@ -12,6 +12,7 @@
 #include "support/designs.h"
 #include "support/kerf_example.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -46,7 +47,7 @@ TEST(KerfLimits, ANotchNarrowerThanTheKerfIsAnError) {
 TEST(KerfLimits, NotchesOfAnyWidthAreJudgedByTheKerf) {
     test::Random random(6);
     int errors = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < test::sanitized_count(300); ++round) {
         const double width = 0.02 + 0.5 * random.unit();
         const double kerf = 0.02 + 0.5 * random.unit();
         if (std::abs(width - kerf) < 1e-3) continue;
@@ -58,7 +59,7 @@ TEST(KerfLimits, NotchesOfAnyWidthAreJudgedByTheKerf) {
         EXPECT_TRUE(move_hole(reversed(ring), kerf).cuts.has_value());
         errors += edge.cuts ? 0 : 1;
     }
-    EXPECT_GT(errors, 50);
+    EXPECT_GT(errors, test::sanitized_count(50));
 }
 
 TEST(KerfLimits, AHoleNarrowerThanTheKerfIsAnError) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -142,7 +143,7 @@ double expect_tour(const Instance& instance, const std::vector<Visit>& visits) {
 }
 
 TEST(Tour, VisitsEveryStopOnceAndIsNeverLongerThanByNearestNeighbours) {
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::sanitized_count<std::uint64_t>(300); ++seed) {
         SCOPED_TRACE(seed);
         const std::size_t count = seed < 200 ? seed % 20 : 30 + seed;
         const Instance instance = random_instance(seed, count, seed % 3 == 0 ? 100.0 : 5.0);
@@ -181,7 +182,7 @@ TEST(Tour, BeginsFineContoursWhereTheWayIsShortest) {
 
 // So few that all stops are near each other: there is no part of the tour to turn round that would help.
 TEST(Tour, OfFourLinesCannotBeMendedByTurningAPartRound) {
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::sanitized_count<std::uint64_t>(300); ++seed) {
         SCOPED_TRACE(seed);
         Instance instance = random_instance(seed, 4, 60.0);
         instance.closed.assign(4, false);

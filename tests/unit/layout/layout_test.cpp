@@ -9,6 +9,7 @@
 
 #include "base/geometry/regions.h"
 #include "layout/turns.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -140,7 +141,7 @@ void expect_sound(const Layout& layout, const LayoutOptions& options) {
 
 TEST(Layout, RandomPiecesStayApartAndInsideTheMargin) {
     std::mt19937 random(1);
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < test::sanitized_count(60); ++round) {
         std::vector<DesignPattern> designs;
         for (int d = 0; d < 1 + round % 3; ++d) {
             std::vector<PatternPiece> pieces;
@@ -366,7 +367,7 @@ TEST(Layout, AnyRotationLooksAtTheSmallestBox) {
 
 TEST(Layout, TurnsAreThoseAllowedAndEachOnce) {
     std::mt19937 random(3);
-    for (int round = 0; round < 50; ++round) {
+    for (int round = 0; round < test::sanitized_count(50); ++round) {
         const Ring ring = random_polygon(random, 5, 50);
         for (const int count : {1, 2, 3, 4, 7, 12, 13, 24, 360, 1000, 0}) {
             const std::vector<Angle> turns = turns_of(ring, {count}, {{300, 300}});

@@ -8,12 +8,13 @@
 #include "mechanism/builder.h"
 #include "support/designs.h"
 #include "support/prints.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
 
 TEST(Assemble, PlatesOfThePageShareItsPaperOutWithoutOverlap) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(40); ++seed) {
         SCOPED_TRACE(seed);
         const Built built = build(generate(seed + 500, 16));
         ASSERT_TRUE(built.assembly);

@@ -17,6 +17,7 @@
 #include "motion/sweep.h"
 #include "support/designs.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
@@ -363,7 +364,7 @@ TEST(Forced, FreedomOfASingularPoseIsNone) {
 // --- whole designs
 
 TEST(Forced, OpeningForcesAllOfWhatElementsMake) {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(60); ++seed) {
         SCOPED_TRACE(seed);
         const Built built = build(generate(seed, 14));
         ASSERT_TRUE(built.assembly);

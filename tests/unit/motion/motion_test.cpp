@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "support/designs.h"
+#include "support/sanitized.h"
 
 namespace popup::test {
 namespace {
@@ -73,7 +74,7 @@ TEST(Motion, BasePlanesAreExactWhenClosedAndWhenOpen) {
 }
 
 TEST(Motion, SeamsOfGeneratedDesignsStayClosedAndPlatesRigid) {
-    for (int seed = 1; seed <= 40; ++seed) {
+    for (int seed = 1; seed <= test::sanitized_count(40); ++seed) {
         SCOPED_TRACE(seed);
         const Built built = build(generate(static_cast<std::uint64_t>(seed), 14));
         ASSERT_TRUE(built.assembly);
