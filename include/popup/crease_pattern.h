@@ -58,11 +58,11 @@ struct FoldOptions {
         Angle angle;
     };
     std::vector<NamedAngle> fold_angles = {};
-    double to = 1.0;           // the share of the final angles at which the motion ends; (0, 1]
+    double to = 1.0;  // the share of the final angles at which the motion ends; (0, 1]
     // Corners this near are one; > 0. None: 0.002 mm, or 2e-6 of the sheet's longer side if that is more.
     std::optional<double> merge_mm = {};
-    // Ends that miss what they mean to meet by no more are moved there; >= 0.02. None: 0.5 mm, or 1/400 of the
-    // sheet's longer side if that is more, for on large sheets lines are drawn more coarsely.
+    // Ends that miss what they mean to meet by no more are moved there; >= 0.02. None: 0.5 mm, or 1/400 of
+    // the sheet's longer side if that is more, for on large sheets lines are drawn more coarsely.
     std::optional<double> snap_mm = {};
     double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
     bool flat = false;         // compile(): ask fold_flat() in place of folding the sheet
@@ -81,9 +81,10 @@ struct FoldOptions {
 // FoldOptions::closure_mm at every opening, and not only at some.
 //
 // Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
-// `falls-out`, `fold-other-way`, `fold-stays-flat`; errors `document-too-large`, `no-sheet`. A pattern whose loops do not close
-// is told of with `not-rigid`, with the worst loop and by how much it stays open; it is folded as far as it
-// can be, if at all. Cost: near linear in lines, and in panels times ranges of the motion.
+// `falls-out`, `fold-other-way`, `fold-stays-flat`; errors `document-too-large`, `no-sheet`. A pattern whose
+// loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open; it is
+// folded as far as it can be, if at all. Cost: near linear in lines, and in panels times ranges of the
+// motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics);
 
