@@ -138,8 +138,8 @@ class FlatCheck {
                                  ways.size(), shown(loop.at), std::min(every_other, 360.0 - every_other),
                                  std::max(every_other, 360.0 - every_other))))
             told->hint(
-                fmt::format("turn one of the folds by {:.2f}° about that corner, into the larger "
-                            "angle beside it",
+                fmt::format("turn one of the folds by {:.2f}° about that corner, so that an angle "
+                            "of the smaller sum grows",
                             std::abs(every_other - 180.0)));
     }
 
