@@ -87,7 +87,8 @@ bool PairSearch::next(Range& range, const Cell& cell) {
     } else {
         reached_ = place_pair(range.number, degrees_between(range.from, range.to));
         pose_frames_ = poses_at_.frames();
-        for (const int turn : needed_) middle_.push_back(poses_at_.bend(turn));
+        // Where a linkage does not get to, not all plates are placed.
+        for (const int turn : needed_) middle_.push_back(reached_ ? poses_at_.bend(turn) : 0.0);
     }
     set_pose(range, middle_);
     return true;

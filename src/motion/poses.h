@@ -32,7 +32,7 @@ class Poses {
     bool place(std::size_t number, double deg, std::span<const std::size_t> joints);
     // Where place() put plates; those of other joints are anywhere. Good until the next call of place().
     [[nodiscard]] std::span<const Frame> frames() const { return now_->frames; }
-    // The bend of a turn between plates that were placed (Linkage::bend).
+    // The bend of a turn between plates that were placed, and place() was true (Linkage::bend).
     double bend(int turn);
 
  private:
