@@ -99,13 +99,12 @@ class DocumentReader {
     void section(std::string_view name) {
         if (name == "HEADER") return header();
         while (there_ && !is(0, "ENDSEC") && faults_ <= kMostFaults) {
-            if (ahead_.code != 0) {
-                advance();
-            } else if (name == "TABLES") {
+            const bool begins = ahead_.code == 0;
+            if (begins && name == "TABLES") {
                 table_row();
-            } else if (name == "BLOCKS") {
+            } else if (begins && name == "BLOCKS") {
                 block();
-            } else if (name == "ENTITIES") {
+            } else if (begins && name == "ENTITIES") {
                 entity(out_.entities);
             } else {
                 advance();

@@ -74,8 +74,10 @@ struct Frame {
 Affine map_of(const Insert& insert, Vec2 base, long long copy, const Affine& around) {
     const double c = std::cos(insert.turn);
     const double s = std::sin(insert.turn);
-    const Vec2 off{insert.spacing.x * static_cast<double>(copy % insert.columns),
-                   insert.spacing.y * static_cast<double>(copy / insert.columns)};
+    const long long row = copy / insert.columns;
+    const long long column = copy % insert.columns;
+    const Vec2 off{insert.spacing.x * static_cast<double>(column),
+                   insert.spacing.y * static_cast<double>(row)};
     const Vec2 at = insert.at + Vec2{c * off.x - s * off.y, s * off.x + c * off.y};
     Affine own{c * insert.scale.x, s * insert.scale.x, -s * insert.scale.y, c * insert.scale.y, 0.0, 0.0};
     const Vec2 moved = at - own(base);
