@@ -82,9 +82,11 @@ struct FoldOptions {
 //
 // Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
 // `falls-out`, `fold-other-way`, `fold-stays-flat`; errors `document-too-large`, `no-sheet`. A pattern whose
-// loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open; it is
-// folded as far as it can be, if at all. Cost: near linear in lines, and in panels times ranges of the
-// motion.
+// loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open. It is
+// folded as far as it can be; where it does not leave the flat sheet, panels are divided into triangles along
+// which they bend, by as little as brings the folds near to their angles, so that it can be seen
+// (Sweep::bends). What is cut and scored stays as drawn. Cost: near linear in lines, and in panels times
+// ranges of the motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics);
 

@@ -122,7 +122,7 @@ struct Motion {
     double flat_error_deg = 0.0;         // largest angle of a plate to the closed card, at 0°
     bool flat_closed = false;            // flat_error_deg within tolerance
     std::vector<FreePlates> not_forced;  // as free_plates() has them; none with Solver::iterative
-    std::optional<Examination> examination;  // none: not examined
+    std::optional<Examination> examination;  // none: not examined, not asked for or as Sweep::bends says
 };
 
 // Frames of all plates at one angle, in closed form. `frames` has one entry a plate.

@@ -162,6 +162,7 @@ void fields(Self& sweep, To& to) {
     to.degrees("from_deg", sweep.from_deg);
     to.degrees("to_deg", sweep.to_deg);
     to.flag("closed_flat", sweep.closed_flat);
+    to.flag_if_set("bends", sweep.bends);
 }
 
 template <Of<Trace> Self, typename To>

@@ -26,6 +26,11 @@ constexpr double kRounded = 1e-10;  // of a residual, after which one step more 
 constexpr double kNotNearer = 0.5;  // of a residual
 constexpr double kSettled = 1e-11;  // below it steps need not get nearer
 constexpr int kMostHalvings = 6;
+// Of drawing near: steps, the least share of one, and what one must gain.
+constexpr int kMostNearer = 40;
+constexpr double kLeastNearer = 1.0 / 256.0;
+constexpr double kGain = 0.01;
+constexpr double kNearlyClosed = 5e-11;
 // No fold is turned by more in one step, radians.
 constexpr double kLongestStep = 0.5;
 
@@ -33,7 +38,12 @@ constexpr double kLongestStep = 0.5;
 
 Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops) {
     std::map<int, int> column;
-    for (std::size_t i = 0; i < folds.size(); ++i) column[folds[i]] = static_cast<int>(i);
+    for (std::size_t i = 0; i < folds.size(); ++i) {
+        column[folds[i]] = static_cast<int>(i);
+        if (!nth(sheet.folds, folds[i]).is_bend()) continue;
+        if (ease_.size() == 0) ease_.setOnes(static_cast<Eigen::Index>(folds.size()));
+        ease_[static_cast<Eigen::Index>(i)] = 1.0 / (kBendCost * kBendCost);
+    }
     int count = 0;
     rows_.reserve(loops.size());
     for (const int number : loops) {
@@ -110,6 +120,7 @@ double Closure::gap_mm(const Eigen::VectorXd& angles) {
 
 void Closure::factorise() {
     transposed_ = slopes_.transpose();
+    if (ease_.size() > 0) transposed_ = ease_.asDiagonal() * transposed_;
     Matrix normal = slopes_ * transposed_;
     const double mean_square = residual_.squaredNorm() / static_cast<double>(residual_.size());
     const double damping = kRegular + kDamped * mean_square;
@@ -158,6 +169,31 @@ Eigen::VectorXd Closure::along_loops(const Eigen::VectorXd& angles, const Eigen:
     // Once more, for what the regularisation leaves.
     for (int i = 0; i < 2 && step(slopes_ * left, by); ++i) left -= by;
     return left;
+}
+
+void Closure::draw_near(Eigen::VectorXd& angles, const Eigen::VectorXd& to) {
+    const auto away = [&](const Eigen::VectorXd& at) {
+        const Eigen::VectorXd by = to - at;
+        return ease_.size() > 0 ? by.cwiseAbs2().cwiseQuotient(ease_).sum() : by.squaredNorm();
+    };
+    double here = away(angles);
+    double share = 1.0;
+    for (int i = 0; i < kMostNearer && share > kLeastNearer; ++i) {
+        const Eigen::VectorXd way = along_loops(angles, to - angles);
+        bool nearer = false;
+        for (; !nearer && share > kLeastNearer; share *= 0.5) {
+            Eigen::VectorXd next = angles + share * way;
+            if (!(approach(next) <= kNearlyClosed)) continue;
+            const double there = away(next);
+            if (!(there < (1.0 - kGain * share) * here)) continue;
+            angles = std::move(next);
+            here = there;
+            nearer = true;
+            share *= 2.0;
+        }
+        if (!nearer) break;
+        share = std::min(1.0, 2.0 * share);
+    }
 }
 
 double Closure::approach(Eigen::VectorXd& angles, double enough) {

@@ -22,15 +22,22 @@ class Closure {
     double gap_mm(const Eigen::VectorXd& angles);
 
     // Brings the angles nearer to closure, each step the smallest one that closes the loops to the first
-    // order, until the residual is `enough` or no step helps. Returns the residual.
+    // order, with the angles of bends counted as kBendCost, until the residual is `enough` or no step helps.
+    // Returns the residual.
     double approach(Eigen::VectorXd& angles, double enough = kRounding);
     // The same for angles at several shares, all by the same number of whole steps, so that where they end
     // depends smoothly on where they begin. Returns the number of those that stay open by more than `enough`
     // or that a step does not help, -1 for none.
     int approach_smoothly(std::span<Eigen::VectorXd> all, double enough);
+    // Brings angles at which the loops are closed as near to others as closure allows, or nearly so: until a
+    // step does not gain a hundredth. Bends count as above.
+    void draw_near(Eigen::VectorXd& angles, const Eigen::VectorXd& to);
+    [[nodiscard]] bool has_bends() const { return ease_.size() > 0; }
     // What is left of a direction when all is taken out that opens loops, to the first order.
     Eigen::VectorXd along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction);
     static constexpr double kRounding = 2e-14;  // of a few dozen turns
+    // Paper is creased where it is folded, and bends elsewhere only if it must.
+    static constexpr double kBendCost = 3.0;
 
  private:
     using Matrix = Eigen::SparseMatrix<double>;
@@ -55,8 +62,9 @@ class Closure {
 
     std::vector<Row> rows_;
     Eigen::VectorXd residual_;
-    Matrix transposed_;
-    Matrix slopes_;  // all entries that may be other than nought are there
+    Matrix transposed_;     // of the slopes, with what angles cost
+    Eigen::VectorXd ease_;  // by angle: the square of what it costs, inverted; empty: all cost the same
+    Matrix slopes_;         // all entries that may be other than nought are there
     Eigen::SimplicialLDLT<Matrix> solver_;
     bool analysed_ = false;
     std::vector<Eigen::Triplet<double>> entries_;

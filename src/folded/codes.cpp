@@ -113,11 +113,15 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "of "
      "them must lead back to the first. When no angles near those that are asked for do so, the panels would "
      "have to bend or tear. The message says which loop stays open, and by how much. Where the sheet folds "
-     "rigidly a part of the way it is folded as far as that; where it cannot leave the flat state, its "
-     "folds stay flat. Mountains and valleys that do not go together are the "
-     "usual "
-     "reason: at each inner corner that folds flat, they differ in number by two. Else add the creases along "
-     "which the paper bends."},
+     "rigidly a part of the way it is folded as far as that. Where it cannot leave the flat state at all, "
+     "panels "
+     "are shown bent, along lines that the pattern draws as flat or along diagonals, and the message says "
+     "where "
+     "they bend most; paper would bend in curves, and collisions are not looked for. Mountains and valleys "
+     "that "
+     "do not go together are the usual reason: at each inner corner that folds flat, they differ in number "
+     "by "
+     "two. Else add the creases along which the paper bends."},
 });
 
 }  // namespace

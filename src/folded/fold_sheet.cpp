@@ -8,6 +8,7 @@
 
 #include "assembly/settle.h"
 #include "base/nth.h"
+#include "folded/bend.h"
 #include "folded/path.h"
 #include "folded/refine.h"
 #include "folded/sheet.h"
@@ -86,6 +87,37 @@ Tree make_tree(const Sheet& sheet) {
 
 double degrees(double radians) { return radians * 180.0 / kPi; }
 
+// A loop that does not close all the way. `bends`: how the panels of one that does not leave the flat sheet
+// are shown; empty if they stay flat.
+void tell_open(const folded::Cluster& cluster, const std::string& bends, const CreasePattern& pattern,
+               const Sheet& sheet, Diagnostics& diagnostics) {
+    const folded::Loop& loop = nth(sheet.loops, cluster.worst_loop);
+    const std::string where =
+        fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
+                    loop.corner ? "the corner" : "the hole", shown_point(pattern.ruler, loop.at));
+    const Place place = nth(pattern.lines, loop.line).place;
+    const std::string_view hint =
+        "its panels would have to bend, or its folds to be folded one after another: add creases, or change "
+        "which folds are mountains";
+    if (cluster.reached > 0.0) {
+        diagnostics
+            .warning(
+                "not-rigid", place,
+                fmt::format("{} closes only until {:.0f} % of the way; the sheet is folded as far as that",
+                            where, std::floor(100.0 * cluster.reached)))
+            .hint(std::string(hint));
+        return;
+    }
+    const std::string by = loop.corner ? fmt::format("{:.1f}°", degrees(cluster.residual))
+                                       : fmt::format("{:.2f} mm", cluster.residual * loop.size);
+    diagnostics
+        .warning("not-rigid", place,
+                 fmt::format("{} closes only while nothing is folded: half way it would be open by {}; {}",
+                             where, by, bends.empty() ? "its folds stay flat" : bends))
+        .hint(bends.empty() ? std::string(hint)
+                            : fmt::format("{}; collisions are not looked for while panels bend", hint));
+}
+
 class Lowering {
  public:
     Lowering(const CreasePattern& pattern, const Sheet& sheet, const Paths& paths, double to,
@@ -102,7 +134,8 @@ class Lowering {
         out_.stem = pattern_.stem;
         for (const folded::Cluster& cluster : paths_.clusters) {
             if (cluster.reached >= 1.0) continue;
-            if (cluster.reached < kNearlyThere) tell(cluster);
+            if (cluster.reached < kNearlyThere && cluster.worst_loop >= 0 && !sheet_.bends())
+                tell_open(cluster, {}, pattern_, sheet_, diagnostics_);
             // What cannot be folded stays flat, and holds nothing else up.
             if (cluster.reached > 0.0) reached_ = std::min(reached_, cluster.reached);
         }
@@ -113,38 +146,13 @@ class Lowering {
         tell_flat_folds();
         out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
         out_.sweep.to_deg = kFlatDeg;
+        out_.sweep.bends = sheet_.bends();
         out_.sweep.closed_flat = reached_ == 1.0 && folds_flat();
         settle_numbers(out_);
         return std::move(out_);
     }
 
  private:
-    void tell(const folded::Cluster& cluster) {
-        if (cluster.worst_loop < 0) return;
-        const folded::Loop& loop = nth(sheet_.loops, cluster.worst_loop);
-        const std::string where =
-            fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
-                        loop.corner ? "the corner" : "the hole", shown_point(pattern_.ruler, loop.at));
-        const std::string by = loop.corner ? fmt::format("{:.1f}°", degrees(cluster.residual))
-                                           : fmt::format("{:.2f} mm", cluster.residual * loop.size);
-        const Place place = nth(pattern_.lines, loop.line).place;
-        auto& finding =
-            cluster.reached > 0.0
-                ? diagnostics_.warning("not-rigid", place,
-                                       fmt::format("{} closes only until {:.0f} % of the way; the sheet is "
-                                                   "folded as far as that",
-                                                   where, std::floor(100.0 * cluster.reached)))
-                : diagnostics_.warning(
-                      "not-rigid", place,
-                      fmt::format("{} closes only while nothing is folded: half way it would be open by {}; "
-                                  "its folds stay flat",
-                                  where, by));
-        finding.hint(
-            "its panels would have to bend, or its folds to be folded one after another: add creases, or "
-            "change "
-            "which folds are mountains");
-    }
-
     void add_pieces() {
         for (std::size_t i = 0; i < sheet_.cuts.size(); ++i) {
             Piece piece;
@@ -237,12 +245,13 @@ class Lowering {
             nth(tree_.fold_of, fold.left) == number || nth(tree_.fold_of, fold.right) == number;
         if (!in_tree) add_closing(number, left, right);
         for (const Segment& stretch : sheet_.stretches_of(fold)) {
+            const Segment on_line{on_line_of(fold, stretch.a), on_line_of(fold, stretch.b)};
+            out_.hinges.push_back({left, right, on_line, on_line});
+            if (fold.is_bend()) continue;  // nothing to cut or to score
             Line line{is_mountain ? LineKind::mountain : LineKind::valley, stretch,
                       nth(sheet_.panels, fold.left).piece, left, right};
             if (std::abs(angle) > kFoldedRad) line.fold_angle = std::min(std::abs(angle), kPi);
             out_.lines.push_back(line);
-            const Segment on_line{on_line_of(fold, stretch.a), on_line_of(fold, stretch.b)};
-            out_.hinges.push_back({left, right, on_line, on_line});
         }
     }
 
@@ -303,6 +312,35 @@ class Lowering {
     Assembly out_;
 };
 
+// What is told of a sheet whose panels bend: where most, in any state of the motion.
+void tell_bends(const folded::Bent& bent, const Paths& rigid, const CreasePattern& pattern,
+                const Sheet& sheet, Diagnostics& diagnostics) {
+    const Fold* most = nullptr;
+    double by = 0.0;
+    for (std::size_t i = 0; i < bent.sheet.folds.size(); ++i) {
+        const Fold& fold = bent.sheet.folds[i];
+        if (!fold.is_bend()) continue;
+        for (const SharePoint& at : bent.paths.laws[i]) {
+            if (most != nullptr && std::abs(at.angle) <= by) continue;
+            by = std::abs(at.angle);
+            most = &fold;
+        }
+    }
+    const double reached = bent.paths.reached;
+    std::string bends = reached < kNearlyThere
+                            ? fmt::format("as far as {:.0f} % of the way its panels are shown bent",
+                                          std::floor(100.0 * reached))
+                            : "its panels are shown bent";
+    if (most != nullptr) {
+        const Segment line = bent.sheet.line_of(*most);
+        bends += fmt::format(", by {:.1f}° at most, from {} to {}", degrees(by),
+                             shown_point(pattern.ruler, line.a), shown_point(pattern.ruler, line.b));
+    }
+    for (const folded::Cluster& cluster : rigid.clusters) {
+        if (cluster.reached == 0.0) tell_open(cluster, bends, pattern, sheet, diagnostics);
+    }
+}
+
 bool is_sound(const Paths& paths) {
     return paths.reached >= kNearlyThere &&
            std::none_of(paths.clusters.begin(), paths.clusters.end(),
@@ -324,9 +362,10 @@ void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sh
 
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics) {
-    std::optional<Sheet> sheet = folded::make_sheet(pattern, options, diagnostics);
-    if (!sheet) return std::nullopt;
-    const bool bent = folded::has_bent_folds(*sheet);
+    const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
+    if (!drawn) return std::nullopt;
+    std::optional<Sheet> sheet = drawn;
+    const bool has_bent_folds = folded::has_bent_folds(*sheet);
     const folded::PathOptions path{options.closure_mm};
     Paths paths = folded::find_paths(*sheet, path);
     const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
@@ -347,8 +386,14 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
         } else {
             refine_whole();
         }
-    } else if (bent) {
+    } else if (has_bent_folds) {
         refine_whole();
+    }
+    if (paths.any_stays()) {
+        if (const std::optional<folded::Bent> bent = bend_panels(pattern, options, *drawn, paths)) {
+            tell_bends(*bent, paths, pattern, *drawn, diagnostics);
+            return Lowering(pattern, bent->sheet, bent->paths, options.to, diagnostics).run();
+        }
     }
     return Lowering(pattern, *sheet, paths, options.to, diagnostics).run();
 }

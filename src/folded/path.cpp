@@ -109,6 +109,8 @@ class Walk {
         for (const double one : kFirstShares) {
             Angles here = from + one * (target_ - from);
             const bool closes = closure_.approach(here) <= kClosed;
+            // Where panels bend many ways lead on.
+            if (closes && closure_.has_bends()) closure_.draw_near(here, from + one * (target_ - from));
             if (!closes || stays_at(from, one, here) || !is_paper(here)) continue;
             const bool other_way = goes_other_way(from, one, here);
             if (found && other_way) continue;

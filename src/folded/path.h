@@ -57,6 +57,8 @@ struct Paths {
     std::vector<std::vector<SharePoint>> laws;
     std::vector<Cluster> clusters;  // of folds in loops
     double reached = 1.0;           // the least of all clusters
+    // Whether a cluster does not leave the flat sheet.
+    [[nodiscard]] bool any_stays() const { return reached == 0.0; }
 };
 
 // The angle of a law at a share.

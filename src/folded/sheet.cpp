@@ -51,7 +51,7 @@ class Maker {
     Maker(const CreasePattern& pattern, const FoldOptions& options, Diagnostics& diagnostics)
         : pattern_(pattern), options_(options), diagnostics_(diagnostics) {}
 
-    std::optional<Sheet> run() {
+    std::optional<Sheet> run(std::span<const Stretch> bends) {
         for (std::size_t i = 0; i < pattern_.lines.size(); ++i) {
             const CreaseLine& line = pattern_.lines[i];
             // What is never folded is no line of the sheet.
@@ -59,7 +59,7 @@ class Maker {
             lines_.push_back({line.points, line.closed, ink_of(line.use), static_cast<int>(i)});
         }
         set_tolerances();
-        if (!mend() || !take_out_dangling()) return std::nullopt;
+        if (!mend() || !take_out_dangling() || !divide(bends)) return std::nullopt;
         find_paper();
         if (panels_ == 0) {
             diagnostics_.error("no-sheet", {}, "no line of the pattern encloses paper")
@@ -148,6 +148,22 @@ class Maker {
             if (!graph) return too_many();
             graph_ = std::move(*graph);
         }
+    }
+
+    // Bends are lines of the graph, and no lines of the pattern.
+    bool divide(std::span<const Stretch> bends) {
+        if (bends.empty()) return true;
+        lines_.clear();
+        for (const GraphEdge& edge : graph_.edges)
+            lines_.push_back({{graph_.at(edge.a), graph_.at(edge.b)}, false, edge.ink, edge.element});
+        for (const Stretch bend : bends) {
+            const int element = graph_.edge(graph_.around(bend.a).front()).element;
+            lines_.push_back({{graph_.at(bend.a), graph_.at(bend.b)}, false, kBend, element});
+        }
+        std::optional<SheetGraph> graph = make_graph(lines_, merge_mm_);
+        if (!graph) return too_many();
+        graph_ = std::move(*graph);
+        return true;
     }
 
     // Faces that folds hold together are all paper or none. What lies at the outside is paper; what lies at
@@ -370,7 +386,7 @@ class Maker {
         }
         for (std::size_t i = 0; i < in_loop.size(); ++i) {
             Fold& fold = out_.folds[i];
-            if (in_loop[i] == 0 && (fold.ink & (kMountain | kValley)) == 0)
+            if (in_loop[i] == 0 && !fold.is_bend() && (fold.ink & (kMountain | kValley)) == 0)
                 fold.target = angle_of(fold, CreaseUse::valley);
         }
     }
@@ -434,6 +450,10 @@ double Sheet::size() const {
     return std::max({box.width(), box.height(), kSilentMm});
 }
 
+bool Sheet::bends() const {
+    return std::any_of(folds.begin(), folds.end(), [](const Fold& fold) { return fold.is_bend(); });
+}
+
 std::vector<Segment> Sheet::stretches_of(const Fold& fold) const {
     std::vector<Segment> joined;
     int end = -1;
@@ -461,8 +481,8 @@ Polygon Sheet::outline_of(const Panel& panel) const {
 }
 
 std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions& options,
-                                Diagnostics& diagnostics) {
-    return Maker(pattern, options, diagnostics).run();
+                                Diagnostics& diagnostics, std::span<const Stretch> bends) {
+    return Maker(pattern, options, diagnostics).run(bends);
 }
 
 }  // namespace popup::folded

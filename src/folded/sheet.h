@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/geometry/sheet_graph.h"
@@ -20,7 +21,8 @@ struct Fold {
     std::vector<Stretch> stretches;  // along the line, all in one direction; at least one
     unsigned ink = kFold;            // of Ink: what the pattern says which way it is folded
     double target = 0.0;             // how far in the end, radians; positive for valleys. 0: not known
-    int line = 0;                    // of the pattern: the first that drew it
+    int line = 0;                    // of the pattern: the first that drew it; of bends one of its panel
+    [[nodiscard]] bool is_bend() const { return ink == kBend; }
 };
 
 // One fold on the way around a loop.
@@ -62,6 +64,8 @@ struct Sheet {
     [[nodiscard]] Segment line_of(const Fold& fold) const {
         return {at(fold.stretches.front().a), at(fold.stretches.back().b)};
     }
+    // Whether panels are divided by bends.
+    [[nodiscard]] bool bends() const;
     // Without corners at which nothing turns.
     [[nodiscard]] Polygon outline_of(const Panel& panel) const;
 };
@@ -72,7 +76,11 @@ inline constexpr double kOneLine = 1e-4;
 
 // Mends the lines within the tolerances, finds panels, holes, pieces, folds and loops. Findings as
 // fold_sheet() has them. Cost: near linear in lines and crossings.
+//
+// `bends` divide panels further: each leads from corner to corner of a panel, without crossing another;
+// corners are numbered as in the sheet without them. They become folds whose ink is kBend alone and whose
+// target is 0.
 std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions& options,
-                                Diagnostics& diagnostics);
+                                Diagnostics& diagnostics, std::span<const Stretch> bends = {});
 
 }  // namespace popup::folded

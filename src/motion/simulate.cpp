@@ -141,7 +141,7 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
     // A sheet that nothing drives is not forced at all.
     if (is_driven(judge.linkage)) motion.not_forced = free_plates(assembly);
     report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
-    if (!options.examine) return motion;
+    if (!options.examine || assembly.sweep.bends) return motion;
     const std::vector<PlateShape> shapes = plate_shapes(assembly);
     motion.examination = examine(assembly, judge.linkage, shapes, options);
     report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);

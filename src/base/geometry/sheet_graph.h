@@ -24,6 +24,7 @@ enum Ink : unsigned {
     kValley = 4U,
     kFold = 8U,   // that does not say which way
     kHole = 16U,  // a cut around what is to fall out
+    kBend = 32U,  // no line: where a panel may bend
 };
 inline constexpr unsigned kAnyFold = kMountain | kValley | kFold;
 
