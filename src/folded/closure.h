@@ -3,6 +3,8 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -32,7 +34,7 @@ class Closure {
     // Brings angles at which the loops are closed as near to others as closure allows, or nearly so: until a
     // step does not gain a hundredth. Bends count as above.
     void draw_near(Eigen::VectorXd& angles, const Eigen::VectorXd& to);
-    [[nodiscard]] bool has_bends() const { return ease_.size() > 0; }
+    [[nodiscard]] bool has_bends() const { return bends_; }
     // What is left of a direction when all is taken out that opens loops, to the first order.
     Eigen::VectorXd along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction);
     static constexpr double kRounding = 2e-14;  // of a few dozen turns
@@ -48,26 +50,41 @@ class Closure {
     };
     struct Row {
         int loop = 0;
-        int first = 0;  // row
-        bool corner = false;
+        int first = 0;  // condition
+        int count = 0;  // of conditions: 3 around a corner, else 6
         double size = 0.0;
-        std::vector<Term> terms;
+        std::size_t begin = 0, end = 0;  // in terms_
+    };
+    // What two terms of one fold add to the normal equations: a block of them, whose columns are at these
+    // places among the values of the matrix.
+    struct Product {
+        std::size_t upper = 0, left = 0;  // terms; the conditions of `upper` come before those of `left`
+        int rows = 0, columns = 0;
+        bool diagonal = false;  // of one loop: entries below the diagonal are left out
+        std::array<int, 6> at{};
     };
 
+    void add_rows(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
+    void add_products(std::size_t folds);
     // Residuals of all loops, and with `slopes` their derivatives.
     void evaluate(const Eigen::VectorXd& angles, bool slopes);
     // The smallest step that adds `by` to the residuals, to the first order.
     bool step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by);
+    // What a step adds to the residuals, to the first order.
+    [[nodiscard]] Eigen::VectorXd change_by(const Eigen::VectorXd& by) const;
     void factorise();
 
-    std::vector<Row> rows_;
+    std::vector<Row> rows_;  // in an order that leaves the factors sparse
+    std::vector<Term> terms_;
+    std::vector<std::array<double, 6>> slopes_;  // by term: of its loop's conditions by its fold's angle
+    Eigen::VectorXd ease_;                       // by angle: what it costs, inverted and squared
+    bool bends_ = false;
     Eigen::VectorXd residual_;
-    Matrix transposed_;     // of the slopes, with what angles cost
-    Eigen::VectorXd ease_;  // by angle: the square of what it costs, inverted; empty: all cost the same
-    Matrix slopes_;         // all entries that may be other than nought are there
-    Eigen::SimplicialLDLT<Matrix> solver_;
+    std::vector<Product> products_;
+    Matrix normal_;              // the upper triangle
+    std::vector<int> diagonal_;  // by condition: its place among the values
+    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
     bool analysed_ = false;
-    std::vector<Eigen::Triplet<double>> entries_;
 };
 
 }  // namespace popup::folded
