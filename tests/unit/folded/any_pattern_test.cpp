@@ -17,7 +17,7 @@
 namespace popup {
 namespace {
 
-constexpr int kPatterns = test::sanitized_count(400, 40);
+constexpr int kPatterns = test::sanitized_count(200, 20);
 constexpr int kMany = 10'000;
 // Of the sheet: what panels may gape in any state.
 constexpr double kGape = 1e-6;
