@@ -34,6 +34,17 @@ std::vector<std::string> sample_names() {
     return names;
 }
 
+// Of a directory of samples, those with this suffix, from `samples/`.
+std::vector<fs::path> samples_in(const std::string& directory, const std::string& suffix = "") {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(kSamples / directory)) {
+        if (entry.is_regular_file() && (suffix.empty() || entry.path().extension() == suffix))
+            paths.push_back(directory / entry.path().filename());
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
 class Sample : public testing::TestWithParam<std::string> {
  protected:
     [[nodiscard]] fs::path document() const { return kSamples / GetParam(); }
@@ -236,27 +247,37 @@ TEST(Samples, CreatureHasTwentySixElements) {
     EXPECT_EQ(nlohmann::json::parse(result.out).at("structures").size(), 26u);
 }
 
+TEST(Samples, OfFoldedSheetsHaveNothingDoubtful) {
+    std::vector<std::string> words{"check", "--as", "folded"};
+    for (const fs::path& path : samples_in("folded")) words.push_back(kSamples / path);
+    EXPECT_GT(words.size(), 3U + 2U);
+    const RunResult result = popupc(words);
+    EXPECT_EQ(result.exit, 0) << result.err;
+    EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
+}
+
 // Where processors have fused multiply-add, glibc computes sine and cosine with it; outputs must not show it.
 TEST(Samples, OutputsDoNotDependOnTheProcessor) {
     const ScratchDirectory out;
-    std::vector<std::string> names = sample_names();
-    for (const std::string& name : names_with(".dxf")) names.push_back(name + ".dxf");
-    for (const auto& entry : fs::directory_iterator(kSamples / "flatlang")) {
-        if (entry.path().extension() == ".fl") names.push_back("flatlang" / entry.path().filename());
-    }
+    std::vector<fs::path> names;
+    for (const std::string& name : sample_names()) names.emplace_back(name);
+    for (const std::string& name : names_with(".dxf")) names.emplace_back(name + ".dxf");
+    for (const fs::path& path : samples_in("flatlang", ".fl")) names.push_back(path);
+    for (const fs::path& path : samples_in("folded")) names.push_back(path);
     for (const std::string run : {"a", "b"}) {
         RunOptions options;
         if (run == "b")
             options.environment["GLIBC_TUNABLES"] = "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA4,-AVX2";
-        for (const fs::path name : names) {
+        for (const fs::path& name : names) {
             const std::string stem = name.stem().string() + run;
-            const RunResult result = popupc({"build", kSamples / name, "-o", out / (stem + ".glb"), "-o",
-                                             out / (stem + ".svg"), "-o", out / (stem + ".pdf")},
-                                            options);
+            std::vector<std::string> words{"build", kSamples / name,       "-o", out / (stem + ".glb"),
+                                           "-o",    out / (stem + ".svg"), "-o", out / (stem + ".pdf")};
+            if (name.parent_path() == "folded") words.insert(words.end(), {"--as", "folded"});
+            const RunResult result = popupc(words, options);
             ASSERT_EQ(result.exit, 0) << result.err;
         }
     }
-    for (const fs::path name : names) {
+    for (const fs::path& name : names) {
         for (const std::string suffix : {".glb", ".svg", ".pdf"}) {
             const std::string stem = name.stem();
             EXPECT_TRUE(read_file(out / (stem + "a" + suffix)) == read_file(out / (stem + "b" + suffix)))
@@ -304,11 +325,15 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
     for (const std::string& name : names_with(".svg")) {
         EXPECT_TRUE(fs::exists(out / ("samples/out/" + name + ".pdf"))) << name;
     }
-    for (const auto& entry : fs::directory_iterator(kSamples / "flatlang")) {
-        const std::string name = entry.path().stem();
-        if (entry.path().extension() != ".fl") continue;
-        EXPECT_TRUE(fs::exists(out / ("samples/out/flatlang/" + name + ".pdf"))) << name;
-        EXPECT_TRUE(fs::exists(out / ("samples/out/flatlang/" + name + ".glb"))) << name;
+    std::vector<fs::path> others = samples_in("flatlang", ".fl");
+    for (const std::string directory : {"drawn", "folded"}) {
+        for (const fs::path& path : samples_in(directory)) others.push_back(path);
+    }
+    for (const fs::path& path : others) {
+        for (const std::string suffix : {".pdf", ".glb"}) {
+            fs::path output = out / "samples/out" / path;
+            EXPECT_TRUE(fs::exists(output.replace_extension(suffix))) << output;
+        }
     }
     std::vector<std::string> again = make;
     again.push_back("-q");
