@@ -41,6 +41,7 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     if (!one.assembly || options.until <= Stage::assembly) return;
 
     if (moves(*one.assembly)) {
+        if (one.creases) order_folds(*one.assembly, options.motion, one.diagnostics);
         one.motion = simulate(*one.assembly, options.motion, one.diagnostics);
         if (!one.motion) return;
     }

@@ -135,6 +135,20 @@ bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* 
 // is. Error: `opens-too-little`, and false, where the sweep begins there or beyond.
 bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 
+// Puts the folds of a folded sheet in an order, where all of them at once would take plates through one
+// another: as of a box, whose walls stand before its flaps are closed.
+//
+//     std::optional<Assembly> box = fold_sheet(pattern, {}, diagnostics);
+//     if (box) order_folds(*box, {}, diagnostics);
+//
+// Folds that a loop joins go together. The rest is tried, each step certified by examine(); steps that can go
+// at once do. Each of n steps takes an nth of the sweep, so that what stands at 0° and at 180° stays as it
+// is. Plates that cross in the end cross in any order, and are left to simulate(), as is what could not be
+// put in one. Remark: `folds-in-order`. Nothing is done where all may go at once, where panels bend, for
+// other than folded sheets, and where there are more than 64 parts that could go on their own. Cost: that of
+// some examinations a part.
+void order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics);
+
 // Horizon-line correction (Glassner, "Interactive Pop-up Card Design", section 8): seen along the base of the
 // open card, the horizon of a picture is straight and parallel to the base, whatever plates it runs over.
 //

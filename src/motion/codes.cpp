@@ -31,6 +31,12 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "cannot turn rows that run along the fold, or nearly so, and pictures are not sheared by more than ten "
      "times their width. The picture stays as it was drawn. Turn it, so that its rows run across the fold, "
      "or leave the horizon out."},
+    {"folds-in-order", Severity::remark, "a folded sheet whose folds go one after another",
+     "Turned all at once, the panels of this sheet would pass through one another, as the flaps of a box do "
+     "that close while its walls still lean. popupc looked for an order in which they do not, and found one; "
+     "the message says which panels move in each step, by the names that they have in the model. The motion "
+     "shows the steps one after another, and each is certified to be free of collisions as any motion is. "
+     "What is cut does not change."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: "
      "the linkage passes from one of its two solutions to the other, its mirror image, or is so close to "
