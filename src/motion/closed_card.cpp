@@ -215,19 +215,6 @@ class Layers {
             count(1e-3 * p);
             if (too_much(here_.size())) return;
         }
-        std::sort(overlaps_.begin(), overlaps_.end(),
-                  [](const Overlap& p, const Overlap& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < overlaps_.size(); ++i) {
-            if (kept > 0 && overlaps_[kept - 1].a == overlaps_[i].a &&
-                overlaps_[kept - 1].b == overlaps_[i].b) {
-                overlaps_[kept - 1].least = std::min(overlaps_[kept - 1].least, overlaps_[i].least);
-                overlaps_[kept - 1].most = std::max(overlaps_[kept - 1].most, overlaps_[i].most);
-            } else {
-                overlaps_[kept++] = overlaps_[i];
-            }
-        }
-        overlaps_.resize(kept);
     }
 
     // What two plates have over one another: the triangles of the one with fewer, looked up among the
@@ -271,7 +258,9 @@ class Layers {
     }
 
     void meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
-        Overlap overlap{a, b, HUGE_VAL, -HUGE_VAL};
+        if (overlaps_.empty() || overlaps_.back().a != a || overlaps_.back().b != b)
+            overlaps_.push_back({a, b, HUGE_VAL, -HUGE_VAL});
+        Overlap& overlap = overlaps_.back();
         Vec2 centre;
         for (const Vec2 p : shape) {
             const double over = height(b, p) - height(a, p);
@@ -279,7 +268,6 @@ class Layers {
             overlap.most = std::max(overlap.most, over);
             centre = centre + (1.0 / static_cast<double>(shape.size())) * p;
         }
-        overlaps_.push_back(overlap);
         // Where most plates lie over one another is a region with a corner at which the outline of one of two
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
         for (const Vec2 p : shape) {
@@ -290,10 +278,10 @@ class Layers {
         }
     }
 
-    [[nodiscard]] bool by_outline(int plate, Vec2 p) {
+    [[nodiscard]] bool by_outline(int plate, Vec2 p) const {
         const auto i = static_cast<std::size_t>(plate);
         const Vec2 there = on_page(frames_[i], over(p, height(plate, p)));
-        return shapes_[i].edges.is_within(there, 3.0 * kTouchMm, near_);
+        return shapes_[i].edges.is_within(there, 3.0 * kTouchMm);
     }
 
     void count(Vec2 p) {
@@ -315,10 +303,10 @@ class Layers {
     ClosedPlane plane_;
     std::vector<Frame> frames_;
     EdgeIndex boxes_;
-    std::vector<int> here_, found_, near_;
+    std::vector<int> here_, found_;
     std::vector<Vec2> shape_, spare_;
-    std::vector<Vec2> points_;  // where layers are counted
-    std::vector<Overlap> overlaps_;
+    std::vector<Vec2> points_;       // where layers are counted
+    std::vector<Overlap> overlaps_;  // of each two plates that have one, in order
     std::size_t work_ = 0;
     int most_ = 0;
     Vec2 thickest_;
