@@ -19,6 +19,8 @@ namespace {
 constexpr double kOutMm = 0.02;     // as far as a drawing may be rounded
 constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest angle are not told apart
 constexpr double kAreaMm2 = 1e-6;
+constexpr double kStepsPerMm = 1e3;  // to which points are rounded where layers are counted
+constexpr double kStepMm = 1e-3;
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 
 // The closed card seen from the side: x away from the gutter, y along it; `up` from the left cover to the
@@ -142,10 +144,85 @@ bool beside(const Triangle2& first, const Triangle2& second) {
     return false;
 }
 
+// How many of some boxes can lie over a point: those that touch its square of a grid.
+class BoxCounts {
+ public:
+    explicit BoxCounts(const EdgeIndex& diagonals) {
+        Box all;
+        for (int i = 0; i < diagonals.size(); ++i) {
+            all.extend(diagonals[i].a);
+            all.extend(diagonals[i].b);
+        }
+        if (all.empty()) return;
+        const double squares = kSquares * (diagonals.size() + 1);
+        origin_ = all.min;
+        side_ =
+            std::max(std::sqrt(all.width() * all.height() / squares), (all.width() + all.height()) / squares);
+        if (!(side_ > 0.0)) side_ = 1.0;
+        columns_ = static_cast<std::size_t>(all.width() / side_) + 1;
+        rows_ = static_cast<std::size_t>(all.height() / side_) + 1;
+        // Each box adds one at its lower left square and takes it away beside it and above it; the sums from
+        // the lower left are the counts.
+        const std::size_t wide = columns_ + 1;
+        std::vector<int> steps(wide * (rows_ + 1), 0);
+        for (int i = 0; i < diagonals.size(); ++i) {
+            const auto [low, high] = squares_of({diagonals[i].a, diagonals[i].b});
+            ++steps[low.row * wide + low.column];
+            --steps[low.row * wide + high.column + 1];
+            --steps[(high.row + 1) * wide + low.column];
+            ++steps[(high.row + 1) * wide + high.column + 1];
+        }
+        counts_.assign(columns_ * rows_, 0);
+        for (std::size_t row = 0; row < rows_; ++row) {
+            int sum = 0;
+            for (std::size_t column = 0; column < columns_; ++column) {
+                sum += steps[row * wide + column];
+                counts_[row * columns_ + column] =
+                    sum + (row > 0 ? counts_[(row - 1) * columns_ + column] : 0);
+            }
+        }
+    }
+
+    // No point of the box has more boxes over it.
+    [[nodiscard]] int most(const Box& box) const {
+        if (counts_.empty()) return 0;
+        const auto [low, high] = squares_of(box);
+        int most = 0;
+        for (std::size_t row = low.row; row <= high.row; ++row) {
+            for (std::size_t column = low.column; column <= high.column; ++column)
+                most = std::max(most, counts_[row * columns_ + column]);
+        }
+        return most;
+    }
+
+ private:
+    static constexpr double kSquares = 64.0;  // for each box
+    struct Square {
+        std::size_t column, row;
+    };
+    [[nodiscard]] static std::size_t strip(double at, double side, std::size_t count) {
+        const double n = at / side;
+        return n > 0.0 ? std::min(static_cast<std::size_t>(n), count - 1) : 0;
+    }
+    [[nodiscard]] Square square_of(Vec2 p) const {
+        return {strip(p.x - origin_.x, side_, columns_), strip(p.y - origin_.y, side_, rows_)};
+    }
+    [[nodiscard]] std::pair<Square, Square> squares_of(const Box& box) const {
+        return {square_of(box.min), square_of(box.max)};
+    }
+
+    Vec2 origin_;
+    double side_ = 1.0;
+    std::size_t columns_ = 0, rows_ = 0;
+    std::vector<int> counts_;
+};
+
+bool before(Vec2 p, Vec2 q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
+
 // Plates over one another, and how.
 struct Overlap {
     int a, b;            // a < b
-    double least, most;  // of b's height over a
+    double least, most;  // of b's height over a, as far as they say whether it is above or below
 };
 
 class Layers {
@@ -161,6 +238,12 @@ class Layers {
             diagonals.push_back({box.min, box.max});
         }
         boxes_ = EdgeIndex({}, diagonals);
+        counts_ = BoxCounts(boxes_);
+        for (const Frame& frame : frames_) {
+            const Vec3 n = frame.normal();
+            slopes_.push_back({dot(n, frame.origin - plane_.origin), dot(n, plane_.x), dot(n, plane_.y),
+                               dot(n, plane_.up)});
+        }
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             std::vector<Triangle2>& triangles = seen_.emplace_back(shapes[i].core.all());
             for (Triangle2& t : triangles) t = seen(t, frames_[i]);
@@ -176,10 +259,8 @@ class Layers {
  private:
     // Height of a plate over the middle of the card, from the left cover towards the right one.
     [[nodiscard]] double height(int plate, Vec2 p) const {
-        const Frame& frame = frames_[static_cast<std::size_t>(plate)];
-        const Vec3 n = frame.normal();
-        return (dot(n, frame.origin - plane_.origin) - dot(n, plane_.y) * p.y - dot(n, plane_.x) * p.x) /
-               dot(n, plane_.up);
+        const Slope& s = slopes_[static_cast<std::size_t>(plate)];
+        return (s.at_origin - s.along_y * p.y - s.along_x * p.x) / s.up;
     }
 
     [[nodiscard]] Vec3 over(Vec2 p, double height) const { return plane_.in_world(p) + height * plane_.up; }
@@ -197,7 +278,7 @@ class Layers {
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
             if (!seen_[i].empty()) {
                 const Triangle2& first = seen_[i][0];
-                points_.push_back(1.0 / 3.0 * (first[0] + first[1] + first[2]));
+                if (!count(1.0 / 3.0 * (first[0] + first[1] + first[2]))) return;
             }
             const Segment& diagonal = boxes_[static_cast<int>(i)];
             boxes_.query({diagonal.a, diagonal.b}, near);
@@ -205,15 +286,6 @@ class Layers {
                 if (static_cast<std::size_t>(other) > i && !look_at(i, static_cast<std::size_t>(other)))
                     return;
             }
-        }
-        // Points a thousandth of a millimetre apart count once.
-        for (Vec2& p : points_) p = {std::round(p.x * 1e3), std::round(p.y * 1e3)};
-        std::sort(points_.begin(), points_.end(),
-                  [](Vec2 p, Vec2 q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); });
-        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-        for (const Vec2 p : points_) {
-            count(1e-3 * p);
-            if (too_much(here_.size())) return;
         }
     }
 
@@ -226,6 +298,7 @@ class Layers {
         for (std::size_t n = 0; n < seen_[few].size(); ++n) {
             const Triangle2& t = shapes_[few].core.all()[n];
             const Triangle2& by = seen_[few][n];
+            if (tells_nothing_new(static_cast<int>(a), static_cast<int>(b), by)) continue;
             Box box;
             for (const Vec2 p : t) {
                 // Seen square to the other plate and from the side differs by less than this.
@@ -241,8 +314,9 @@ class Layers {
                 shape_.assign(other.begin(), other.end());
                 clip(by, shape_, spare_);
                 if (shape_.size() < 3 || std::abs(signed_area(shape_)) < kAreaMm2) continue;
-                meet(static_cast<int>(a), static_cast<int>(b), shape_,
-                     {by[0], by[1], by[2], other[0], other[1], other[2]});
+                if (!meet(static_cast<int>(a), static_cast<int>(b), shape_,
+                          {by[0], by[1], by[2], other[0], other[1], other[2]}))
+                    return false;
             }
         }
         return true;
@@ -254,13 +328,36 @@ class Layers {
         if (work_ <= kMostWork) return false;
         overlaps_.clear();
         most_ = 0;
+        thickest_ = {};
         return true;
     }
 
-    void meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
+    // What is known already of how b lies over a.
+    Overlap& overlap_of(int a, int b) {
         if (overlaps_.empty() || overlaps_.back().a != a || overlaps_.back().b != b)
             overlaps_.push_back({a, b, HUGE_VAL, -HUGE_VAL});
-        Overlap& overlap = overlaps_.back();
+        return overlaps_.back();
+    }
+
+    // Whether nothing that both plates have over this triangle changes which lies over which, or how many
+    // layers there are at most. So it is with nearly all triangles.
+    [[nodiscard]] bool tells_nothing_new(int a, int b, const Triangle2& seen) const {
+        if (overlaps_.empty() || overlaps_.back().a != a || overlaps_.back().b != b) return false;
+        const Overlap& known = overlaps_.back();
+        Box box;
+        for (const Vec2 p : seen) {
+            const double over = height(b, p) - height(a, p);
+            if (over > kHeightMm && known.most <= kHeightMm) return false;
+            if (over < -kHeightMm && known.least >= -kHeightMm) return false;
+            box.extend(p - Vec2{kStepMm, kStepMm});
+            box.extend(p + Vec2{kStepMm, kStepMm});
+        }
+        return !may_be_thickest(box);
+    }
+
+    // Adds the corners of what triangles of both plates have in common. False: it was too much work.
+    bool meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
+        Overlap& overlap = overlap_of(a, b);
         Vec2 centre;
         for (const Vec2 p : shape) {
             const double over = height(b, p) - height(a, p);
@@ -271,11 +368,15 @@ class Layers {
         // Where most plates lie over one another is a region with a corner at which the outline of one of two
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
         for (const Vec2 p : shape) {
+            const Vec2 inside = lerp(p, centre, 1e-2);
+            if (!may_be_thickest({inside - Vec2{kStepMm, kStepMm}, inside + Vec2{kStepMm, kStepMm}}))
+                continue;
             const bool corner = std::any_of(corners.begin(), corners.end(), [p](Vec2 q) {
                 return dot(p - q, p - q) < kSameCornerMm * kSameCornerMm;
             });
-            if (corner || (by_outline(a, p) && by_outline(b, p))) points_.push_back(lerp(p, centre, 1e-2));
+            if ((corner || (by_outline(a, p) && by_outline(b, p))) && !count(inside)) return false;
         }
+        return true;
     }
 
     [[nodiscard]] bool by_outline(int plate, Vec2 p) const {
@@ -284,28 +385,45 @@ class Layers {
         return shapes_[i].edges.is_within(there, 3.0 * kTouchMm);
     }
 
-    void count(Vec2 p) {
+    // Of points with as many layers the first one counts, from the gutter outwards.
+    [[nodiscard]] bool may_be_thickest(const Box& box) const {
+        const int most = counts_.most(box);
+        return most > most_ || (most == most_ && !before(thickest_, box.min));
+    }
+
+    // Counts the layers over a point, which is rounded to a thousandth of a millimetre. False: it was too
+    // much work.
+    bool count(Vec2 p) {
+        p = kStepMm * Vec2{std::round(p.x * kStepsPerMm), std::round(p.y * kStepsPerMm)};
+        const int least = most_ > 0 && before(p, thickest_) ? most_ : most_ + 1;
         boxes_.query({p, p}, here_);
-        // Most points have fewer boxes over them than layers were found elsewhere.
+        if (too_much(here_.size())) return false;
         int layers = static_cast<int>(here_.size());
         for (const int plate : here_) {
-            if (layers <= most_) return;
+            if (layers < least) return true;
             const auto i = static_cast<std::size_t>(plate);
             if (!shapes_[i].covers(on_page(frames_[i], over(p, height(plate, p))))) --layers;
         }
-        if (layers <= most_) return;
+        if (layers < least) return true;
         most_ = layers;
         thickest_ = p;
+        return true;
     }
+
+    // Of a plate: its height over the middle of the card is (at_origin - along_x x - along_y y) / up.
+    struct Slope {
+        double at_origin, along_x, along_y, up;
+    };
 
     std::span<const PlateShape> shapes_;
     std::vector<std::vector<Triangle2>> seen_;  // of each shape's core
     ClosedPlane plane_;
     std::vector<Frame> frames_;
+    std::vector<Slope> slopes_;  // by plate
     EdgeIndex boxes_;
+    BoxCounts counts_{boxes_};
     std::vector<int> here_, found_;
     std::vector<Vec2> shape_, spare_;
-    std::vector<Vec2> points_;       // where layers are counted
     std::vector<Overlap> overlaps_;  // of each two plates that have one, in order
     std::size_t work_ = 0;
     int most_ = 0;
