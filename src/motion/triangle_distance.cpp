@@ -108,8 +108,16 @@ bool beyond(const Triangle& a, const Triangle& b, Vec3 way, double distance) {
 bool surely_apart(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double distance) {
     const Vec3 between = (b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]);
     if (beyond(a, b, between, distance)) return true;
-    for (const Vec3 normal : {cross(a[1] - a[0], a[2] - a[0]), cross(b[1] - b[0], b[2] - b[0])}) {
+    const Vec3 normal_a = cross(a[1] - a[0], a[2] - a[0]);
+    const Vec3 normal_b = cross(b[1] - b[0], b[2] - b[0]);
+    for (const Vec3 normal : {normal_a, normal_b}) {
         if (beyond(a, b, dot(normal, between) < 0.0 ? -normal : normal, distance)) return true;
+    }
+    // Long ones side by side, nearly in one plane: square to an edge of either.
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (beyond(a, b, cross(a.at((i + 1) % 3) - a.at(i), normal_a), distance) ||
+            beyond(b, a, cross(b.at((i + 1) % 3) - b.at(i), normal_b), distance))
+            return true;
     }
     return false;
 }

@@ -13,7 +13,8 @@ struct ClosestPoints {
 };
 
 // True only if they are further apart than `distance`: a plane keeps them apart that is parallel to one of
-// them or square to the line between their middles. Much quicker than the distance itself.
+// them, square to one of them along an edge, or square to the line between their middles. Much quicker than
+// the distance itself.
 bool surely_apart(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double distance);
 
 // Triangles may be degenerate. Exact to rounding.

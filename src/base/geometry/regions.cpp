@@ -27,22 +27,64 @@ Vec2 to_mm(const IntPoint& p) {
     return {static_cast<double>(p.X) / kPerMm, static_cast<double>(p.Y) / kPerMm};
 }
 
-void add_ring(const Ring& ring, bool counter_clockwise, Paths& paths) {
+// The corners of a ring of which nothing but the box is asked: without those whose neighbours lie beside the
+// box on the same side as they do. What runs there goes straight on there, so that it goes round every point
+// of the box as often as before.
+Path straight_outside(const Box& box, const Ring& ring) {
+    const auto sides = [&box](Vec2 p) {
+        return (p.x < box.min.x ? 1U : 0U) | (p.x > box.max.x ? 2U : 0U) | (p.y < box.min.y ? 4U : 0U) |
+               (p.y > box.max.y ? 8U : 0U);
+    };
+    Path path;
+    path.push_back(to_int(ring[0]));
+    unsigned last = sides(ring[0]);
+    unsigned here = sides(ring[1]);
+    for (std::size_t i = 1; i < ring.size(); ++i) {
+        const unsigned next = sides(ring[i + 1 == ring.size() ? 0 : i + 1]);
+        if ((last & here & next) == 0) {
+            path.push_back(to_int(ring[i]));
+            last = here;
+        }
+        here = next;
+    }
+    return path;
+}
+
+// `seen`: nothing but this box is asked of the ring.
+void add_ring(const Ring& ring, bool counter_clockwise, const Box* seen, Paths& paths) {
     if (ring.size() < 3) return;
     Path path;
-    path.reserve(ring.size());
-    for (const Vec2 p : ring) path.push_back(to_int(p));
-    if (ClipperLib::Orientation(path) != counter_clockwise) std::reverse(path.begin(), path.end());
+    bool turns = false;
+    if (seen != nullptr) {
+        path = straight_outside(*seen, ring);
+        if (path.size() < 3) return;
+        turns = signed_area(ring) >= 0.0;
+    } else {
+        path.reserve(ring.size());
+        for (const Vec2 p : ring) path.push_back(to_int(p));
+        turns = ClipperLib::Orientation(path);
+    }
+    if (turns != counter_clockwise) std::reverse(path.begin(), path.end());
     paths.push_back(std::move(path));
 }
 
-Paths to_paths(const std::vector<Polygon>& regions) {
+Paths to_paths(const std::vector<Polygon>& regions, const Box* seen = nullptr) {
     Paths paths;
     for (const Polygon& region : regions) {
-        add_ring(region.outer, true, paths);
-        for (const Ring& hole : region.holes) add_ring(hole, false, paths);
+        add_ring(region.outer, true, seen, paths);
+        for (const Ring& hole : region.holes) add_ring(hole, false, seen, paths);
     }
     return paths;
+}
+
+// Reaches a little beyond the regions, for rounding to the grid.
+Box box_round(const std::vector<Polygon>& regions) {
+    Box box;
+    for (const Polygon& region : regions) {
+        for (const Vec2 p : region.outer) box.extend(p);
+    }
+    const Vec2 rounding{2.0 * kGridMm, 2.0 * kGridMm};
+    return {box.min - rounding, box.max + rounding};
 }
 
 bool before(const IntPoint& a, const IntPoint& b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
@@ -137,52 +179,14 @@ std::vector<Polygon> to_polygons(Paths paths) {
     return polygons;
 }
 
-// Takes corners out of rings of which nothing but the box is asked: those whose neighbours lie beside the box
-// on the same side as they do. What runs there goes straight on there, so that it goes round every point of
-// the box as often as before.
-void straighten_outside(const GridBox& box, Paths& paths) {
-    const auto sides = [&box](const IntPoint& p) {
-        return (p.X < box.x0 ? 1U : 0U) | (p.X > box.x1 ? 2U : 0U) | (p.Y < box.y0 ? 4U : 0U) |
-               (p.Y > box.y1 ? 8U : 0U);
-    };
-    for (Path& path : paths) {
-        std::size_t kept = 1;
-        unsigned last = sides(path[0]);
-        unsigned here = sides(path[1]);
-        for (std::size_t i = 1; i < path.size(); ++i) {
-            const unsigned next = sides(path[i + 1 == path.size() ? 0 : i + 1]);
-            if ((last & here & next) == 0) {
-                path[kept++] = path[i];
-                last = here;
-            }
-            here = next;
-        }
-        path.resize(kept);
-    }
-    paths.erase(std::remove_if(paths.begin(), paths.end(), [](const Path& p) { return p.size() < 3; }),
-                paths.end());
-}
-
-GridBox box_of(const Paths& paths) {
-    GridBox box = box_of(paths[0]);
-    for (const Path& path : paths) {
-        const GridBox one = box_of(path);
-        box = {std::min(box.x0, one.x0), std::min(box.y0, one.y0), std::max(box.x1, one.x1),
-               std::max(box.y1, one.y1)};
-    }
-    return box;
-}
-
 // The paths of a boolean. The library calls nothing-to-do a failure; that is sorted out first.
 Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
-    Paths of_a = to_paths(a);
-    Paths of_b = to_paths(b);
     // Nothing is common to both outside the box of either: a small region in a large one costs little.
-    if (type == ClipperLib::ctIntersection && !of_a.empty() && !of_b.empty()) {
-        const GridBox box = box_of(of_a);
-        straighten_outside(box_of(of_b), of_a);
-        straighten_outside(box, of_b);
-    }
+    const bool common = type == ClipperLib::ctIntersection;
+    const Box box_of_a = common ? box_round(a) : Box();
+    const Box box_of_b = common ? box_round(b) : Box();
+    const Paths of_a = to_paths(a, common ? &box_of_b : nullptr);
+    const Paths of_b = to_paths(b, common ? &box_of_a : nullptr);
     ClipperLib::Clipper clipper;
     const bool any_a = clipper.AddPaths(of_a, ClipperLib::ptSubject, true);
     const bool any_b = clipper.AddPaths(of_b, ClipperLib::ptClip, true);
