@@ -195,12 +195,15 @@ Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool wh
     const auto moves = [&](bool moving_is_a) -> const Moves& {
         return moving_is_a ? pose.from_a : pose.from_b;
     };
+    double reach = 0.0;  // of the moving triangle that is looked at
     each_near(
         pose, whole,
         [&](const Triangle3& moving, bool moving_is_a) {
-            return stray(moving, moves(moving_is_a)) + distance_mm;
+            reach = stray(moving, moves(moving_is_a)) + distance_mm;
+            return reach;
         },
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
+            if (surely_apart(fixed, moving, reach)) return true;  // most are
             Found here;
             if (cleared(fixed, moving, moves(moving_is_a), distance_mm, here)) return true;
             if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||

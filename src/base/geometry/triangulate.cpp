@@ -8,11 +8,13 @@
 #include <geos_c.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <type_traits>
 
 #include "base/geometry/regions.h"
+#include "base/geometry/slice.h"
 #include "base/geometry/tolerances.h"
 
 namespace popup {
@@ -20,6 +22,11 @@ namespace {
 
 // Share of the area by which triangles may miss their polygon, for rounding.
 constexpr double kAreaError = 1e-9;
+// Of more corners a boolean takes too long: its time grows with the square of a ring's.
+constexpr std::size_t kManyCorners = 2000;
+// The parts that one of many corners is sliced to: GEOS is quick with few, and they have no long thin
+// triangles.
+constexpr std::size_t kFewCorners = 50;
 
 using Triangle = std::array<Vec2, 3>;
 
@@ -172,13 +179,21 @@ Cut middle_cut(const Polygon& polygon, double Vec2::*axis, double low, double hi
     return cut;
 }
 
-// Appends the two parts of a polygon on either side of an upright or level line, whichever cuts less.
-void halve(const Polygon& polygon, const Box& box, std::vector<Polygon>& parts) {
+// Appends the two parts of a polygon on either side of an upright or level line, whichever cuts less. `many`:
+// slice it if that can be done.
+void halve(const Polygon& polygon, const Box& box, bool many, std::vector<Polygon>& parts) {
     const Cut upright = middle_cut(polygon, &Vec2::x, box.min.x, box.max.x);
     const Cut level = middle_cut(polygon, &Vec2::y, box.min.y, box.max.y);
     // A thin strip is cut across: along it a cut gains little and may fall on its own edge.
     const bool use_upright =
         box.height() <= 4.0 * kGridMm || (box.width() > 4.0 * kGridMm && upright.crossed <= level.crossed);
+    if (many) {
+        std::vector<Polygon> sliced = slice(polygon, use_upright);
+        if (!sliced.empty()) {
+            std::move(sliced.begin(), sliced.end(), std::back_inserter(parts));
+            return;
+        }
+    }
     for (const bool second : {false, true}) {
         Box half{{box.min.x - 1.0, box.min.y - 1.0}, {box.max.x + 1.0, box.max.y + 1.0}};
         double& side = use_upright ? (second ? half.min.x : half.max.x) : (second ? half.min.y : half.max.y);
@@ -214,6 +229,8 @@ Triangulation triangulate(const Polygon& polygon, std::size_t uncut) {
     if (polygon.outer.size() < 3) return {};
     if (is_convex(polygon)) return fan(polygon.outer);
 
+    const bool many = corners_of(polygon) > kManyCorners;
+    if (many) uncut = std::min(uncut, kFewCorners);
     const GeosContext geos;
     std::vector<Triangle> triangles;
     std::vector<Polygon> pending{polygon};
@@ -234,7 +251,7 @@ Triangulation triangulate(const Polygon& polygon, std::size_t uncut) {
             }
         }
         const Box box = bounds(part.outer);
-        if (std::max(box.width(), box.height()) > kSpeckMm) halve(part, box, pending);
+        if (std::max(box.width(), box.height()) > kSpeckMm) halve(part, box, many, pending);
     }
     return indexed(triangles);
 }
