@@ -26,6 +26,10 @@ constexpr double kInnerMm = 0.1;
 
 double rounded_deg(double deg) { return std::round(deg * 1000.0) / 1000.0; }
 
+struct Range {
+    double least = 0.0, most = 0.0;
+};
+
 struct Pair {
     int a, b;
     PairSearch& search;
@@ -144,7 +148,7 @@ struct Pair {
 
     // Which side of a the point of b is on that touches it, and of b the point of a; 0: neither for certain.
     [[nodiscard]] int side(double deg, Vec2 of_a, Vec2 of_b) const {
-        const auto at = search.at(a, b, deg);
+        const auto at = search.frames_at(a, b, deg);
         const Vec3 b_at = at.b_in_a.point(of_b);
         // What has slipped round an edge has not gone through.
         if (!search.shape(a).covers({b_at.x, b_at.y}) ||
@@ -159,6 +163,32 @@ struct Pair {
         const int first = b_over_a > 0.0 ? 1 : -1;
         const int second = (a_over_b < 0.0) == same ? 1 : -1;
         return first == second ? first : 0;
+    }
+
+    // Adds how far b reaches below and above a at an angle.
+    void heights(double deg, Range& range) const {
+        const auto at = search.frames_at(a, b, deg);
+        if (!at.reached) return;
+        for (const Vec2 p : search.shape(b).hull) {
+            const double height = at.b_in_a.point(p).z;
+            range = {std::min(range.least, height), std::max(range.most, height)};
+        }
+    }
+
+    // Whether any point of b is on one side of a before it touches, and any on the other side afterwards.
+    // Plates that lie on one another need no closer look.
+    [[nodiscard]] bool may_pass(double from, double to) const {
+        constexpr double kSideMm = 0.5 * kTouchMm;  // less than what side() asks for
+        Range before;
+        Range after;
+        for (const double aside : kAsideDegs) {
+            heights(std::max(from - aside, least_opening(search.sweep())), before);
+            heights(std::min(to + aside, search.sweep().to_deg), after);
+            if ((before.most > kSideMm && after.least < -kSideMm) ||
+                (before.least < -kSideMm && after.most > kSideMm))
+                return true;
+        }
+        return false;
     }
 
     // The middle of what lies over one another, seen square to a.
@@ -189,8 +219,8 @@ struct Pair {
         const double last = search.sweep().to_deg;
         if (from <= first || to >= last) return std::nullopt;
         // Only plates that are nearly parallel do that without crossing along a line.
-        const auto at = search.at(a, b, 0.5 * (from + to));
-        if (sine_between(at.b_in_a) > kNearlyParallel) return std::nullopt;
+        const auto at = search.frames_at(a, b, 0.5 * (from + to));
+        if (sine_between(at.b_in_a) > kNearlyParallel || !may_pass(from, to)) return std::nullopt;
         const auto common = middle_of_common(at);
         if (!common) return std::nullopt;
         const Vec2 of_a = *common;
@@ -206,7 +236,7 @@ struct Pair {
         if (before * after >= 0) return std::nullopt;
         while (high - low > kPreciseDeg) {
             const double middle = 0.5 * (low + high);
-            const double height = search.at(a, b, middle).b_in_a.point(of_b).z;
+            const double height = search.frames_at(a, b, middle).b_in_a.point(of_b).z;
             ((height > 0.0) == (before > 0) ? low : high) = middle;
         }
         Contact found;

@@ -281,15 +281,23 @@ void PairSearch::approaches(const Cell& cell, int a, int b, double distance_mm,
     }
 }
 
-PairSearch::At PairSearch::at(int a, int b, double deg) {
+PairSearch::At PairSearch::frames_at(int a, int b, double deg) {
     ++poses_;
     At result;
-    if (!place_only(a, b, deg)) return result;
+    result.reached = place_only(a, b, deg);
+    if (!result.reached) return result;
     const std::span<const Frame> frames = poses_at_.frames();
     result.a = frames[static_cast<std::size_t>(a)];
     result.b_in_a = relative(result.a, frames[static_cast<std::size_t>(b)]);
-    result.crossing =
-        crossing(shapes_[static_cast<std::size_t>(a)], shapes_[static_cast<std::size_t>(b)], result.b_in_a);
+    return result;
+}
+
+PairSearch::At PairSearch::at(int a, int b, double deg) {
+    At result = frames_at(a, b, deg);
+    if (result.reached) {
+        result.crossing = crossing(shapes_[static_cast<std::size_t>(a)], shapes_[static_cast<std::size_t>(b)],
+                                   result.b_in_a);
+    }
     return result;
 }
 

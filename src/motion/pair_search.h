@@ -48,10 +48,13 @@ class PairSearch {
 
     // The crossing of two plates at one angle, and a's frame there.
     struct At {
+        bool reached = false;  // else there is no crossing, and the frames say nothing
         std::optional<Crossing> crossing;
         Frame a, b_in_a;
     };
     At at(int a, int b, double deg);
+    // The same without the crossing, which costs the most.
+    At frames_at(int a, int b, double deg);
     // Their distance there, or `limit_mm` when it is not less, and the point of a in the world.
     struct Distance {
         double mm = 0.0;
