@@ -129,6 +129,7 @@ std::vector<SceneCard> scene_of(const Compilation& run) {
         if (several) card.prefix = one.stem + ":";
         card.assembly = &*one.assembly;
         if (one.motion) card.motion = &*one.motion;
+        if (one.creases) card.creases = &*one.creases;
     }
     return cards;
 }

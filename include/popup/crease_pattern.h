@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,12 +43,35 @@ struct CreaseLine {
     std::string name = {};  // by which options name it: "#ff0000", or the number of its edge
 };
 
+// What a FOLD file says beside its pattern, for whoever writes that pattern as FOLD again. Values are JSON as
+// they were written, but for white space outside of texts, so that no digit is lost. Elements are known by
+// where they are, because mending a sheet splits, joins and leaves out edges; none are kept where no column
+// speaks of them.
+struct CarriedKeys {
+    struct Member {
+        std::string key;
+        std::string json;
+    };
+    struct Column {
+        std::string key;
+        std::vector<std::string> json;  // a value an element
+    };
+    std::vector<Member> members;  // of the file and of the frame, in their order
+    std::vector<Column> vertices, edges, faces;
+    std::vector<Vec2> corners;  // mm
+    std::vector<std::array<int, 2>> edge_corners;
+    std::vector<std::vector<int>> face_corners;
+    std::vector<std::string> left_out;  // keys that would be wrong of other elements
+    std::size_t other_frames = 0;       // of the file, beside the one that was read
+};
+
 struct CreasePattern {
     std::string file;
     std::string stem;
     std::vector<CreaseLine> lines;
     double fold_deg = 90.0;  // of mountains and valleys that do not say theirs; (0, 180]
     Ruler ruler = {};        // of the drawing or file
+    CarriedKeys carried = {};
 };
 
 struct FoldOptions {

@@ -17,6 +17,13 @@ namespace popup {
 
 class CheckedDesign;
 struct Compilation;
+struct CreasePattern;
+
+// How FOLD files say what programs disagree on; src/output/fold.h has what each writes.
+enum class FoldDialect {
+    simulator,  // letters B, M, V and F only, which every program that folds FOLD files knows
+    strict,     // all letters of FOLD 1.2, each for what it means: slits are C, joins J, unknown folds U
+};
 
 struct OutputOptions {
     double fps = 0.0;         // scene: > 0 adds keys so that there are at least this many a second
@@ -27,6 +34,7 @@ struct OutputOptions {
     bool print_and_cut = false;  // what is printed and what is cut are files of their own
     double reference_mm = 0.0;   // > 0: a bar of this length on each sheet, to measure
     double dpi = 300.0;          // of raster pictures
+    FoldDialect fold_dialect = FoldDialect::simulator;
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
@@ -38,6 +46,7 @@ struct SceneCard {
     const Assembly* assembly = nullptr;  // has_model() holds
     const Motion* motion = nullptr;      // of what moves; else there is none
     std::string prefix;
+    const CreasePattern* creases = nullptr;  // what it was folded from, for what its file says beside
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.

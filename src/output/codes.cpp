@@ -6,6 +6,15 @@ namespace popup {
 namespace {
 
 constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
+    {"fold-left-out", Severity::remark, "the FOLD file lacks something of the file that was read",
+     "What a FOLD file says beside its crease pattern is written back: titles, authors, keys that popupc "
+     "does "
+     "not know, and lists with a value for each vertex, edge or face, whose values go to the elements in the "
+     "same place. Not written are the file's other frames, which popupc's own folded frames take the place "
+     "of; "
+     "faceOrders and edgeOrders, and lists with another number of values, because they speak of elements by "
+     "numbers that have changed; and, where several designs go into one file, all keys, because they would "
+     "speak of the others too. Write each design into a file of its own, or copy what is missing."},
     {"font-missing", Severity::error, "the font of the labels cannot be read",
      "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu "
      "Sans, so that sheets look the same on every machine. The file named in the message is not there, may "

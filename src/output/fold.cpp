@@ -15,7 +15,9 @@
 
 #include "base/text/numbers.h"
 #include "output/fold_mesh.h"
+#include "output/fold_sources.h"
 #include "output/poses.h"
+#include "popup/crease_pattern.h"
 
 namespace popup {
 namespace {
@@ -77,20 +79,69 @@ double fold_angle(const FoldMesh& mesh, std::span<const Frame> frames, int side)
 struct Card {
     const SceneCard* scene;
     FoldMesh mesh;
+    FoldMesh sheet;             // with its slits drawn
     std::vector<Vec2> origins;  // of each piece's page, in the crease pattern
     std::vector<Frame> frames;
     double shift = 0.0;  // of the folded card, along x
 };
+using Mesh = FoldMesh Card::*;
+
+// Where what moves is folded as far as it goes; false: that is not known.
+bool place_last(Card& card) {
+    const Assembly& assembly = *card.scene->assembly;
+    // Whether that place is reached is told of where it is asked for.
+    Diagnostics unheard;
+    return moves(assembly) && place_card(assembly, assembly.sweep.from_deg, card.frames, unheard);
+}
+
+// Joins are flat, and folds that do not say which way they go are told by where they went, if that is known.
+void use_common_letters(FoldMesh& mesh, std::span<const Frame> frames, bool placed) {
+    for (const int side : mesh.edge_side) {
+        char& letter = mesh.letter[at(side)];
+        if (letter == 'J') letter = 'F';
+        if (letter == 'U' && placed) {
+            letter = 'V';
+            const double angle = fold_angle(mesh, frames, side);
+            if (std::abs(angle) < kNearFlatDeg) letter = 'F';
+            if (angle < 0.0) letter = 'M';
+        }
+        if (const int twin = mesh.twin[at(side)]; twin >= 0) mesh.letter[at(twin)] = letter;
+    }
+}
+
+bool has_letter(const FoldMesh& mesh, char letter) {
+    return std::find(mesh.letter.begin(), mesh.letter.end(), letter) != mesh.letter.end();
+}
+
+// The texts of a member that is a list of them, those with a namespace only: the others are said anew.
+std::vector<std::string> own_words(const CarriedKeys& carried, std::string_view key) {
+    std::vector<std::string> words;
+    for (const CarriedKeys::Member& member : carried.members) {
+        if (member.key != key) continue;
+        for (const auto& word : nlohmann::json::parse(member.json)) {
+            if (word.is_string() && word.get<std::string>().find(':') != std::string::npos)
+                words.push_back(word.get<std::string>());
+        }
+    }
+    return words;
+}
 
 class FoldText {
  public:
-    FoldText(std::span<const SceneCard> scenes, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
+    FoldText(std::span<const SceneCard> scenes, FoldDialect dialect, Diagnostics& diagnostics)
+        : diagnostics_(diagnostics) {
+        const bool strict = dialect == FoldDialect::strict;
         double left = 0.0;
         for (const SceneCard& scene : scenes) {
             const Assembly& assembly = *scene.assembly;
-            Card card{&scene, fold_mesh(assembly), {}, {}};
+            Card card{&scene, fold_mesh(assembly), {}, {}, {}};
             card.origins = laid_out(assembly, card.mesh, left);
             card.frames.resize(assembly.plates.size());
+            const bool placed = place_last(card);
+            angles_known_ = angles_known_ && placed;
+            if (!strict) use_common_letters(card.mesh, card.frames, placed);
+            if (strict) card.sheet = fold_mesh(assembly, FoldSlits::drawn);
+            if (has_letter(card.sheet, 'C')) key_mesh_ = &Card::sheet;
             vertices_ += card.mesh.vertex_corner.size();
             if (scene.motion != nullptr) {
                 for (const Angle angle : scene.motion->angles)
@@ -98,6 +149,8 @@ class FoldText {
             }
             cards_.push_back(std::move(card));
         }
+        if (cards_.size() == 1 && scenes.front().creases != nullptr)
+            carried_ = &scenes.front().creases->carried;
         std::sort(angles_.begin(), angles_.end());
         angles_.erase(std::unique(angles_.begin(), angles_.end()), angles_.end());
     }
@@ -115,17 +168,24 @@ class FoldText {
         }
         if (cards_.size() > 1 && !set_side_by_side()) return std::nullopt;
         write_file_keys();
-        write_pattern();
-        if (!angles_.empty()) {
+        write_key_frame();
+        folded_attributes_ = attributes(&Card::mesh, "3D");
+        const bool slit = key_mesh_ != &Card::mesh;
+        if (slit || !angles_.empty()) {
             begin_key(1, "file_frames");
             begin_list();
+            if (slit) {
+                next_row(2);
+                write_cut_open();
+            }
             for (const double angle : angles_) {
                 if (!place_all(angle)) return std::nullopt;
                 next_row(2);
-                write_folded(angle);
+                write_folded(angle, slit ? 1 : 0);
             }
             end_rows(1);
         }
+        tell_left_out();
         append("\n}\n");
         return fmt::to_string(out_);
     }
@@ -174,75 +234,154 @@ class FoldText {
         }
         append("{\n  \"file_spec\": 1.2");
         text_key(1, "file_creator", "popupc " POPUP_VERSION);
-        text_key(1, "file_title", title);
-        list_key(1, "file_classes", {cards_.size() > 1 ? "multiModel" : "singleModel"});
+        if (!is_carried("file_title")) text_key(1, "file_title", title);
+        words_key("file_classes", {cards_.size() > 1 ? "multiModel" : "singleModel"});
+        for (const CarriedKeys::Member& member : carried_->members) {
+            if (member.key.starts_with("file_")) member_key(member);
+        }
+    }
+
+    [[nodiscard]] bool is_carried(std::string_view key) const {
+        return std::any_of(carried_->members.begin(), carried_->members.end(),
+                           [key](const CarriedKeys::Member& member) { return member.key == key; });
+    }
+
+    void member_key(const CarriedKeys::Member& member) {
+        for (const std::string_view merged : {"file_classes", "frame_classes", "frame_attributes"}) {
+            if (member.key == merged) return;
+        }
+        begin_key(1, member.key);
+        append(member.json);
+    }
+
+    // What popupc says under this key of the key frame, and after it what the file said in other names.
+    void words_key(std::string_view key, std::vector<std::string_view> words) {
+        const std::vector<std::string> more = own_words(*carried_, key);
+        words.insert(words.end(), more.begin(), more.end());
+        list_key(1, key, words);
     }
 
     // What frames say of themselves, but for how many dimensions they have.
-    std::vector<std::string_view> attributes(std::string_view dimensions) const {
+    [[nodiscard]] std::vector<std::string_view> attributes(Mesh which, std::string_view dimensions) const {
         bool joins = false;
+        bool cuts = false;
         bool convex = true;
         for (const Card& card : cards_) {
-            const auto& letters = card.mesh.letter;
-            joins = joins || std::find(letters.begin(), letters.end(), 'J') != letters.end();
-            convex = convex && all_convex(card.mesh);
+            joins = joins || has_letter(card.*which, 'J');
+            cuts = cuts || has_letter(card.*which, 'C');
+            convex = convex && all_convex(card.*which);
         }
         return {dimensions,
                 "manifold",
                 "orientable",
-                "noCuts",
+                cuts ? "cuts" : "noCuts",
                 joins ? "joins" : "noJoins",
                 convex ? "convexFaces" : "nonConvexFaces"};
     }
 
-    void write_pattern() {
-        text_key(1, "frame_title", "crease pattern");
-        list_key(1, "frame_classes", {"creasePattern"});
-        attributes_ = attributes("2D");
-        list_key(1, "frame_attributes", attributes_);
+    void write_key_frame() {
+        if (!is_carried("frame_title")) text_key(1, "frame_title", "crease pattern");
+        words_key("frame_classes", {"creasePattern"});
+        words_key("frame_attributes", attributes(key_mesh_, "2D"));
         text_key(1, "frame_unit", "mm");
-        begin_key(1, "vertices_coords");
+        for (const CarriedKeys::Member& member : carried_->members) {
+            if (!member.key.starts_with("file_")) member_key(member);
+        }
+        write_pattern(key_mesh_, 1);
+    }
+
+    // The pattern again with its slits open, for folded frames to inherit.
+    void write_cut_open() {
+        append("{");
+        first_ = true;
+        text_key(3, "frame_title", "crease pattern, slits open");
+        list_key(3, "frame_classes", {"creasePattern"});
+        list_key(3, "frame_attributes", attributes(&Card::mesh, "2D"));
+        begin_key(3, "frame_parent");
+        append("0");
+        begin_key(3, "frame_inherit");
+        append("true");
+        write_pattern(&Card::mesh, 3);
+        append("\n    }");
+        first_ = false;
+    }
+
+    void write_pattern(Mesh which, std::size_t depth) {
+        begin_key(depth, "vertices_coords");
         begin_list();
         for (const Card& card : cards_) {
-            for (const int corner : card.mesh.vertex_corner) {
-                const int piece = card.scene->assembly->plates[at(card.mesh.plate(corner))].piece;
-                const Vec2 p = card.mesh.place(corner) + card.origins[at(piece)];
-                next_row(2);
+            const FoldMesh& mesh = card.*which;
+            for (const int corner : mesh.vertex_corner) {
+                const int piece = card.scene->assembly->plates[at(mesh.plate(corner))].piece;
+                const Vec2 p = mesh.place(corner) + card.origins[at(piece)];
+                next_row(depth + 1);
                 numbers({p.x, p.y});
             }
         }
-        end_rows(1);
-        write_edges();
-        write_faces();
+        end_rows(depth);
+        write_edges(which, depth);
+        write_faces(which, depth);
+        if (carried_->vertices.empty() && carried_->edges.empty() && carried_->faces.empty()) return;
+        const FoldSources sources = fold_sources(cards_.front().*which, *carried_);
+        write_columns(carried_->vertices, sources.vertices, depth);
+        write_columns(carried_->edges, sources.edges, depth);
+        write_columns(carried_->faces, sources.faces, depth);
     }
 
-    void write_edges() {
-        begin_key(1, "edges_vertices");
+    void write_columns(const std::vector<CarriedKeys::Column>& columns, const std::vector<int>& sources,
+                       std::size_t depth) {
+        for (const CarriedKeys::Column& column : columns) {
+            begin_key(depth, column.key);
+            begin_list();
+            for (const int source : sources) {
+                next_row(depth + 1);
+                append(source < 0 ? "null" : std::string_view(column.json[at(source)]));
+            }
+            end_rows(depth);
+        }
+    }
+
+    void write_edges(Mesh which, std::size_t depth) {
+        begin_key(depth, "edges_vertices");
         begin_list();
-        each_edge([this](const Card& card, int side, std::size_t vertex) {
-            next_row(2);
-            fmt::format_to(std::back_inserter(out_), "[{}, {}]", vertex + at(card.mesh.vertex[at(side)]),
-                           vertex + at(card.mesh.vertex[at(card.mesh.next(side))]));
+        each_edge(which, [&](const Card& card, int side, std::size_t vertex) {
+            const FoldMesh& mesh = card.*which;
+            next_row(depth + 1);
+            fmt::format_to(std::back_inserter(out_), "[{}, {}]", vertex + at(mesh.vertex[at(side)]),
+                           vertex + at(mesh.vertex[at(mesh.next(side))]));
         });
-        end_rows(1);
-        begin_key(1, "edges_assignment");
+        end_rows(depth);
+        begin_key(depth, "edges_assignment");
         begin_list();
-        each_edge([this](const Card& card, int side, std::size_t) {
+        each_edge(which, [&](const Card& card, int side, std::size_t) {
             next_item();
-            const char letter = card.mesh.letter[at(side)];
+            const char letter = (card.*which).letter[at(side)];
             quoted({&letter, 1});
+        });
+        end_items();
+        if (!angles_known_) return;
+        for (Card& card : cards_) place_last(card);
+        write_fold_angles(which, depth);
+    }
+
+    void write_fold_angles(Mesh which, std::size_t depth) {
+        begin_key(depth, "edges_foldAngle");
+        begin_list();
+        each_edge(which, [&](const Card& card, int side, std::size_t) {
+            next_item();
+            append_number(out_, fold_angle(card.*which, card.frames, side), kDecimals);
         });
         end_items();
     }
 
-    void write_faces() {
-        begin_key(1, "faces_vertices");
+    void write_faces(Mesh which, std::size_t depth) {
+        begin_key(depth, "faces_vertices");
         begin_list();
         std::size_t vertex = 0;
         for (const Card& card : cards_) {
-            const FoldMesh& mesh = card.mesh;
+            const FoldMesh& mesh = card.*which;
             for (std::size_t f = 0; f < mesh.face_plate.size(); ++f) {
-                next_row(2);
+                next_row(depth + 1);
                 std::string_view before = "[";
                 for (std::size_t i = mesh.first[f]; i < mesh.first[f + 1]; ++i) {
                     fmt::format_to(std::back_inserter(out_), "{}{}", before, vertex + at(mesh.vertex[i]));
@@ -252,7 +391,9 @@ class FoldText {
             }
             vertex += mesh.vertex_corner.size();
         }
-        end_rows(1);
+        end_rows(depth);
+        // Both meshes have the same faces, and frames inherit their names.
+        if (which != key_mesh_) return;
         face_names("faces_popupc:plate", [](const Assembly&, const Plate& plate) { return plate.name; });
         face_names("faces_popupc:piece", [](const Assembly& assembly, const Plate& plate) {
             return assembly.pieces[at(plate.piece)].name;
@@ -273,7 +414,7 @@ class FoldText {
         end_rows(1);
     }
 
-    void write_folded(double angle_deg) {
+    void write_folded(double angle_deg, int parent) {
         append("{");
         first_ = true;
         text_key(3, "frame_title", "open " + number_text(angle_deg, kDecimals) + "°");
@@ -287,10 +428,10 @@ class FoldText {
                 level = level && rounded(places.back().z, kDecimals) == 0.0;
             }
         }
-        attributes_.front() = level ? "2D" : "3D";
-        list_key(3, "frame_attributes", attributes_);
+        folded_attributes_.front() = level ? "2D" : "3D";
+        list_key(3, "frame_attributes", folded_attributes_);
         begin_key(3, "frame_parent");
-        append("0");
+        append(fmt::format("{}", parent));
         begin_key(3, "frame_inherit");
         append("true");
         begin_key(3, "popupc:angle_deg");
@@ -302,23 +443,42 @@ class FoldText {
             numbers({p.x, p.y, p.z});
         }
         end_rows(3);
-        begin_key(3, "edges_foldAngle");
-        begin_list();
-        each_edge([this](const Card& card, int side, std::size_t) {
-            next_item();
-            append_number(out_, fold_angle(card.mesh, card.frames, side), kDecimals);
-        });
-        append("]\n    }");
+        write_fold_angles(&Card::mesh, 3);
+        append("\n    }");
         first_ = false;
+    }
+
+    // What the files that were read say and this one does not.
+    void tell_left_out() {
+        for (const Card& card : cards_) {
+            if (card.scene->creases == nullptr) continue;
+            const CarriedKeys& carried = card.scene->creases->carried;
+            const std::string& file = card.scene->creases->file;
+            std::vector<std::string> what = carried.left_out;
+            if (cards_.size() > 1) {
+                for (const CarriedKeys::Member& member : carried.members) what.push_back(member.key);
+                for (const auto* columns : {&carried.vertices, &carried.edges, &carried.faces}) {
+                    for (const CarriedKeys::Column& column : *columns) what.push_back(column.key);
+                }
+            }
+            if (carried.other_frames > 0)
+                what.push_back(fmt::format("{} of its frames", carried.other_frames));
+            if (what.empty()) continue;
+            diagnostics_
+                .remark("fold-left-out", {},
+                        fmt::format("of {} these are not written: {}", file, fmt::join(what, ", ")))
+                .hint("\"popupc explain fold-left-out\" says why, and what is kept");
+        }
     }
 
     // Calls visit(card, the edge's side, number of the card's first vertex) for each edge.
     template <typename Visit>
-    void each_edge(const Visit& visit) const {
+    void each_edge(Mesh which, const Visit& visit) const {
         std::size_t vertex = 0;
         for (const Card& card : cards_) {
-            for (const int side : card.mesh.edge_side) visit(card, side, vertex);
-            vertex += card.mesh.vertex_corner.size();
+            const FoldMesh& mesh = card.*which;
+            for (const int side : mesh.edge_side) visit(card, side, vertex);
+            vertex += mesh.vertex_corner.size();
         }
     }
 
@@ -383,17 +543,21 @@ class FoldText {
     std::vector<Card> cards_;
     std::vector<double> angles_;
     std::size_t vertices_ = 0;
-    std::vector<std::string_view> attributes_;
+    Mesh key_mesh_ = &Card::mesh;  // of the key frame
+    std::vector<std::string_view> folded_attributes_;
+    bool angles_known_ = true;  // at the end of the motion
+    CarriedKeys none_carried_;
+    const CarriedKeys* carried_ = &none_carried_;
     fmt::memory_buffer out_;
     bool first_ = false;  // nothing stands yet in the list or object that is open
 };
 
 }  // namespace
 
-std::optional<std::string> write_fold(std::span<const SceneCard> cards, const OutputOptions& /*options*/,
+std::optional<std::string> write_fold(std::span<const SceneCard> cards, const OutputOptions& options,
                                       Diagnostics& diagnostics) {
     POPUP_INVARIANT(!cards.empty());
-    return FoldText(cards, diagnostics).write();
+    return FoldText(cards, options.fold_dialect, diagnostics).write();
 }
 
 }  // namespace popup

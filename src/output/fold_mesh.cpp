@@ -80,8 +80,8 @@ std::vector<int> cleaned(const std::vector<int>& ring) {
 
 class MeshBuilder {
  public:
-    explicit MeshBuilder(const Assembly& assembly)
-        : in_(assembly), sides_of_(in_.plates.size()), faces_of_(in_.plates.size(), 0) {}
+    MeshBuilder(const Assembly& assembly, FoldSlits slits)
+        : in_(assembly), slits_(slits), sides_of_(in_.plates.size()), faces_of_(in_.plates.size(), 0) {}
 
     FoldMesh build() {
         mesh_.first.push_back(0);
@@ -89,8 +89,10 @@ class MeshBuilder {
         indices_.resize(in_.plates.size());
         find_folds();
         find_joins();
+        if (slits_ == FoldSlits::drawn) split_slits();
         split_sides();
         join_sides();
+        if (slits_ == FoldSlits::drawn) join_slits();
         number_vertices_and_edges();
         return std::move(mesh_);
     }
@@ -262,6 +264,49 @@ class MeshBuilder {
         }
     }
 
+    // Plates have no corners where nothing turns, and so the two sides of a slit differ in theirs.
+    void split_slits() {
+        for (const Piece& piece : in_.pieces) {
+            std::vector<Segment> sides;
+            std::vector<int> numbers;
+            for (const int plate : piece.plates) {
+                for (int i = sides_of_[at(plate)].first; i < sides_of_[at(plate)].second; ++i) {
+                    sides.push_back({mesh_.place(i), mesh_.place(mesh_.next(i))});
+                    numbers.push_back(i);
+                }
+            }
+            const EdgeIndex index({}, sides);
+            std::vector<int> found;
+            for (const int corner : numbers) {
+                const Vec2 p = mesh_.place(corner);
+                const Vec2 margin{kSameVertexMm, kSameVertexMm};
+                index.query({p - margin, p + margin}, found);
+                for (const int i : found) {
+                    const Segment& s = sides[at(i)];
+                    const int side = numbers[at(i)];
+                    if (from(side) == from(corner) || to(side) == from(corner) ||
+                        mesh_.face[at(side)] == mesh_.face[at(corner)] || distance(p, s) > kSameVertexMm) {
+                        continue;
+                    }
+                    splits_.push_back({side, dot(unit(s.b - s.a), p - s.a), from(corner)});
+                }
+            }
+        }
+    }
+
+    void join_slits() {
+        for (const Piece& piece : in_.pieces) {
+            std::vector<Side> all;
+            for (const int plate : piece.plates) {
+                for (int i = sides_of_[at(plate)].first; i < sides_of_[at(plate)].second; ++i)
+                    append_parts(i, all);
+            }
+            std::erase_if(all, [this](const Side& side) { return mesh_.twin[at(side.number)] >= 0; });
+            const std::vector<Side> others = all;
+            pair_up(all, others, 'C');
+        }
+    }
+
     void split_sides() {
         std::sort(splits_.begin(), splits_.end(), [](const Split& a, const Split& b) {
             return std::tie(a.side, a.along, a.point) < std::tie(b.side, b.along, b.point);
@@ -345,6 +390,12 @@ class MeshBuilder {
             const auto [low, high] = std::minmax({root(a), root(b)});
             same[at(high)] = low;
         };
+        std::vector<int> first_at(mesh_.points.size(), -1);
+        for (std::size_t i = 0; i < same.size() && slits_ == FoldSlits::drawn; ++i) {
+            int& first = first_at[at(mesh_.point[i])];
+            if (first < 0) first = static_cast<int>(i);
+            unite(first, static_cast<int>(i));
+        }
         for (std::size_t i = 0; i < same.size(); ++i) {
             const int side = static_cast<int>(i);
             const int twin = mesh_.twin[i];
@@ -367,6 +418,7 @@ class MeshBuilder {
     }
 
     const Assembly& in_;
+    FoldSlits slits_;
     std::vector<std::pair<int, int>> sides_of_;  // of each plate: its first side and the one after its last
     std::vector<int> faces_of_;
     std::vector<std::optional<EdgeIndex>> indices_;
@@ -387,6 +439,6 @@ Vec2 FoldMesh::place(int corner) const { return points[at(point[at(corner)])]; }
 
 int FoldMesh::plate(int corner) const { return face_plate[at(face[at(corner)])]; }
 
-FoldMesh fold_mesh(const Assembly& assembly) { return MeshBuilder(assembly).build(); }
+FoldMesh fold_mesh(const Assembly& assembly, FoldSlits slits) { return MeshBuilder(assembly, slits).build(); }
 
 }  // namespace popup

@@ -27,13 +27,20 @@ struct FoldMesh {
     [[nodiscard]] int plate(int corner) const;
 };
 
+enum class FoldSlits {
+    open,   // their sides are edges of their own, with vertices that come apart when the paper is folded
+    drawn,  // they are edges, C, between their two sides, as on the sheet
+};
+
 // One face a plate, in the order of the pieces and their plates; of a plate with holes its triangles. Corners
 // of a piece within 2e-6 mm of each other are one point, so that no side is shorter; where faces have no room
 // for three corners left they are left out. Two sides are twins, with the letter M or V (U where the assembly
 // has no line for it), where they lie on a fold that is a hinge of their plates, and J within a plate; both
 // are split before, so that twins have the same ends. All others have the letter B. Corners are the same
-// vertex where twins lead from one to the other. The answer depends on the assembly alone. Cost: near linear
-// in corners for plates whose folds come near few edges.
-FoldMesh fold_mesh(const Assembly& assembly);
+// vertex where twins lead from one to the other. With FoldSlits::drawn, sides of a piece that lie on each
+// other are twins, too, with the letter C, split where corners lie on them, and all corners of a piece in one
+// place are one vertex. The answer depends on the assembly alone. Cost: near linear in corners for plates
+// whose folds come near few edges.
+FoldMesh fold_mesh(const Assembly& assembly, FoldSlits slits = FoldSlits::open);
 
 }  // namespace popup

@@ -11,6 +11,7 @@
 
 #include "base/nth.h"
 #include "base/text/place_at.h"
+#include "input/fold/carry.h"
 #include "input/json_tree.h"
 #include "input/text.h"
 
@@ -59,6 +60,7 @@ class Reader {
         if (!sound_) return std::nullopt;
         set_size();
         make_lines();
+        carry_keys(root);
         return std::move(out_);
     }
 
@@ -230,7 +232,7 @@ class Reader {
         for (const JsonValue& face : *faces.list()) {
             const JsonList* of = face.list();
             if (of == nullptr) return wrong(face, "a face of faces_vertices", "a list of corners");
-            std::vector<int> ring;
+            std::vector<int>& ring = faces_.emplace_back();
             for (const JsonValue& one : *of) {
                 const auto number = corner(one, "a corner of a face");
                 if (!number) return false;
@@ -372,6 +374,20 @@ class Reader {
         if (!sound_) out_.lines.clear();
     }
 
+    void carry_keys(const JsonValue& root) {
+        std::vector<const JsonValue*> chain;
+        for (int frame = frame_; frame >= 0 && chain.size() < frames_.size(); frame = parent_of(frame))
+            chain.push_back(nth(frames_, frame));
+        const std::size_t edges = member("edges_vertices") == nullptr ? 0 : edges_.size();
+        CarriedKeys& out = out_.carried;
+        out = carry(text_, root, chain, {corners_.size(), edges, faces_.size()});
+        out.other_frames = frames_.size() - 1;
+        if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return;
+        out.corners = std::move(corners_);
+        for (const Edge& edge : edges_) out.edge_corners.push_back({edge.a, edge.b});
+        out.face_corners = std::move(faces_);
+    }
+
     std::string_view text_;
     const ReadOptions& options_;
     Diagnostics& diagnostics_;
@@ -380,6 +396,7 @@ class Reader {
     std::vector<const JsonValue*> frames_;
     int frame_ = 0;
     std::vector<Vec2> corners_;
+    std::vector<std::vector<int>> faces_;
     std::vector<Edge> edges_;
     std::map<std::pair<int, int>, Side> sides_;  // of faces, by their ends
     std::vector<CreaseUse> uses_;                // by edge

@@ -22,6 +22,7 @@ namespace popup::fold {
 // edges_foldAngles, in degrees; M and V without an angle, or with 0, as in frames that are flat, are folded
 // by 180°. Coordinates in a unit (frame_unit) are taken by it; others have none, and the longer side of the
 // pattern is made kSheetMm long (remark `fold-size`).
+// What the file says beside is taken along (CreasePattern::carried).
 //
 // Errors, located: `fold-syntax`, `fold-value`, `fold-no-pattern`, `document-too-large`. Cost: linear.
 std::optional<CreasePattern> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);

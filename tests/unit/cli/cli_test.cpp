@@ -182,6 +182,7 @@ TEST_F(Cli, ValuesOutOfRangeAreTwo) {
              {"--color", {"red"}},
              {"-j", {"0", "x", "1.5", "99999"}},
              {"--fps", {"0", "-1", "x"}},
+             {"--fold-dialect", {"", "Strict", "simulator,strict"}},
              {"--duration", {"0", "inf"}}}) {
         for (const std::string& value : values) {
             expect_usage_error(

@@ -142,11 +142,11 @@ void check_topology(const FoldFile& file) {
             // One boundary goes through a vertex at most: sheets that only touch in a point do not share it.
             EXPECT_TRUE(after.emplace(forward ? edge.u : edge.v, forward ? edge.v : edge.u).second);
         } else {
-            EXPECT_TRUE(edge.letter == "M" || edge.letter == "V" || edge.letter == "J") << edge.letter;
+            EXPECT_TRUE(edge.letter == "M" || edge.letter == "V" || edge.letter == "F") << edge.letter;
             ASSERT_TRUE(edge.left >= 0 && edge.right >= 0) << "an inner edge has two faces";
             const auto a = root(sheet, static_cast<std::size_t>(edge.left));
             sheet[a] = root(sheet, static_cast<std::size_t>(edge.right));
-            EXPECT_EQ(edge.letter == "J", file.plates[static_cast<std::size_t>(edge.left)] ==
+            EXPECT_EQ(edge.letter == "F", file.plates[static_cast<std::size_t>(edge.left)] ==
                                               file.plates[static_cast<std::size_t>(edge.right)]);
         }
         EXPECT_GE(distance(flat(file, edge.u), flat(file, edge.v)), 0.9e-6);
@@ -375,7 +375,7 @@ TEST(Fold, KeyFrameIsTheCreasePatternAndTheFileSaysWhatItIs) {
     EXPECT_EQ(file.at("frame_attributes"),
               json::array({"2D", "manifold", "orientable", "noCuts", "noJoins", "nonConvexFaces"}));
     EXPECT_EQ(file.at("frame_unit"), "mm");
-    EXPECT_FALSE(file.contains("edges_foldAngle"));
+    EXPECT_EQ(file.at("edges_foldAngle"), file.at("file_frames").at(0).at("edges_foldAngle"));
     std::vector<std::string> titles;
     for (const json& frame : file.at("file_frames")) titles.push_back(frame.at("frame_title"));
     EXPECT_EQ(titles, (std::vector<std::string>{"open 0°", "open 22.5°", "open 180°"}));
@@ -466,7 +466,7 @@ TEST(Fold, PlatesWithHolesAreJoinedTriangles) {
     check_paper(file, cards);
     EXPECT_GT(file.faces.size(), 10U);
     EXPECT_EQ(file.flat.size(), 19U);
-    EXPECT_EQ(file.text->at("frame_attributes").at(4), "joins");
+    EXPECT_EQ(file.text->at("frame_attributes").at(4), "noJoins");
 }
 
 // So large a polygon is cut along lines before it is triangulated, with corners inside other triangles'
