@@ -58,6 +58,11 @@ bool all_convex(const FoldMesh& mesh) {
     return true;
 }
 
+bool is_flat_fold(double angle_deg, const FoldMesh& mesh, int side) {
+    const char letter = mesh.letter[at(side)];
+    return std::abs(angle_deg) < kNearFlatDeg && (letter == 'M' || letter == 'V');
+}
+
 // Of the side's edge: how far its faces are from flat, positive for a valley.
 double fold_angle(const FoldMesh& mesh, std::span<const Frame> frames, int side) {
     const int twin = mesh.twin[at(side)];
@@ -86,26 +91,32 @@ struct Card {
 };
 using Mesh = FoldMesh Card::*;
 
-// Where what moves is folded as far as it goes; false: that is not known.
-bool place_last(Card& card) {
+// Places the plates of what moves; false: they do not get there, or nothing moves.
+bool place_at(Card& card, double angle_deg) {
     const Assembly& assembly = *card.scene->assembly;
     // Whether that place is reached is told of where it is asked for.
     Diagnostics unheard;
-    return moves(assembly) && place_card(assembly, assembly.sweep.from_deg, card.frames, unheard);
+    return moves(assembly) && place_card(assembly, angle_deg, card.frames, unheard);
 }
 
-// Joins are flat, and folds that do not say which way they go are told by where they went, if that is known.
-void use_common_letters(FoldMesh& mesh, std::span<const Frame> frames, bool placed) {
-    for (const int side : mesh.edge_side) {
-        char& letter = mesh.letter[at(side)];
-        if (letter == 'J') letter = 'F';
-        if (letter == 'U' && placed) {
-            letter = 'V';
-            const double angle = fold_angle(mesh, frames, side);
-            if (std::abs(angle) < kNearFlatDeg) letter = 'F';
-            if (angle < 0.0) letter = 'M';
+// Where it is folded as far as it goes.
+bool place_last(Card& card) { return place_at(card, card.scene->assembly->sweep.from_deg); }
+
+// Folds that do not say which way they go have the letter of the way they went, those that went none F.
+void name_folds(Card& card) {
+    const Sweep& sweep = card.scene->assembly->sweep;
+    FoldMesh& mesh = card.mesh;
+    // Half a turn has no sign: the middle of the motion has.
+    for (const double deg : {0.5 * (sweep.from_deg + sweep.to_deg), sweep.from_deg}) {
+        if (!place_at(card, deg)) return;
+        for (const int side : mesh.edge_side) {
+            if (mesh.letter[at(side)] != 'U') continue;
+            mesh.letter[at(side)] = 'V';
+            const double angle = fold_angle(mesh, card.frames, side);
+            char letter = angle < 0.0 ? 'M' : 'V';
+            if (std::abs(angle) < kNearFlatDeg) letter = deg == sweep.from_deg ? 'F' : 'U';
+            mesh.letter[at(side)] = mesh.letter[at(mesh.twin[at(side)])] = letter;
         }
-        if (const int twin = mesh.twin[at(side)]; twin >= 0) mesh.letter[at(twin)] = letter;
     }
 }
 
@@ -137,9 +148,11 @@ class FoldText {
             Card card{&scene, fold_mesh(assembly), {}, {}, {}};
             card.origins = laid_out(assembly, card.mesh, left);
             card.frames.resize(assembly.plates.size());
-            const bool placed = place_last(card);
-            angles_known_ = angles_known_ && placed;
-            if (!strict) use_common_letters(card.mesh, card.frames, placed);
+            angles_known_ = place_last(card) && angles_known_;
+            if (!strict) {
+                std::replace(card.mesh.letter.begin(), card.mesh.letter.end(), 'J', 'F');
+                name_folds(card);
+            }
             if (strict) card.sheet = fold_mesh(assembly, FoldSlits::drawn);
             if (has_letter(card.sheet, 'C')) key_mesh_ = &Card::sheet;
             vertices_ += card.mesh.vertex_corner.size();
@@ -361,16 +374,34 @@ class FoldText {
         end_items();
         if (!angles_known_) return;
         for (Card& card : cards_) place_last(card);
-        write_fold_angles(which, depth);
+        write_fold_angles(which, depth, true);
     }
 
-    void write_fold_angles(Mesh which, std::size_t depth) {
+    // `asked`: folds that stay flat have the angle that their pattern asks for.
+    void write_fold_angles(Mesh which, std::size_t depth, bool asked) {
         begin_key(depth, "edges_foldAngle");
         begin_list();
-        each_edge(which, [&](const Card& card, int side, std::size_t) {
-            next_item();
-            append_number(out_, fold_angle(card.*which, card.frames, side), kDecimals);
-        });
+        for (const Card& card : cards_) {
+            const FoldMesh& mesh = card.*which;
+            std::vector<double> angles;
+            bool flat = false;
+            for (const int side : mesh.edge_side) {
+                angles.push_back(fold_angle(mesh, card.frames, side));
+                flat = flat || is_flat_fold(angles.back(), mesh, side);
+            }
+            if (asked && flat && card.scene->creases != nullptr) {
+                const std::vector<double> wanted = asked_angles(mesh, *card.scene->creases);
+                for (std::size_t i = 0; i < angles.size(); ++i) {
+                    const int side = mesh.edge_side[i];
+                    if (is_flat_fold(angles[i], mesh, side))
+                        angles[i] = mesh.letter[at(side)] == 'M' ? -wanted[i] : wanted[i];
+                }
+            }
+            for (const double angle : angles) {
+                next_item();
+                append_number(out_, angle, kDecimals);
+            }
+        }
         end_items();
     }
 
@@ -443,7 +474,7 @@ class FoldText {
             numbers({p.x, p.y, p.z});
         }
         end_rows(3);
-        write_fold_angles(&Card::mesh, 3);
+        write_fold_angles(&Card::mesh, 3, false);
         append("\n    }");
         first_ = false;
     }

@@ -14,22 +14,23 @@ namespace popup {
 //
 // The key frame is the crease pattern in the plane: all pieces of all cards side by side along x, 10 mm
 // apart, their lower edges on y = 0, with the fold angles of where the motion ends (edges_foldAngle; none
-// where that is not known). Each sampled angle of any card's motion makes one more frame, which inherits all
-// but places and fold angles: the cards as they stand in the world at that angle ("popupc:angle_deg"), placed
-// in closed form whatever the motion's solver, several cards side by side along x, 20 mm apart at their
-// widest. Without sampled angles there is the crease pattern alone.
+// where that is not known); a fold that its loops keep flat has the angle that its pattern asks for, so that
+// programs that bend paper fold it. Each sampled angle of any card's motion makes one more frame, which
+// inherits all but places and fold angles: the cards as they stand in the world at that angle
+// ("popupc:angle_deg"), placed in closed form whatever the motion's solver, several cards side by side along
+// x, 20 mm apart at their widest. Without sampled angles there is the crease pattern alone.
 //
 // Faces are plates, counter-clockwise seen from the paper's front; FOLD has no holes in faces, so a plate
 // with holes is several triangles with edges between them that are never folded. "faces_popupc:plate" and
 // "faces_popupc:piece" name each face's plate and piece, the card's prefix before the name. The mesh is an
 // orientable manifold: M and V edges (the assembly's folds) and those within plates have two faces, B edges
 // one. Faces share a vertex only where a way from one to the other over such edges holds the paper together
-// there, so in every folded frame each vertex has one place. Where folds of two plates' edges overlap in part,
-// both edges are split. The two sides of a slit are B edges of their own, with vertices of their own but for
-// the ends at which the paper holds together. So is a glued seam's edge of its piece: F and U are creases
-// between two faces, and a seam is neither, because what it is glued to is another paper, mostly in the middle
-// of a face. No edge is shorter than 1e-6 mm. Tabs, colours and drawn lines are left out. Fold angles are
-// positive for valleys and negative for mountains; those of all other edges are 0.
+// there, so in every folded frame each vertex has one place. Where folds of two plates' edges overlap in
+// part, both edges are split. The two sides of a slit are B edges of their own, with vertices of their own
+// but for the ends at which the paper holds together. So is a glued seam's edge of its piece: F and U are
+// creases between two faces, and a seam is neither, because what it is glued to is another paper, mostly in
+// the middle of a face. No edge is shorter than 1e-6 mm. Tabs, colours and drawn lines are left out. Fold
+// angles are positive for valleys and negative for mountains; those of all other edges are 0.
 //
 // FoldDialect::simulator, the default, is what Origami Simulator, Rabbit Ear and most others fold without
 // more: they build hinges of M, V and F edges alone, and read the key frame alone. Edges within plates are F,

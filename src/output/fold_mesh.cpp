@@ -15,6 +15,9 @@
 namespace popup {
 namespace {
 
+// Corners of plates this near to the end of a fold are its end.
+constexpr double kFoldEndMm = 1e-4;
+
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 // The corners of one page, numbered on in `points`, with those that are the same up to rounding as one.
@@ -99,7 +102,8 @@ class MeshBuilder {
 
  private:
     struct Fold {
-        std::vector<int> a, b;  // sides of the two plates that lie on it, before they are split
+        std::vector<int> a, b;  // sides of the two plates on its line, before they are split
+        Segment at;             // beyond it they are not held together
         char letter = 'U';
     };
     struct Split {
@@ -208,6 +212,7 @@ class MeshBuilder {
                 return true;
             };
             Fold fold;
+            fold.at = hinge.a_line;
             std::vector<std::pair<double, int>> ends;
             for (const auto& [plate, sides] : {std::pair{hinge.a, &fold.a}, std::pair{hinge.b, &fold.b}}) {
                 for (const int side : sides_near(plate, hinge.a_line)) {
@@ -218,6 +223,8 @@ class MeshBuilder {
             }
             std::sort(ends.begin(), ends.end());
             ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+            end_at(0.0, hinge.a_line.a, ends);
+            end_at(size, hinge.a_line.b, ends);
             for (const auto* sides : {&fold.a, &fold.b}) {
                 for (const int side : *sides) split_at(side, ends, along);
             }
@@ -228,6 +235,14 @@ class MeshBuilder {
             }
             folds_.push_back(std::move(fold));
         }
+    }
+
+    // Where a fold goes on as a slit no plate has a corner: makes one there.
+    void end_at(double along, Vec2 p, std::vector<std::pair<double, int>>& ends) {
+        const auto next = std::lower_bound(ends.begin(), ends.end(), std::pair{along - kFoldEndMm, -1});
+        if (next == ends.begin() || next == ends.end() || next->first <= along + kFoldEndMm) return;
+        ends.insert(next, {along, static_cast<int>(mesh_.points.size())});
+        mesh_.points.push_back(p);
     }
 
     // Notes the splits of a side at the ends that lie inside it; `ends` ascend along the fold.
@@ -333,6 +348,14 @@ class MeshBuilder {
         parts_.push_back(static_cast<int>(mesh_.point.size()));
     }
 
+    // Whether the part of a side is a part of the fold, too.
+    [[nodiscard]] bool is_folded(const Fold& fold, const Side& part) const {
+        const Vec2 along = fold.at.b - fold.at.a;
+        const Vec2 middle = 0.5 * (mesh_.points[at(part.from)] + mesh_.points[at(part.to)]);
+        const double where = dot(along, middle - fold.at.a);
+        return where > 0.0 && where < dot(along, along);
+    }
+
     void append_parts(int side, std::vector<Side>& parts) const {
         for (int i = parts_[at(side)]; i < parts_[at(side) + 1]; ++i) {
             parts.push_back({from(i), to(i), i});
@@ -364,6 +387,9 @@ class MeshBuilder {
             std::vector<Side> b;
             for (const int side : fold.a) append_parts(side, a);
             for (const int side : fold.b) append_parts(side, b);
+            const auto beyond = [&](const Side& part) { return !is_folded(fold, part); };
+            std::erase_if(a, beyond);
+            std::erase_if(b, beyond);
             pair_up(a, b, fold.letter);
         }
         for (std::size_t plate = 0; plate < faces_of_.size(); ++plate) {

@@ -15,6 +15,8 @@
 namespace popup {
 namespace {
 
+// Of folds of which neither their line nor their pattern says how far they go.
+constexpr double kUnsaidDeg = 90.0;
 constexpr double kMovedMm = 0.5;
 constexpr double kMovedShare = 1.0 / 400.0;
 // Distances that differ by less are equal, mm.
@@ -162,6 +164,29 @@ class Finder {
 
 FoldSources fold_sources(const FoldMesh& mesh, const CarriedKeys& carried) {
     return Finder(mesh, carried).run();
+}
+
+std::vector<double> asked_angles(const FoldMesh& mesh, const CreasePattern& creases) {
+    // The lines as the edges of a file.
+    CarriedKeys lines;
+    std::vector<double> asked;
+    for (const CreaseLine& line : creases.lines) {
+        const bool folds = line.use != CreaseUse::cut && line.use != CreaseUse::flat;
+        const double unsaid = line.use == CreaseUse::fold ? kUnsaidDeg : creases.fold_deg;
+        const double deg = folds ? line.fold_deg.value_or(unsaid) : 0.0;
+        const std::size_t count = line.points.size();
+        for (std::size_t i = 0; i + (line.closed ? 0 : 1) < count; ++i) {
+            const int first = static_cast<int>(lines.corners.size());
+            lines.corners.push_back(line.points[i]);
+            lines.corners.push_back(line.points[(i + 1) % count]);
+            lines.edge_corners.push_back({first, first + 1});
+            asked.push_back(deg);
+        }
+    }
+    std::vector<double> result;
+    for (const int source : fold_sources(mesh, lines).edges)
+        result.push_back(source < 0 ? 0.0 : nth(asked, source));
+    return result;
 }
 
 }  // namespace popup

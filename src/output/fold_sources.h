@@ -22,4 +22,8 @@ struct FoldSources {
 // near linear in elements.
 FoldSources fold_sources(const FoldMesh& mesh, const CarriedKeys& carried);
 
+// By edge of the mesh: how far its pattern asks for it to be folded in the end, degrees in [0, 180]; 0 where
+// it asks for no fold. Edges and lines correspond as in fold_sources().
+std::vector<double> asked_angles(const FoldMesh& mesh, const CreasePattern& creases);
+
 }  // namespace popup
