@@ -17,8 +17,8 @@ namespace {
 
 // Of folds of which neither their line nor their pattern says how far they go.
 constexpr double kUnsaidDeg = 90.0;
-constexpr double kMovedMm = 0.5;
-constexpr double kMovedShare = 1.0 / 400.0;
+constexpr double kNearSourceMm = 0.5;
+constexpr double kNearSourceShare = 1.0 / 400.0;
 // Distances that differ by less are equal, mm.
 constexpr double kEqualMm = 1e-5;
 
@@ -27,7 +27,7 @@ class Finder {
     Finder(const FoldMesh& mesh, const CarriedKeys& carried) : mesh_(mesh), from_(carried) {
         Box box;
         for (const Vec2 p : from_.corners) box.extend(p);
-        far_ = std::max(kMovedMm, kMovedShare * std::max(box.width(), box.height()));
+        far_ = std::max(kNearSourceMm, kNearSourceShare * std::max(box.width(), box.height()));
     }
 
     FoldSources run() {
@@ -156,7 +156,7 @@ class Finder {
 
     const FoldMesh& mesh_;
     const CarriedKeys& from_;
-    double far_ = kMovedMm;
+    double far_ = kNearSourceMm;
     FoldSources out_;
 };
 
