@@ -67,7 +67,7 @@ bool is_flat_fold(double angle_deg, const FoldMesh& mesh, int side) {
 double fold_angle(const FoldMesh& mesh, std::span<const Frame> frames, int side) {
     const int twin = mesh.twin[at(side)];
     const char letter = mesh.letter[at(side)];
-    if (twin < 0 || (letter != 'M' && letter != 'V')) return 0.0;
+    if (twin < 0 || (letter != 'M' && letter != 'V' && letter != 'F')) return 0.0;
     // The side's own face lies on its left.
     const Frame& left = frames[at(mesh.plate(side))];
     const Frame& right = frames[at(mesh.plate(twin))];
@@ -75,6 +75,7 @@ double fold_angle(const FoldMesh& mesh, std::span<const Frame> frames, int side)
     const double angle =
         std::atan2(dot(direction, cross(right.normal(), left.normal())), dot(left.normal(), right.normal())) *
         180.0 / std::numbers::pi;
+    if (letter == 'F') return angle;  // a panel that bends
     const double sign = letter == 'V' ? 1.0 : -1.0;
     if (std::abs(angle) > 180.0 - kNearFlatDeg) return sign * std::abs(angle);
     if (std::abs(angle) < kNearFlatDeg) return sign * std::max(0.0, sign * angle);
@@ -386,7 +387,8 @@ class FoldText {
             std::vector<double> angles;
             bool flat = false;
             for (const int side : mesh.edge_side) {
-                angles.push_back(fold_angle(mesh, card.frames, side));
+                const bool bends = mesh.letter[at(side)] == 'F';
+                angles.push_back(asked && bends ? 0.0 : fold_angle(mesh, card.frames, side));
                 flat = flat || is_flat_fold(angles.back(), mesh, side);
             }
             if (asked && flat && card.scene->creases != nullptr) {

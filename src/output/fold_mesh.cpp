@@ -232,6 +232,8 @@ class MeshBuilder {
             const auto found = std::lower_bound(letters.begin(), letters.end(), std::tuple{a, b, '\0'});
             if (found != letters.end() && std::get<0>(*found) == a && std::get<1>(*found) == b) {
                 fold.letter = std::get<2>(*found);
+            } else if (in_.sweep.bends) {
+                fold.letter = 'F';
             }
             folds_.push_back(std::move(fold));
         }

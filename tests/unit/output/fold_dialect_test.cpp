@@ -385,5 +385,33 @@ TEST(FoldDialect, SeveralFilesInOneLoseTheirKeysAndAreTold) {
     EXPECT_EQ(out.told.find("sheet-2.fold"), std::string::npos);
 }
 
+// Three folds in a corner: the panels bend, and a program that reads the file is to fold what was drawn.
+TEST(FoldDialect, BendsOfPanelsAreNoFolds) {
+    const std::string text = R"({"frame_unit": "mm",
+"vertices_coords": [[0,0],[80,0],[80,80],[0,80],[40,40],[40,0]],
+"edges_vertices": [[0,5],[5,1],[1,2],[2,3],[3,0],[4,5],[4,2],[4,3]],
+"edges_assignment": ["B","B","B","B","B","V","V","M"]})";
+    for (const FoldDialect dialect : {kSimulator, kStrict}) {
+        const json file = write({text}, dialect).file;
+        int folds = 0;
+        int bends = 0;
+        for (std::size_t i = 0; i < file.at("edges_assignment").size(); ++i) {
+            const std::string letter = file.at("edges_assignment")[i];
+            folds += letter == "M" || letter == "V" ? 1 : 0;
+            bends += letter == "F" ? 1 : 0;
+            EXPECT_NE(letter, "U");
+            if (letter == "F") EXPECT_EQ(file.at("edges_foldAngle")[i], 0.0);
+        }
+        EXPECT_EQ(folds, 3);
+        EXPECT_GT(bends, 0);
+        double most = 0.0;  // as it is folded
+        const json& last = file.at("file_frames").front().at("edges_foldAngle");
+        for (std::size_t i = 0; i < last.size(); ++i) {
+            if (file.at("edges_assignment")[i] == "F") most = std::max(most, std::abs(last[i].get<double>()));
+        }
+        EXPECT_GT(most, 20.0);
+    }
+}
+
 }  // namespace
 }  // namespace popup::test
