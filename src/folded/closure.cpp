@@ -36,7 +36,7 @@ constexpr double kNearlyClosed = 5e-11;
 // No fold is turned by more in one step, radians.
 constexpr double kLongestStep = 0.5;
 // After a step that leaves so little of a residual the slopes do for one more.
-constexpr double kKeepsSlopes = 0.03;
+constexpr double kKeepsSlopes = 0.1;
 
 // Loops in the order of least degree (Amestoy, Davis and Duff, An approximate minimum degree ordering
 // algorithm, 1996), so that the factors of their normal equations stay sparse: for loops as a whole, which

@@ -353,7 +353,7 @@ void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sh
     diagnostics
         .remark(
             "corners-refined", {},
-            fmt::format("{} corners were moved so that the folds close, by {:.3f} mm at most, at {}",
+            fmt::format("{} corners were moved so that the folds close, by {:.2g} mm at most, at {}",
                         refined.moved, refined.most_mm, shown_point(pattern.ruler, sheet.at(refined.corner))))
         .hint("a drawing with more decimals needs none of it");
 }
