@@ -70,13 +70,13 @@ void add_output_options(CLI::App& verb, Options& options) {
     number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
     number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
            0.001);
-    value(verb, "--fold-dialect", "DIALECT",
-          "of .fold: simulator (default), what programs that fold it read; strict, all letters of FOLD 1.2",
-          "Output", [&options](std::string_view text) {
-              options.compile.output.fold_dialect = choose<FoldDialect>(
-                  "--fold-dialect", text,
-                  {{"simulator", FoldDialect::simulator}, {"strict", FoldDialect::strict}});
-          });
+    value(
+        verb, "--fold-dialect", "DIALECT", "letters in .fold: simulator (default) or strict, all of FOLD 1.2",
+        "Output", [&options](std::string_view text) {
+            options.compile.output.fold_dialect =
+                choose<FoldDialect>("--fold-dialect", text,
+                                    {{"simulator", FoldDialect::simulator}, {"strict", FoldDialect::strict}});
+        });
 }
 
 // "297.0 x 210.0 mm", or of several sizes each once: "305.0 x 305.0 and 420.0 x 297.0 mm".
