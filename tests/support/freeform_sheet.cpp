@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "popup/geometry.h"
 #include "support/random.h"
 
 namespace popup::test {
@@ -34,18 +33,22 @@ std::string outline_of(const Feature& feature, double y, Random& random) {
         at.at(i) = {feature.x + grown * feature.across * rounded(std::cos(turn)),
                     y + grown * feature.along * rounded(std::sin(turn))};
     }
+    return smooth_path(at);
+}
+
+}  // namespace
+
+std::string smooth_path(std::span<const Vec2> at) {
     std::string d = fmt::format("M {:.3f} {:.3f}", at[0].x, at[0].y);
-    for (std::size_t i = 0; i < kCurves; ++i) {
-        const Vec2 from = at.at(i);
-        const Vec2 to = at.at((i + 1) % kCurves);
-        const Vec2 c = from + 1.0 / 6.0 * (to - at.at((i + kCurves - 1) % kCurves));
-        const Vec2 e = to - 1.0 / 6.0 * (at.at((i + 2) % kCurves) - from);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const Vec2 from = at[i];
+        const Vec2 to = at[(i + 1) % at.size()];
+        const Vec2 c = from + 1.0 / 6.0 * (to - at[(i + at.size() - 1) % at.size()]);
+        const Vec2 e = to - 1.0 / 6.0 * (at[(i + 2) % at.size()] - from);
         d += fmt::format(" C {:.3f} {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}", c.x, c.y, e.x, e.y, to.x, to.y);
     }
     return d + " Z";
 }
-
-}  // namespace
 
 std::string freeform_sheet(int features) {
     const int rows = (features + static_cast<int>(kRow.size()) - 1) / static_cast<int>(kRow.size());

@@ -234,6 +234,7 @@ TEST(EdgeIndex, AnswersAsALookAtEverySegmentWould) {
             if (i != 17) nearest = std::min(nearest, distance(p, segments[i]));
         }
         EXPECT_DOUBLE_EQ(index.clearance(p, 9.0), nearest);
+        EXPECT_EQ(index.is_within(p, 1.0), nearest < 1.0);
         index.query({p, p + Vec2{10, 10}}, found);
         std::vector<int> expected;
         for (std::size_t i = 0; i < segments.size(); ++i) {

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <map>
+#include <numbers>
 
+#include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/geometry/slice.h"
 
 namespace popup {
 namespace {
@@ -102,6 +106,73 @@ TEST(Triangulate, TheSamePolygonGivesTheSameTriangles) {
 }
 
 TEST(Triangulate, PagesWithManyCutOutsAreCovered) { expect_cover(sieve(30), "900 holes"); }
+
+// A ring that winds in and out, with holes between: lines through it cut it into many parts.
+Polygon coil(int corners) {
+    Polygon result;
+    for (int i = 0; i < corners; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / corners;
+        const double radius = 100.0 + 25.0 * std::sin(40.0 * turn) + 0.01 * std::sin(977.0 * turn);
+        result.outer.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+    }
+    for (int i = 0; i < 40; ++i) {
+        const double turn = 2.0 * std::numbers::pi * (i + 0.25) / 40;
+        const Vec2 at{110.0 * std::cos(turn), 110.0 * std::sin(turn)};
+        Ring ring;
+        for (int k = 0; k < 30; ++k) {
+            const double round = -2.0 * std::numbers::pi * k / 30;
+            ring.push_back(at + 2.0 * Vec2{std::cos(round), std::sin(round)});
+        }
+        result.holes.push_back(std::move(ring));
+    }
+    return result;
+}
+
+TEST(Triangulate, RingsOfManyThousandCornersAreCovered) { expect_cover(coil(9000), "coil"); }
+
+TEST(Slice, ThePartsAreThePolygonAndMeetOnlyOnALine) {
+    // Teeth that a line cuts off, each with a hole on either side of it, and a coil.
+    Polygon teeth{{{200.0, -10.0}, {200.0, 310.0}, {195.0, 310.0}}, {}};
+    for (int i = 100; i-- > 0;) {
+        const double y = 3.0 * i;
+        for (const Vec2 p : {Vec2{190.0, y + 2.5}, {0.02 * i, y + 2.0}, {0.01 * i, y + 0.5}, {190.0, y}})
+            teeth.outer.push_back(p);
+        for (const double x : {50.0, 180.0})
+            teeth.holes.push_back({{x, y + 1.0}, {x + 2.0, y + 1.5}, {x + 3.0 + 0.01 * i, y + 1.0}});
+    }
+    teeth.outer.push_back({195.0, -10.0});
+    struct {
+        Polygon whole;
+        bool upright;
+        std::size_t least;
+    } const cases[] = {{coil(3000), false, 2}, {coil(3000), true, 2}, {teeth, true, 101}, {teeth, false, 2}};
+    for (const auto& [whole, upright, least] : cases) {
+        const std::vector<Polygon> parts = slice(whole, upright);
+        ASSERT_GE(parts.size(), least);
+        std::size_t holes = 0;
+        for (const Polygon& part : parts) {
+            EXPECT_GT(signed_area(part.outer), 0.0);
+            holes += part.holes.size();
+        }
+        EXPECT_LE(holes, whole.holes.size());
+        // The sum of the areas and the union alike: so no two have an area in common. An edge that is cut
+        // moves by the grid.
+        double edges = 0.0;
+        for (const Segment& edge : edges_of(whole)) edges += distance(edge.a, edge.b);
+        const double rounding = 1e-6 * edges;
+        EXPECT_NEAR(area(parts), area(whole), rounding);
+        EXPECT_NEAR(area(subtract({whole}, parts)), 0.0, rounding);
+        EXPECT_NEAR(area(subtract(parts, {whole})), 0.0, rounding);
+    }
+}
+
+TEST(Slice, HolesTouchedByTheirRingOnTheLineAreLeftToABoolean) {
+    // The hole touches the ring from inside along the edge that the level line cuts.
+    const Polygon touching{{{0, 0}, {10, 0}, {10, 10}, {7, 10}, {3, 10}, {0, 10}},
+                           {{{0, 4}, {0, 6}, {4, 6}, {4, 4}}}};
+    EXPECT_TRUE(slice(touching, false).empty());
+    EXPECT_EQ(slice({touching.outer, {{{1, 4}, {1, 6}, {4, 6}, {4, 4}}}}, false).size(), 2U);
+}
 
 TEST(Triangulate, CombsOfLongTeethAreCovered) {
     Polygon comb;
