@@ -19,8 +19,8 @@ namespace {
 constexpr double kOutMm = 0.02;     // as far as a drawing may be rounded
 constexpr double kHeightMm = 1e-9;  // plates closer than this at the smallest angle are not told apart
 constexpr double kAreaMm2 = 1e-6;
-constexpr double kStepsPerMm = 1e3;  // to which points are rounded where layers are counted
-constexpr double kStepMm = 1e-3;
+constexpr double kCountStepsPerMm = 1e3;  // to which points are rounded where layers are counted
+constexpr double kCountStepMm = 1e-3;
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 
 // The closed card seen from the side: x away from the gutter, y along it; `up` from the left cover to the
@@ -349,8 +349,8 @@ class Layers {
             const double over = height(b, p) - height(a, p);
             if (over > kHeightMm && known.most <= kHeightMm) return false;
             if (over < -kHeightMm && known.least >= -kHeightMm) return false;
-            box.extend(p - Vec2{kStepMm, kStepMm});
-            box.extend(p + Vec2{kStepMm, kStepMm});
+            box.extend(p - Vec2{kCountStepMm, kCountStepMm});
+            box.extend(p + Vec2{kCountStepMm, kCountStepMm});
         }
         return !may_be_thickest(box);
     }
@@ -369,7 +369,8 @@ class Layers {
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
         for (const Vec2 p : shape) {
             const Vec2 inside = lerp(p, centre, 1e-2);
-            if (!may_be_thickest({inside - Vec2{kStepMm, kStepMm}, inside + Vec2{kStepMm, kStepMm}}))
+            if (!may_be_thickest(
+                    {inside - Vec2{kCountStepMm, kCountStepMm}, inside + Vec2{kCountStepMm, kCountStepMm}}))
                 continue;
             const bool corner = std::any_of(corners.begin(), corners.end(), [p](Vec2 q) {
                 return dot(p - q, p - q) < kSameCornerMm * kSameCornerMm;
@@ -394,7 +395,7 @@ class Layers {
     // Counts the layers over a point, which is rounded to a thousandth of a millimetre. False: it was too
     // much work.
     bool count(Vec2 p) {
-        p = kStepMm * Vec2{std::round(p.x * kStepsPerMm), std::round(p.y * kStepsPerMm)};
+        p = kCountStepMm * Vec2{std::round(p.x * kCountStepsPerMm), std::round(p.y * kCountStepsPerMm)};
         const int least = most_ > 0 && before(p, thickest_) ? most_ : most_ + 1;
         boxes_.query({p, p}, here_);
         if (too_much(here_.size())) return false;

@@ -1,13 +1,11 @@
-#include "base/geometry/slice.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
-#include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
+#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {

@@ -14,7 +14,6 @@
 #include <type_traits>
 
 #include "base/geometry/regions.h"
-#include "base/geometry/slice.h"
 #include "base/geometry/tolerances.h"
 
 namespace popup {
@@ -229,7 +228,7 @@ Triangulation triangulate(const Polygon& polygon, std::size_t uncut) {
     if (polygon.outer.size() < 3) return {};
     if (is_convex(polygon)) return fan(polygon.outer);
 
-    const bool many = corners_of(polygon) > kManyCorners;
+    const bool many = corners_of(polygon) > std::max(kManyCorners, uncut);
     if (many) uncut = std::min(uncut, kFewCorners);
     const GeosContext geos;
     std::vector<Triangle> triangles;

@@ -25,4 +25,11 @@ struct Triangulation {
 // `uncut`: up to so many corners the polygon is not cut first; the time grows with their square.
 Triangulation triangulate(const Polygon& polygon, std::size_t uncut = 300);
 
+// How a polygon of very many corners is cut in two, at a cost that grows as they do: its parts on either side
+// of a line that has half of its corners on either side, level or `upright`. Nothing where that cannot be
+// told for certain, as where edges meet on the line: a boolean can tell. New corners are corners of parts on
+// both sides, on a grid of 1e-6 mm along the line. Precondition: as of triangulate(). Cost: linear in
+// corners, n log n in edges that are cut; a hole is looked for in each part whose box it lies in.
+std::vector<Polygon> slice(const Polygon& polygon, bool upright);
+
 }  // namespace popup

@@ -9,7 +9,6 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
-#include "base/geometry/slice.h"
 
 namespace popup {
 namespace {
