@@ -400,7 +400,9 @@ TEST(FoldDialect, BendsOfPanelsAreNoFolds) {
             folds += letter == "M" || letter == "V" ? 1 : 0;
             bends += letter == "F" ? 1 : 0;
             EXPECT_NE(letter, "U");
-            if (letter == "F") EXPECT_EQ(file.at("edges_foldAngle")[i], 0.0);
+            if (letter == "F") {
+                EXPECT_EQ(file.at("edges_foldAngle")[i], 0.0);
+            }
         }
         EXPECT_EQ(folds, 3);
         EXPECT_GT(bends, 0);
