@@ -29,9 +29,9 @@ namespace popup {
 // part, both edges are split. The two sides of a slit are B edges of their own, with vertices of their own
 // but for the ends at which the paper holds together. So is a glued seam's edge of its piece: F and U are
 // creases between two faces, and a seam is neither, because what it is glued to is another paper, mostly in
-// the middle of a face. No edge is shorter than 1e-6 mm. Tabs, colours, drawn lines and slits within one plate
-// are left out. Fold angles are positive for valleys and negative for mountains; those of all other edges are
-// 0, but for F edges along which panels bend (Sweep::bends), in folded frames.
+// the middle of a face. No edge is shorter than 1e-6 mm. Tabs, colours, drawn lines and slits within one
+// plate are left out. Fold angles are positive for valleys and negative for mountains; those of all other
+// edges are 0, but for F edges along which panels bend (Sweep::bends), in folded frames.
 //
 // FoldDialect::simulator, the default, is what Origami Simulator, Rabbit Ear and most others fold without
 // more: they build hinges of M, V and F edges alone, and read the key frame alone. Edges within plates are F,
