@@ -190,16 +190,6 @@ double Closure::residual(const Eigen::VectorXd& angles, int* worst) {
     return largest;
 }
 
-double Closure::gap_mm(const Eigen::VectorXd& angles) {
-    evaluate(angles, false);
-    double largest = 0.0;
-    for (const Row& row : rows_) {
-        const double own = residual_.segment(row.first, row.count).lpNorm<Eigen::Infinity>();
-        largest = std::max(largest, own * row.size);
-    }
-    return largest;
-}
-
 void Closure::factorise() {
     double* const values = normal_.valuePtr();
     std::fill(values, values + normal_.nonZeros(), 0.0);

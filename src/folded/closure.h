@@ -20,8 +20,6 @@ class Closure {
     // How far the worst loop is from closed: radians of its turn, or its shift as a share of its size.
     // *worst (if given) is its number in the sheet.
     double residual(const Eigen::VectorXd& angles, int* worst = nullptr);
-    // The same in mm: what the panels of a loop gape at most.
-    double gap_mm(const Eigen::VectorXd& angles);
 
     // Brings the angles nearer to closure, each step the smallest one that closes the loops to the first
     // order, with the angles of bends counted as kBendCost, until the residual is `enough` or no step helps.
