@@ -1,52 +1,32 @@
 #include "base/geometry/edge_index.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+#include <iterator>
 #include <utility>
 
 namespace popup {
 namespace {
 
-constexpr std::size_t kGroup = 8;  // boxes of a group
-// A few segments are looked through faster than a tree is built.
-constexpr std::size_t kFew = 32;
+namespace bg = boost::geometry;
+using TreePoint = bg::model::d2::point_xy<double>;
+using TreeBox = bg::model::box<TreePoint>;
+using Entry = std::pair<TreeBox, int>;
 
-Box box_of(const Segment& s) {
+TreeBox box_of(const Segment& s) {
     return {{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)},
             {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
 }
 
-bool touch(const Box& a, const Box& b) {
-    return a.max.x >= b.min.x && a.min.x <= b.max.x && a.max.y >= b.min.y && a.min.y <= b.max.y;
-}
-
-// Which of 2^16 strips of equal width a coordinate lies in.
-std::uint32_t strip(double at, double low, double width) {
-    const double share = (at - low) / width * 65536.0;
-    if (!(share > 0.0)) return 0;
-    return share < 65535.0 ? static_cast<std::uint32_t>(share) : 65535U;
-}
-
-// Where a cell of a square of 2^16 by 2^16 comes on Hilbert's curve, which passes through neighbours one
-// after another.
-std::uint32_t on_hilbert_curve(std::uint32_t x, std::uint32_t y) {
-    std::uint32_t at = 0;
-    for (std::uint32_t side = 1U << 15U; side > 0; side >>= 1U) {
-        const bool right = (x & side) != 0;
-        const bool upper = (y & side) != 0;
-        at = 4U * at + (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
-        if (upper) continue;
-        if (right) {
-            x = ~x;
-            y = ~y;
-        }
-        std::swap(x, y);
-    }
-    return at;
-}
-
 }  // namespace
+
+struct EdgeIndex::Tree {
+    bg::index::rtree<Entry, bg::index::quadratic<16>> entries;
+};
 
 EdgeIndex::EdgeIndex(std::vector<Segment> boundary, std::span<const Segment> lines)
     : segments_(std::move(boundary)), state_(segments_.size(), State::boundary) {
@@ -56,118 +36,65 @@ EdgeIndex::EdgeIndex(std::vector<Segment> boundary, std::span<const Segment> lin
         box_.extend(s.a);
         box_.extend(s.b);
     }
-    grow_trees();
+    grow_tree();
 }
 
-EdgeIndex::Tree EdgeIndex::tree_of(std::size_t first, std::size_t last) const {
-    struct Entry {
-        std::uint32_t along;
-        int number;
-    };
+EdgeIndex::EdgeIndex(EdgeIndex&&) noexcept = default;
+EdgeIndex& EdgeIndex::operator=(EdgeIndex&&) noexcept = default;
+EdgeIndex::~EdgeIndex() = default;
+
+void EdgeIndex::grow_tree() {
+    // A few segments are looked through faster than a tree is built.
+    constexpr std::size_t kFew = 48;
+    if (tree_ || segments_.size() <= kFew) return;
     std::vector<Entry> entries;
-    entries.reserve(last - first);
-    const double width = std::max(box_.width(), box_.height());
-    for (std::size_t i = first; i < last; ++i) {
-        if (state_[i] == State::removed) continue;
-        const Vec2 middle = 0.5 * (segments_[i].a + segments_[i].b);
-        entries.push_back(
-            {on_hilbert_curve(strip(middle.x, box_.min.x, width), strip(middle.y, box_.min.y, width)),
-             static_cast<int>(i)});
+    entries.reserve(segments_.size());
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        if (state_[i] != State::removed) entries.emplace_back(box_of(segments_[i]), static_cast<int>(i));
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
-        return p.along != q.along ? p.along < q.along : p.number < q.number;
-    });
-    Tree tree{first, last, {}, {}, {0}};
-    tree.order.reserve(entries.size());
-    tree.boxes.reserve(entries.size() + entries.size() / (kGroup - 1) + 16);
-    for (const Entry& entry : entries) {
-        tree.order.push_back(entry.number);
-        tree.boxes.push_back(box_of((*this)[entry.number]));
-    }
-    tree.levels.push_back(tree.boxes.size());
-    for (std::size_t low = 0; tree.boxes.size() - low > kGroup; low = tree.levels[tree.levels.size() - 2]) {
-        const std::size_t high = tree.boxes.size();
-        for (std::size_t i = low; i < high; i += kGroup) {
-            Box group = tree.boxes[i];
-            for (std::size_t k = i + 1; k < std::min(i + kGroup, high); ++k) {
-                group.extend(tree.boxes[k].min);
-                group.extend(tree.boxes[k].max);
-            }
-            tree.boxes.push_back(group);
-        }
-        tree.levels.push_back(tree.boxes.size());
-    }
-    return tree;
-}
-
-// Trees of at most half the size of the one before them: their number stays that of the doublings, and each
-// segment is put into another tree as seldom.
-void EdgeIndex::grow_trees() {
-    if (segments_.size() - in_trees_ <= kFew) return;
-    std::size_t first = in_trees_;
-    while (!trees_.empty() && trees_.back().last - trees_.back().first < 2 * (segments_.size() - first)) {
-        first = trees_.back().first;
-        trees_.pop_back();
-    }
-    trees_.push_back(tree_of(first, segments_.size()));
-    in_trees_ = segments_.size();
+    tree_ = std::make_unique<Tree>();
+    tree_->entries = decltype(tree_->entries)(entries);  // bulk loading packs the tree
 }
 
 void EdgeIndex::insert(const Segment& segment, bool boundary) {
+    if (tree_) tree_->entries.insert({box_of(segment), size()});
     segments_.push_back(segment);
     state_.push_back(boundary ? State::boundary : State::line);
     box_.extend(segment.a);
     box_.extend(segment.b);
-    grow_trees();
+    grow_tree();
 }
 
-void EdgeIndex::remove(int number) { state_[static_cast<std::size_t>(number)] = State::removed; }
-
-template <class Use>
-void EdgeIndex::visit(const Box& box, const Use& use) const {
-    struct Group {
-        std::size_t level, from;
-    };
-    // A group leaves at most kGroup - 1 others waiting on each of the few levels that 2^31 segments have.
-    std::array<Group, kGroup * 12> waiting;
-    for (const Tree& tree : trees_) {
-        std::size_t open = 0;
-        const std::size_t top = tree.levels.size() - 2;
-        waiting[open++] = {top, tree.levels[top]};
-        while (open > 0) {
-            const auto [level, from] = waiting[--open];
-            const std::size_t to = std::min(from + kGroup, tree.levels[level + 1]);
-            for (std::size_t i = from; i < to; ++i) {
-                if (!touch(tree.boxes[i], box)) continue;
-                if (level > 0) {
-                    waiting[open++] = {level - 1, tree.levels[level - 1] + kGroup * (i - tree.levels[level])};
-                } else if (state_[static_cast<std::size_t>(tree.order[i])] != State::removed &&
-                           !use(tree.order[i])) {
-                    return;
-                }
-            }
-        }
-    }
-    for (std::size_t i = in_trees_; i < segments_.size(); ++i) {
-        if (state_[i] != State::removed && touch(box_of(segments_[i]), box) && !use(static_cast<int>(i)))
-            return;
-    }
+void EdgeIndex::remove(int number) {
+    state_[static_cast<std::size_t>(number)] = State::removed;
+    if (tree_) tree_->entries.remove(Entry{box_of((*this)[number]), number});
 }
 
 void EdgeIndex::query(const Box& box, std::vector<int>& found) const {
     found.clear();
     if (box.empty()) return;
-    visit(box, [&found](int number) {
-        found.push_back(number);
-        return true;
-    });
-    if (!trees_.empty()) std::sort(found.begin(), found.end());
+    if (tree_) {
+        const TreeBox window{{box.min.x, box.min.y}, {box.max.x, box.max.y}};
+        tree_->entries.query(bg::index::intersects(window),
+                             boost::make_function_output_iterator(
+                                 [&found](const Entry& entry) { found.push_back(entry.second); }));
+        std::sort(found.begin(), found.end());
+        return;
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const Segment& s = segments_[i];
+        if (state_[i] != State::removed && std::max(s.a.x, s.b.x) >= box.min.x &&
+            std::min(s.a.x, s.b.x) <= box.max.x && std::max(s.a.y, s.b.y) >= box.min.y &&
+            std::min(s.a.y, s.b.y) <= box.max.y) {
+            found.push_back(static_cast<int>(i));
+        }
+    }
 }
 
 double EdgeIndex::clearance(Vec2 p, double limit) const {
     std::vector<int> found;
     // Without a tree every question costs a look at all segments: ask once.
-    for (double radius = trees_.empty() ? limit : limit / 16.0;; radius = std::min(2.0 * radius, limit)) {
+    for (double radius = tree_ ? limit / 16.0 : limit;; radius = std::min(2.0 * radius, limit)) {
         query({p - Vec2{radius, radius}, p + Vec2{radius, radius}}, found);
         double best = limit;
         for (const int number : found) best = std::min(best, distance(p, (*this)[number]));
@@ -176,31 +103,36 @@ double EdgeIndex::clearance(Vec2 p, double limit) const {
 }
 
 bool EdgeIndex::is_within(Vec2 p, double limit) const {
-    bool within = false;
-    visit({p - Vec2{limit, limit}, p + Vec2{limit, limit}}, [&](int number) {
-        within = distance(p, (*this)[number]) < limit;
-        return !within;
-    });
-    return within;
+    if (tree_) {
+        const TreeBox window{{p.x - limit, p.y - limit}, {p.x + limit, p.y + limit}};
+        const auto is_near = [&](const Entry& entry) { return distance(p, (*this)[entry.second]) < limit; };
+        return std::any_of(tree_->entries.qbegin(bg::index::intersects(window)), tree_->entries.qend(),
+                           is_near);
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        if (state_[i] != State::removed && distance(p, segments_[i]) < limit) return true;
+    }
+    return false;
 }
 
 int EdgeIndex::winding(Vec2 p) const {
     if (box_.empty()) return 0;
     // The ray runs across the drawing's shorter side, so that rows and columns of small parts stay cheap.
     const bool across = box_.width() > box_.height();
-    const Box ahead = across ? Box{{p.x, p.y}, {p.x, std::max(p.y, box_.max.y)}}
-                             : Box{{p.x, p.y}, {std::max(p.x, box_.max.x), p.y}};
+    std::vector<int> found;
+    query(across ? Box{{p.x, p.y}, {p.x, std::max(p.y, box_.max.y)}}
+                 : Box{{p.x, p.y}, {std::max(p.x, box_.max.x), p.y}},
+          found);
     int turns = 0;
-    visit(ahead, [&](int number) {
-        if (state_[static_cast<std::size_t>(number)] != State::boundary) return true;
+    for (const int number : found) {
+        if (state_[static_cast<std::size_t>(number)] != State::boundary) continue;
         const Segment& s = (*this)[number];
         const double side = cross(s.b - s.a, p - s.a);
         const bool a_below = across ? s.a.x >= p.x : s.a.y <= p.y;
         const bool b_below = across ? s.b.x >= p.x : s.b.y <= p.y;
         if (a_below && !b_below && side > 0.0) ++turns;
         if (!a_below && b_below && side < 0.0) --turns;
-        return true;
-    });
+    }
     return turns;
 }
 

@@ -1,6 +1,7 @@
 // Segments found by where they are: what keeps "every edge near this one" from looking at every edge.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -9,22 +10,18 @@
 namespace popup {
 
 // Holds segments; they are known by their number, in the order they were put in. Answers are in ascending
-// order and do not depend on how the index is built. Movable, not copyable. Cost: n log n to build, whether
-// at once or one by one; a question looks at little more than what it finds.
+// order and do not depend on how the index is built. Movable, not copyable.
 class EdgeIndex {
  public:
     // `boundary` are edges of closed rings, which count for winding(); `lines`, numbered after them, are not.
     explicit EdgeIndex(std::vector<Segment> boundary = {}, std::span<const Segment> lines = {});
-    EdgeIndex(const EdgeIndex&) = delete;
-    EdgeIndex(EdgeIndex&&) noexcept = default;
-    EdgeIndex& operator=(const EdgeIndex&) = delete;
-    EdgeIndex& operator=(EdgeIndex&&) noexcept = default;
-    ~EdgeIndex() = default;
+    EdgeIndex(EdgeIndex&&) noexcept;
+    EdgeIndex& operator=(EdgeIndex&&) noexcept;
+    ~EdgeIndex();
 
     // Adds one segment. `boundary`: it is an edge of a closed ring, all of whose edges are put in.
     void insert(const Segment& segment, bool boundary);
-    // Takes one segment out of all later answers. Its number is not used again. Questions near it still pass
-    // by it.
+    // Takes one segment out of all later answers. Its number is not used again.
     void remove(int number);
 
     [[nodiscard]] const Segment& operator[](int number) const {
@@ -44,24 +41,12 @@ class EdgeIndex {
 
  private:
     enum class State : char { line, boundary, removed };
-    // Boxes of segments that follow one another, and boxes round groups of these, level upon level.
-    struct Tree {
-        std::size_t first = 0, last = 0;  // the segments: [first, last)
-        std::vector<int> order;           // their numbers: neighbours in the plane, mostly, stand together
-        std::vector<Box> boxes;           // of the segments in this order, then of the groups of each level
-        std::vector<std::size_t> levels;  // where each level begins in `boxes`, and where the last one ends
-    };
-    [[nodiscard]] Tree tree_of(std::size_t first, std::size_t last) const;
-    void grow_trees();
-    // Gives `use` the numbers of segments whose boxes touch the box, in no stated order, until it gives
-    // false.
-    template <class Use>
-    void visit(const Box& box, const Use& use) const;
+    struct Tree;
+    void grow_tree();
 
     std::vector<Segment> segments_;
     std::vector<State> state_;
-    std::vector<Tree> trees_;  // of all but the last few segments, each of less than half of those before it
-    std::size_t in_trees_ = 0;
+    std::unique_ptr<Tree> tree_;  // none while there are only a few
     Box box_;
 };
 
