@@ -218,9 +218,11 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
 bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics) {
     return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
         if (one.design || !one.assembly) return true;
-        const Read what = moves(*one.assembly)       ? Read::assembly
-                          : has_model(*one.assembly) ? Read::standing_parts
-                                                     : Read::parts;
+        // A sheet that lies folded has all that a moving one has, but other poses.
+        const bool is_sheet = has_model(*one.assembly) && !one.assembly->hinges.empty();
+        const Read what = moves(*one.assembly) || is_sheet ? Read::assembly
+                          : has_model(*one.assembly)       ? Read::standing_parts
+                                                           : Read::parts;
         return can_be_made_of(what, one.source.name, plan, diagnostics);
     });
 }
@@ -235,6 +237,12 @@ std::string outputs_of_parts(bool has_model) {
 void refuse_definitions(Compilation& run) {
     for (CompiledDesign& one : run.designs) {
         if (one.design || one.assembly || one.diagnostics.has_errors()) continue;
+        if (one.creases) {
+            one.diagnostics
+                .error("unwritable-output", {}, "the sheet does not fold flat, so there is nothing to write")
+                .hint("without --flat it is folded as far as its panels let it");
+            continue;
+        }
         one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
             .hint("call them at its end, or load() it from a program that does");
     }

@@ -101,6 +101,12 @@ struct GluedArea {
     Place place;  // of the element
 };
 
+// Two plates that lie flat on each other where they stand: on which side of `base` `plate` lies.
+struct PlateOrder {
+    int plate = 0, base = 0;
+    bool on_front = true;
+};
+
 // The openings that a motion goes through, and how it begins.
 struct Sweep {
     double from_deg = 0.0;  // 0: closed
@@ -133,6 +139,9 @@ struct Assembly {
     // The plates that are the card: nothing may stick out of them when it is closed. Left to right, those on
     // the left first; empty: nothing covers it.
     std::vector<int> covers;
+    // Of plates that stand still, in any order: which lies on which, where that is known; a pair at most
+    // once.
+    std::vector<PlateOrder> layers;
     std::vector<Trace> traces;  // at most one a piece, in the order of the pieces, then those of none
     CurveTable curves = {};     // that chords of all pieces stand for
 };

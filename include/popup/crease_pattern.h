@@ -89,7 +89,7 @@ struct FoldOptions {
     // the sheet's longer side if that is more, for on large sheets lines are drawn more coarsely.
     std::optional<double> snap_mm = {};
     double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
-    bool flat = false;         // compile(): ask fold_flat() in place of folding the sheet
+    bool flat = false;         // fold_sheet() gives the sheet as fold_flat() finds it to lie, standing still
     double closure_mm = 1e-7;  // loops of a folded sheet are closed to this; > 0
 };
 

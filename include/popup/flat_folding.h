@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "popup/assembly.h"
 #include "popup/crease_pattern.h"
 #include "popup/diagnostics.h"
 
@@ -18,6 +19,10 @@ struct FlatFolding {
     std::size_t panels = 0;
     std::size_t overlaps = 0;  // pairs of panels that lie on each other
     std::size_t layers = 0;    // the most panels on one place
+    // The sheet as it lies: plates stand in the plane z = 0, the largest of each piece where it is drawn.
+    // Assembly::layers has all pairs that lie on each other. Folds are the mountains and valleys that the
+    // order makes them, by half a turn.
+    Assembly assembly;
 };
 
 // Looks for the flat state of a crease pattern, whatever angles it asks for, and for an order of its layers.
@@ -30,8 +35,9 @@ struct FlatFolding {
 // not meet again around a hole), `flat-order` (no order of the layers; with panels that have none among
 // themselves), `flat-undecided` (too much to look at). nullopt if anything but the last is told, or the lines
 // are no sheet. The last has no order and is no proof of none. A sheet that folds flat is told of as a
-// remark, `folds-flat`. Cost: near linear in the lines that the panels' edges make where they lie; at most
-// cubic in the panels that lie on one place; the search stops after some seconds.
+// remark, `folds-flat`; corners that were moved are told as `corners-refined`. Cost: near linear in the lines
+// that the panels' edges make where they lie; at most cubic in the panels that lie on one place; the search
+// stops after some seconds.
 std::optional<FlatFolding> fold_flat(const CreasePattern& pattern, const FoldOptions& options,
                                      Diagnostics& diagnostics);
 

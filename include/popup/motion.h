@@ -145,9 +145,11 @@ bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 // at once do. Each of n steps takes an nth of the sweep, so that what stands at 0° and at 180° stays as it
 // is. Plates that cross in the end cross in any order, and are left to simulate(), as is what could not be
 // put in one. Remark: `folds-in-order`. Nothing is done where all may go at once, where panels bend, for
-// other than folded sheets, and where there are more than 64 parts that could go on their own. Cost: that of
+// other than folded sheets, and where there are more than 64 parts that could go on their own; then false.
+// `at_once`: what examine() found when all of them go at once; null: that is found out here. Cost: that of
 // some examinations a part.
-void order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics);
+bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
+                 const Examination* at_once = nullptr);
 
 // Horizon-line correction (Glassner, "Interactive Pop-up Card Design", section 8): seen along the base of the
 // open card, the horizon of a picture is straight and parallel to the base, whatever plates it runs over.
@@ -214,5 +216,10 @@ std::vector<FreePlates> free_plates(const Assembly& assembly);
 // held against the design, and nothing is examined. Cost: angles × plates, and that of examine().
 std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
                                Diagnostics& diagnostics);
+
+// The same of a folded sheet, whose folds are put in an order where they cannot all go at once, as
+// order_folds() says. Cost: where they can, that of simulate().
+std::optional<Motion> simulate_sheet(Assembly& assembly, const MotionOptions& options,
+                                     Diagnostics& diagnostics);
 
 }  // namespace popup

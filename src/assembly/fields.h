@@ -165,6 +165,13 @@ void fields(Self& sweep, To& to) {
     to.flag_if_set("bends", sweep.bends);
 }
 
+template <Of<PlateOrder> Self, typename To>
+void fields(Self& order, To& to) {
+    to.plate("plate", order.plate);
+    to.plate("base", order.base);
+    to.flag("on_front", order.on_front);
+}
+
 template <Of<Trace> Self, typename To>
 void fields(Self& trace, To& to) {
     to.text("name", trace.name);
@@ -192,6 +199,7 @@ void fields(Self& assembly, To& to) {
     to.object("sweep", [&](auto& inside) { fields(assembly.sweep, inside); });
     to.plates("covers", assembly.covers);
     to.list_if_any("glued_areas", assembly.glued_areas);
+    to.list_if_any("layers", assembly.layers);
     to.list_if_any("traces", assembly.traces);
     to.curves_if_any("curves", assembly.curves);
 }

@@ -25,9 +25,6 @@ CLI::App* add_check(CLI::App& app, Options& options) {
     add_judge_options(*verb, options);
     add_config_options(*verb, options);
     add_thread_option(*verb, options);
-    verb->add_flag("--flat", options.compile.fold.flat,
-                   "ask of sheets whether they fold flat, not how they move")
-        ->group("Drawings");
     verb->footer(
         "Examples:\n"
         "  popupc check designs/\n"

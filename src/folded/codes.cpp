@@ -96,9 +96,10 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "and found "
      "an order of all that lie on one another, in which no panel passes through another or through a fold. "
      "The message "
-     "says how many panels there are and how many lie on one place at most. Whether the sheet gets there "
-     "without "
-     "bending is another question, and answered without --flat."},
+     "says how many panels there are and how many lie on one place at most. A build writes the sheet as it "
+     "lies, "
+     "and into FOLD files the order, as faceOrders. Whether the sheet gets there without bending is another "
+     "question, and answered without --flat."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "

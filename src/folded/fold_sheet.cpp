@@ -9,10 +9,12 @@
 #include "assembly/settle.h"
 #include "base/nth.h"
 #include "folded/bend.h"
+#include "folded/lower.h"
 #include "folded/path.h"
 #include "folded/refine.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
+#include "popup/flat_folding.h"
 
 namespace popup {
 namespace {
@@ -35,55 +37,6 @@ constexpr double kStaysFlat = 0.01;
 constexpr double kNearlyThere = 0.998;
 // On large sheets corners may be moved by this share of the sheet.
 constexpr double kRefineShare = 1e-3;
-// Corners that move by no more are not told of, mm.
-constexpr double kToldMm = 1e-4;
-
-// How panels hang on one another: breadth first, from the largest of each piece.
-struct Tree {
-    std::vector<int> order;     // panels, each after the one that it hangs on
-    std::vector<int> fold_of;   // by panel: the fold that it hangs on; -1: it stands still
-    std::vector<int> plate_of;  // by panel: its place in `order`
-};
-
-Tree make_tree(const Sheet& sheet) {
-    const std::size_t count = sheet.panels.size();
-    std::vector<std::vector<int>> folds(count);
-    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
-        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
-        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
-    }
-    std::vector<int> root(sheet.cuts.size(), -1);
-    std::vector<double> largest(sheet.cuts.size(), 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double own = area(sheet.outline_of(sheet.panels[i]));
-        const int piece = sheet.panels[i].piece;
-        // Areas that are equal but for rounding: the first counts.
-        if (nth(root, piece) >= 0 && own <= nth(largest, piece) * (1.0 + 1e-9)) continue;
-        nth(root, piece) = static_cast<int>(i);
-        nth(largest, piece) = own;
-    }
-    Tree tree;
-    tree.fold_of.assign(count, -1);
-    tree.plate_of.assign(count, -1);
-    for (const int first : root) {
-        if (first < 0) continue;
-        std::size_t done = tree.order.size();
-        nth(tree.plate_of, first) = static_cast<int>(tree.order.size());
-        tree.order.push_back(first);
-        for (; done < tree.order.size(); ++done) {
-            const int panel = tree.order[done];
-            for (const int number : nth(folds, panel)) {
-                const Fold& fold = nth(sheet.folds, number);
-                const int other = fold.left == panel ? fold.right : fold.left;
-                if (nth(tree.plate_of, other) >= 0) continue;
-                nth(tree.plate_of, other) = static_cast<int>(tree.order.size());
-                nth(tree.fold_of, other) = number;
-                tree.order.push_back(other);
-            }
-        }
-    }
-    return tree;
-}
 
 double degrees(double radians) { return radians * 180.0 / kPi; }
 
@@ -126,12 +79,11 @@ class Lowering {
           sheet_(sheet),
           paths_(paths),
           diagnostics_(diagnostics),
-          tree_(make_tree(sheet)),
-          reached_(to) {}
+          tree_(folded::make_tree(sheet)),
+          reached_(to),
+          out_(folded::assembly_of_panels(pattern, sheet, tree_)) {}
 
     Assembly run() {
-        out_.file = pattern_.file;
-        out_.stem = pattern_.stem;
         for (const folded::Cluster& cluster : paths_.clusters) {
             if (cluster.reached >= 1.0) continue;
             if (cluster.reached < kNearlyThere && cluster.worst_loop >= 0 && !sheet_.bends())
@@ -139,8 +91,7 @@ class Lowering {
             // What cannot be folded stays flat, and holds nothing else up.
             if (cluster.reached > 0.0) reached_ = std::min(reached_, cluster.reached);
         }
-        add_pieces();
-        add_plates();
+        for (std::size_t i = 0; i < out_.plates.size(); ++i) add_joint(static_cast<int>(i));
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) add_fold(static_cast<int>(i));
         tell_other_ways();
         tell_flat_folds();
@@ -153,32 +104,6 @@ class Lowering {
     }
 
  private:
-    void add_pieces() {
-        for (std::size_t i = 0; i < sheet_.cuts.size(); ++i) {
-            Piece piece;
-            piece.name = sheet_.cuts.size() == 1 ? "sheet" : fmt::format("sheet-{}", i + 1);
-            out_.pieces.push_back(std::move(piece));
-            for (const folded::Stretch cut : sheet_.cuts[i])
-                out_.lines.push_back({LineKind::cut, sheet_.segment(cut), static_cast<int>(i), -1, -1});
-        }
-    }
-
-    void add_plates() {
-        std::vector<int> numbers(out_.pieces.size(), 0);
-        for (std::size_t i = 0; i < tree_.order.size(); ++i) {
-            const int panel = tree_.order[i];
-            const folded::Panel& from = nth(sheet_.panels, panel);
-            Plate plate;
-            plate.piece = from.piece;
-            plate.name = fmt::format("{}/{}", nth(out_.pieces, from.piece).name, ++nth(numbers, from.piece));
-            plate.outline = sheet_.outline_of(from);
-            plate.uncut = plate.outline.outer;
-            nth(out_.pieces, from.piece).plates.push_back(static_cast<int>(i));
-            out_.plates.push_back(std::move(plate));
-        }
-        for (std::size_t i = 0; i < tree_.order.size(); ++i) add_joint(static_cast<int>(i));
-    }
-
     void add_joint(int plate) {
         const int panel = nth(tree_.order, plate);
         const int number = nth(tree_.fold_of, panel);
@@ -307,7 +232,7 @@ class Lowering {
     const Sheet& sheet_;
     const Paths& paths_;
     Diagnostics& diagnostics_;
-    Tree tree_;
+    folded::Tree tree_;
     double reached_;  // where the sweep ends
     Assembly out_;
 };
@@ -347,21 +272,15 @@ bool is_sound(const Paths& paths) {
                         [](const folded::Cluster& one) { return one.other_way || !one.all_fold; });
 }
 
-void tell(const folded::Refined& refined, const CreasePattern& pattern, const Sheet& sheet,
-          Diagnostics& diagnostics) {
-    if (refined.most_mm <= kToldMm) return;
-    diagnostics
-        .remark(
-            "corners-refined", {},
-            fmt::format("{} corners were moved so that the folds close, by {:.2g} mm at most, at {}",
-                        refined.moved, refined.most_mm, shown_point(pattern.ruler, sheet.at(refined.corner))))
-        .hint("a drawing with more decimals needs none of it");
-}
-
 }  // namespace
 
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics) {
+    if (options.flat) {
+        std::optional<FlatFolding> flat = fold_flat(pattern, options, diagnostics);
+        if (!flat) return std::nullopt;
+        return std::move(flat->assembly);
+    }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;
     std::optional<Sheet> sheet = drawn;
@@ -371,7 +290,7 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
     const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
     const auto refine_whole = [&] {
         if (const folded::Refined refined = folded::refine(*sheet, paths, most_mm); refined.closes) {
-            tell(refined, pattern, *sheet, diagnostics);
+            folded::tell(refined, pattern, *sheet, diagnostics);
             paths = folded::find_paths(*sheet, path);
         }
     };
@@ -382,7 +301,7 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
         if (refined.closes && is_sound(straight_on)) {
             sheet = std::move(straight);
             paths = std::move(straight_on);
-            tell(refined, pattern, *sheet, diagnostics);
+            folded::tell(refined, pattern, *sheet, diagnostics);
         } else {
             refine_whole();
         }

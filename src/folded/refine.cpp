@@ -1,5 +1,7 @@
 #include "folded/refine.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -19,6 +21,8 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
+// Corners that move by no more are not told of.
+constexpr double kToldMm = 1e-4;
 // Shares at which all loops are closed; the second set is for sheets that fold only a part of the way.
 constexpr std::array kShares{0.1, 0.25, 0.45, 0.7, 0.92, 1.0};
 constexpr std::array kFirstShares{0.04, 0.1, 0.2};
@@ -355,6 +359,17 @@ bool has_bent_folds(const Sheet& sheet) {
         }
     }
     return false;
+}
+
+void tell(const Refined& refined, const CreasePattern& pattern, const Sheet& sheet,
+          Diagnostics& diagnostics) {
+    if (refined.most_mm <= kToldMm) return;
+    diagnostics
+        .remark(
+            "corners-refined", {},
+            fmt::format("{} corners were moved so that the folds close, by {:.2g} mm at most, at {}",
+                        refined.moved, refined.most_mm, shown_point(pattern.ruler, sheet.at(refined.corner))))
+        .hint("a drawing with more decimals needs none of it");
 }
 
 }  // namespace popup::folded

@@ -26,6 +26,9 @@ struct Refined {
 // conditions at all those shares.
 Refined refine(Sheet& sheet, const Paths& paths, double most_mm);
 
+// The remark `corners-refined`, if any corner moved by more than 1e-4 mm. `sheet` has their new places.
+void tell(const Refined& refined, const CreasePattern& pattern, const Sheet& sheet, Diagnostics& diagnostics);
+
 // Gives the corners of a sheet new places.
 void move_corners(Sheet& sheet, std::vector<Vec2> corners);
 

@@ -56,10 +56,10 @@ class Order {
 
     // The steps, each with parts that go at once. Empty: all may go at once, or there is nothing to be put in
     // an order, or no order was found.
-    std::vector<std::vector<int>> run() {
+    std::vector<std::vector<int>> run(const Examination* at_once) {
         if (parts_.size() < 2 || parts_.size() > kMostParts) return {};
         set_all(Doing::moves);
-        if (is_clear()) return {};
+        if (at_once != nullptr ? shows_clear(*at_once) : is_clear()) return {};
         // What crosses in the end, as two flaps do that are drawn too long, crosses in any order.
         set_all(Doing::folded);
         look();
@@ -160,10 +160,11 @@ class Order {
         return poses_ <= kMostPoses;
     }
 
-    bool is_clear() {
-        if (!look()) return false;
-        return found_.undecided.empty() && found_.decided_up_to_deg >= kFlatDeg &&
-               std::all_of(found_.contacts.begin(), found_.contacts.end(), [this](const Contact& contact) {
+    bool is_clear() { return look() && shows_clear(found_); }
+
+    [[nodiscard]] bool shows_clear(const Examination& found) const {
+        return found.undecided.empty() && found.decided_up_to_deg >= kFlatDeg &&
+               std::all_of(found.contacts.begin(), found.contacts.end(), [this](const Contact& contact) {
                    return set_aside_.contains({contact.a, contact.b});
                });
     }
@@ -241,16 +242,17 @@ std::string names_of(const Assembly& assembly, const std::vector<Part>& parts, c
 
 }  // namespace
 
-void order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics) {
+bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
+                 const Examination* at_once) {
     const bool goes_all_the_way =
         std::all_of(assembly.joints.begin(), assembly.joints.end(), [](Joint& joint) {
             const Law* const law = law_of(joint);
             return law == nullptr || (law->front().x == 0.0 && law->back().x == kFlatDeg);
         });
-    if (assembly.sweep.bends || !goes_all_the_way) return;
+    if (assembly.sweep.bends || !goes_all_the_way) return false;
     Order order(assembly, options);
-    const std::vector<std::vector<int>> steps = order.run();
-    if (steps.empty()) return;
+    const std::vector<std::vector<int>> steps = order.run(at_once);
+    if (steps.empty()) return false;
     std::string told;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         for (const int part : steps[i]) {
@@ -268,6 +270,7 @@ void order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& 
         remark.hint(
             "for the panels of the first step no order was found in which none passes through another");
     }
+    return true;
 }
 
 }  // namespace popup

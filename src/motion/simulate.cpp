@@ -14,6 +14,8 @@
 namespace popup {
 namespace {
 
+constexpr double kFullOpeningDeg = 180.0;
+
 std::vector<Angle> default_angles(const Sweep& sweep) {
     std::vector<Angle> angles;
     for (int deg = 0; deg <= 180; deg += 5) angles.push_back(Angle::degrees(opening_at(sweep, deg)));
@@ -102,10 +104,9 @@ void add_witnesses(Motion& motion) {
     motion.angles.erase(std::unique(motion.angles.begin(), motion.angles.end()), motion.angles.end());
 }
 
-}  // namespace
-
-std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
-                               Diagnostics& diagnostics) {
+// `sheet`: the assembly, if its folds may be put in an order; null: they may not.
+std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const MotionOptions& options,
+                          Diagnostics& diagnostics) {
     Motion motion;
     motion.angles = options.angles.empty() ? default_angles(assembly.sweep)
                                            : angles_within(assembly.sweep, options.angles);
@@ -144,9 +145,29 @@ std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& op
     if (!options.examine || assembly.sweep.bends) return motion;
     const std::vector<PlateShape> shapes = plate_shapes(assembly);
     motion.examination = examine(assembly, judge.linkage, shapes, options);
+    if (sheet != nullptr) {
+        const Sweep& sweep = assembly.sweep;
+        const bool whole = sweep.from_deg == 0.0 && sweep.to_deg == kFullOpeningDeg;
+        if (order_folds(*sheet, options, diagnostics, whole ? &*motion.examination : nullptr))
+            return run(assembly, nullptr, options, diagnostics);
+    }
     report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
     add_witnesses(motion);
     return motion;
+}
+
+}  // namespace
+
+std::optional<Motion> simulate(const Assembly& assembly, const MotionOptions& options,
+                               Diagnostics& diagnostics) {
+    return run(assembly, nullptr, options, diagnostics);
+}
+
+std::optional<Motion> simulate_sheet(Assembly& assembly, const MotionOptions& options,
+                                     Diagnostics& diagnostics) {
+    const bool examined = options.examine && options.solver == Solver::closed_form;
+    if (!examined) order_folds(assembly, options, diagnostics);
+    return run(assembly, examined ? &assembly : nullptr, options, diagnostics);
 }
 
 }  // namespace popup

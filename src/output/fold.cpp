@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "base/text/numbers.h"
+#include "output/fold_json.h"
 #include "output/fold_mesh.h"
 #include "output/fold_sources.h"
 #include "output/poses.h"
@@ -22,7 +22,7 @@
 namespace popup {
 namespace {
 
-constexpr int kDecimals = 6;
+constexpr int kDecimals = FoldJson::kDecimals;
 constexpr double kPieceGapMm = 10.0;
 constexpr double kConvexMm = 2e-6;     // by so much a corner may point inwards and its face be convex
 constexpr double kNearFlatDeg = 1e-3;  // this near to 0° or 180° rounding may turn the sign of a fold angle
@@ -92,12 +92,23 @@ struct Card {
 };
 using Mesh = FoldMesh Card::*;
 
-// Places the plates of what moves; false: they do not get there, or nothing moves.
-bool place_at(Card& card, double angle_deg) {
+bool stands(const Assembly& assembly) {
+    return !moves(assembly) && std::all_of(assembly.plates.begin(), assembly.plates.end(),
+                                           [](const Plate& plate) { return plate.stands.has_value(); });
+}
+
+// Places the plates; false: they do not get there. What stands nobody knows where lies as it is drawn.
+bool place_at(Card& card, double angle_deg, Diagnostics& diagnostics) {
     const Assembly& assembly = *card.scene->assembly;
-    // Whether that place is reached is told of where it is asked for.
+    if (moves(assembly)) return place_card(assembly, angle_deg, card.frames, diagnostics);
+    std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
+                   [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
+    return true;
+}
+// Whether that place is reached is told of where it is asked for.
+bool place_at(Card& card, double angle_deg) {
     Diagnostics unheard;
-    return moves(assembly) && place_card(assembly, angle_deg, card.frames, unheard);
+    return place_at(card, angle_deg, unheard);
 }
 
 // Where it is folded as far as it goes.
@@ -138,7 +149,7 @@ std::vector<std::string> own_words(const CarriedKeys& carried, std::string_view 
     return words;
 }
 
-class FoldText {
+class FoldText : private FoldJson {
  public:
     FoldText(std::span<const SceneCard> scenes, FoldDialect dialect, Diagnostics& diagnostics)
         : diagnostics_(diagnostics) {
@@ -149,7 +160,7 @@ class FoldText {
             Card card{&scene, fold_mesh(assembly), {}, {}, {}};
             card.origins = laid_out(assembly, card.mesh, left);
             card.frames.resize(assembly.plates.size());
-            angles_known_ = place_last(card) && angles_known_;
+            angles_known_ = place_last(card) && (moves(assembly) || stands(assembly)) && angles_known_;
             if (!strict) {
                 std::replace(card.mesh.letter.begin(), card.mesh.letter.end(), 'J', 'F');
                 name_folds(card);
@@ -167,6 +178,9 @@ class FoldText {
             carried_ = &scenes.front().creases->carried;
         std::sort(angles_.begin(), angles_.end());
         angles_.erase(std::unique(angles_.begin(), angles_.end()), angles_.end());
+        still_ = std::all_of(scenes.begin(), scenes.end(),
+                             [](const SceneCard& scene) { return stands(*scene.assembly); });
+        if (still_) angles_ = {0.0};
     }
 
     std::optional<std::string> write() {
@@ -201,16 +215,15 @@ class FoldText {
         }
         tell_left_out();
         append("\n}\n");
-        return fmt::to_string(out_);
+        return text();
     }
 
  private:
     // --- the cards in the world
 
     bool place_all(double angle_deg) {
-        return std::all_of(cards_.begin(), cards_.end(), [&](Card& card) {
-            return place_card(*card.scene->assembly, angle_deg, card.frames, diagnostics_);
-        });
+        return std::all_of(cards_.begin(), cards_.end(),
+                           [&](Card& card) { return place_at(card, angle_deg, diagnostics_); });
     }
 
     static Vec3 folded(const Card& card, int corner) {
@@ -306,8 +319,7 @@ class FoldText {
 
     // The pattern again with its slits open, for folded frames to inherit.
     void write_cut_open() {
-        append("{");
-        first_ = true;
+        begin_object();
         text_key(3, "frame_title", "crease pattern, slits open");
         list_key(3, "frame_classes", {"creasePattern"});
         list_key(3, "frame_attributes", attributes(&Card::mesh, "2D"));
@@ -316,8 +328,7 @@ class FoldText {
         begin_key(3, "frame_inherit");
         append("true");
         write_pattern(&Card::mesh, 3);
-        append("\n    }");
-        first_ = false;
+        end_object(2);
     }
 
     void write_pattern(Mesh which, std::size_t depth) {
@@ -358,11 +369,12 @@ class FoldText {
     void write_edges(Mesh which, std::size_t depth) {
         begin_key(depth, "edges_vertices");
         begin_list();
+        std::vector<std::size_t> corners;
         each_edge(which, [&](const Card& card, int side, std::size_t vertex) {
             const FoldMesh& mesh = card.*which;
             next_row(depth + 1);
-            fmt::format_to(std::back_inserter(out_), "[{}, {}]", vertex + at(mesh.vertex[at(side)]),
-                           vertex + at(mesh.vertex[at(mesh.next(side))]));
+            corners = {vertex + at(mesh.vertex[at(side)]), vertex + at(mesh.vertex[at(mesh.next(side))])};
+            indices(corners);
         });
         end_rows(depth);
         begin_key(depth, "edges_assignment");
@@ -401,7 +413,7 @@ class FoldText {
             }
             for (const double angle : angles) {
                 next_item();
-                append_number(out_, angle, kDecimals);
+                number(angle);
             }
         }
         end_items();
@@ -411,16 +423,15 @@ class FoldText {
         begin_key(depth, "faces_vertices");
         begin_list();
         std::size_t vertex = 0;
+        std::vector<std::size_t> corners;
         for (const Card& card : cards_) {
             const FoldMesh& mesh = card.*which;
             for (std::size_t f = 0; f < mesh.face_plate.size(); ++f) {
                 next_row(depth + 1);
-                std::string_view before = "[";
-                for (std::size_t i = mesh.first[f]; i < mesh.first[f + 1]; ++i) {
-                    fmt::format_to(std::back_inserter(out_), "{}{}", before, vertex + at(mesh.vertex[i]));
-                    before = ", ";
-                }
-                append("]");
+                corners.clear();
+                for (std::size_t i = mesh.first[f]; i < mesh.first[f + 1]; ++i)
+                    corners.push_back(vertex + at(mesh.vertex[i]));
+                indices(corners);
             }
             vertex += mesh.vertex_corner.size();
         }
@@ -448,9 +459,9 @@ class FoldText {
     }
 
     void write_folded(double angle_deg, int parent) {
-        append("{");
-        first_ = true;
-        text_key(3, "frame_title", "open " + number_text(angle_deg, kDecimals) + "°");
+        begin_object();
+        text_key(3, "frame_title",
+                 still_ ? "as it stands" : "open " + number_text(angle_deg, kDecimals) + "°");
         list_key(3, "frame_classes", {"foldedForm"});
         std::vector<Vec3> places;
         places.reserve(vertices_);
@@ -467,8 +478,10 @@ class FoldText {
         append(fmt::format("{}", parent));
         begin_key(3, "frame_inherit");
         append("true");
-        begin_key(3, "popupc:angle_deg");
-        append_number(out_, angle_deg, kDecimals);
+        if (!still_) {
+            begin_key(3, "popupc:angle_deg");
+            number(angle_deg);
+        }
         begin_key(3, "vertices_coords");
         begin_list();
         for (const Vec3 p : places) {
@@ -477,8 +490,32 @@ class FoldText {
         }
         end_rows(3);
         write_fold_angles(&Card::mesh, 3, false);
-        append("\n    }");
-        first_ = false;
+        write_face_orders(3);
+        end_object(2);
+    }
+
+    void write_face_orders(std::size_t depth) {
+        if (std::all_of(cards_.begin(), cards_.end(),
+                        [](const Card& card) { return card.scene->assembly->layers.empty(); }))
+            return;
+        begin_key(depth, "faceOrders");
+        begin_list();
+        std::size_t face = 0;
+        for (const Card& card : cards_) {
+            const Assembly& assembly = *card.scene->assembly;
+            std::vector<std::vector<std::size_t>> faces(assembly.plates.size());
+            for (const int plate : card.mesh.face_plate) faces[at(plate)].push_back(face++);
+            for (const PlateOrder& order : assembly.layers) {
+                for (const std::size_t above : faces[at(order.plate)]) {
+                    for (const std::size_t base : faces[at(order.base)]) {
+                        next_row(depth + 1);
+                        numbers({static_cast<double>(above), static_cast<double>(base),
+                                 order.on_front ? 1.0 : -1.0});
+                    }
+                }
+            }
+        }
+        end_rows(depth);
     }
 
     // What the files that were read say and this one does not.
@@ -515,63 +552,6 @@ class FoldText {
         }
     }
 
-    // --- JSON
-
-    void append(std::string_view text) { out_.append(text.data(), text.data() + text.size()); }
-    void quoted(std::string_view text) {
-        append(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-    }
-    void next_item() {
-        if (!first_) append(", ");
-        first_ = false;
-    }
-    void next_row(std::size_t depth) {
-        if (!first_) append(",");
-        first_ = false;
-        append("\n");
-        append(std::string(2 * depth, ' '));
-    }
-    void begin_key(std::size_t depth, std::string_view key) {
-        next_row(depth);
-        quoted(key);
-        append(": ");
-    }
-    void begin_list() {
-        append("[");
-        first_ = true;
-    }
-    void end_items() {
-        append("]");
-        first_ = false;
-    }
-    void end_rows(std::size_t depth) {
-        append("\n");
-        append(std::string(2 * depth, ' '));
-        end_items();
-    }
-    void text_key(std::size_t depth, std::string_view key, std::string_view text) {
-        begin_key(depth, key);
-        quoted(text);
-    }
-    void list_key(std::size_t depth, std::string_view key, const std::vector<std::string_view>& texts) {
-        begin_key(depth, key);
-        begin_list();
-        for (const std::string_view text : texts) {
-            next_item();
-            quoted(text);
-        }
-        end_items();
-    }
-    void numbers(std::initializer_list<double> values) {
-        std::string_view before = "[";
-        for (const double value : values) {
-            append(before);
-            append_number(out_, value, kDecimals);
-            before = ", ";
-        }
-        append("]");
-    }
-
     Diagnostics& diagnostics_;
     std::vector<Card> cards_;
     std::vector<double> angles_;
@@ -579,10 +559,9 @@ class FoldText {
     Mesh key_mesh_ = &Card::mesh;  // of the key frame
     std::vector<std::string_view> folded_attributes_;
     bool angles_known_ = true;  // at the end of the motion
+    bool still_ = false;        // nothing moves, and it is known where it stands
     CarriedKeys none_carried_;
     const CarriedKeys* carried_ = &none_carried_;
-    fmt::memory_buffer out_;
-    bool first_ = false;  // nothing stands yet in the list or object that is open
 };
 
 }  // namespace

@@ -49,9 +49,12 @@ namespace popup {
 // frame_classes and frame_attributes those with a colon follow popupc's. Of several cards in one file none of
 // it is written. Remark: `fold-left-out`, of keys and frames of the file that are not.
 //
+// Of what stands still the last frame says how it stands, if that is known of all plates; of plates that lie
+// on one another with "faceOrders", if their order is known (Assembly::layers).
+//
 // Errors: `locks` where a linkage cannot reach an angle; `model-too-large` for files of more than about 2 GB.
-// Preconditions: at least one card; assemblies are present (motions may be missing), stills are not. Cost:
-// vertices × angles, and sorting.
+// Preconditions: at least one card; assemblies are present, motions may be missing. Cost: vertices × angles,
+// sorting, and pairs of layers.
 std::optional<std::string> write_fold(std::span<const SceneCard> cards, const OutputOptions& options,
                                       Diagnostics& diagnostics);
 

@@ -388,8 +388,9 @@ class SceneBuilder {
     void add_standing(const SceneCard& card, int root) {
         const Assembly& assembly = *card.assembly;
         auto trace = assembly.traces.begin();
+        const std::vector<Vec3> lifts = layer_lifts(assembly);
         for (std::size_t i = 0; i < assembly.pieces.size(); ++i) {
-            std::vector<SpaceMesh> meshes = standing_meshes(assembly, assembly.pieces[i]);
+            std::vector<SpaceMesh> meshes = standing_meshes(assembly, lifts, assembly.pieces[i]);
             const bool is_part = !meshes.empty();
             if (trace != assembly.traces.end() && trace->piece == static_cast<int>(i)) {
                 meshes.push_back(mesh_of((trace++)->lines, kTraceColor));

@@ -1,10 +1,16 @@
 #include "output/space_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "output/mesh.h"
 
 namespace popup {
+namespace {
+
+constexpr double kLayerMm = 0.1;  // a sheet of paper
+
+}  // namespace
 
 std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot) {
     const Affine& place = image.place;
@@ -18,7 +24,52 @@ std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points,
     return pixels;
 }
 
-std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& piece) {
+std::vector<Vec3> layer_lifts(const Assembly& assembly) {
+    const std::size_t count = assembly.plates.size();
+    std::vector<Vec3> lifts(count);
+    if (assembly.layers.empty()) return lifts;
+    const auto normal_of = [&](int plate) {
+        return assembly.plates[static_cast<std::size_t>(plate)].stands->normal();
+    };
+    const Vec3 up = normal_of(assembly.layers.front().base);
+    std::vector<std::vector<std::size_t>> above(count);  // by plate: those that lie on it
+    std::vector<int> below(count, 0);                    // by plate: how many it still waits for
+    for (const PlateOrder& order : assembly.layers) {
+        auto low = static_cast<std::size_t>(order.base);
+        auto high = static_cast<std::size_t>(order.plate);
+        if (order.on_front != (dot(normal_of(order.base), up) > 0.0)) std::swap(low, high);
+        above[low].push_back(high);
+        ++below[high];
+    }
+    std::vector<int> level(count, 0);
+    std::vector<char> done(count, 0);
+    std::vector<std::size_t> ready;
+    const auto drain = [&] {
+        while (!ready.empty()) {
+            const std::size_t plate = ready.back();
+            ready.pop_back();
+            if (std::exchange(done[plate], 1) != 0) continue;
+            lifts[plate] = static_cast<double>(level[plate]) * kLayerMm * up;
+            for (const std::size_t next : above[plate]) {
+                level[next] = std::max(level[next], level[plate] + 1);
+                if (--below[next] == 0) ready.push_back(next);
+            }
+        }
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        if (below[i] == 0) ready.push_back(i);
+    }
+    drain();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (done[i] != 0) continue;
+        ready.push_back(i);
+        drain();
+    }
+    return lifts;
+}
+
+std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const std::vector<Vec3>& lifts,
+                                       const Piece& piece) {
     std::vector<SpaceMesh> meshes;
     for (const int number : piece.plates) {
         const Plate& plate = assembly.plates.at(static_cast<std::size_t>(number));
@@ -33,7 +84,8 @@ std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const Piece& pi
                     meshes.insert(mesh, {part.color, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
             }
             const auto first = static_cast<std::uint32_t>(mesh->points.size());
-            const Vec3 lift = part.drawn ? part.lift_mm * plate.stands->normal() : Vec3{};
+            Vec3 lift = lifts[static_cast<std::size_t>(number)];
+            if (part.drawn) lift = lift + part.lift_mm * plate.stands->normal();
             if (part.image != nullptr) {
                 const std::vector<Vec2> pixels = pixels_at(*part.image, part.points, plate.pivot);
                 mesh->pixels.insert(mesh->pixels.end(), pixels.begin(), pixels.end());

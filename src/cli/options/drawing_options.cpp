@@ -66,6 +66,9 @@ void add_drawing_options(CLI::App& verb, Options& options) {
            group, [&fold](std::string_view text) { fold.fold_angles.push_back(read_fold_angle(text)); });
     value(verb, "--fold-to", "SHARE", "fold sheets to this share of their angles (default: 1)", group,
           [&fold](std::string_view text) { fold.to = number_option("--fold-to", text, 0.01, 1.0); });
+    verb.add_flag("--flat", fold.flat,
+                  "fold sheets flat, and look for an order of layers; nothing moves then")
+        ->group(group);
     value(verb, "--merge", "LENGTH",
           "corners of sheets this near are one (default: 0.002mm, more on large ones)", group,
           [&fold](std::string_view text) { fold.merge_mm = length_option("--merge", text, 1e-6).mm; });

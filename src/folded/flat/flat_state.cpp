@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <unordered_set>
 #include <utility>
 
+#include "assembly/settle.h"
 #include "base/geometry/edge_index.h"
 #include "base/geometry/sheet_graph.h"
 #include "base/geometry/triangulate.h"
@@ -261,54 +263,46 @@ class Overlay {
 
 }  // namespace
 
-FlatState lay_flat(const Sheet& sheet) {
+FlatState lay_flat(const Sheet& sheet, const Tree& tree) {
     const std::size_t count = sheet.panels.size();
-    std::vector<std::vector<int>> folds(count);
-    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
-        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
-        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
-    }
     FlatState state;
     state.front_up.assign(count, 1);
     std::vector<Placing> placings(count);
-    std::vector<char> placed(count, 0);
-    std::vector<int> order;
-    for (std::size_t first = 0; first < count; ++first) {
-        if (placed[first] != 0) continue;
-        placed[first] = 1;
-        std::size_t done = order.size();
-        order.push_back(static_cast<int>(first));
-        for (; done < order.size(); ++done) {
-            const int panel = order[done];
-            for (const int number : nth(folds, panel)) {
-                const Fold& fold = nth(sheet.folds, number);
-                const int other = fold.left == panel ? fold.right : fold.left;
-                const Segment line = sheet.line_of(fold);
-                const Placing there = nth(placings, panel).after_fold(line);
-                if (nth(placed, other) == 0) {
-                    nth(placed, other) = 1;
-                    nth(placings, other) = there;
-                    nth(state.front_up, other) = nth(state.front_up, panel) == 0 ? 1 : 0;
-                    order.push_back(other);
-                    continue;
-                }
-                for (const Vec2 end : {line.a, line.b}) {
-                    const double off = distance(there.point(end), nth(placings, other).point(end));
-                    const bool turned = nth(state.front_up, other) == nth(state.front_up, panel);
-                    const double counts = turned ? std::max(off, distance(line.a, line.b)) : off;
-                    if (counts <= state.off_mm) continue;
-                    state.off_mm = counts;
-                    state.off_fold = number;
-                }
-            }
+    for (const int panel : tree.order) {
+        const int number = nth(tree.fold_of, panel);
+        if (number < 0) continue;
+        const Fold& fold = nth(sheet.folds, number);
+        const int base = fold.left == panel ? fold.right : fold.left;
+        nth(placings, panel) = nth(placings, base).after_fold(sheet.line_of(fold));
+        nth(state.front_up, panel) = nth(state.front_up, base) == 0 ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+        const Fold& fold = sheet.folds[i];
+        const Segment line = sheet.line_of(fold);
+        const Placing there = nth(placings, fold.left).after_fold(line);
+        const bool turned = nth(state.front_up, fold.left) == nth(state.front_up, fold.right);
+        for (const Vec2 end : {line.a, line.b}) {
+            const double off = distance(there.point(end), nth(placings, fold.right).point(end));
+            const double counts = turned ? std::max(off, distance(line.a, line.b)) : off;
+            if (counts <= state.off_mm) continue;
+            state.off_mm = counts;
+            state.off_fold = static_cast<int>(i);
         }
+    }
+    state.frames.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Placing& placing = placings[i];
+        state.frames[i].axes = {Vec3{placing.x.x, placing.x.y, 0.0}, Vec3{placing.y.x, placing.y.y, 0.0},
+                                Vec3{0.0, 0.0, state.front_up[i] != 0 ? 1.0 : -1.0}};
+        state.frames[i].origin = {placing.shift.x, placing.shift.y, 0.0};
     }
     // By panel: across a cut, corners of the sheet have places of their own.
     const auto place_of = [&](int corner, int panel) { return nth(placings, panel).point(sheet.at(corner)); };
     state.outlines.resize(count);
-    for (const int panel : order) {
-        const Panel& from = nth(sheet.panels, panel);
-        Polygon& outline = nth(state.outlines, panel);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Panel& from = sheet.panels[i];
+        const int panel = static_cast<int>(i);
+        Polygon& outline = state.outlines[i];
         for (const int corner : from.outer) outline.outer.push_back(place_of(corner, panel));
         for (const std::vector<int>& hole : from.holes) {
             Ring& ring = outline.holes.emplace_back();
@@ -334,6 +328,33 @@ std::optional<Layers> order_conditions(const Sheet& sheet, const FlatState& stat
         if (!overlay.run(static_cast<int>(piece), layers_most)) return std::nullopt;
     }
     return layers;
+}
+
+Assembly stacked(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree, const FlatState& state,
+                 const Layers& layers, const Layers::Solution& found) {
+    Assembly out = assembly_of_panels(pattern, sheet, tree);
+    for (std::size_t i = 0; i < tree.order.size(); ++i)
+        out.plates[i].stands = nth(state.frames, tree.order[i]);
+    for (const Fold& fold : sheet.folds) {
+        const int left = nth(tree.plate_of, fold.left);
+        const int right = nth(tree.plate_of, fold.right);
+        bool valley = (fold.ink & kMountain) == 0;
+        if (const auto above = layers.is_above(found, fold.left, fold.right))
+            valley = *above == (nth(state.front_up, fold.right) != 0);
+        for (const Segment& stretch : sheet.stretches_of(fold)) {
+            out.hinges.push_back({left, right, stretch, stretch});
+            out.lines.push_back({valley ? LineKind::valley : LineKind::mountain, stretch,
+                                 nth(sheet.panels, fold.left).piece, left, right, std::numbers::pi});
+        }
+    }
+    for (std::size_t i = 0; i < layers.pairs(); ++i) {
+        auto [above, below] = layers.panels_of(static_cast<int>(i));
+        if (found.above[i] < 0) std::swap(above, below);
+        out.layers.push_back(
+            {nth(tree.plate_of, above), nth(tree.plate_of, below), nth(state.front_up, below) != 0});
+    }
+    settle_numbers(out);
+    return out;
 }
 
 }  // namespace popup::folded

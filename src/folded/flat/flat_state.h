@@ -4,13 +4,16 @@
 #include <vector>
 
 #include "folded/flat/layers.h"
+#include "folded/lower.h"
 #include "folded/sheet.h"
+#include "popup/assembly.h"
 
 namespace popup::folded {
 
-// Every fold of a piece folded by half a turn: all panels in the plane of its first.
+// Every fold of a piece folded by half a turn: all panels in the plane of its largest, which stays.
 struct FlatState {
     std::vector<char> front_up;               // by panel
+    std::vector<Frame> frames;                // by panel: where it lies in the plane z = 0
     std::vector<Polygon> outlines;            // by panel, where they lie
     std::vector<std::vector<Segment>> folds;  // by fold: where its stretches lie
     // Going around a loop must lead back. The loop that misses most, and by how much, mm; -1: there is none.
@@ -19,7 +22,7 @@ struct FlatState {
 };
 
 // Cost: linear in corners.
-FlatState lay_flat(const Sheet& sheet);
+FlatState lay_flat(const Sheet& sheet, const Tree& tree);
 
 // The conditions on the order of panels where they lie on each other: pieces by themselves. `near_mm` > 0:
 // what lies nearer than this in the flat state is one place. nullopt if there are more than `most`
@@ -28,5 +31,11 @@ FlatState lay_flat(const Sheet& sheet);
 // one place.
 std::optional<Layers> order_conditions(const Sheet& sheet, const FlatState& state, double near_mm,
                                        std::size_t most, std::size_t& layers_most);
+
+// The sheet as it lies folded flat: plates that stand in the plane z = 0, the largest panel of each piece
+// where it is drawn, with the order of `layers` that was found. A fold is the mountain or valley that the
+// order makes it.
+Assembly stacked(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree, const FlatState& state,
+                 const Layers& layers, const Layers::Solution& found);
 
 }  // namespace popup::folded

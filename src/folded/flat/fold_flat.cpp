@@ -25,6 +25,7 @@ constexpr double kOffDeg = 0.1;        // of Kawasaki's condition
 constexpr double kOnePlaceMm = 0.002;  // in the flat state one place
 constexpr double kNearShare = 2e-5;    // of the sheet's longer side
 constexpr double kOffShare = 5e-4;     // so far may panels miss each other: what a drawing rounds
+constexpr double kStraightenMm = 0.2;
 constexpr double kStraightenShare = 1e-3;
 constexpr std::size_t kMostConditions = 4'000'000;
 constexpr std::size_t kMostWork = 60'000'000;
@@ -41,8 +42,10 @@ class FlatCheck {
             if (loop.corner) look_at(loop);
         }
         if (wrong_ > 0) return std::nullopt;
-        folded::straighten(sheet_, std::max(0.2, kStraightenShare * size));
-        const folded::FlatState state = folded::lay_flat(sheet_);
+        const double straighten_mm = std::max(kStraightenMm, kStraightenShare * size);
+        const folded::Refined refined = folded::straighten(sheet_, straighten_mm);
+        const folded::Tree tree = folded::make_tree(sheet_);
+        const folded::FlatState state = folded::lay_flat(sheet_, tree);
         const double near = std::max({kOnePlaceMm, kNearShare * size, 2.0 * state.off_mm});
         if (state.off_mm > std::max(kOnePlaceMm, kOffShare * size)) {
             const Fold& fold = nth(sheet_.folds, state.off_fold);
@@ -68,6 +71,8 @@ class FlatCheck {
                                     fmt::format("the sheet folds flat: {} panels in up to {} layers, with an "
                                                 "order for all {} pairs that lie on each other",
                                                 result.panels, result.layers, result.overlaps));
+                if (refined.closes) folded::tell(refined, pattern_, sheet_, diagnostics_);
+                result.assembly = folded::stacked(pattern_, sheet_, tree, state, *layers, solution);
                 return result;
             case folded::Layers::Solution::none:
                 tell_panels(solution.panels);

@@ -54,6 +54,12 @@ void Layers::add(Kind kind, const std::array<std::optional<Literal>, 4>& of) {
     conditions_.push_back(condition);
 }
 
+std::optional<bool> Layers::is_above(const Solution& found, int a, int b) const {
+    const std::optional<Literal> one = literal(a, b);
+    if (!one) return std::nullopt;
+    return found.above[static_cast<std::size_t>(one->pair)] == one->sign;
+}
+
 void Layers::lies_above(int a, int b) { add(Kind::fixed, {literal(a, b)}); }
 void Layers::not_between(int a, int b, int c) { add(Kind::equal, {literal(a, c), literal(b, c)}); }
 void Layers::not_interleaved(int a, int b, int c, int d) {

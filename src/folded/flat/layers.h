@@ -40,6 +40,8 @@ class Layers {
     // An order, or that there is none. `most_work`: looks at conditions, after which it is undecided; above
     // 0.
     [[nodiscard]] Solution solve(std::size_t most_work) const;
+    // Whether a lies above b in what was found; nullopt if they are no pair.
+    [[nodiscard]] std::optional<bool> is_above(const Solution& found, int a, int b) const;
 
  private:
     friend class LayerSearch;

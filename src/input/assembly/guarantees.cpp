@@ -40,6 +40,7 @@ class Examiner {
         each(in_.hinges, [&](std::size_t i, const Hinge& hinge) { check(i, hinge); });
         each(in_.glue, [&](std::size_t i, const Glue& glue) { check(i, glue); });
         each(in_.glued_areas, [&](std::size_t i, const GluedArea& area) { check(i, area); });
+        each(in_.layers, [&](std::size_t i, const PlateOrder& order) { check(i, order); });
         every_seam_has_glue();
         joints();
         whole();
@@ -308,6 +309,20 @@ class Examiner {
         });
     }
 
+    void check(std::size_t number, const PlateOrder& order) {
+        const auto say = [&](std::string_view what) {
+            fault(Of::layer, number,
+                  fmt::format("of plates that lie on each other, {} and {} {}", plate_name(order.plate),
+                              plate_name(order.base), what));
+        };
+        const auto stands = [this](int plate) {
+            return in_.plates[static_cast<std::size_t>(plate)].stands.has_value();
+        };
+        if (order.plate == order.base) return say("are one plate");
+        if (!stands(order.plate) || !stands(order.base)) return say("do not both stand still");
+        if (!ordered_.insert(std::minmax(order.plate, order.base)).second) say("are named twice");
+    }
+
     void whole() {
         const Sweep& sweep = in_.sweep;
         if (!(sweep.from_deg >= 0.0 && sweep.from_deg < sweep.to_deg && sweep.to_deg <= kFullTurn))
@@ -345,6 +360,7 @@ class Examiner {
 
     const Assembly& in_;
     Work work_;
+    std::set<std::pair<int, int>> ordered_;
     std::vector<AssemblyFault> faults_;
 };
 

@@ -13,7 +13,7 @@ namespace popup {
 
 // A part of an assembly that breaks a guarantee.
 struct AssemblyFault {
-    enum class Of { assembly, piece, plate, line, hinge, glue, glued_area, joint };
+    enum class Of { assembly, piece, plate, line, hinge, glue, glued_area, joint, layer };
     Of part = Of::assembly;
     std::size_t number = 0;  // in its list; nothing of the assembly itself
     std::string what;        // one sentence with its numbers; names the part

@@ -421,8 +421,8 @@ void learn_pictures(const JsonValue& root, Context& context) {
 const JsonValue& part_of(const JsonValue& root, const AssemblyFault& fault) {
     using Of = AssemblyFault::Of;
     static const std::map<Of, std::string_view> lists{
-        {Of::piece, "pieces"}, {Of::plate, "plates"},           {Of::line, "lines"},  {Of::hinge, "hinges"},
-        {Of::glue, "glue"},    {Of::glued_area, "glued_areas"}, {Of::joint, "joints"}};
+        {Of::piece, "pieces"}, {Of::plate, "plates"},           {Of::line, "lines"},   {Of::hinge, "hinges"},
+        {Of::glue, "glue"},    {Of::glued_area, "glued_areas"}, {Of::joint, "joints"}, {Of::layer, "layers"}};
     const auto list = lists.find(fault.part);
     const JsonValue* all = list == lists.end() ? nullptr : root.member(list->second);
     if (all == nullptr || all->list() == nullptr || fault.number >= all->list()->size()) return root;

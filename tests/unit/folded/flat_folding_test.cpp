@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -195,6 +196,131 @@ TEST(FlatFolding, FoldsMapsAndMiuraSheets) {
     const Answer sheet = ask(test::miura(7, 6, 12.0, 15.0, 0.35));
     EXPECT_TRUE(sheet.flat) << sheet.told;
     EXPECT_GE(sheet.layers, 4U);
+}
+
+// ---- The order that was found, looked at where panels lie ----
+
+// The stack at a point, lowest first, by the pairs alone; empty if they are no order of what lies there.
+class Stack {
+ public:
+    explicit Stack(const Assembly& assembly) : assembly_(assembly) {
+        for (const PlateOrder& order : assembly.layers) {
+            const bool base_up = assembly.plates[index(order.base)].stands->normal().z > 0.0;
+            const bool above = order.on_front == base_up;
+            above_[{order.plate, order.base}] = above;
+            above_[{order.base, order.plate}] = !above;
+        }
+        for (const Plate& plate : assembly.plates) {
+            Ring& ring = outlines_.emplace_back();
+            for (const Vec2 p : plate.outline.outer) {
+                const Vec3 at = plate.stands->point(p);
+                EXPECT_EQ(at.z, 0.0);
+                ring.push_back({at.x, at.y});
+            }
+            if (signed_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+        }
+    }
+
+    // Of convex panels: 1 inside by `clear`, -1 outside by as much, else 0.
+    [[nodiscard]] int side(int plate, Vec2 p, double clear) const {
+        const Ring& ring = outlines_[index(plate)];
+        double least = 1e9;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 a = ring[i];
+            const Vec2 way = unit(ring[(i + 1) % ring.size()] - a);
+            least = std::min(least, cross(way, p - a));
+        }
+        return least > clear ? 1 : least < -clear ? -1 : 0;
+    }
+
+    [[nodiscard]] bool is_above(int a, int b) const { return above_.at({a, b}); }
+    [[nodiscard]] bool known(int a, int b) const { return above_.count({a, b}) != 0; }
+
+    // Whether those at a point are in an order: as many as lie below each are all different numbers.
+    [[nodiscard]] bool ordered(const std::vector<int>& plates) const {
+        std::vector<std::size_t> levels;
+        for (const int a : plates) {
+            std::size_t below = 0;
+            for (const int b : plates) {
+                if (a == b) continue;
+                if (!known(a, b)) return false;
+                below += is_above(a, b) ? 1U : 0U;
+            }
+            levels.push_back(below);
+        }
+        std::sort(levels.begin(), levels.end());
+        return std::adjacent_find(levels.begin(), levels.end()) == levels.end();
+    }
+
+ private:
+    static std::size_t index(int number) { return static_cast<std::size_t>(number); }
+    const Assembly& assembly_;
+    std::map<std::pair<int, int>, bool> above_;
+    std::vector<Ring> outlines_;
+};
+
+// Looks at random points of the sheet, and at points of all folds.
+void expect_stacked(const Assembly& assembly, Random& random) {
+    const Stack stack(assembly);
+    const int count = static_cast<int>(assembly.plates.size());
+    const auto lie_at = [&](Vec2 p, int except_a, int except_b) {
+        std::vector<int> found;
+        for (int i = 0; i < count; ++i) {
+            if (i != except_a && i != except_b && stack.side(i, p, 1e-6) > 0) found.push_back(i);
+        }
+        return found;
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Vec2 p{-50.0 + 200.0 * random.unit(), -50.0 + 200.0 * random.unit()};
+        EXPECT_TRUE(stack.ordered(lie_at(p, -1, -1))) << p.x << ", " << p.y;
+    }
+    std::map<std::pair<int, int>, LineKind> kinds;
+    for (const Line& line : assembly.lines) {
+        if (line.kind == LineKind::cut) continue;
+        kinds[{std::min(line.plate, line.other_plate), std::max(line.plate, line.other_plate)}] = line.kind;
+        EXPECT_NEAR(*line.fold_angle, 3.14159265358979, 1e-9);
+    }
+    for (const Hinge& hinge : assembly.hinges) {
+        const Frame& a = *assembly.plates[static_cast<std::size_t>(hinge.a)].stands;
+        const Frame& b = *assembly.plates[static_cast<std::size_t>(hinge.b)].stands;
+        EXPECT_LT(dot(a.normal(), b.normal()), -0.999);
+        ASSERT_TRUE(stack.known(hinge.a, hinge.b));
+        // The fronts of a valley's panels look at each other.
+        const bool valley =
+            kinds.at({std::min(hinge.a, hinge.b), std::max(hinge.a, hinge.b)}) == LineKind::valley;
+        EXPECT_EQ(valley, stack.is_above(hinge.a, hinge.b) == (b.normal().z > 0.0));
+        for (int i = 0; i < 10; ++i) {
+            const double t = 0.05 + 0.9 * random.unit();
+            const Vec2 on = hinge.a_line.a + t * (hinge.a_line.b - hinge.a_line.a);
+            EXPECT_LT(distance(a.point(on), b.point(on)), 1e-6);
+            const Vec3 at = a.point(on);
+            // What lies on both sides of the fold is not between its panels.
+            for (const int other : lie_at({at.x, at.y}, hinge.a, hinge.b)) {
+                if (!stack.known(other, hinge.a) || !stack.known(other, hinge.b)) continue;
+                EXPECT_EQ(stack.is_above(other, hinge.a), stack.is_above(other, hinge.b))
+                    << "plate " << other << " between " << hinge.a << " and " << hinge.b;
+            }
+        }
+    }
+}
+
+TEST(FlatFolding, StacksPanelsSoThatNonePassesThroughAnother) {
+    Random random(23);
+    for (int round = 0; round < 40; ++round) {
+        CreasePattern pattern = folded_at_random(random, 1 + static_cast<int>(random.below(5)));
+        // In every other one the order says which way all folds go.
+        if (round % 2 == 0) {
+            for (CreaseLine& line : pattern.lines) {
+                if (line.use != CreaseUse::cut) line.use = CreaseUse::fold;
+            }
+        }
+        Diagnostics diagnostics("flat");
+        const auto flat = fold_flat(pattern, {}, diagnostics);
+        ASSERT_TRUE(flat) << test::findings(diagnostics);
+        EXPECT_EQ(flat->assembly.layers.size(), flat->overlaps);
+        EXPECT_EQ(flat->assembly.plates.size(), flat->panels);
+        expect_stacked(flat->assembly, random);
+    }
 }
 
 // ---- What does not fold ----

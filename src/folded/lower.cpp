@@ -1,0 +1,81 @@
+#include "folded/lower.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/nth.h"
+
+namespace popup::folded {
+
+std::vector<std::vector<int>> folds_by_panel(const Sheet& sheet) {
+    std::vector<std::vector<int>> folds(sheet.panels.size());
+    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
+        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
+    }
+    return folds;
+}
+
+Tree make_tree(const Sheet& sheet) {
+    const std::size_t count = sheet.panels.size();
+    const std::vector<std::vector<int>> folds = folds_by_panel(sheet);
+    std::vector<int> root(sheet.cuts.size(), -1);
+    std::vector<double> largest(sheet.cuts.size(), 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = area(sheet.outline_of(sheet.panels[i]));
+        const int piece = sheet.panels[i].piece;
+        // Areas that are equal but for rounding: the first counts.
+        if (nth(root, piece) >= 0 && own <= nth(largest, piece) * (1.0 + 1e-9)) continue;
+        nth(root, piece) = static_cast<int>(i);
+        nth(largest, piece) = own;
+    }
+    Tree tree;
+    tree.fold_of.assign(count, -1);
+    tree.plate_of.assign(count, -1);
+    for (const int first : root) {
+        if (first < 0) continue;
+        std::size_t done = tree.order.size();
+        nth(tree.plate_of, first) = static_cast<int>(tree.order.size());
+        tree.order.push_back(first);
+        for (; done < tree.order.size(); ++done) {
+            const int panel = tree.order[done];
+            for (const int number : nth(folds, panel)) {
+                const Fold& fold = nth(sheet.folds, number);
+                const int other = fold.left == panel ? fold.right : fold.left;
+                if (nth(tree.plate_of, other) >= 0) continue;
+                nth(tree.plate_of, other) = static_cast<int>(tree.order.size());
+                nth(tree.fold_of, other) = number;
+                tree.order.push_back(other);
+            }
+        }
+    }
+    return tree;
+}
+
+Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree) {
+    Assembly out;
+    out.file = pattern.file;
+    out.stem = pattern.stem;
+    for (std::size_t i = 0; i < sheet.cuts.size(); ++i) {
+        Piece piece;
+        piece.name = sheet.cuts.size() == 1 ? "sheet" : fmt::format("sheet-{}", i + 1);
+        out.pieces.push_back(std::move(piece));
+        for (const Stretch cut : sheet.cuts[i])
+            out.lines.push_back({LineKind::cut, sheet.segment(cut), static_cast<int>(i), -1, -1});
+    }
+    std::vector<int> numbers(out.pieces.size(), 0);
+    for (std::size_t i = 0; i < tree.order.size(); ++i) {
+        const Panel& from = nth(sheet.panels, tree.order[i]);
+        Plate plate;
+        plate.piece = from.piece;
+        plate.name = fmt::format("{}/{}", nth(out.pieces, from.piece).name, ++nth(numbers, from.piece));
+        plate.outline = sheet.outline_of(from);
+        plate.uncut = plate.outline.outer;
+        nth(out.pieces, from.piece).plates.push_back(static_cast<int>(i));
+        out.plates.push_back(std::move(plate));
+    }
+    return out;
+}
+
+}  // namespace popup::folded

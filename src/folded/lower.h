@@ -1,0 +1,27 @@
+// What an assembly of a sheet has however the sheet is folded: its pieces with their cuts, and a plate of
+// each panel.
+#pragma once
+
+#include <vector>
+
+#include "folded/sheet.h"
+#include "popup/assembly.h"
+
+namespace popup::folded {
+
+// By panel: the folds at which it ends, ascending.
+std::vector<std::vector<int>> folds_by_panel(const Sheet& sheet);
+
+// How panels hang on one another: breadth first, from the largest of each piece.
+struct Tree {
+    std::vector<int> order;     // panels, each after the one that it hangs on
+    std::vector<int> fold_of;   // by panel: the fold that it hangs on; -1: it stands still
+    std::vector<int> plate_of;  // by panel: its place in `order`
+};
+Tree make_tree(const Sheet& sheet);
+
+// Pieces "sheet", or "sheet-1", "sheet-2"; their edges and slits as cuts; plates "sheet/1" in the order of
+// the tree. No folds, joints or hinges.
+Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree);
+
+}  // namespace popup::folded
