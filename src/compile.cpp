@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fabrication/kerf.h"
-#include "popup/flat_folding.h"
 #include "run/crew.h"
 #include "run/unused_allowances.h"
 
@@ -26,8 +25,7 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         if (one.assembly->file.empty()) one.assembly->file = one.source.name;
         one.diagnostics.set_places_file(one.assembly->file);
     } else if (one.creases && options.until >= Stage::assembly) {
-        if (options.fold.flat) fold_flat(*one.creases, options.fold, one.diagnostics);
-        if (!options.fold.flat) one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
+        one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
     } else if (one.design) {
         one.design->stem = one.stem;
         if (options.until == Stage::design) return;
@@ -41,8 +39,8 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     if (!one.assembly || options.until <= Stage::assembly) return;
 
     if (moves(*one.assembly)) {
-        if (one.creases) order_folds(*one.assembly, options.motion, one.diagnostics);
-        one.motion = simulate(*one.assembly, options.motion, one.diagnostics);
+        one.motion = one.creases ? simulate_sheet(*one.assembly, options.motion, one.diagnostics)
+                                 : simulate(*one.assembly, options.motion, one.diagnostics);
         if (!one.motion) return;
     }
     if (options.until == Stage::motion) return;
