@@ -101,7 +101,8 @@ enum class Read { assembly, standing_parts, parts };
 bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
-        if (std::holds_alternative<SceneWriter>(output.format->write)) {
+        if (std::holds_alternative<SceneWriter>(output.format->write) ||
+            std::holds_alternative<StillWriter>(output.format->write)) {
             if (what != Read::assembly && !output.format->takes_stills) lacking = "motion";
             if (what == Read::parts) lacking = "moving model";
         }
@@ -148,6 +149,7 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
         Overloaded{
             [&](SheetWriter write) { return write(*run.layout, options, diagnostics); },
             [&](SceneWriter write) { return single(write(scene_of(run), options, diagnostics)); },
+            [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
             [&](DocumentWriter write) {
                 return single(write(*run.designs.front().checked, options, diagnostics));
             },

@@ -1,6 +1,7 @@
 // Writers: pure functions from a stage's value to bytes. One file and one table row a format.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,18 @@ enum class FoldDialect {
     strict,     // all letters of FOLD 1.2, each for what it means: slits are C, joins J, unknown folds U
 };
 
+// From where stills show a model. Words are as one sees it who sits before it.
+enum class View { iso, front, top, left, right, back };
+inline constexpr std::array<std::string_view, 6> kViewNames{"iso", "front", "top", "left", "right", "back"};
+
+// Still pictures of the model. A picture of each view at each opening.
+struct StillOptions {
+    std::vector<View> views;           // empty: iso
+    std::vector<double> openings_deg;  // 0 to 180, as far as a card opens; empty: where it is seen best
+    int width = 800;                   // pixels, at least 16
+    int height = 600;
+};
+
 struct OutputOptions {
     double fps = 0.0;         // scene: > 0 adds keys so that there are at least this many a second
     double duration_s = 4.0;  // scene: length of the animation, > 0
@@ -35,6 +48,7 @@ struct OutputOptions {
     double reference_mm = 0.0;   // > 0: a bar of this length on each sheet, to measure
     double dpi = 300.0;          // of raster pictures
     FoldDialect fold_dialect = FoldDialect::simulator;
+    StillOptions still;
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
@@ -67,6 +81,9 @@ using SheetWriter = std::optional<std::vector<SheetFile>> (*)(const Layout&, con
                                                               Diagnostics&);
 using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, const OutputOptions&,
                                                    Diagnostics&);
+// A file a picture.
+using StillWriter = std::optional<std::vector<SheetFile>> (*)(std::span<const SceneCard>,
+                                                              const OutputOptions&, Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);
@@ -74,7 +91,7 @@ using ReportWriter = std::optional<std::string> (*)(const Compilation&, const Ou
 struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
-    std::variant<SheetWriter, SceneWriter, DocumentWriter, ReportWriter> write;
+    std::variant<SheetWriter, SceneWriter, StillWriter, DocumentWriter, ReportWriter> write;
     bool takes_stills = false;  // of scenes: what stands still too, and not only what moves
 };
 std::span<const Format> format_table();

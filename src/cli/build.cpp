@@ -9,6 +9,7 @@
 #include "cli/files/dependency_file.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
+#include "cli/options/still_options.h"
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -70,6 +71,7 @@ void add_output_options(CLI::App& verb, Options& options) {
     number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
     number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
            0.001);
+    add_still_options(verb, options.compile.output.still);
     value(
         verb, "--fold-dialect", "DIALECT", "letters in .fold: simulator (default) or strict, all of FOLD 1.2",
         "Output", [&options](std::string_view text) {

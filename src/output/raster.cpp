@@ -1,7 +1,6 @@
 #include "output/raster.h"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include <jpeglib.h>
 
 #include "output/cairo_sheet.h"
+#include "output/png.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -27,12 +27,6 @@ constexpr int kPageHeight = 650;
 constexpr double kPageDpi = 72.0;
 constexpr double kPageRoomMm = 5.0;  // at least, round pieces larger than the page
 constexpr int kQuality = 92;
-
-struct Pixels {
-    int width = 0;
-    int height = 0;
-    std::vector<unsigned char> rgb;  // rows from the top, three bytes a pixel
-};
 
 // The drawing on white, `scale` pixels a mm; nothing when Cairo gives no picture.
 std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height, double scale,
@@ -63,37 +57,7 @@ std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height
     return pixels;
 }
 
-void append_bytes(png_structp png, png_bytep data, png_size_t length) {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), length);
-}
-void flush_nothing(png_structp /*png*/) {}
-
-// Both libraries leave by longjmp when they fail; nothing with a destructor may live in these functions.
-bool encode_png(png_structp png, png_infop info, const Pixels& pixels, double dpi, std::string& bytes) {
-    if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height),
-                 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    const auto per_metre = static_cast<png_uint_32>(std::lround(dpi * 1000.0 / kInch));
-    png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
-    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_write_info(png, info);
-    const std::size_t row = static_cast<std::size_t>(pixels.width) * 3U;
-    for (int y = 0; y < pixels.height; ++y)
-        png_write_row(png, pixels.rgb.data() + static_cast<std::size_t>(y) * row);
-    png_write_end(png, info);
-    return true;
-}
-
-bool to_png(const Pixels& pixels, double dpi, std::string& bytes) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool good = info != nullptr && encode_png(png, info, pixels, dpi, bytes);
-    png_destroy_write_struct(&png, &info);
-    return good;
-}
-
+// The library leaves by longjmp when it fails; nothing with a destructor may live in what it calls.
 struct JpegErrors {
     jpeg_error_mgr manager;
     std::jmp_buf back;

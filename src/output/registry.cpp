@@ -10,6 +10,7 @@
 #include "output/pdf.h"
 #include "output/raster.h"
 #include "output/report.h"
+#include "output/still/still.h"
 #include "output/svg.h"
 #include "output/xml.h"
 #include "popup/output.h"
@@ -26,6 +27,8 @@ const std::array kFormats{
            SheetWriter{write_lightburn}},
     Format{".plt", "cut sheets as HP-GL for plotters, one file a sheet, a pen a layer",
            SheetWriter{write_hpgl}},
+    Format{".view.png", "pictures of the model, one file a --view and opening (--at)",
+           StillWriter{write_view_png}, true},
     Format{".png", "pictures of cut sheets, one file a sheet, in true size at --dpi", SheetWriter{write_png}},
     Format{".jpg", "pictures of 800 × 650 pixels, one file a piece's pattern page", SheetWriter{write_jpg}},
     Format{".glb", "the model, in one binary glTF file: cards move, parts stand", SceneWriter{write_glb},

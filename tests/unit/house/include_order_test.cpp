@@ -260,7 +260,7 @@ TEST(IncludeOrder, LibrariesStayInTheirRooms) {
                                                        {"cairo", "output/"},
                                                        {"toml++/", "base/text/toml_text.h"},
                                                        {"qpdf/", "output/production_pdf.cpp"},
-                                                       {"png.h", "output/raster.cpp"},
+                                                       {"png.h", "output/png.cpp"},
                                                        {"png.h", "pictures/decode_png.cpp"},
                                                        {"jpeglib.h", "pictures/decode_jpeg.cpp"},
                                                        {"csv.h", "batch/manifest.cpp"},

@@ -1,0 +1,209 @@
+#include "output/still/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "output/poses.h"
+#include "output/space_mesh.h"
+
+namespace popup::still {
+namespace {
+
+constexpr double kPaperMm = 0.1;       // plates that are glued flat are so far apart
+constexpr double kParallel = 0.99;     // cosine between a plate and a page
+constexpr double kMostParallel = 0.6;  // of the paper that rises, for a card that stands
+constexpr double kLiesOpenDeg = 130.0;
+constexpr Color kTraceInk{70, 70, 76};
+
+std::size_t index(int number) { return static_cast<std::size_t>(number); }
+
+float to_linear(std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+Light light_of(Color color) { return {to_linear(color.r), to_linear(color.g), to_linear(color.b)}; }
+Light ink_on(const Light& paper) {
+    Light ink{};
+    for (std::size_t i = 0; i < ink.size(); ++i) ink.at(i) = 0.22F * paper.at(i) + 0.02F;
+    return ink;
+}
+
+// Each pixel the mean of up to four; what shows through counts for nothing.
+Texture::Level halved(const Texture::Level& from) {
+    Texture::Level to{std::max(1, from.width / 2), std::max(1, from.height / 2), {}};
+    to.rgba.resize(4 * index(to.width) * index(to.height));
+    for (int y = 0; y < to.height; ++y) {
+        for (int x = 0; x < to.width; ++x) {
+            std::array<unsigned, 4> sum{};
+            for (int k = 0; k < 4; ++k) {
+                const int fx = std::min(2 * x + k % 2, from.width - 1);
+                const int fy = std::min(2 * y + k / 2, from.height - 1);
+                const std::uint8_t* p = from.rgba.data() + 4 * (index(fy) * index(from.width) + index(fx));
+                for (std::size_t c = 0; c < 3; ++c) sum.at(c) += unsigned{p[c]} * p[3];
+                sum[3] += p[3];
+            }
+            std::uint8_t* out = to.rgba.data() + 4 * (index(y) * index(to.width) + index(x));
+            for (std::size_t c = 0; c < 3; ++c)
+                out[c] = static_cast<std::uint8_t>(sum[3] == 0 ? 0 : (sum.at(c) + sum[3] / 2) / sum[3]);
+            out[3] = static_cast<std::uint8_t>((sum[3] + 2) / 4);
+        }
+    }
+    return to;
+}
+
+// Where plates that are glued flat lie beside their base: they, and what hangs on them.
+std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> frames) {
+    std::vector<Vec3> lifts(assembly.plates.size());
+    std::vector<char> done(assembly.plates.size(), 0);
+    for (std::size_t i = 0; i < lifts.size(); ++i) {
+        std::vector<std::size_t> way;
+        for (std::size_t k = i; done[k] == 0;) {
+            done[k] = 1;
+            way.push_back(k);
+            if (assembly.plates[k].parent < 0) break;
+            k = index(assembly.plates[k].parent);
+        }
+        for (auto plate = way.rbegin(); plate != way.rend(); ++plate) {
+            const Plate& one = assembly.plates[*plate];
+            if (one.parent < 0) continue;
+            const double side = one.lying == Lying::on_front ? 1.0 : one.lying == Lying::on_back ? -1.0 : 0.0;
+            lifts[*plate] = lifts[index(one.parent)] + side * kPaperMm * frames[index(one.parent)].normal();
+        }
+    }
+    return lifts;
+}
+
+void add_ring(const Ring& ring, const Frame& frame, Vec3 shift, const Light& ink, int number, Model& model) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        model.edges.push_back(
+            {number, frame.point(ring[i]) + shift, frame.point(ring[(i + 1) % ring.size()]) + shift, ink});
+    }
+}
+
+}  // namespace
+
+Modeller::Modeller(std::span<const SceneCard> cards) {
+    for (const SceneCard& scene : cards) {
+        const Assembly& assembly = *scene.assembly;
+        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}};
+        for (const Plate& plate : assembly.plates) {
+            Plane& plane = card.plates.emplace_back();
+            if (!moves(assembly) && !plate.stands) continue;
+            plane.parts = plate_mesh(plate, assembly.pieces[index(plate.piece)].prints);
+            for (const MeshPart& part : plane.parts)
+                plane.textures.push_back(part.image != nullptr ? texture_of(*part.image) : nullptr);
+        }
+        if (!moves(assembly)) card.lifts = layer_lifts(assembly);
+        cards_.push_back(std::move(card));
+    }
+    best_deg_ = rest_of(sweep_of(cards));
+    if (cards_.size() > 1 || cards_.front().scene->assembly->covers.size() < 2) return;
+    Card& card = cards_.front();
+    Diagnostics unheard;  // at() tells of it
+    stands_up_ = moves(*card.scene->assembly) &&
+                 place_card(*card.scene->assembly, best_deg_, card.frames, unheard) && stands_up(card);
+    if (!stands_up_) best_deg_ = std::clamp(kLiesOpenDeg, best_deg_, card.scene->assembly->sweep.to_deg);
+}
+
+const Texture* Modeller::texture_of(const Image& image) {
+    const auto [known, fresh] = textures_.try_emplace(image.bytes.get());
+    if (!fresh) return &known->second;
+    std::optional<ImagePixels> pixels = pixels_of(image);
+    POPUP_INVARIANT(pixels.has_value());
+    std::vector<Texture::Level>& levels = known->second.levels;
+    known->second.opaque = pixels->opaque;
+    levels.push_back({pixels->width, pixels->height, std::move(pixels->rgba)});
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
+    return &known->second;
+}
+
+std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) {
+    Model model;
+    double left = 0.0;
+    for (Card& card : cards_) {
+        const Assembly& assembly = *card.scene->assembly;
+        if (moves(assembly)) {
+            if (!place_card(assembly, opening_deg, card.frames, diagnostics)) return std::nullopt;
+        } else {
+            std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
+                           [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
+        }
+        double low = HUGE_VAL;
+        double high = -HUGE_VAL;
+        for (std::size_t i = 0; i < card.plates.size(); ++i) {
+            if (card.plates[i].parts.empty()) continue;
+            for (const Vec2 p : assembly.plates[i].outline.outer) {
+                const double x = card.frames[i].point(p).x;
+                low = std::min(low, x);
+                high = std::max(high, x);
+            }
+        }
+        const bool several = cards_.size() > 1 && low <= high;
+        add(card, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
+        if (several) left += high - low + kCardGapMm;
+    }
+    if (stands_up_) {
+        // The right page on the ground, its outer edge towards the viewer.
+        const Frame& floor = cards_.front().frames[index(cards_.front().scene->assembly->covers.back())];
+        const Vec3 away = -floor.axes[0];
+        model.stand = {cross(away, floor.normal()), away, floor.normal()};
+    }
+    return model;
+}
+
+void Modeller::add(const Card& card, Vec3 shift, Model& model) const {
+    const Assembly& assembly = *card.scene->assembly;
+    const std::vector<Vec3> lifts = moves(assembly) ? glued_lifts(assembly, card.frames) : card.lifts;
+    for (std::size_t i = 0; i < card.plates.size(); ++i) {
+        const Plate& plate = assembly.plates[i];
+        const Plane& plane = card.plates[i];
+        const Frame& frame = card.frames[i];
+        const Vec3 to = shift + lifts[i];
+        for (std::size_t k = 0; k < plane.parts.size(); ++k) {
+            const MeshPart& part = plane.parts[k];
+            Face& face = model.faces.emplace_back();
+            face.plate = model.plates;
+            face.frame = frame;
+            face.frame.origin = frame.origin + to + part.lift_mm * frame.normal();
+            face.color = light_of(part.color);
+            face.texture = plane.textures[k];
+            if (part.image != nullptr) face.place = part.image->place;
+            face.paper = !part.drawn;
+            face.points.reserve(part.points.size());
+            for (const Vec2 p : part.points) face.points.push_back(face.frame.point(p + plate.pivot));
+            face.indices = part.indices;
+        }
+        if (plane.parts.empty()) continue;
+        const Light ink = ink_on(light_of(plate.fill.value_or(Color{})));
+        add_ring(plate.outline.outer, frame, to, ink, model.plates, model);
+        for (const Ring& hole : plate.outline.holes) add_ring(hole, frame, to, ink, model.plates, model);
+        ++model.plates;
+    }
+    for (const Trace& trace : assembly.traces) {
+        for (const std::vector<Vec3>& line : trace.lines) {
+            for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                model.edges.push_back({-1, line[i] + shift, line[i + 1] + shift, light_of(kTraceInk)});
+        }
+    }
+}
+
+bool Modeller::stands_up(const Card& card) {
+    const Assembly& assembly = *card.scene->assembly;
+    const Vec3 floor = card.frames[index(assembly.covers.back())].normal();
+    const Vec3 wall = card.frames[index(assembly.covers.front())].normal();
+    double parallel = 0.0;
+    double other = 0.0;
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        const auto number = static_cast<int>(i);
+        if (std::find(assembly.covers.begin(), assembly.covers.end(), number) != assembly.covers.end())
+            continue;
+        const Vec3 normal = card.frames[i].normal();
+        const bool is_parallel =
+            std::max(std::abs(dot(normal, floor)), std::abs(dot(normal, wall))) > kParallel;
+        (is_parallel ? parallel : other) += std::abs(signed_area(assembly.plates[i].outline.outer));
+    }
+    return parallel > kMostParallel * (parallel + other);
+}
+
+}  // namespace popup::still

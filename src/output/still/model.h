@@ -1,0 +1,86 @@
+// What is to be seen of the cards of a run at one opening: faces of paper and print, and their edges.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "output/mesh.h"
+#include "output/still/camera.h"
+#include "popup/image.h"
+#include "popup/output.h"
+
+namespace popup::still {
+
+using Light = std::array<float, 3>;  // linear, red, green and blue, 0 to 1
+
+// A picture's pixels, and half, a quarter… as many of them, for where it is seen small.
+struct Texture {
+    struct Level {
+        int width = 0, height = 0;
+        std::vector<std::uint8_t> rgba;
+    };
+    std::vector<Level> levels;  // at least one
+    bool opaque = true;
+};
+
+// Triangles in one plane that look alike.
+struct Face {
+    int plate = 0;  // of the model: what lies on one plate has one number
+    Frame frame;    // of the plate's page
+    Light color{};
+    const Texture* texture = nullptr;  // in place of the colour
+    Affine place;                      // of the texture on the page
+    bool paper = true;                 // seen from both sides, and throws a shadow; else only from the front
+    std::vector<Vec3> points;          // mm
+    std::vector<std::uint32_t> indices;
+};
+
+struct Edge {
+    int plate = -1;  // whose edge it is; -1: a line in space
+    Vec3 a, b;
+    Light ink{};
+};
+
+struct Model {
+    std::vector<Face> faces;
+    std::vector<Edge> edges;
+    int plates = 0;
+    Stand stand;
+};
+
+// Makes models of the same cards at several openings: plates are triangulated, and pictures decoded, once.
+class Modeller {
+ public:
+    explicit Modeller(std::span<const SceneCard> cards);
+    // The opening at which the cards are seen best: where models rest, and further open for cards that lie.
+    [[nodiscard]] double best_deg() const { return best_deg_; }
+    // At this opening, or as far as a card opens. nullopt: `locks` was told.
+    std::optional<Model> at(double opening_deg, Diagnostics& diagnostics);
+
+ private:
+    struct Plane {
+        std::vector<MeshPart> parts;
+        std::vector<const Texture*> textures;  // of each part; null: none
+    };
+    struct Card {
+        const SceneCard* scene;
+        std::vector<Plane> plates;
+        std::vector<Frame> frames;
+        std::vector<Vec3> lifts;  // of what stands still
+    };
+    const Texture* texture_of(const Image& image);
+    void add(const Card& card, Vec3 shift, Model& model) const;
+    // Whether most of the paper that rises from the card is parallel to one of its pages.
+    [[nodiscard]] static bool stands_up(const Card& card);
+
+    std::vector<Card> cards_;
+    std::map<const std::string*, Texture> textures_;
+    double best_deg_ = 90.0;
+    bool stands_up_ = false;  // one card that is seen best with one page for a back wall
+};
+
+}  // namespace popup::still

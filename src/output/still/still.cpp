@@ -1,0 +1,60 @@
+#include "output/still/still.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "base/text/numbers.h"
+#include "output/still/model.h"
+#include "output/still/render.h"
+
+namespace popup {
+namespace {
+
+constexpr double kMostPixels = 100e6;
+
+// "-front-90", of what more than one picture has.
+std::string suffix_of(const StillOptions& options, View view, double opening_deg) {
+    std::string suffix;
+    if (options.views.size() > 1) suffix += fmt::format("-{}", kViewNames.at(static_cast<std::size_t>(view)));
+    if (options.openings_deg.size() > 1) suffix += "-" + number_text(opening_deg, 3);
+    return suffix;
+}
+
+}  // namespace
+
+std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> cards,
+                                                     const OutputOptions& options, Diagnostics& diagnostics) {
+    StillOptions asked = options.still;
+    if (asked.views.empty()) asked.views = {View::iso};
+    const double pixels = static_cast<double>(asked.width) * asked.height;
+    if (pixels > kMostPixels) {
+        diagnostics
+            .error("picture-too-large", {},
+                   fmt::format("a view of {} × {} pixels; a picture has at most {:.0f} million", asked.width,
+                               asked.height, kMostPixels / 1e6))
+            .hint("choose a smaller --size");
+        return std::nullopt;
+    }
+    still::Modeller modeller(cards);
+    if (asked.openings_deg.empty()) asked.openings_deg = {modeller.best_deg()};
+    std::vector<SheetFile> files;
+    for (const double opening : asked.openings_deg) {
+        const std::optional<still::Model> model = modeller.at(opening, diagnostics);
+        if (!model) return std::nullopt;
+        for (const View view : asked.views) {
+            SheetFile file{suffix_of(asked, view, opening), {}};
+            if (!to_png(still::render(*model, view, asked.width, asked.height), std::nullopt, file.bytes)) {
+                diagnostics
+                    .error("picture-failed", {}, "the PNG could not be made: there is no memory for it")
+                    .hint("choose a smaller --size");
+                return std::nullopt;
+            }
+            files.push_back(std::move(file));
+        }
+    }
+    return files;
+}
+
+}  // namespace popup

@@ -1,0 +1,243 @@
+// Still pictures: what a ray from the eye meets first is what is there; the same bytes; names of files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/png.h"
+#include "output/still/model.h"
+#include "output/still/render.h"
+#include "popup/compile.h"
+#include "popup/image.h"
+#include "popup/output.h"
+#include "support/designs.h"
+#include "support/random.h"
+
+namespace popup {
+namespace {
+
+Compilation compiled(const std::string& sample) {
+    Diagnostics diagnostics("samples");
+    std::optional<Source> source =
+        read_source(std::string(POPUP_SOURCE_DIR) + "/samples/" + sample, diagnostics);
+    POPUP_INVARIANT(source.has_value());
+    CompileOptions options;
+    options.until = Stage::motion;
+    options.motion.examine = false;
+    return compile({std::move(*source)}, options, {});
+}
+
+SceneCard card_of(const Compilation& run) {
+    const CompiledDesign& one = run.designs.front();
+    return {&*one.assembly, one.motion ? &*one.motion : nullptr, "", nullptr};
+}
+
+std::vector<SheetFile> pictures(const SceneCard& card, const StillOptions& still) {
+    OutputOptions options;
+    options.still = still;
+    Diagnostics diagnostics("still");
+    const auto write = std::get<StillWriter>(find_format("a.view.png")->write);
+    auto files = write({&card, 1}, options, diagnostics);
+    EXPECT_TRUE(files.has_value()) << test::findings(diagnostics);
+    return files ? std::move(*files) : std::vector<SheetFile>{};
+}
+
+double linear(unsigned char byte) {
+    const double c = byte / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+// The nearest triangle on a ray, by solving for it.
+int nearest(const still::Model& model, Vec3 eye, Vec3 way) {
+    int hit = -1;
+    double least = HUGE_VAL;
+    for (std::size_t f = 0; f < model.faces.size(); ++f) {
+        const still::Face& face = model.faces[f];
+        if (!face.paper && dot(face.frame.normal(), way) >= 0.0) continue;
+        for (std::size_t i = 0; i + 2 < face.indices.size(); i += 3) {
+            const Vec3 a = face.points[face.indices[i]];
+            const Vec3 u = face.points[face.indices[i + 1]] - a;
+            const Vec3 v = face.points[face.indices[i + 2]] - a;
+            const Vec3 n = cross(u, v);
+            const double down = dot(n, way);
+            if (std::abs(down) < 1e-12) continue;
+            const double t = dot(n, a - eye) / down;
+            const Vec3 d = eye + t * way - a;
+            const double s1 = dot(cross(d, v), n) / dot(n, n);
+            const double s2 = dot(cross(u, d), n) / dot(n, n);
+            if (s1 < 0.0 || s2 < 0.0 || s1 + s2 > 1.0 || t <= 0.0 || t >= least) continue;
+            hit = static_cast<int>(f);
+            least = t;
+        }
+    }
+    return hit;
+}
+
+// Pixels within two of an edge, hidden or not.
+std::vector<char> near_edges(const still::Model& model, const still::Camera& camera, int width, int height) {
+    std::vector<char> near(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    for (const still::Edge& edge : model.edges) {
+        const still::Seen a = camera.see(edge.a);
+        const still::Seen b = camera.see(edge.b);
+        const int steps = 1 + static_cast<int>(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)));
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            const int x = static_cast<int>(std::floor(a.x + t * (b.x - a.x)));
+            const int y = static_cast<int>(std::floor(a.y + t * (b.y - a.y)));
+            for (int dy = -2; dy <= 2; ++dy) {
+                for (int dx = -2; dx <= 2; ++dx) {
+                    if (x + dx < 0 || y + dy < 0 || x + dx >= width || y + dy >= height) continue;
+                    near[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x + dx)] = 1;
+                }
+            }
+        }
+    }
+    return near;
+}
+
+class StillRays : public testing::TestWithParam<const char*> {};
+
+// Where the pixels around one see the same face, the picture has its colour there, lit by some light; where
+// rays meet nothing, it has the background, which is no darker than its shadow.
+TEST_P(StillRays, MeetWhatThePictureShows) {
+    const Compilation run = compiled(GetParam());
+    ASSERT_TRUE(run.designs.front().assembly.has_value()) << test::findings(run.designs.front().diagnostics);
+    const SceneCard card = card_of(run);
+    still::Modeller modeller({&card, 1});
+    constexpr int kWide = 400;
+    constexpr int kHigh = 300;
+    test::Random random(7);
+    for (const View view : {View::iso, View::front, View::top, View::left, View::right, View::back}) {
+        Diagnostics diagnostics("still");
+        const auto model = modeller.at(view == View::top ? 140.0 : 80.0, diagnostics);
+        ASSERT_TRUE(model) << test::findings(diagnostics);
+        const Pixels pixels = still::render(*model, view, kWide, kHigh);
+        const still::Camera camera = still::framing_of(*model, view, kWide, kHigh).camera;
+        const std::vector<char> edges = near_edges(*model, camera, kWide, kHigh);
+        int looked_at = 0;
+        for (int round = 0; round < 400; ++round) {
+            const int x = 2 + static_cast<int>(random.below(kWide - 4));
+            const int y = 2 + static_cast<int>(random.below(kHigh - 4));
+            const std::size_t pixel = static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x);
+            if (edges[pixel] != 0) continue;
+            const auto face_at = [&](double px, double py) {
+                return nearest(*model, camera.eye(),
+                               camera.point(px, py, 1.0 / camera.eye_mm) - camera.eye());
+            };
+            // Nine samples a pixel.
+            const int face = face_at(x + 0.5, y + 0.5);
+            bool alike = true;
+            for (int k = 0; k < 9 && alike; ++k)
+                alike = face_at(x + (k % 3 + 0.5) / 3.0, y + (k / 3 + 0.5) / 3.0) == face;
+            if (!alike) continue;
+            const unsigned char* rgb = pixels.rgb.data() + 3 * pixel;
+            if (face < 0) {
+                EXPECT_GE(linear(rgb[1]), 0.7 * 0.7) << x << ", " << y;
+                continue;
+            }
+            const still::Face& shown = model->faces[static_cast<std::size_t>(face)];
+            if (shown.texture != nullptr) continue;
+            ++looked_at;
+            // One light for all three channels, between the ambient's least and the sun's most.
+            double least = HUGE_VAL;
+            double most = 0.0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (shown.color.at(c) < 0.05F) continue;
+                const auto light = [&](int byte) {
+                    return linear(static_cast<unsigned char>(std::clamp(byte, 0, 255))) / shown.color.at(c);
+                };
+                least = std::min(least, rgb[c] == 255 ? HUGE_VAL : light(rgb[c] + 1));
+                most = std::max(most, light(rgb[c] - 1));
+            }
+            EXPECT_LE(most, least) << "view " << static_cast<int>(view) << " at " << x << ", " << y
+                                   << ": another colour than that of face " << face;
+            EXPECT_GE(least, 0.3);
+            EXPECT_LE(most, 1.2);
+        }
+        if (view == View::iso || view == View::top) {
+            EXPECT_GT(looked_at, 60) << static_cast<int>(view);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, StillRays,
+                         testing::Values("castle.xml", "swallow.xml", "seasons.xml", "dragon.xml",
+                                         "villa.oa"));
+
+TEST(Still, IsTheSameEachTimeAndNamesItsFiles) {
+    const Compilation run = compiled("harbour.xml");
+    const SceneCard card = card_of(run);
+    StillOptions still;
+    still.width = 120;
+    still.height = 90;
+    ASSERT_EQ(pictures(card, still).size(), 1U);
+    EXPECT_EQ(pictures(card, still).front().suffix, "");
+    still.views = {View::iso, View::front};
+    const auto two = pictures(card, still);
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_EQ(two[0].suffix, "-iso");
+    EXPECT_EQ(two[1].suffix, "-front");
+    still.openings_deg = {22.5, 150.0};
+    const auto four = pictures(card, still);
+    ASSERT_EQ(four.size(), 4U);
+    EXPECT_EQ(four[0].suffix, "-iso-22.5");
+    EXPECT_EQ(four[3].suffix, "-front-150");
+    std::set<std::string> different;
+    const auto again = pictures(card, still);
+    for (std::size_t i = 0; i < four.size(); ++i) {
+        EXPECT_EQ(four[i].bytes, again[i].bytes);
+        different.insert(four[i].bytes);
+        const auto opened = open_image(four[i].bytes);
+        ASSERT_TRUE(std::holds_alternative<Image>(opened));
+        EXPECT_EQ(std::get<Image>(opened).width, 120);
+        EXPECT_EQ(std::get<Image>(opened).height, 90);
+    }
+    EXPECT_EQ(different.size(), 4U);
+}
+
+// Bands that pictures are drawn in do not show: one of many bands has the pixels of one that has a few.
+TEST(Still, LooksTheSameInBandsOfAnyHeight) {
+    const Compilation run = compiled("birthday.xml");
+    const SceneCard card = card_of(run);
+    still::Modeller modeller({&card, 1});
+    Diagnostics diagnostics("still");
+    const auto model = modeller.at(90.0, diagnostics);
+    ASSERT_TRUE(model);
+    // Twice as wide, the same height: the model is as large, in the middle, in bands of half the rows.
+    const Pixels narrow = still::render(*model, View::iso, 400, 300);
+    const Pixels wide = still::render(*model, View::iso, 1600, 300);
+    const still::Camera a = still::framing_of(*model, View::iso, 400, 300).camera;
+    const still::Camera b = still::framing_of(*model, View::iso, 1600, 300).camera;
+    if (a.scale != b.scale) GTEST_SKIP() << "the model is wider than high here";
+    const auto at = [](const Pixels& pixels, int x, int y) {
+        const auto* p =
+            pixels.rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                                     static_cast<std::size_t>(x));
+        return std::array<int, 3>{p[0], p[1], p[2]};
+    };
+    int other = 0;
+    for (int y = 0; y < 300; ++y) {
+        for (int x = 20; x < 380; ++x) other += at(narrow, x, y) == at(wide, x + 600, y) ? 0 : 1;
+    }
+    EXPECT_LT(other, 300 * 360 / 100);  // rounding of places, at edges
+}
+
+TEST(Still, RefusesWhatIsTooLarge) {
+    const Compilation run = compiled("castle.xml");
+    const SceneCard card = card_of(run);
+    OutputOptions options;
+    options.still.width = options.still.height = 20000;
+    Diagnostics diagnostics("still");
+    EXPECT_FALSE(std::get<StillWriter>(find_format(".view.png")->write)({&card, 1}, options, diagnostics));
+    EXPECT_NE(test::findings(diagnostics).find("picture-too-large"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace popup
