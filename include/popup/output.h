@@ -30,17 +30,21 @@ enum class FoldDialect {
 enum class View { iso, front, top, left, right, back };
 inline constexpr std::array<std::string_view, 6> kViewNames{"iso", "front", "top", "left", "right", "back"};
 
-// Still pictures of the model. A picture of each view at each opening.
+struct PictureSize {
+    int width = 0, height = 0;  // pixels, at least 16
+};
+
+// Pictures of the model, one of each view, of stills one of each view and opening.
 struct StillOptions {
     std::vector<View> views;           // empty: iso
     std::vector<double> openings_deg;  // 0 to 180, as far as a card opens; empty: where it is seen best
-    int width = 800;                   // pixels, at least 16
-    int height = 600;
+    std::optional<PictureSize> size;   // none: 800 × 600, of animations 480 × 360
 };
 
 struct OutputOptions {
-    double fps = 0.0;         // scene: > 0 adds keys so that there are at least this many a second
-    double duration_s = 4.0;  // scene: length of the animation, > 0
+    double fps =
+        0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0 is 15
+    double duration_s = 4.0;                    // scene: length of the animation, > 0
     Profile profile = profile_table().front();  // how lines of sheets are drawn
     bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there
     ScoreSide score_side = ScoreSide::front;

@@ -10,6 +10,7 @@
 #include "output/pdf.h"
 #include "output/raster.h"
 #include "output/report.h"
+#include "output/still/animation.h"
 #include "output/still/still.h"
 #include "output/svg.h"
 #include "output/xml.h"
@@ -31,6 +32,9 @@ const std::array kFormats{
            StillWriter{write_view_png}, true},
     Format{".png", "pictures of cut sheets, one file a sheet, in true size at --dpi", SheetWriter{write_png}},
     Format{".jpg", "pictures of 800 × 650 pixels, one file a piece's pattern page", SheetWriter{write_jpg}},
+    Format{".webp", "the card opening and closing, as a moving picture, one file a --view",
+           StillWriter{write_webp}},
+    Format{".gif", "the same as a GIF, for what shows no WebP", StillWriter{write_gif}},
     Format{".glb", "the model, in one binary glTF file: cards move, parts stand", SceneWriter{write_glb},
            true},
     Format{".gltf", "the model, as glTF text", SceneWriter{write_gltf}, true},

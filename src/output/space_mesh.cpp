@@ -6,11 +6,6 @@
 #include "output/mesh.h"
 
 namespace popup {
-namespace {
-
-constexpr double kLayerMm = 0.1;  // a sheet of paper
-
-}  // namespace
 
 std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot) {
     const Affine& place = image.place;

@@ -8,6 +8,9 @@
 
 namespace popup {
 
+// How far apart models show plates that lie on one another: a sheet of paper.
+inline constexpr double kLayerMm = 0.1;
+
 // Triangles or lines of one material, as points of space.
 struct SpaceMesh {
     Color color;

@@ -42,10 +42,10 @@ std::vector<View> views_named(std::string_view names) {
 void add_still_options(CLI::App& verb, StillOptions& still) {
     const std::string group = "Pictures";
     value(verb, "--view", "VIEWS",
-          fmt::format("of .view.png: {}; or a list (default iso)", fmt::join(kViewNames, ", ")), group,
+          fmt::format("from where: {}; or a list (default iso)", fmt::join(kViewNames, ", ")), group,
           [&still](std::string_view text) { still.views = views_named(text); });
-    value(verb, "--at", "ANGLES", "openings that they show, in degrees, as --angles takes them (default 90)",
-          group, [&still](std::string_view text) {
+    value(verb, "--at", "ANGLES", "openings that .view.png shows, in degrees, as --angles takes them", group,
+          [&still](std::string_view text) {
               const std::optional<std::vector<Angle>> angles = parse_angles(text);
               if (!angles || angles->size() > kMostPictures) {
                   throw UsageError(
@@ -56,7 +56,8 @@ void add_still_options(CLI::App& verb, StillOptions& still) {
               still.openings_deg.clear();
               for (const Angle angle : *angles) still.openings_deg.push_back(angle.deg);
           });
-    value(verb, "--size", "PIXELS", "their width and height, such as 1200x900 (default 800x600)", group,
+    value(verb, "--size", "PIXELS",
+          "their width and height, such as 1200x900 (default 800x600, moving 480x360)", group,
           [&still](std::string_view text) {
               const std::size_t middle = text.find('x');
               const auto wrong = [&] {
@@ -72,8 +73,7 @@ void add_still_options(CLI::App& verb, StillOptions& still) {
                       throw wrong();
                   return static_cast<int>(*pixels);
               };
-              still.width = side(text.substr(0, middle));
-              still.height = side(text.substr(middle + 1));
+              still.size = PictureSize{side(text.substr(0, middle)), side(text.substr(middle + 1))};
           });
 }
 

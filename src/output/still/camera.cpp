@@ -11,18 +11,17 @@ constexpr double kEyeRadii = 5.0;
 
 Vec3 unit_of(Vec3 v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
-// Where the eye lies, in the axes of the stand; in the order of View.
+// Where the eye lies; in the order of View.
 constexpr std::array<Vec3, kViewNames.size()> kEyes{Vec3{0.35, -1.2, 0.62}, Vec3{0.0, -1.0, 0.12},
                                                     Vec3{0.0, -0.001, 1.0}, Vec3{-1.0, -0.15, 0.25},
                                                     Vec3{1.0, -0.15, 0.25}, Vec3{0.35, 1.2, 0.62}};
 
 }  // namespace
 
-Camera camera_at(View view, const Stand& stand, Vec3 centre, double radius_mm) {
-    const Vec3 eye = kEyes.at(static_cast<std::size_t>(view));
+Camera camera_at(View view, Vec3 centre, double radius_mm) {
     Camera camera;
-    camera.back = unit_of(eye.x * stand.right + eye.y * stand.away + eye.z * stand.up);
-    camera.right = unit_of(cross(stand.up, camera.back));
+    camera.back = unit_of(kEyes.at(static_cast<std::size_t>(view)));
+    camera.right = unit_of(cross({0, 0, 1}, camera.back));
     camera.up = cross(camera.back, camera.right);
     camera.target = centre;
     camera.eye_mm = kEyeRadii * radius_mm;

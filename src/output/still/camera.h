@@ -8,13 +8,6 @@
 
 namespace popup::still {
 
-// How what is looked at stands before who looks at it: unit vectors of the world, square to each other.
-struct Stand {
-    Vec3 right{1, 0, 0};
-    Vec3 away{0, 1, 0};
-    Vec3 up{0, 0, 1};
-};
-
 // A point of a picture. Along a straight line of the world `near` runs evenly over the picture; it is more
 // than 0, and larger where it is nearer.
 struct Seen {
@@ -44,8 +37,8 @@ struct Camera {
     [[nodiscard]] Vec3 eye() const { return target + eye_mm * back; }
 };
 
-// Looks at the middle of a ball that holds everything, from so far that it sees no more than the near half of
-// it. Scale and middle are still to be set.
-Camera camera_at(View view, const Stand& stand, Vec3 centre, double radius_mm);
+// Looks at the middle of a ball that holds everything, from outside of it; z is up, and who looks from before
+// has x on the right. Scale and middle of the picture are still to be set.
+Camera camera_at(View view, Vec3 centre, double radius_mm);
 
 }  // namespace popup::still

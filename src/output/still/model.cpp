@@ -10,9 +10,9 @@
 namespace popup::still {
 namespace {
 
-constexpr double kPaperMm = 0.1;       // plates that are glued flat are so far apart
 constexpr double kParallel = 0.99;     // cosine between a plate and a page
 constexpr double kMostParallel = 0.6;  // of the paper that rises, for a card that stands
+constexpr double kAjarDeg = 1.5;
 constexpr double kLiesOpenDeg = 130.0;
 constexpr Color kTraceInk{70, 70, 76};
 
@@ -68,10 +68,23 @@ std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> f
             const Plate& one = assembly.plates[*plate];
             if (one.parent < 0) continue;
             const double side = one.lying == Lying::on_front ? 1.0 : one.lying == Lying::on_back ? -1.0 : 0.0;
-            lifts[*plate] = lifts[index(one.parent)] + side * kPaperMm * frames[index(one.parent)].normal();
+            lifts[*plate] = lifts[index(one.parent)] + side * kLayerMm * frames[index(one.parent)].normal();
         }
     }
     return lifts;
+}
+
+// Turns all of a card so that its right page lies on the ground, its outer edge towards the viewer.
+void stand_up(const Assembly& assembly, std::vector<Frame>& frames) {
+    const Frame floor = frames[index(assembly.covers.back())];
+    const Vec3 up = floor.normal();
+    const Vec3 away = -floor.axes[0];
+    const Vec3 right = cross(away, up);
+    const auto turned = [&](Vec3 v) { return Vec3{dot(v, right), dot(v, away), dot(v, up)}; };
+    for (Frame& frame : frames) {
+        for (Vec3& axis : frame.axes) axis = turned(axis);
+        frame.origin = turned(frame.origin);
+    }
 }
 
 void add_ring(const Ring& ring, const Frame& frame, Vec3 shift, const Light& ink, int number, Model& model) {
@@ -124,11 +137,15 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
     for (Card& card : cards_) {
         const Assembly& assembly = *card.scene->assembly;
         if (moves(assembly)) {
-            if (!place_card(assembly, opening_deg, card.frames, diagnostics)) return std::nullopt;
+            // Where all lies in one plane nothing can be told apart: it is shown a hair before.
+            const Sweep& sweep = assembly.sweep;
+            const double shown_deg = std::max(opening_deg, std::min(sweep.from_deg + kAjarDeg, sweep.to_deg));
+            if (!place_card(assembly, shown_deg, card.frames, diagnostics)) return std::nullopt;
         } else {
             std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
                            [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
         }
+        if (stands_up_) stand_up(assembly, card.frames);
         double low = HUGE_VAL;
         double high = -HUGE_VAL;
         for (std::size_t i = 0; i < card.plates.size(); ++i) {
@@ -142,12 +159,6 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
         const bool several = cards_.size() > 1 && low <= high;
         add(card, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
         if (several) left += high - low + kCardGapMm;
-    }
-    if (stands_up_) {
-        // The right page on the ground, its outer edge towards the viewer.
-        const Frame& floor = cards_.front().frames[index(cards_.front().scene->assembly->covers.back())];
-        const Vec3 away = -floor.axes[0];
-        model.stand = {cross(away, floor.normal()), away, floor.normal()};
     }
     return model;
 }

@@ -1,4 +1,5 @@
-// What is to be seen of the cards of a run at one opening: faces of paper and print, and their edges.
+// What is to be seen of the cards of a run at one opening: faces of paper and print, and their edges. They
+// are turned as they are seen: z is up, and x on the right of who sits before them.
 #pragma once
 
 #include <array>
@@ -49,7 +50,6 @@ struct Model {
     std::vector<Face> faces;
     std::vector<Edge> edges;
     int plates = 0;
-    Stand stand;
 };
 
 // Makes models of the same cards at several openings: plates are triangulated, and pictures decoded, once.

@@ -15,8 +15,9 @@ constexpr int kOver = 3;               // samples along a side of a pixel
 constexpr int kBandSamples = 500'000;  // drawn at once
 constexpr double kFilled = 0.88;       // of the picture, by the model
 constexpr double kLinePx = 1.3;        // width of edges, pixels
-constexpr double kEdgeLiftMm = 0.03;   // so far edges lie before their paper
-constexpr int kSoftPaper = 2;          // texels
+// What lies this near behind a line hides it, so that seams do not show through what they are glued to.
+constexpr double kHidesMm = 0.02;
+constexpr int kSoftPaper = 2;  // texels
 constexpr int kSoftGround = 5;
 constexpr double kGroundShade = 0.30;
 constexpr int kTones = 4096;
@@ -148,8 +149,8 @@ class Picture {
     }
 
     void draw(const Edge& edge, What number, int bottom) {
-        const Seen a = camera_.see(edge.a + kEdgeLiftMm * camera_.back);
-        const Seen b = camera_.see(edge.b + kEdgeLiftMm * camera_.back);
+        const Seen a = camera_.see(edge.a);
+        const Seen b = camera_.see(edge.b);
         const double long_px = std::hypot(b.x - a.x, b.y - a.y);
         if (long_px < 1e-9) return;
         const double half = 0.5 * kLinePx * kOver;
@@ -159,19 +160,37 @@ class Picture {
         const Seen a2{a.x - nx, a.y - ny, a.near};
         const Seen b1{b.x + nx, b.y + ny, b.near};
         const Seen b2{b.x - nx, b.y - ny, b.near};
-        // Over its own plate, of which a half of the line may lie behind, it is there all the same.
-        const double over = 1.0 + kLinePx * kOver / (camera_.scale * (camera_.eye_mm - framing_.radius_mm));
-        const auto fill = [&](int y, int first, int last, double near, double step) {
+        const auto fill = [&](int y, int first, int last, double, double) {
             const std::size_t row = sample(0, y);
-            for (int x = first; x <= last; ++x, near += step) {
+            for (int x = first; x <= last; ++x) {
                 What& what = what_[row + index(x)];
-                const double nearest = near_[row + index(x)];
-                const bool own = what > 0 && model_.faces[index(what - 1)].plate == edge.plate;
-                if ((own ? over * near : near) > nearest) what = number;
+                if (what < 0) continue;
+                if (what == 0 || model_.faces[index(what - 1)].plate == edge.plate) {
+                    what = number;
+                    continue;
+                }
+                // Beside the line the face may lie behind it that hides it: its plane is looked at on the
+                // line.
+                const double px = x + 0.5 - a.x;
+                const double py = y + 0.5 - a.y;
+                const double t =
+                    std::clamp((px * (b.x - a.x) + py * (b.y - a.y)) / (long_px * long_px), 0.0, 1.0);
+                const double near = a.near + t * (b.near - a.near);
+                const double plane =
+                    near_on(model_.faces[index(what - 1)], a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+                if (plane <= 0.0 || 1.0 / near + kHidesMm < 1.0 / plane) what = number;
             }
         };
         each_row({a1, a2, b1}, wide_, top_, bottom * kOver, fill);
         each_row({a2, b2, b1}, wide_, top_, bottom * kOver, fill);
+    }
+
+    // How near the plane of a face is at a place of the picture; not above 0: it is not before the eye there.
+    [[nodiscard]] double near_on(const Face& face, double x, double y) const {
+        const Vec3 way = (1.0 / (camera_.scale * camera_.eye_mm)) *
+                             ((x - camera_.cx) * camera_.right + (camera_.cy - y) * camera_.up) -
+                         camera_.back;
+        return dot(face.frame.normal(), way) / dot(face.frame.normal(), face.frame.origin - camera_.eye());
     }
 
     [[nodiscard]] Vec3 point(int x, int y, double near) const {
@@ -234,14 +253,15 @@ class Picture {
     }
 
     [[nodiscard]] Light background(int y) const {
-        return mixed(kSky, kTable, static_cast<float>(y) / static_cast<float>(height_));
+        return mixed(kSky, kTable,
+                     framing_.plain ? 0.5F : static_cast<float>(y) / static_cast<float>(height_));
     }
     // The background with the model's shadow on the ground.
     [[nodiscard]] Light table(int x, int y) const {
         const Light plain = background(y);
         const Vec3 eye = camera_.eye();
         const Vec3 way = camera_.point((x + 0.5) * kOver, (y + 0.5) * kOver, 1.0 / camera_.eye_mm) - eye;
-        const Vec3 up = model_.stand.up;
+        constexpr Vec3 up{0, 0, 1};
         const double falls = dot(way, up);
         if (falls >= -1e-6 * camera_.eye_mm) return plain;
         const double share = (framing_.ground_mm - dot(eye, up)) / falls;
@@ -328,37 +348,49 @@ class Picture {
 
 }  // namespace
 
-Framing framing_of(const Model& model, View view, int width, int height) {
-    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    each_point(model, [&](Vec3 p) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+void Framer::measure(const Model& model) {
+    each_point(model, [this](Vec3 p) {
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+        high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
     });
-    if (low.x > high.x) low = high = {};
-    const Vec3 size = high - low;
-    Framing framing;
-    framing.radius_mm = std::max(0.5 * std::sqrt(dot(size, size)), 1e-3);
-    framing.camera = camera_at(view, model.stand, 0.5 * (low + high), framing.radius_mm);
-    framing.ground_mm = HUGE_VAL;
-    Box box;
+}
+
+Framing Framer::unaimed() const {
+    const bool empty = low_.x > high_.x;
+    const Vec3 low = empty ? Vec3{} : low_;
+    const Vec3 size = (empty ? Vec3{} : high_) - low;
+    const double radius = std::max(0.5 * std::sqrt(dot(size, size)), 1e-3);
+    return {camera_at(view_, low + 0.5 * size, radius), radius, low.z, false};
+}
+
+void Framer::aim(const Model& model) {
+    const Camera camera = unaimed().camera;
     each_point(model, [&](Vec3 p) {
-        const Seen seen = framing.camera.see(p);
-        box.extend({seen.x, seen.y});
-        framing.ground_mm = std::min(framing.ground_mm, dot(p, model.stand.up));
+        const Seen seen = camera.see(p);
+        seen_.extend({seen.x, seen.y});
     });
+}
+
+Framing Framer::framing() const {
+    Framing framing = unaimed();
+    if (seen_.empty()) return framing;
     Camera& camera = framing.camera;
-    if (!box.empty())
-        camera.scale =
-            kFilled * std::min(width / std::max(box.width(), 1e-6), height / std::max(box.height(), 1e-6));
-    const Vec2 middle = box.empty() ? Vec2{} : box.centre();
-    camera.cx = 0.5 * width - camera.scale * middle.x;
-    camera.cy = 0.5 * height - camera.scale * middle.y;
+    camera.scale =
+        kFilled * std::min(width_ / std::max(seen_.width(), 1e-6), height_ / std::max(seen_.height(), 1e-6));
+    camera.cx = 0.5 * width_ - camera.scale * seen_.centre().x;
+    camera.cy = 0.5 * height_ - camera.scale * seen_.centre().y;
     return framing;
 }
 
-Pixels render(const Model& model, View view, int width, int height) {
-    return Picture(model, framing_of(model, view, width, height), width, height).run();
+Framing framing_of(const Model& model, View view, int width, int height) {
+    Framer framer(view, width, height);
+    framer.measure(model);
+    framer.aim(model);
+    return framer.framing();
+}
+
+Pixels render(const Model& model, const Framing& framing, int width, int height) {
+    return Picture(model, framing, width, height).run();
 }
 
 }  // namespace popup::still

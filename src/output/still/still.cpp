@@ -13,6 +13,7 @@ namespace popup {
 namespace {
 
 constexpr double kMostPixels = 100e6;
+constexpr PictureSize kStillSize{800, 600};
 
 // "-front-90", of what more than one picture has.
 std::string suffix_of(const StillOptions& options, View view, double opening_deg) {
@@ -28,12 +29,12 @@ std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> 
                                                      const OutputOptions& options, Diagnostics& diagnostics) {
     StillOptions asked = options.still;
     if (asked.views.empty()) asked.views = {View::iso};
-    const double pixels = static_cast<double>(asked.width) * asked.height;
-    if (pixels > kMostPixels) {
+    const auto [width, height] = asked.size.value_or(kStillSize);
+    if (static_cast<double>(width) * height > kMostPixels) {
         diagnostics
             .error("picture-too-large", {},
-                   fmt::format("a view of {} × {} pixels; a picture has at most {:.0f} million", asked.width,
-                               asked.height, kMostPixels / 1e6))
+                   fmt::format("a view of {} × {} pixels; a picture has at most {:.0f} million", width,
+                               height, kMostPixels / 1e6))
             .hint("choose a smaller --size");
         return std::nullopt;
     }
@@ -45,7 +46,8 @@ std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> 
         if (!model) return std::nullopt;
         for (const View view : asked.views) {
             SheetFile file{suffix_of(asked, view, opening), {}};
-            if (!to_png(still::render(*model, view, asked.width, asked.height), std::nullopt, file.bytes)) {
+            if (!to_png(still::render(*model, still::framing_of(*model, view, width, height), width, height),
+                        std::nullopt, file.bytes)) {
                 diagnostics
                     .error("picture-failed", {}, "the PNG could not be made: there is no memory for it")
                     .hint("choose a smaller --size");

@@ -260,6 +260,8 @@ TEST(IncludeOrder, LibrariesStayInTheirRooms) {
                                                        {"cairo", "output/"},
                                                        {"toml++/", "base/text/toml_text.h"},
                                                        {"qpdf/", "output/production_pdf.cpp"},
+                                                       {"gif_lib.h", "output/still/gif.cpp"},
+                                                       {"webp/", "output/still/webp.cpp"},
                                                        {"png.h", "output/png.cpp"},
                                                        {"png.h", "pictures/decode_png.cpp"},
                                                        {"jpeglib.h", "pictures/decode_jpeg.cpp"},
