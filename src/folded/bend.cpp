@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kMostCorners = 2000;
 // An end of a flat line this near to a corner, as a share of the sheet, is there.
 constexpr double kAtCorner = 1.0 / 400.0;
+// A corner this near to a line, as a share of its length, lies on it.
+constexpr double kOnWay = 1e-6;
 // A diagonal is turned only for one that is better by more than rounding.
 constexpr double kClearlyBetter = 1e-9;
 
@@ -123,14 +125,36 @@ class Divider {
                 const auto found = place.find(other);
                 if (found == place.end() || found->second < i + 2) continue;
                 if (i == 0 && found->second + 1 == ring.size()) continue;
-                if (leads_inwards(ring, i, found->second)) return {i, found->second};
+                if (leads_inwards(ring, i, found->second) && meets_no_side(ring, i, found->second))
+                    return {i, found->second};
             }
         }
         return {0, 0};
     }
 
-    // Whether the way from corner i to corner k begins inside the ring. What is drawn crosses no fold or cut,
-    // so it stays there.
+    // Whether the way from corner i to corner k meets no side of the ring in between: flat lines may be drawn
+    // across cuts.
+    [[nodiscard]] bool meets_no_side(const std::vector<int>& ring, std::size_t i, std::size_t k) const {
+        const std::size_t count = ring.size();
+        const Vec2 a = sheet_.at(ring[i]);
+        const Vec2 b = sheet_.at(ring[k]);
+        for (std::size_t m = 0; m < count; ++m) {
+            const std::size_t n = (m + 1) % count;
+            const Vec2 p = sheet_.at(ring[m]);
+            const Vec2 q = sheet_.at(ring[n]);
+            if (m == i || m == k) continue;
+            // A corner on the way would leave a triangle without an area.
+            if (std::abs(cross(b - a, p - a)) <= kOnWay * dot(b - a, b - a) && dot(p - a, p - b) < 0.0)
+                return false;
+            if (n == i || n == k) continue;
+            const bool parts_line = cross(b - a, p - a) * cross(b - a, q - a) <= 0.0;
+            const bool parts_side = cross(q - p, a - p) * cross(q - p, b - p) <= 0.0;
+            if (parts_line && parts_side) return false;
+        }
+        return true;
+    }
+
+    // Whether the way from corner i to corner k begins inside the ring.
     [[nodiscard]] bool leads_inwards(const std::vector<int>& ring, std::size_t i, std::size_t k) const {
         const std::size_t count = ring.size();
         const Vec2 at = sheet_.at(ring[i]);

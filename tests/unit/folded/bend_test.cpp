@@ -177,6 +177,36 @@ TEST(Bends, AreWhereThePatternDrawsThem) {
     EXPECT_TRUE(bends_along({40, 0}, {80, 40}));
 }
 
+// A panel with a notch, on three folds around a corner, which cannot be folded. Lines that are drawn as flat
+// across the notch, or along its edge, are no lines to bend it along: there is no paper.
+TEST(Bends, StayOnThePaper) {
+    const std::vector<Vec2> at{{0, 0},    {100, 0}, {100, 60}, {100, 100},  {70, 100},  {70, 30},  {30, 30},
+                               {30, 100}, {0, 100}, {0, 60},   {100, -100}, {50, -100}, {0, -100}, {50, -15}};
+    const Ring border{at[0], at[12], at[11], at[10], at[1], at[2], at[3],
+                      at[4], at[5],  at[6],  at[7],  at[8], at[9]};
+    for (const auto& flat : std::vector<std::vector<std::pair<int, int>>>{
+             {}, {{9, 2}}, {{9, 5}, {9, 3}, {8, 2}}, {{7, 4}}, {{0, 8}}, {{9, 6}, {2, 5}}}) {
+        CreasePattern pattern;
+        pattern.lines.push_back({border, true, CreaseUse::cut});
+        for (const int end : {0, 1, 11})
+            pattern.lines.push_back(fold(at[13], at[static_cast<std::size_t>(end)], true));
+        for (const auto& [a, b] : flat)
+            pattern.lines.push_back(
+                {{at[static_cast<std::size_t>(a)], at[static_cast<std::size_t>(b)]}, false, CreaseUse::flat});
+        Diagnostics diagnostics("bends");
+        const auto sheet = fold_sheet(pattern, {}, diagnostics);
+        ASSERT_TRUE(sheet.has_value()) << test::findings(diagnostics);
+        EXPECT_TRUE(sheet->sweep.bends);
+        double paper = 0.0;
+        for (const Plate& plate : sheet->plates) {
+            const double own = signed_area(plate.outline.outer);
+            EXPECT_GT(own, 0.0);
+            paper += own;
+        }
+        EXPECT_NEAR(paper, std::abs(signed_area(border)), 1e-6) << flat.size();
+    }
+}
+
 TEST(Bends, AreNotWhereASheetFoldsWithout) {
     CreasePattern pattern;
     pattern.lines = {{{{0, 0}, {90, 0}, {90, 40}, {0, 40}}, true, CreaseUse::cut},
