@@ -21,6 +21,9 @@ constexpr double kNearSourceMm = 0.5;
 constexpr double kNearSourceShare = 1.0 / 400.0;
 // Distances that differ by less are equal, mm.
 constexpr double kEqualMm = 1e-5;
+// Most corners are where they were.
+constexpr double kNextMm = 1e-3;
+constexpr std::size_t kMostAround = 200;
 
 class Finder {
  public:
@@ -62,8 +65,11 @@ class Finder {
             if (!middle) continue;
             boxes.query({*middle, *middle}, found);
             const auto holds = [&](int number) { return contains(face(number), *middle); };
-            const auto first = std::find_if(found.begin(), found.end(), holds);
-            if (first != found.end()) out_.faces[f] = *first;
+            // In files whose faces lie on one another, which are no sheet, many are around every point.
+            const auto last =
+                found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostAround));
+            const auto first = std::find_if(found.begin(), last, holds);
+            if (first != last) out_.faces[f] = *first;
         }
     }
 
@@ -116,9 +122,15 @@ class Finder {
         return best;
     }
 
-    [[nodiscard]] Box around(Vec2 p) const {
-        const Vec2 margin{far_, far_};
-        return {p - margin, p + margin};
+    // What `fits` of what lies around a point: next to it, or else as far as corners are moved.
+    template <typename Fits>
+    void query(const EdgeIndex& index, Vec2 p, const Fits& fits, std::vector<int>& found) const {
+        for (const double reach : {kNextMm, far_}) {
+            const Vec2 margin{reach, reach};
+            index.query({p - margin, p + margin}, found);
+            std::erase_if(found, [&](int one) { return !fits(one); });
+            if (!found.empty()) return;
+        }
     }
 
     void find_vertices() {
@@ -128,7 +140,8 @@ class Finder {
         std::vector<int> found;
         for (const int at : mesh_.vertex_corner) {
             const Vec2 p = mesh_.place(at);
-            index.query(around(p), found);
+            query(
+                index, p, [](int) { return true; }, found);
             const auto distance_to = [&](int one) { return distance(corner(one), p); };
             const auto corners_of = [](int one) { return std::array{one}; };
             out_.vertices.push_back(nearest(found, at, distance_to, corners_of));
@@ -144,10 +157,10 @@ class Finder {
             const Vec2 a = mesh_.place(side);
             const Vec2 b = mesh_.place(mesh_.next(side));
             const Vec2 middle = 0.5 * (a + b);
-            index.query(around(middle), found);
-            std::erase_if(found, [&](int one) {
-                return std::max(distance(a, nth(segments, one)), distance(b, nth(segments, one))) > far_;
-            });
+            const auto lies_on = [&](int one) {
+                return std::max(distance(a, nth(segments, one)), distance(b, nth(segments, one))) <= far_;
+            };
+            query(index, middle, lies_on, found);
             const auto distance_to = [&](int one) { return distance(middle, nth(segments, one)); };
             const auto corners_of = [this](int one) { return nth(from_.edge_corners, one); };
             out_.edges.push_back(nearest(found, side, distance_to, corners_of));
