@@ -158,6 +158,18 @@ void whole_compile(benchmark::State& state) {
     }
 }
 
+// Pictures of the 26-element sample: a still of 800 × 600 pixels, 60 moving ones of 480 × 360.
+void pictures(benchmark::State& state, const char* suffix) {
+    CompileOptions options;
+    options.until = Stage::motion;
+    const Compilation c = compile({creature()}, options, {});
+    const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
+    for (auto _ : state) {
+        Diagnostics diagnostics;
+        benchmark::DoNotOptimize(write_with<StillWriter>(suffix)({&scene, 1}, {}, diagnostics));
+    }
+}
+
 const std::vector<int> kSheets{250, 500, 1000};
 
 // A sheet of so many drawn features, read, examined and written to SVG and GLB.
@@ -266,6 +278,9 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark("solver/iterative, exact", solver_iterative<1000000>)
         ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark("whole compile", whole_compile)->Unit(benchmark::kMicrosecond);
+    for (const char* suffix : {".view.png", ".webp", ".gif"})
+        benchmark::RegisterBenchmark((std::string("picture/") + suffix).c_str(), pictures, suffix)
+            ->Unit(benchmark::kMillisecond);
     auto* sheets = benchmark::RegisterBenchmark("drawn sheet", drawn_sheet)->Unit(benchmark::kMillisecond);
     for (const int size : kSheets) sheets->Arg(size);
     static Diagnostics ignored;

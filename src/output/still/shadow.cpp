@@ -33,6 +33,10 @@ Sun::Sun(Vec3 towards, const Model& model, Vec3 centre, double radius_mm)
                 float* texel = nearest_.data() + static_cast<std::ptrdiff_t>(y) * kSide;
                 for (int x = first; x <= last; ++x, near += step)
                     texel[x] = std::max(texel[x], static_cast<float>(near));
+                first_x_ = std::min(first_x_, first);
+                last_x_ = std::max(last_x_, last);
+                first_y_ = std::min(first_y_, y);
+                last_y_ = std::max(last_y_, y);
             });
         }
     }
@@ -51,15 +55,23 @@ double Sun::reaches(Vec3 p, Vec3 normal, int soft) const {
     const double steep = std::max(slope, kFlatSlope);
     const double by_x = -dot(normal, right_) / (steep * scale_);
     const double by_y = dot(normal, up_) / (steep * scale_);
+    // Beyond what the model covers there is nothing to ask.
+    const int reach = kTaps / 2 * soft;
+    const double x = std::floor(at.x);
+    const double y = std::floor(at.y);
+    if (x + reach < first_x_ || x - reach > last_x_ || y + reach < first_y_ || y - reach > last_y_)
+        return slope;
+    const int column = static_cast<int>(x);
+    const int row = static_cast<int>(y);
     const auto lit = [&](int i, int k) {
         const int dx = (i - kTaps / 2) * soft;
         const int dy = (k - kTaps / 2) * soft;
-        const double x = std::floor(at.x) + dx;
-        const double y = std::floor(at.y) + dy;
-        if (x < 0.0 || y < 0.0 || x >= kSide || y >= kSide) return 1;
+        const int tx = column + dx;
+        const int ty = row + dy;
+        if (tx < 0 || ty < 0 || tx >= kSide || ty >= kSide) return 1;
         const double near = at.near + by_x * dx + by_y * dy + bias_mm_;
         return near >= static_cast<double>(
-                           nearest_[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)])
+                           nearest_[static_cast<std::size_t>(ty) * kSide + static_cast<std::size_t>(tx)])
                    ? 1
                    : 0;
     };

@@ -24,6 +24,7 @@ class Sun {
     Vec3 right_, up_, back_, centre_;
     double scale_ = 1.0;  // texels a mm
     double bias_mm_ = 0.0;
+    int first_x_ = kSide, last_x_ = -1, first_y_ = kSide, last_y_ = -1;  // of texels that the model covers
     std::vector<float> nearest_;  // by texel: how near to the sun something lies, mm from the centre
 };
 
