@@ -96,24 +96,30 @@ bool are_files_of_their_own(const OutputRequest& request, Diagnostics& diagnosti
 
 // What is read as an assembly has no document. Parts that do not move have sheets and a report; also a model,
 // where their language says how they stand.
-enum class Read { assembly, standing_parts, parts };
+enum class Read { assembly, lying_sheet, standing_parts, parts };
 
 bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
-        if (std::holds_alternative<SceneWriter>(output.format->write) ||
-            std::holds_alternative<StillWriter>(output.format->write)) {
-            if (what != Read::assembly && !output.format->takes_stills) lacking = "motion";
+        const bool is_scene = std::holds_alternative<SceneWriter>(output.format->write);
+        if (is_scene || std::holds_alternative<StillWriter>(output.format->write)) {
+            // A sheet that lies folded has all that a scene writer asks for, and is a pose of its own.
+            const bool is_enough = what == Read::assembly || (what == Read::lying_sheet && is_scene);
+            if (!is_enough && !output.format->takes_stills) lacking = "motion";
             if (what == Read::parts) lacking = "moving model";
         }
         if (std::holds_alternative<DocumentWriter>(output.format->write)) lacking = "popup document";
         if (lacking.empty()) continue;
-        Diagnostic& told = refuse(
-            diagnostics, fmt::format("{}: this {}, and has no {} for {}", input,
-                                     what == Read::assembly ? "is an assembly" : "describes flat parts",
-                                     lacking, output.path));
+        Diagnostic& told =
+            refuse(diagnostics, fmt::format("{}: this {}, and has no {} for {}", input,
+                                            what == Read::assembly      ? "is an assembly"
+                                            : what == Read::lying_sheet ? "is a sheet that lies folded"
+                                                                        : "describes flat parts",
+                                            lacking, output.path));
         if (what == Read::assembly) {
             told.hint("a document is written of the design that the assembly was made of");
+        } else if (what == Read::lying_sheet) {
+            told.hint("without --flat it moves; what lies has stills (.view.png) and a model (.glb, .fold)");
         } else {
             told.hint(outputs_of_parts(what == Read::standing_parts));
         }
@@ -220,11 +226,11 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
 bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics) {
     return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
         if (one.design || !one.assembly) return true;
-        // A sheet that lies folded has all that a moving one has, but other poses.
         const bool is_sheet = has_model(*one.assembly) && !one.assembly->hinges.empty();
-        const Read what = moves(*one.assembly) || is_sheet ? Read::assembly
-                          : has_model(*one.assembly)       ? Read::standing_parts
-                                                           : Read::parts;
+        const Read what = moves(*one.assembly)       ? Read::assembly
+                          : is_sheet                 ? Read::lying_sheet
+                          : has_model(*one.assembly) ? Read::standing_parts
+                                                     : Read::parts;
         return can_be_made_of(what, one.source.name, plan, diagnostics);
     });
 }
@@ -271,6 +277,13 @@ std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const
             continue;
         }
         if (parts->size() > 1 && is_standard_output(output.path)) {
+            if (std::holds_alternative<StillWriter>(output.format->write)) {
+                refuse(run.run_diagnostics,
+                       fmt::format("standard output takes one file, and the views and openings make {}",
+                                   parts->size()))
+                    .hint("write to a file, or ask for one --view and one opening");
+                return std::nullopt;
+            }
             refuse(
                 run.run_diagnostics,
                 fmt::format("standard output takes one file, and the sheets, their sides and parts make {}",

@@ -99,7 +99,7 @@ void add_ring(const Ring& ring, const Frame& frame, Vec3 shift, const Light& ink
 Modeller::Modeller(std::span<const SceneCard> cards) {
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
-        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}};
+        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, false};
         for (const Plate& plate : assembly.plates) {
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
@@ -111,12 +111,15 @@ Modeller::Modeller(std::span<const SceneCard> cards) {
         cards_.push_back(std::move(card));
     }
     best_deg_ = rest_of(sweep_of(cards));
-    if (cards_.size() > 1 || cards_.front().scene->assembly->covers.size() < 2) return;
-    Card& card = cards_.front();
-    Diagnostics unheard;  // at() tells of it
-    stands_up_ = moves(*card.scene->assembly) &&
-                 place_card(*card.scene->assembly, best_deg_, card.frames, unheard) && stands_up(card);
-    if (!stands_up_) best_deg_ = std::clamp(kLiesOpenDeg, best_deg_, card.scene->assembly->sweep.to_deg);
+    double widest = 180.0;
+    for (Card& card : cards_) {
+        const Assembly& assembly = *card.scene->assembly;
+        Diagnostics unheard;  // at() tells of it
+        const bool is_card = moves(assembly) && assembly.covers.size() > 1;
+        card.stands_up = is_card && place_card(assembly, best_deg_, card.frames, unheard) && stands_up(card);
+        widest = std::min(widest, is_card && !card.stands_up ? kLiesOpenDeg : best_deg_);
+    }
+    best_deg_ = std::max(best_deg_, std::min(widest, sweep_of(cards).to_deg));
 }
 
 const Texture* Modeller::texture_of(const Image& image) {
@@ -145,7 +148,7 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
             std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
                            [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
         }
-        if (stands_up_) stand_up(assembly, card.frames);
+        if (card.stands_up) stand_up(assembly, card.frames);
         double low = HUGE_VAL;
         double high = -HUGE_VAL;
         for (std::size_t i = 0; i < card.plates.size(); ++i) {

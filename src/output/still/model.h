@@ -71,6 +71,7 @@ class Modeller {
         std::vector<Plane> plates;
         std::vector<Frame> frames;
         std::vector<Vec3> lifts;  // of what stands still
+        bool stands_up = false;   // it is seen best with one page for a back wall
     };
     const Texture* texture_of(const Image& image);
     void add(const Card& card, Vec3 shift, Model& model) const;
@@ -80,7 +81,6 @@ class Modeller {
     std::vector<Card> cards_;
     std::map<const std::string*, Texture> textures_;
     double best_deg_ = 90.0;
-    bool stands_up_ = false;  // one card that is seen best with one page for a back wall
 };
 
 }  // namespace popup::still
