@@ -151,7 +151,7 @@ class Picture {
     void draw(const Edge& edge, What number, int bottom) {
         const Seen a = camera_.see(edge.a);
         const Seen b = camera_.see(edge.b);
-        const double long_px = std::hypot(b.x - a.x, b.y - a.y);
+        const double long_px = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
         if (long_px < 1e-9) return;
         const double half = 0.5 * kLinePx * kOver;
         const double nx = -(b.y - a.y) / long_px * half;
