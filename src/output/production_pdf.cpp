@@ -1,20 +1,11 @@
 #include "output/production_pdf.h"
 
-// What qpdf's headers ask to be told: that its old smart pointer is not used here.
-#define POINTERHOLDER_TRANSITION 4
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <qpdf/Buffer.hh>
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFObjectHandle.hh>
-#include <qpdf/QPDFPageDocumentHelper.hh>
-#include <qpdf/QPDFPageObjectHelper.hh>
-#include <qpdf/QPDFWriter.hh>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -24,6 +15,7 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/text/numbers.h"
 #include "output/pdf_pages.h"
+#include "output/qpdf.h"
 #include "output/sheet_drawing.h"
 #include "output/sheet_sides.h"
 #include "popup/image.h"

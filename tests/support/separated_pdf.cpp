@@ -2,14 +2,10 @@
 
 #include <gtest/gtest.h>
 
-// What qpdf's headers ask to be told: that its old smart pointer is not used here.
-#define POINTERHOLDER_TRANSITION 4
-
 #include <cmath>
 #include <cstdint>
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFObjectHandle.hh>
 
+#include "output/qpdf.h"
 #include "support/run_program.h"
 
 namespace popup::test {
