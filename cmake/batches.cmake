@@ -120,7 +120,7 @@ function(popup_batches out name most)
     set(source ${PROJECT_BINARY_DIR}/batches/${name}/${room_${batch}}_${batch}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "${text_${batch}}" @ONLY)
     # Types of unnamed namespaces in those of a header: none but this file defines the latter.
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -Wno-subobject-linkage)
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     list(APPEND sources ${source})
     list(REMOVE_ITEM old ${source})
     math(EXPR batch "${batch} + 1")
