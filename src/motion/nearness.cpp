@@ -121,6 +121,8 @@ Sides sides_of(const PairPose& pose) {
 
 bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, const Moves& moves,
                            double distance_mm, Found& found) {
+    const Vec3 square = cross(fixed[1] - fixed[0], fixed[2] - fixed[0]);
+    const double size = length(square);
     pieces_.clear();
     pieces_.push_back({moving, 0});
     while (!pieces_.empty()) {
@@ -128,11 +130,20 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
         pieces_.pop_back();
         double most = 0.0;
         double least = std::numeric_limits<double>::infinity();
+        // How far it stays from the plane of the other, in front of it and behind. Wherever it is, its
+        // heights over a plane lie between those of its corners. Without this, plates that nearly touch along
+        // an edge are quartered all along it.
+        double before = std::numeric_limits<double>::infinity();
+        double behind = before;
         for (const Vec3 p : piece.corners) {
             const double s = stray(p, moves);
             most = std::max(most, s);
             least = std::min(least, s);
+            const double height = dot(square, p - fixed[0]);
+            before = std::min(before, height - s * size);
+            behind = std::min(behind, -height - s * size);
         }
+        if (std::max(before, behind) > distance_mm * size) continue;
         if (surely_apart(fixed, piece.corners, distance_mm + most)) continue;
         const ClosestPoints closest = closest_points(fixed, piece.corners);
         if (closest.distance > distance_mm + most) continue;
