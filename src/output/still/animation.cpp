@@ -38,14 +38,17 @@ std::vector<double> openings(const Sweep& sweep, int count) {
 std::vector<Film::Frame> there_and_back(int count, double duration_s) {
     const int steps = 2 * (count - 1);
     const double rests_s = std::min(1.5 * kRestOpenS, 0.5 * duration_s);
-    const auto ms = [](double seconds) {
-        return std::max(1, static_cast<int>(std::lround(1000.0 * seconds)));
-    };
     std::vector<Film::Frame> frames;
+    double end_s = 0.0;
+    long shown_ms = 0;
     for (int i = 0; i < steps; ++i) {
         const int picture = i < count ? i : steps - i;
         const double rest_s = i == 0 ? rests_s / 3.0 : i == count - 1 ? 2.0 * rests_s / 3.0 : 0.0;
-        frames.push_back({static_cast<std::size_t>(picture), ms((duration_s - rests_s) / steps + rest_s)});
+        end_s += (duration_s - rests_s) / steps + rest_s;
+        // What rounding takes from one the next one has.
+        const long ms = std::max(1L, std::lround(1000.0 * end_s) - shown_ms);
+        shown_ms += ms;
+        frames.push_back({static_cast<std::size_t>(picture), static_cast<int>(ms)});
     }
     return frames;
 }
@@ -75,27 +78,41 @@ std::optional<Film> film_of(still::Modeller& modeller, const std::vector<double>
     return film;
 }
 
-template <typename Encode>
-std::optional<std::vector<SheetFile>> write(std::string_view format, const Encode& encode,
-                                            std::span<const SceneCard> cards, const OutputOptions& options,
-                                            Diagnostics& diagnostics) {
+struct Encoding {
+    std::string_view name;
+    bool (*encode)(const Film&, std::string&);
+    int most_side;    // pixels, of the file format
+    double most_fps;  // what viewers show as it is written
+};
+constexpr Encoding kWebP{"WebP", still::to_webp, 16383, 100.0};
+constexpr Encoding kGif{"GIF", still::to_gif, 65535, 50.0};
+
+std::optional<std::vector<SheetFile>> write(const Encoding& encoding, std::span<const SceneCard> cards,
+                                            const OutputOptions& options, Diagnostics& diagnostics) {
     const PictureSize size = options.still.size.value_or(kSize);
-    const double fps = options.fps > 0.0 ? options.fps : kFps;
+    if (std::max(size.width, size.height) > encoding.most_side) {
+        diagnostics
+            .error("picture-too-large", {},
+                   fmt::format("pictures of {} × {} pixels; a {} has at most {} a side", size.width,
+                               size.height, encoding.name, encoding.most_side))
+            .hint("choose a smaller --size");
+        return std::nullopt;
+    }
+    const double fps = options.fps > 0.0 ? std::min(options.fps, encoding.most_fps) : kFps;
     const double pictures = std::max<double>(kFewest, std::round(0.5 * fps * options.duration_s) + 1.0);
     const double pixels = pictures * size.width * size.height;
     if (pixels > kMostPixels) {
         diagnostics
-            .error("picture-too-large", {},
-                   fmt::format(
-                       "{:.0f} pictures of {} × {} pixels, from closed to open; they have at most {:.0f} "
-                       "million pixels",
-                       pictures, size.width, size.height, kMostPixels / 1e6))
+            .error(
+                "picture-too-large", {},
+                fmt::format("opening takes {:.0f} pictures of {} × {} pixels; together they may have {:.0f} "
+                            "million pixels",
+                            pictures, size.width, size.height, kMostPixels / 1e6))
             .hint("choose a smaller --size or --fps, or a shorter --duration");
         return std::nullopt;
     }
     const int count = static_cast<int>(pictures);
-    std::vector<View> views = options.still.views;
-    if (views.empty()) views = {View::iso};
+    const std::vector<View>& views = options.still.views;
     still::Modeller modeller(cards);
     std::vector<SheetFile> files;
     for (const View view : views) {
@@ -105,10 +122,10 @@ std::optional<std::vector<SheetFile>> write(std::string_view format, const Encod
         film->frames = there_and_back(count, options.duration_s);
         SheetFile file;
         if (views.size() > 1) file.suffix = fmt::format("-{}", kViewNames.at(static_cast<std::size_t>(view)));
-        if (!encode(*film, file.bytes)) {
+        if (!encoding.encode(*film, file.bytes)) {
             diagnostics
                 .error("picture-failed", {},
-                       fmt::format("the {} could not be made: there is no memory for it", format))
+                       fmt::format("the {} could not be made: there is no memory for it", encoding.name))
                 .hint("choose a smaller --size");
             return std::nullopt;
         }
@@ -121,12 +138,12 @@ std::optional<std::vector<SheetFile>> write(std::string_view format, const Encod
 
 std::optional<std::vector<SheetFile>> write_webp(std::span<const SceneCard> cards,
                                                  const OutputOptions& options, Diagnostics& diagnostics) {
-    return write("WebP", still::to_webp, cards, options, diagnostics);
+    return write(kWebP, cards, options, diagnostics);
 }
 
 std::optional<std::vector<SheetFile>> write_gif(std::span<const SceneCard> cards,
                                                 const OutputOptions& options, Diagnostics& diagnostics) {
-    return write("GIF", still::to_gif, cards, options, diagnostics);
+    return write(kGif, cards, options, diagnostics);
 }
 
 }  // namespace popup

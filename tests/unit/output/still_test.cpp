@@ -360,6 +360,35 @@ TEST(Film, IsAWebPOfAsManyFramesAndMilliseconds) {
     EXPECT_EQ(files->front().bytes, bytes);
 }
 
+TEST(Film, TakesItsTimeHoweverManyPicturesItHas) {
+    const Compilation run = compiled("castle.xml");
+    const SceneCard card = card_of(run);
+    OutputOptions options = short_film();
+    options.fps = 70.0;  // 14.3 ms each, and GIF has at most 50
+    options.duration_s = 1.0;
+    const auto number = [](const std::string& bytes, std::size_t at) {
+        return static_cast<unsigned char>(bytes.at(at)) + 256 * static_cast<unsigned char>(bytes.at(at + 1));
+    };
+    const std::string webp = film(card, "webp", options);
+    int ms = 0;
+    for (std::size_t at = webp.find("ANMF"); at != std::string::npos; at = webp.find("ANMF", at + 4))
+        ms += number(webp, at + 20);
+    EXPECT_EQ(ms, 1000);
+    const std::string gif = film(card, "gif", options);
+    int hundredths = 0;
+    const std::string control{'\x21', '\xf9', '\x04'};
+    for (std::size_t at = gif.find(control); at != std::string::npos; at = gif.find(control, at + 3)) {
+        if (gif.at(at + 7) != 0 || gif.at(at + 8) != 0x2c) continue;  // chance, within a picture
+        EXPECT_GE(number(gif, at + 4), 1);
+        hundredths += number(gif, at + 4);
+    }
+    EXPECT_EQ(hundredths, 100);
+    options.still.size = PictureSize{20000, 16};
+    Diagnostics diagnostics("film");
+    EXPECT_FALSE(std::get<StillWriter>(find_format("webp")->write)({&card, 1}, options, diagnostics));
+    EXPECT_NE(test::findings(diagnostics).find("a WebP has at most 16383 a side"), std::string::npos);
+}
+
 TEST(Film, RefusesWhatIsTooLong) {
     const Compilation run = compiled("castle.xml");
     const SceneCard card = card_of(run);
