@@ -101,11 +101,10 @@ enum class Read { assembly, lying_sheet, standing_parts, parts };
 bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
-        const bool is_scene = std::holds_alternative<SceneWriter>(output.format->write);
-        if (is_scene || std::holds_alternative<StillWriter>(output.format->write)) {
-            // A sheet that lies folded has all that a scene writer asks for, and is a pose of its own.
-            const bool is_enough = what == Read::assembly || (what == Read::lying_sheet && is_scene);
-            if (!is_enough && !output.format->takes_stills) lacking = "motion";
+        if (std::holds_alternative<SceneWriter>(output.format->write) ||
+            std::holds_alternative<StillWriter>(output.format->write)) {
+            const Stills least = what == Read::lying_sheet ? Stills::sheets : Stills::all;
+            if (what != Read::assembly && output.format->stills < least) lacking = "motion";
             if (what == Read::parts) lacking = "moving model";
         }
         if (std::holds_alternative<DocumentWriter>(output.format->write)) lacking = "popup document";
@@ -247,7 +246,8 @@ void refuse_definitions(Compilation& run) {
         if (one.design || one.assembly || one.diagnostics.has_errors()) continue;
         if (one.creases) {
             one.diagnostics
-                .error("unwritable-output", {}, "the sheet does not fold flat, so there is nothing to write")
+                .error("unwritable-output", {},
+                       "no flat state of the sheet was found, so there is nothing to write")
                 .hint("without --flat it is folded as far as its panels let it");
             continue;
         }
@@ -277,20 +277,14 @@ std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const
             continue;
         }
         if (parts->size() > 1 && is_standard_output(output.path)) {
-            if (std::holds_alternative<StillWriter>(output.format->write)) {
-                refuse(run.run_diagnostics,
-                       fmt::format("standard output takes one file, and the views and openings make {}",
-                                   parts->size()))
-                    .hint("write to a file, or ask for one --view and one opening");
-                return std::nullopt;
-            }
-            refuse(
-                run.run_diagnostics,
-                fmt::format("standard output takes one file, and the sheets, their sides and parts make {}",
-                            parts->size()))
-                .hint(
-                    "write to a file, choose a larger --sheet, or a format that holds several sheets (--to "
-                    "pdf)");
+            const bool are_pictures = std::holds_alternative<StillWriter>(output.format->write);
+            refuse(run.run_diagnostics,
+                   fmt::format("standard output takes one file, and the {} make {}",
+                               are_pictures ? "views and openings" : "sheets, their sides and parts",
+                               parts->size()))
+                .hint(are_pictures ? "write to a file, or ask for one --view and one opening (--at)"
+                                   : "write to a file, choose a larger --sheet, or a format that holds "
+                                     "several sheets (--to pdf)");
             good = false;
             continue;
         }

@@ -36,9 +36,9 @@ struct PictureSize {
 
 // Pictures of the model, one of each view, of stills one of each view and opening.
 struct StillOptions {
-    std::vector<View> views;           // empty: iso
-    std::vector<double> openings_deg;  // 0 to 180, as far as a card opens; empty: where it is seen best
-    std::optional<PictureSize> size;   // none: 800 × 600, of animations 480 × 360
+    std::vector<View> views{View::iso};  // each once, at least one
+    std::vector<double> openings_deg;    // 0 to 180, as far as a card opens; empty: where it is seen best
+    std::optional<PictureSize> size;     // none: 800 × 600, of animations 480 × 360
 };
 
 struct OutputOptions {
@@ -92,11 +92,18 @@ using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, cons
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);
 
+// What a format takes beside what moves.
+enum class Stills {
+    none,
+    sheets,  // a sheet that lies folded: it has hinges
+    all,     // whatever stands somewhere
+};
+
 struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
     std::variant<SheetWriter, SceneWriter, StillWriter, DocumentWriter, ReportWriter> write;
-    bool takes_stills = false;  // of scenes: what stands still too, and not only what moves
+    Stills stills = Stills::none;  // of models and their pictures
 };
 std::span<const Format> format_table();
 // The row whose suffix ends `path` (case disregarded), or whose suffix without its dot is `path`; null: none.

@@ -97,7 +97,8 @@ bool stands(const Assembly& assembly) {
                                            [](const Plate& plate) { return plate.stands.has_value(); });
 }
 
-// Places the plates; false: they do not get there. What stands nobody knows where lies as it is drawn.
+// Places the plates; false: they do not get there. A plate of which nothing says where it stands lies as it
+// is drawn.
 bool place_at(Card& card, double angle_deg, Diagnostics& diagnostics) {
     const Assembly& assembly = *card.scene->assembly;
     if (moves(assembly)) return place_card(assembly, angle_deg, card.frames, diagnostics);

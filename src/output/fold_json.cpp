@@ -32,11 +32,12 @@ void FoldJson::next_item() {
     first_ = false;
 }
 
+void FoldJson::new_line(std::size_t depth) { append("\n" + std::string(2 * depth, ' ')); }
+
 void FoldJson::next_row(std::size_t depth) {
     if (!first_) append(",");
     first_ = false;
-    append("\n");
-    append(std::string(2 * depth, ' '));
+    new_line(depth);
 }
 
 void FoldJson::begin_key(std::size_t depth, std::string_view key) {
@@ -56,8 +57,7 @@ void FoldJson::end_items() {
 }
 
 void FoldJson::end_rows(std::size_t depth) {
-    append("\n");
-    append(std::string(2 * depth, ' '));
+    new_line(depth);
     end_items();
 }
 
@@ -67,8 +67,7 @@ void FoldJson::begin_object() {
 }
 
 void FoldJson::end_object(std::size_t depth) {
-    append("\n");
-    append(std::string(2 * depth, ' '));
+    new_line(depth);
     append("}");
     first_ = false;
 }

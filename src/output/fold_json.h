@@ -43,6 +43,8 @@ class FoldJson {
     void list_key(std::size_t depth, std::string_view key, const std::vector<std::string_view>& texts);
 
  private:
+    void new_line(std::size_t depth);
+
     fmt::memory_buffer out_;
     bool first_ = false;  // nothing stands yet in the list or object that is open
 };

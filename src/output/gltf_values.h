@@ -11,7 +11,8 @@
 
 namespace popup {
 
-// A colour channel as light; six decimals, because pow() differs between processors in the last bit.
+// A colour channel of sRGB as light, 0 to 1; six decimals, because pow() differs between processors in the
+// last bit.
 double linear(std::uint8_t channel);
 
 // glTF text is UTF-8, and names hold file names: bytes that are none become U+FFFD.

@@ -57,7 +57,7 @@ std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height
     return pixels;
 }
 
-// The library leaves by longjmp when it fails; nothing with a destructor may live in what it calls.
+// The library leaves by longjmp when it fails; nothing with a destructor may live in encode_jpeg().
 struct JpegErrors {
     jpeg_error_mgr manager;
     std::jmp_buf back;

@@ -20,8 +20,9 @@ constexpr int kMostSide = 32767;
 View view_named(std::string_view name) {
     const auto known = std::find(kViewNames.begin(), kViewNames.end(), name);
     if (known == kViewNames.end()) {
-        throw UsageError(fmt::format("--view takes {}, not \"{}\"", fmt::join(kViewNames, ", "), name), {},
-                         {kViewNames.begin(), kViewNames.end()});
+        const std::vector<std::string_view> names(kViewNames.begin(), kViewNames.end());
+        throw UsageError(fmt::format("--view takes {}, not \"{}\"", fmt::join(kViewNames, ", "), name),
+                         did_you_mean(name, names), names);
     }
     return static_cast<View>(known - kViewNames.begin());
 }
@@ -49,7 +50,7 @@ void add_still_options(CLI::App& verb, StillOptions& still) {
               const std::optional<std::vector<Angle>> angles = parse_angles(text);
               if (!angles || angles->size() > kMostPictures) {
                   throw UsageError(
-                      fmt::format("--at takes openings from 0 to 180 degrees, up to {}, not \"{}\"",
+                      fmt::format("--at takes at most {} openings, from 0 to 180 degrees, not \"{}\"",
                                   kMostPictures, text),
                       {"such as --at 90, --at 30,90,150 or --at 0:180:30"});
               }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "output/gltf_values.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
 
@@ -18,11 +19,10 @@ constexpr Color kTraceInk{70, 70, 76};
 
 std::size_t index(int number) { return static_cast<std::size_t>(number); }
 
-float to_linear(std::uint8_t channel) {
-    const double c = channel / 255.0;
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+Light light_of(Color color) {
+    return {static_cast<float>(linear(color.r)), static_cast<float>(linear(color.g)),
+            static_cast<float>(linear(color.b))};
 }
-Light light_of(Color color) { return {to_linear(color.r), to_linear(color.g), to_linear(color.b)}; }
 Light ink_on(const Light& paper) {
     Light ink{};
     for (std::size_t i = 0; i < ink.size(); ++i) ink.at(i) = 0.22F * paper.at(i) + 0.02F;

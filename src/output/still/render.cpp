@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "output/still/raster.h"
+#include "output/gltf_values.h"
 #include "output/still/shadow.h"
+#include "output/still/triangle_rows.h"
 
 namespace popup::still {
 namespace {
@@ -45,11 +46,8 @@ class Tones {
             const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
             bytes_.at(index(i)) = static_cast<unsigned char>(std::lround(255.0 * s));
         }
-        for (int i = 0; i < 256; ++i) {
-            const double c = i / 255.0;
-            light_.at(index(i)) =
-                static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-        }
+        for (int i = 0; i < 256; ++i)
+            light_.at(index(i)) = static_cast<float>(linear(static_cast<std::uint8_t>(i)));
     }
     [[nodiscard]] unsigned char byte(float light) const {
         return bytes_[static_cast<std::size_t>(std::clamp(light, 0.0F, 1.0F) * kTones + 0.5F)];

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/still/raster.h"
+#include "output/still/triangle_rows.h"
 
 namespace popup::still {
 namespace {

@@ -28,7 +28,6 @@ std::string suffix_of(const StillOptions& options, View view, double opening_deg
 std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> cards,
                                                      const OutputOptions& options, Diagnostics& diagnostics) {
     StillOptions asked = options.still;
-    if (asked.views.empty()) asked.views = {View::iso};
     const auto [width, height] = asked.size.value_or(kStillSize);
     if (static_cast<double>(width) * height > kMostPixels) {
         diagnostics
