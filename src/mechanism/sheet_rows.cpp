@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "mechanism/catmull_rom.h"
 #include "mechanism/site_lines.h"
