@@ -118,7 +118,9 @@ bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan,
         if (what == Read::assembly) {
             told.hint("a document is written of the design that the assembly was made of");
         } else if (what == Read::lying_sheet) {
-            told.hint("without --flat it moves; what lies has stills (.view.png) and a model (.glb, .fold)");
+            told.hint(
+                "build it without --flat to see it move; with --flat there are stills (.view.png) and models "
+                "(.glb, .gltf, .fold)");
         } else {
             told.hint(outputs_of_parts(what == Read::standing_parts));
         }

@@ -101,7 +101,8 @@ struct GluedArea {
     Place place;  // of the element
 };
 
-// Two plates that lie flat on each other where they stand: on which side of `base` `plate` lies.
+// Two plates that lie flat on each other where they stand: `plate` lies on the front of `base`, or on its
+// back.
 struct PlateOrder {
     int plate = 0, base = 0;
     bool on_front = true;

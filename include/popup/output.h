@@ -26,7 +26,7 @@ enum class FoldDialect {
     strict,     // all letters of FOLD 1.2, each for what it means: slits are C, joins J, unknown folds U
 };
 
-// From where stills show a model. Words are as one sees it who sits before it.
+// The side from which pictures show a model, in the words of someone who sits in front of it.
 enum class View { iso, front, top, left, right, back };
 inline constexpr std::array<std::string_view, 6> kViewNames{"iso", "front", "top", "left", "right", "back"};
 
@@ -34,7 +34,7 @@ struct PictureSize {
     int width = 0, height = 0;  // pixels, at least 16
 };
 
-// Pictures of the model, one of each view, of stills one of each view and opening.
+// Pictures of the model. There is one still for each view and opening, and one moving picture for each view.
 struct StillOptions {
     std::vector<View> views{View::iso};  // each once, at least one
     std::vector<double> openings_deg;    // 0 to 180, as far as a card opens; empty: where it is seen best
@@ -85,14 +85,14 @@ using SheetWriter = std::optional<std::vector<SheetFile>> (*)(const Layout&, con
                                                               Diagnostics&);
 using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, const OutputOptions&,
                                                    Diagnostics&);
-// A file a picture.
+// Gives one file for each picture.
 using StillWriter = std::optional<std::vector<SheetFile>> (*)(std::span<const SceneCard>,
                                                               const OutputOptions&, Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);
 
-// What a format takes beside what moves.
+// Which designs a format takes that do not move.
 enum class Stills {
     none,
     sheets,  // a sheet that lies folded: it has hinges

@@ -69,8 +69,8 @@ bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& di
 // What can be made of flat parts, in words for a hint.
 std::string outputs_of_parts(bool has_model);
 
-// Adds an error to each design of which nothing could be made: a program that only defines what others call,
-// and a sheet that is to lie flat and does not.
+// Adds an error to each design that gives nothing to write: a program that only defines functions, and with
+// FoldOptions::flat a sheet of which no flat state was found.
 void refuse_definitions(Compilation& run);
 
 // Makes every file of the plan, and writes none. Sheets after the first are "card-2.svg", what is printed of

@@ -132,8 +132,8 @@ class Divider {
         return {0, 0};
     }
 
-    // Whether the way from corner i to corner k meets no side of the ring in between: flat lines may be drawn
-    // across cuts.
+    // True if no side of the ring lies across the way from corner i to corner k. Flat lines may be drawn over
+    // cuts.
     [[nodiscard]] bool meets_no_side(const std::vector<int>& ring, std::size_t i, std::size_t k) const {
         const std::size_t count = ring.size();
         const Vec2 a = sheet_.at(ring[i]);

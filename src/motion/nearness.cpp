@@ -130,9 +130,9 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
         pieces_.pop_back();
         double most = 0.0;
         double least = std::numeric_limits<double>::infinity();
-        // How far it stays from the plane of the other, in front of it and behind. Wherever it is, its
-        // heights over a plane lie between those of its corners. Without this, plates that nearly touch along
-        // an edge are quartered all along it.
+        // How far the piece stays from the plane of the fixed triangle, in front of it and behind. Wherever
+        // the piece moves, its points are as high over that plane as something between its corners. Without
+        // this test, plates that nearly touch along an edge are quartered along the whole edge.
         double before = std::numeric_limits<double>::infinity();
         double behind = before;
         for (const Vec3 p : piece.corners) {

@@ -49,8 +49,8 @@ namespace popup {
 // frame_classes and frame_attributes those with a colon follow popupc's. Of several cards in one file none of
 // it is written. Remark: `fold-left-out`, of keys and frames of the file that are not.
 //
-// Of what stands still the last frame says how it stands, if that is known of all plates; of plates that lie
-// on one another with "faceOrders", if their order is known (Assembly::layers).
+// Where nothing moves, and it is known of each plate where it stands, one frame has the plates there. It has
+// "faceOrders" if the order of plates that lie on one another is known (Assembly::layers).
 //
 // Errors: `locks` where a linkage cannot reach an angle; `model-too-large` for files of more than about 2 GB.
 // Preconditions: at least one card; assemblies are present, motions may be missing. Cost: vertices × angles,

@@ -65,7 +65,7 @@ class Finder {
             if (!middle) continue;
             boxes.query({*middle, *middle}, found);
             const auto holds = [&](int number) { return contains(face(number), *middle); };
-            // In files whose faces lie on one another, which are no sheet, many are around every point.
+            // Faces of a file may all lie on one another; then only the first are looked at.
             const auto last =
                 found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMostAround));
             const auto first = std::find_if(found.begin(), last, holds);

@@ -14,7 +14,7 @@ struct Pixels {
 };
 
 // False if there is no memory for it. `dpi`, which the file says; none: it says nothing. The same bytes with
-// the same versions of libpng and zlib. Precondition: as many bytes as pixels ask for.
+// the same versions of libpng and zlib. Precondition: three bytes of `rgb` for each pixel.
 bool to_png(const Pixels& pixels, std::optional<double> dpi, std::string& bytes);
 
 }  // namespace popup

@@ -26,9 +26,9 @@ struct SpaceMesh {
 // Where points of a plate, given from its pivot, lie in a picture: in pixels, from its upper left corner.
 std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points, Vec2 pivot);
 
-// By plate: how far models move it so that plates which lie on one another can be told apart, a paper's
-// thickness a layer, along the normal of the first plate that has layers. Where layers go round in a circle,
-// as the flaps of a box do, one of them begins. Cost: linear in plates and layers.
+// By plate: how far models move it, so that plates that lie on one another can be told apart. Each layer is
+// kLayerMm above the one below it. Where layers lie on one another in a circle, as the flaps of a box can,
+// one of them counts as the lowest. Cost: linear in plates and layers.
 std::vector<Vec3> layer_lifts(const Assembly& assembly);
 
 // What of a piece stands, one mesh a material. `lifts` by plate.

@@ -62,9 +62,10 @@ void add_still_options(CLI::App& verb, StillOptions& still) {
           [&still](std::string_view text) {
               const std::size_t middle = text.find('x');
               const auto wrong = [&] {
-                  return UsageError(fmt::format("--size takes pixels from {} to {} a side, not \"{}\"",
-                                                kLeastSide, kMostSide, text),
-                                    {"such as --size 1200x900"});
+                  return UsageError(
+                      fmt::format("--size takes a width and a height of {} to {} pixels, not \"{}\"",
+                                  kLeastSide, kMostSide, text),
+                      {"such as --size 1200x900"});
               };
               if (middle == std::string_view::npos) throw wrong();
               const auto side = [&](std::string_view digits) {

@@ -9,9 +9,10 @@
 
 namespace popup {
 
-// One file a view, seen as output/still/still.h says, from a place from which all of the motion is seen. It
-// goes from where the sweep begins to where it ends and back, slowly at both ends, with a rest there, in
-// options.duration_s seconds at options.fps pictures a second, and begins again.
+// One file for each view. Cards stand as in stills (output/still/still.h), and the camera sees all of the
+// motion. The card opens and closes in options.duration_s seconds, slowly at both ends, and rests a moment
+// when it is open and when it is closed. Then it begins again. There are options.fps pictures a second, 15 if
+// that is 0.
 //
 // WebP: lossy, quality 85, at most 100 pictures a second. GIF: 256 colours a picture, of which only what has
 // changed is written, at most 50 a second, for viewers slow down what is quicker. The same bytes with the

@@ -19,7 +19,7 @@ struct Film {
     std::vector<Frame> frames;  // shown again and again; at least one
 };
 
-// False if the library fails, for want of memory.
+// Return false if the library fails, for lack of memory or because a side is too long for the format.
 bool to_webp(const Film& film, std::string& bytes);
 bool to_gif(const Film& film, std::string& bytes);
 

@@ -1,5 +1,5 @@
-// What is to be seen of the cards of a run at one opening: faces of paper and print, and their edges. They
-// are turned as they are seen: z is up, and x on the right of who sits before them.
+// The cards of a run at one opening, as pictures show them: faces of paper and print, and edges. z is up, and
+// x leads to the right of someone who sits in front of them.
 #pragma once
 
 #include <array>

@@ -167,8 +167,8 @@ class Picture {
                     what = number;
                     continue;
                 }
-                // Beside the line the face may lie behind it that hides it: its plane is looked at on the
-                // line.
+                // The face may hide the line and yet lie behind it at this sample, so its plane is compared
+                // with the line on the line itself.
                 const double px = x + 0.5 - a.x;
                 const double py = y + 0.5 - a.y;
                 const double t =
