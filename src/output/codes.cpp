@@ -40,9 +40,13 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
     {"picture-failed", Severity::error, "a picture could not be made",
      "The library that makes pictures gave up: there was no memory for so many pixels. Choose a smaller "
      "--dpi or a smaller --sheet, or write a format that is not made of pixels, such as SVG or PDF."},
-    {"picture-too-large", Severity::error, "a sheet has too many pixels",
-     "A picture has at most 32767 pixels on a side and 300 million in all, which is what the libraries "
-     "that make it take without gigabytes of memory. Choose a smaller --dpi, or a smaller --sheet."},
+    {"picture-too-large", Severity::error, "a picture has too many pixels",
+     "A picture of a sheet has at most 32767 pixels on a side and 300 million in all, a view of the model "
+     "100 "
+     "million, and a moving picture 400 million from the first picture to the last; a WebP has at most 16383 "
+     "pixels on a side. More would take gigabytes of memory. Of sheets choose a smaller --dpi or --sheet, of "
+     "the "
+     "model a smaller --size, and of moving pictures a smaller --fps or --duration."},
     {"plotter-range", Severity::remark, "a sheet is larger than what old plotters count to",
      "HP-GL counts in units of 0.025 mm, and the plotters it was made for count no further than 32767, "
      "which is 819 mm. Most machines of today take larger numbers; one that does not stops there, or draws "
