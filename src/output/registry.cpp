@@ -13,6 +13,7 @@
 #include "output/still/animation.h"
 #include "output/still/still.h"
 #include "output/svg.h"
+#include "output/viewer/viewer.h"
 #include "output/xml.h"
 #include "popup/output.h"
 
@@ -38,6 +39,8 @@ const std::array kFormats{
     Format{".glb", "the model, in one binary glTF file: cards move, parts stand", SceneWriter{write_glb},
            Stills::all},
     Format{".gltf", "the model, as glTF text", SceneWriter{write_gltf}, Stills::all},
+    Format{".html", "the model, in a page to turn it, and to open and close it", SceneWriter{write_viewer},
+           Stills::all},
     Format{".fold", "the crease pattern and the sampled poses, as FOLD 1.2", SceneWriter{write_fold},
            Stills::sheets},
     Format{".xml", "the popup document, with what was repaired", DocumentWriter{write_xml}},

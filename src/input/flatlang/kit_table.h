@@ -1,5 +1,5 @@
 // The kit's texts. The build writes their definition from src/input/flatlang/kit/*.fl
-// (cmake/embed_kit.cmake).
+// (cmake/embed_files.cmake).
 #pragma once
 
 #include <span>

@@ -1,0 +1,139 @@
+
+// Poses: where each body is at an opening. As viewers of glTF do it: turns between two keys by spherical linear
+// interpolation, then each body in its parent's place.
+
+function slerp(turns, a, b, t) {
+  let product = 0;
+  for (let i = 0; i < 4; ++i) product += turns[a + i] * turns[b + i];
+  const sign = product < 0 ? -1 : 1;
+  const angle = Math.acos(Math.min(1, Math.abs(product)));
+  let p = 1 - t;
+  let q = t * sign;
+  if (angle > 1e-6) {
+    p = Math.sin((1 - t) * angle) / Math.sin(angle);
+    q = (sign * Math.sin(t * angle)) / Math.sin(angle);
+  }
+  return [0, 1, 2, 3].map((i) => p * turns[a + i] + q * turns[b + i]);
+}
+
+// The images of x, y and z, one after another.
+function axesOf(quaternion) {
+  const size = Math.hypot(...quaternion) || 1;
+  const [x, y, z, w] = quaternion.map((value) => value / size);
+  return [
+    1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
+    2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+    2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y),
+  ];
+}
+
+function turned(axes, x, y, z) {
+  return [0, 1, 2].map((i) => axes[i] * x + axes[3 + i] * y + axes[6 + i] * z);
+}
+
+function placeBodies(scene, degrees) {
+  const angles = scene.angles;
+  let high = 1;
+  while (high < angles.length - 1 && angles[high] < degrees) ++high;
+  const width = angles.length > 1 ? angles[high] - angles[high - 1] : 1;
+  const t = angles.length > 1 ? Math.min(1, Math.max(0, (degrees - angles[high - 1]) / width)) : 0;
+  for (const body of scene.bodies) {
+    const own = body.turns.length > 4
+      ? axesOf(slerp(body.turns, 4 * (high - 1), 4 * high, t))
+      : axesOf(body.turns);
+    const node = body.node;
+    if (body.parent < 0) {
+      node.axes = own;
+      node.origin = body.offset;
+    } else {
+      const base = scene.bodies[body.parent].node;
+      node.axes = [0, 3, 6].flatMap((k) => turned(base.axes, own[k], own[k + 1], own[k + 2]));
+      node.origin = turned(base.axes, ...body.offset).map((value, i) => value + base.origin[i]);
+    }
+    body.page.axes = node.axes;
+    body.page.origin = turned(node.axes, -body.pivot[0], -body.pivot[1], 0)
+      .map((value, i) => value + node.origin[i]);
+    body.collides = false;
+  }
+  for (const one of scene.collisions) {
+    if (degrees < one.from - 0.05 || degrees > one.to + 0.05) continue;
+    scene.bodies[one.a].collides = true;
+    scene.bodies[one.b].collides = true;
+  }
+}
+
+const kLayerMm = 0.03;
+const kClosedDeg = 2;
+
+// How far a body is drawn beside its place on a card that is as good as closed, so that its layers are told apart.
+function apart(scene, body, degrees) {
+  if (body.cover < 0 || body.layer === undefined || degrees >= kClosedDeg) return [0, 0, 0];
+  const by = body.layer * kLayerMm * (1 - degrees / kClosedDeg);
+  const axes = scene.bodies[body.cover].node.axes;
+  return [by * axes[6], by * axes[7], by * axes[8]];
+}
+
+function pointOf(body, x, y, z) {
+  return turned(body.node.axes, x, y, z).map((value, i) => value + body.node.origin[i]);
+}
+
+// The corners of all bodies at openings all over the sweep: what a camera must have in view.
+function cornersOf(scene) {
+  const corners = [];
+  const openings = scene.opening ? [0, 1, 2, 3, 4, 5, 6].map(
+    (i) => scene.opening.from_deg + (i / 6) * (scene.opening.to_deg - scene.opening.from_deg)) : [0];
+  for (const degrees of openings) {
+    placeBodies(scene, degrees);
+    for (const body of scene.bodies) {
+      for (const list of [body.edges.cut, body.edges.fold, body.edges.line]) {
+        for (let i = 0; i < list.length; i += 3) corners.push(pointOf(body, list[i], list[i + 1], list[i + 2]));
+      }
+    }
+  }
+  return corners.length > 0 ? corners : [[0, 0, 0]];
+}
+
+// The body that a ray meets first, its distance along the ray; paper only.
+function pick(scene, eye, direction) {
+  let best = null;
+  for (const body of scene.bodies) {
+    const { axes, origin } = body.node;
+    const from = [0, 1, 2].map((i) => eye[i] - origin[i]);
+    const into = (v) => [0, 3, 6].map((k) => axes[k] * v[0] + axes[k + 1] * v[1] + axes[k + 2] * v[2]);
+    const o = into(from);
+    const d = into(direction);
+    for (const mesh of body.meshes) {
+      if (mesh.drawn) continue;
+      const { at, triangles } = mesh;
+      for (let i = 0; i < triangles.length; i += 3) {
+        const distance = meet(o, d, at, 3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]);
+        if (distance > 0 && (best === null || distance < best.distance)) best = { body, distance };
+      }
+    }
+  }
+  return best;
+}
+
+// Möller and Trumbore; no hit: −1.
+function meet(o, d, at, a, b, c) {
+  const e = [at[b] - at[a], at[b + 1] - at[a + 1], at[b + 2] - at[a + 2]];
+  const f = [at[c] - at[a], at[c + 1] - at[a + 1], at[c + 2] - at[a + 2]];
+  const p = cross(d, f);
+  const det = dot(e, p);
+  if (Math.abs(det) < 1e-12) return -1;
+  const s = [o[0] - at[a], o[1] - at[a + 1], o[2] - at[a + 2]];
+  const u = dot(s, p) / det;
+  if (u < 0 || u > 1) return -1;
+  const q = cross(s, e);
+  const v = dot(d, q) / det;
+  if (v < 0 || u + v > 1) return -1;
+  return dot(f, q) / det;
+}
+
+function dot(a, b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+function cross(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}

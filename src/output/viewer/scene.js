@@ -1,0 +1,126 @@
+
+// The scene: what the page's block of data says, as arrays that can be drawn. src/output/viewer/scene_json.h has
+// what stands there. Lengths are mm, z is up, the gutter runs along y.
+
+const kDigits = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
+const kDigitOf = new Map([...kDigits].map((digit, value) => [digit, value]));
+
+// Numbers of a text: five bits a digit, the sixth says that more follow, the lowest of all is the sign; each number is
+// told by how much it differs from the one `stride` before.
+function numbers(text, stride) {
+  const values = [];
+  let sum = 0;
+  let unit = 1;
+  for (const letter of text) {
+    const digit = kDigitOf.get(letter);
+    sum += (digit & 31) * unit;
+    unit *= 32;
+    if (digit & 32) continue;
+    const size = Math.floor(sum / 2);
+    const before = values.length < stride ? 0 : values[values.length - stride];
+    values.push(before + (sum % 2 ? -size : size));
+    sum = 0;
+    unit = 1;
+  }
+  return values;
+}
+
+const kPointMm = 1e-3;
+const kTurn = 1e-6;
+
+function points(text, size) {
+  return numbers(text, size).map((value) => value * kPointMm);
+}
+
+function rgb(text) {
+  return [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
+}
+
+// A plate that moves, or a piece that stands. Its meshes are where `at` says: points of three numbers.
+function readBody(row, flat) {
+  const spread = (text) => {
+    if (text === undefined) return [];
+    if (!flat) return points(text, 3);
+    const two = points(text, 2);
+    const three = [];
+    for (let i = 0; i < two.length; i += 2) three.push(two[i], two[i + 1], 0);
+    return three;
+  };
+  const meshes = (row.meshes || []).map((mesh) => {
+    const at = spread(mesh.points);
+    let places = null;
+    if (mesh.picture !== undefined) {
+      places = [];
+      if (flat) {
+        const [ux, uy, u0, vx, vy, v0] = mesh.place;
+        for (let i = 0; i < at.length; i += 3) {
+          places.push(ux * at[i] + uy * at[i + 1] + u0, vx * at[i] + vy * at[i + 1] + v0);
+        }
+      } else {
+        places = numbers(mesh.places, 2).map((value) => value * 1e-6);
+      }
+    }
+    if (flat) for (let i = 2; i < at.length; i += 3) at[i] = mesh.lift || 0;
+    return {
+      at,
+      places,
+      picture: mesh.picture,
+      color: rgb(mesh.color || '#ffffff'),
+      drawn: Boolean(mesh.drawn),
+      triangles: numbers(mesh.triangles, 1),
+    };
+  });
+  return {
+    name: row.name,
+    piece: row.piece || '',
+    parent: -1,
+    offset: row.offset || [0, 0, 0],
+    pivot: row.pivot || [0, 0],
+    turns: row.turns ? numbers(row.turns, 4).map((value) => value * kTurn) : [0, 0, 0, 1],
+    layer: row.layer,
+    meshes,
+    edges: { cut: spread(row.cuts), fold: spread(row.folds), line: spread(row.lines) },
+    collides: false,
+    hovered: false,
+    page: { axes: [1, 0, 0, 0, 1, 0, 0, 0, 1], origin: [0, 0, 0] },
+    node: { axes: [1, 0, 0, 0, 1, 0, 0, 0, 1], origin: [0, 0, 0] },
+  };
+}
+
+function readScene(data) {
+  const scene = {
+    opening: data.opening || null,
+    angles: data.angles || [],
+    pictures: data.pictures || [],
+    bodies: [],
+    collisions: [],
+    covers: [],  // of each card that has layers when it is closed: its first cover
+  };
+  for (const card of data.cards) {
+    const first = scene.bodies.length;
+    for (const row of card.plates || []) {
+      const body = readBody(row, true);
+      if (row.parent !== undefined) body.parent = first + row.parent;
+      else body.offset = [body.offset[0] + (card.shift || 0), body.offset[1], body.offset[2]];
+      body.cover = card.cover === undefined ? -1 : first + card.cover;
+      scene.bodies.push(body);
+    }
+    for (const row of card.standing || []) {
+      const body = readBody(row, false);
+      body.offset = [card.shift || 0, 0, 0];
+      body.cover = -1;
+      scene.bodies.push(body);
+    }
+    for (const row of card.collisions || []) {
+      scene.collisions.push({
+        a: first + row.plates[0],
+        b: first + row.plates[1],
+        from: row.from_deg,
+        to: row.to_deg,
+        deepest: row.deepest_deg,
+        depth: row.depth_mm,
+      });
+    }
+  }
+  return scene;
+}

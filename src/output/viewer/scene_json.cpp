@@ -1,0 +1,404 @@
+#include "output/viewer/scene_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/text/base64.h"
+#include "base/text/numbers.h"
+#include "output/card_row.h"
+#include "output/examination_json.h"
+#include "output/gltf_values.h"
+#include "output/mesh.h"
+#include "output/poses.h"
+#include "output/space_mesh.h"
+#include "popup/image.h"
+
+namespace popup {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kLengthDecimals = 6;
+constexpr double kPerPointMm = 1e3;
+constexpr double kPerTurn = 1e6;
+constexpr double kOnFoldMm = 0.05;
+constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
+
+std::int64_t in_steps(double value, double per_unit) {
+    // Rounded before, so that the last bit of a number does not decide where it lies in the middle.
+    return std::llround(rounded(value, 9) * per_unit);
+}
+
+// A list of numbers as scene_json.h says.
+class NumberText {
+ public:
+    explicit NumberText(std::size_t stride) : last_(stride, 0) {}
+
+    void add(std::int64_t value) {
+        std::int64_t& last = last_[count_++ % last_.size()];
+        const std::int64_t step = value - std::exchange(last, value);
+        std::uint64_t rest = (static_cast<std::uint64_t>(std::abs(step)) << 1U) | (step < 0 ? 1U : 0U);
+        do {
+            const std::uint64_t digit = rest & 31U;
+            rest >>= 5U;
+            text_ += kDigits[digit + (rest > 0 ? 32U : 0U)];
+        } while (rest > 0);
+    }
+    void add(Vec2 p) {
+        add(in_steps(p.x, kPerPointMm));
+        add(in_steps(p.y, kPerPointMm));
+    }
+    void add(Vec3 p) {
+        add(Vec2{p.x, p.y});
+        add(in_steps(p.z, kPerPointMm));
+    }
+    [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+    static constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<std::int64_t> last_;
+    std::size_t count_ = 0;
+    std::string text_;
+};
+
+void put_text(Json& row, const char* name, NumberText& numbers) {
+    std::string text = numbers.take();
+    if (!text.empty()) row[name] = std::move(text);
+}
+
+std::string triangles_text(const std::vector<std::uint32_t>& indices) {
+    NumberText text(1);
+    for (const std::uint32_t index : indices) text.add(index);
+    return text.take();
+}
+
+Json lengths(std::initializer_list<double> values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(rounded(value, kLengthDecimals));
+    return list;
+}
+
+// The edges of a plate's outline: which of them are folds, and which were cut.
+struct Edges {
+    std::vector<Segment> cuts, folds;
+};
+
+Edges edges_of(const Plate& plate, const std::vector<Segment>& folds) {
+    Edges edges;
+    const auto is_fold = [&folds](const Segment& edge) {
+        const Vec2 along = edge.b - edge.a;
+        return std::any_of(folds.begin(), folds.end(), [&](const Segment& fold) {
+            const Vec2 of_fold = fold.b - fold.a;
+            return distance(lerp(edge.a, edge.b, 0.5), fold) < kOnFoldMm &&
+                   std::abs(cross(along, of_fold)) < kAlongFold * length(along) * length(of_fold) + 1e-12;
+        });
+    };
+    const auto take = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
+            (is_fold(edge) ? edges.folds : edges.cuts).push_back(edge);
+        }
+    };
+    take(plate.outline.outer);
+    for (const Ring& hole : plate.outline.holes) take(hole);
+    return edges;
+}
+
+std::string root_name(const SceneCard& card) {
+    std::string_view name = card.prefix;
+    if (name.ends_with(':')) {
+        name.remove_suffix(1);
+    } else {
+        name = card.assembly->stem;
+    }
+    if (name.empty()) return moves(*card.assembly) ? "card" : "parts";
+    return valid_utf8(name);
+}
+
+class SceneText {
+ public:
+    Json add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
+        Json row{{"name", root_name(card)}};
+        if (shift != 0.0) row["shift"] = shift;
+        find_folds(*card.assembly);
+        if (moves(*card.assembly)) add_moving(card, tree, track, row);
+        Json standing = standing_of(card);
+        if (!standing.empty()) row["standing"] = std::move(standing);
+        return row;
+    }
+
+    Json take_pictures() { return std::move(pictures_); }
+
+ private:
+    void find_folds(const Assembly& assembly) {
+        folds_.assign(assembly.plates.size(), {});
+        for (const Hinge& hinge : assembly.hinges) {
+            if (hinge.glued) continue;
+            folds_.at(static_cast<std::size_t>(hinge.a)).push_back(hinge.a_line);
+            folds_.at(static_cast<std::size_t>(hinge.b)).push_back(hinge.b_line);
+        }
+    }
+
+    // The number of a picture: the same for all that shows the same file.
+    std::size_t picture(const Image& image) {
+        const auto [at, is_new] = numbers_.try_emplace(*image.bytes, pictures_.size());
+        if (is_new) {
+            pictures_.push_back("data:" + std::string(mime_type(image.format)) + ";base64," +
+                                base64(*image.bytes));
+        }
+        return at->second;
+    }
+
+    Json paint(const Image* image, Color color, bool drawn) {
+        Json row = Json::object();
+        if (image != nullptr) {
+            row["picture"] = picture(*image);
+        } else if (!(color == Color{})) {
+            row["color"] = to_string(color);
+        }
+        if (drawn) row["drawn"] = true;
+        return row;
+    }
+
+    Json mesh(const MeshPart& part, Vec2 pivot) {
+        Json row = paint(part.image, part.color, part.drawn);
+        if (part.lift_mm != 0.0) row["lift"] = rounded(part.lift_mm, kLengthDecimals);
+        NumberText points(2);
+        for (const Vec2 p : part.points) points.add(p);
+        put_text(row, "points", points);
+        row["triangles"] = triangles_text(part.indices);
+        if (part.image != nullptr) {
+            // Places in a picture are affine in the points.
+            const std::vector<Vec2> at = pixels_at(*part.image, {{0, 0}, {1, 0}, {0, 1}}, pivot);
+            const double width = part.image->width;
+            const double height = part.image->height;
+            Json place = Json::array();
+            for (const double value :
+                 {(at[1].x - at[0].x) / width, (at[2].x - at[0].x) / width, at[0].x / width,
+                  (at[1].y - at[0].y) / height, (at[2].y - at[0].y) / height, at[0].y / height}) {
+                place.push_back(rounded(value, 9));
+            }
+            row["place"] = std::move(place);
+        }
+        return row;
+    }
+
+    Json mesh(const SpaceMesh& one) {
+        Json row = paint(one.image, one.color, one.drawn);
+        NumberText points(3);
+        for (const Vec3 p : one.points) points.add(p);
+        put_text(row, "points", points);
+        row["triangles"] = triangles_text(one.indices);
+        if (one.image != nullptr) {
+            NumberText places(2);
+            for (const Vec2 p : one.pixels) {
+                places.add(in_steps(p.x / one.image->width, kPerTurn));
+                places.add(in_steps(p.y / one.image->height, kPerTurn));
+            }
+            row["places"] = places.take();
+        }
+        return row;
+    }
+
+    void add_moving(const SceneCard& card, const HingeTree& tree, const Track& track, Json& row) {
+        const Assembly& assembly = *card.assembly;
+        const std::size_t count = assembly.plates.size();
+        std::vector<int> number(count, 0);  // of each plate, among the page's
+        for (std::size_t i = 0; i < count; ++i) {
+            number[static_cast<std::size_t>(tree.order[i])] = static_cast<int>(i);
+        }
+        const std::vector<double> layers = layers_of(card);
+        Json plates = Json::array();
+        for (const int which : tree.order) {
+            const auto i = static_cast<std::size_t>(which);
+            const Plate& plate = assembly.plates[i];
+            const Piece& piece = assembly.pieces.at(static_cast<std::size_t>(plate.piece));
+            Json one{{"name", valid_utf8(card.prefix + plate.name)},
+                     {"piece", valid_utf8(card.prefix + piece.name)}};
+            if (plate.parent >= 0) one["parent"] = number[static_cast<std::size_t>(plate.parent)];
+            const Vec3 offset = tree.offset[i];
+            if (!(offset == Vec3{})) one["offset"] = lengths({offset.x, offset.y, offset.z});
+            if (!(plate.pivot == Vec2{})) one["pivot"] = lengths({plate.pivot.x, plate.pivot.y});
+            one["turns"] = turns_text(track, count, i);
+            if (!layers.empty()) one["layer"] = layers[i];
+            Json meshes = Json::array();
+            for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
+                meshes.push_back(mesh(part, plate.pivot));
+            }
+            one["meshes"] = std::move(meshes);
+            add_edges(plate, folds_[i], one);
+            plates.push_back(std::move(one));
+        }
+        row["plates"] = std::move(plates);
+        if (!layers.empty()) row["cover"] = number[static_cast<std::size_t>(assembly.covers.front())];
+        Json collisions = collisions_of(card, number);
+        if (!collisions.empty()) row["collisions"] = std::move(collisions);
+    }
+
+    static std::string turns_text(const Track& track, std::size_t count, std::size_t plate) {
+        bool turns = false;
+        for (std::size_t k = plate; k < track.turns.size(); k += count) {
+            turns = turns || track.turns[k] != track.turns[plate];
+        }
+        NumberText text(4);
+        for (std::size_t k = plate; k < track.turns.size(); k += count) {
+            for (const float value : track.turns[k]) text.add(in_steps(value, kPerTurn));
+            if (!turns) break;
+        }
+        return text.take();
+    }
+
+    static void add_edges(const Plate& plate, const std::vector<Segment>& folds, Json& row) {
+        const Edges edges = edges_of(plate, folds);
+        const auto put = [&](const char* name, const std::vector<Segment>& list) {
+            NumberText text(2);
+            for (const Segment& edge : list) {
+                text.add(edge.a - plate.pivot);
+                text.add(edge.b - plate.pivot);
+            }
+            put_text(row, name, text);
+        };
+        put("cuts", edges.cuts);
+        put("folds", edges.folds);
+    }
+
+    // Of each plate: where it lies among the others on the closed card; empty where it is not closed flat.
+    static std::vector<double> layers_of(const SceneCard& card) {
+        const Assembly& assembly = *card.assembly;
+        const std::size_t count = assembly.plates.size();
+        if (assembly.covers.empty() || assembly.sweep.from_deg != 0.0 || !assembly.sweep.closed_flat)
+            return {};
+        const double middle = 0.5 * static_cast<double>(count - 1);
+        std::vector<double> layers(count, 0.0);
+        if (card.motion != nullptr && card.motion->examination && card.motion->examination->closed.order) {
+            const std::vector<int>& order = *card.motion->examination->closed.order;
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                layers[static_cast<std::size_t>(order[i])] = static_cast<double>(i) - middle;
+            }
+        } else {
+            layers[static_cast<std::size_t>(assembly.covers.front())] = -middle;
+            layers[static_cast<std::size_t>(assembly.covers.back())] = middle;
+        }
+        return layers;
+    }
+
+    static Json collisions_of(const SceneCard& card, const std::vector<int>& number) {
+        Json list = Json::array();
+        if (card.motion == nullptr || !card.motion->examination) return list;
+        for (const Contact& contact : card.motion->examination->contacts) {
+            list.push_back({{"plates",
+                             {number.at(static_cast<std::size_t>(contact.a)),
+                              number.at(static_cast<std::size_t>(contact.b))}},
+                            {"from_deg", told_deg(contact.from_deg)},
+                            {"to_deg", told_deg(contact.to_deg)},
+                            {"deepest_deg", told_deg(contact.deepest_deg)},
+                            {"depth_mm", told_mm(contact.depth_mm)}});
+        }
+        return list;
+    }
+
+    static void add_lines(const Trace& trace, Json& row) {
+        NumberText text(3);
+        for (const std::vector<Vec3>& line : trace.lines) {
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                text.add(line[i - 1]);
+                text.add(line[i]);
+            }
+        }
+        put_text(row, "lines", text);
+    }
+
+    // The edges of all plates of a piece, where they stand.
+    void add_standing_edges(const Assembly& assembly, const std::vector<Vec3>& lifts, const Piece& piece,
+                            Json& row) const {
+        NumberText cuts(3);
+        NumberText folds(3);
+        for (const int which : piece.plates) {
+            const auto i = static_cast<std::size_t>(which);
+            const Plate& plate = assembly.plates.at(i);
+            if (!plate.stands) continue;
+            const Edges edges = edges_of(plate, folds_[i]);
+            for (const auto& [list, text] :
+                 {std::pair{&edges.cuts, &cuts}, std::pair{&edges.folds, &folds}}) {
+                for (const Segment& edge : *list) {
+                    text->add(plate.stands->point(edge.a) + lifts[i]);
+                    text->add(plate.stands->point(edge.b) + lifts[i]);
+                }
+            }
+        }
+        put_text(row, "cuts", cuts);
+        put_text(row, "folds", folds);
+    }
+
+    // A row a piece of what stands still, with the lines it was drawn with; then one for each other trace.
+    Json standing_of(const SceneCard& card) {
+        const Assembly& assembly = *card.assembly;
+        Json rows = Json::array();
+        auto trace = assembly.traces.begin();
+        const std::vector<Vec3> lifts = layer_lifts(assembly);
+        for (std::size_t i = 0; i < assembly.pieces.size(); ++i) {
+            const Piece& piece = assembly.pieces[i];
+            Json meshes = Json::array();
+            for (const SpaceMesh& one : standing_meshes(assembly, lifts, piece)) meshes.push_back(mesh(one));
+            const bool drawn = trace != assembly.traces.end() && trace->piece == static_cast<int>(i);
+            if (meshes.empty() && !drawn) continue;
+            Json row{{"name", valid_utf8(card.prefix + piece.name)}};
+            if (!meshes.empty()) row["meshes"] = std::move(meshes);
+            add_standing_edges(assembly, lifts, piece, row);
+            if (drawn) add_lines(*trace++, row);
+            rows.push_back(std::move(row));
+        }
+        for (; trace != assembly.traces.end(); ++trace) {
+            Json row{{"name", valid_utf8(card.prefix + trace->name)}};
+            add_lines(*trace, row);
+            rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+    std::vector<std::vector<Segment>> folds_;  // of the card in hand, by plate
+    std::map<std::string_view, std::size_t> numbers_;
+    Json pictures_ = Json::array();
+};
+
+}  // namespace
+
+Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const OutputOptions& options) {
+    Json scene = Json::object();
+    if (!keys.angles_deg.empty()) {
+        scene["opening"] = {{"from_deg", keys.range.from_deg},
+                            {"to_deg", keys.range.to_deg},
+                            {"rest_deg", rounded(rest_of(keys.range), 9)},
+                            {"seconds", options.duration_s}};
+        Json angles = Json::array();
+        for (const double angle : keys.angles_deg) angles.push_back(rounded(angle, 9));
+        scene["angles"] = std::move(angles);
+    }
+    const std::vector<double> shifts = card_shifts(cards, keys);
+    SceneText text;
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        rows.push_back(text.add_card(cards[i], keys.trees[i], keys.tracks[i], shifts[i]));
+    }
+    Json pictures = text.take_pictures();
+    if (!pictures.empty()) scene["pictures"] = std::move(pictures);
+    scene["cards"] = std::move(rows);
+    return scene;
+}
+
+std::string viewer_title(std::span<const SceneCard> cards) {
+    std::string title;
+    for (std::size_t i = 0; i < cards.size() && i < 3; ++i) {
+        title += (i > 0 ? ", " : "") + root_name(cards[i]);
+    }
+    return cards.size() > 3 ? title + " …" : title;
+}
+
+}  // namespace popup

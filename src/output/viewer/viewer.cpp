@@ -1,0 +1,152 @@
+#include "output/viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "base/system/digest.h"
+#include "base/text/base64.h"
+#include "output/viewer/page_files.h"
+#include "output/viewer/scene_json.h"
+
+namespace popup {
+namespace {
+
+constexpr std::size_t kMostBytes = 400'000'000;
+
+constexpr std::array<std::string_view, 5> kScripts{"scene.js", "poses.js", "camera.js", "draw.js", "page.js"};
+
+std::string_view file_named(std::string_view name) {
+    for (const PageFile& file : viewer_files()) {
+        if (file.name == name) return file.text;
+    }
+    POPUP_INVARIANT(false && "a file of the viewer is missing");
+    return {};
+}
+
+std::string script() {
+    std::string text = "\n(() => {\n'use strict';\n";
+    for (const std::string_view name : kScripts) text += file_named(name);
+    text += "})();\n";
+    return text;
+}
+
+// What stands in a policy for exactly this text.
+std::string source_of(std::string_view text) {
+    const std::string digits = sha256(text);
+    std::string bytes;
+    const auto value = [](char digit) { return digit <= '9' ? digit - '0' : digit - 'a' + 10; };
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+        bytes += static_cast<char>(16 * value(digits[i]) + value(digits[i + 1]));
+    }
+    return "'sha256-" + base64(bytes) + "'";
+}
+
+// Text between tags.
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+// JSON that cannot end the element it stands in, nor begin a comment there: these letters are in its strings
+// only.
+std::string escaped_json(std::string_view json) {
+    std::string result;
+    result.reserve(json.size() + json.size() / 64);
+    for (const char c : json) {
+        switch (c) {
+            case '<':
+                result += "\\u003c";
+                break;
+            case '>':
+                result += "\\u003e";
+                break;
+            case '&':
+                result += "\\u0026";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+// The template with "{{name}}" replaced; what is put in is not looked at again.
+std::string filled(std::string_view page, std::span<const std::pair<std::string_view, std::string>> values) {
+    std::string result;
+    while (true) {
+        const std::size_t open = page.find("{{");
+        result += page.substr(0, open);
+        if (open == std::string_view::npos) return result;
+        const std::size_t close = page.find("}}", open);
+        const std::string_view name = page.substr(open + 2, close - open - 2);
+        bool known = false;
+        for (const auto& [key, text] : values) {
+            if (key != name) continue;
+            result += text;
+            known = true;
+        }
+        POPUP_INVARIANT(known);
+        page.remove_prefix(close + 2);
+    }
+}
+
+}  // namespace
+
+std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const OutputOptions& options,
+                                        Diagnostics& diagnostics) {
+    POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
+    const auto keys = choose_keys(cards, options, diagnostics);
+    if (!keys) return std::nullopt;
+    std::string scene = viewer_scene(cards, *keys, options)
+                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    if (scene.size() > kMostBytes) {
+        diagnostics
+            .error(
+                "model-too-large", {},
+                fmt::format("the page would be {:.0f} MB, {:.0f} MB are the most",
+                            1e-6 * static_cast<double>(scene.size()), 1e-6 * static_cast<double>(kMostBytes)))
+            .hint(
+                "ask for fewer angles or fewer keys a second, take smaller pictures, or write fewer designs "
+                "into one page");
+        return std::nullopt;
+    }
+    scene = escaped_json(scene);
+    const std::string style(file_named("viewer.css"));
+    const std::string code = script();
+    const std::array<std::pair<std::string_view, std::string>, 6> values{{
+        {"policy", fmt::format("default-src 'none'; script-src {}; style-src {}; img-src data:; base-uri "
+                               "'none'; form-action 'none'",
+                               source_of(code), source_of(style))},
+        {"version", POPUP_VERSION},
+        {"title", escaped(viewer_title(cards))},
+        {"style", style},
+        {"scene", std::move(scene)},
+        {"script", code},
+    }};
+    return filled(file_named("page.html"), values);
+}
+
+}  // namespace popup

@@ -1,0 +1,32 @@
+// The model as a page to look at: one HTML file that needs no network.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "popup/output.h"
+
+namespace popup {
+
+// A page that shows all cards in 3D with plain WebGL 2: drag to turn, wheel or pinch to zoom, a slider and a
+// play button for the opening, plates named under the pointer, plates red at the openings at which they cross
+// others, these openings as marks on the slider and in a list. What stands still has no slider. Plates are
+// placed as in glTF: meshes of plate_mesh() and standing_meshes(), keys of choose_keys(), spherical linear
+// interpolation between them, several cards side by side. The world is popupc's: mm, z up, the gutter along
+// y, an open card in the plane z = 0. It begins at rest_of() the sweep.
+//
+// Guarantees: one file. Its policy (CSP) allows its own style and its own script, by their SHA-256, pictures
+// that are in it, and nothing else; no text of a document is read as markup or script. Pictures are the bytes
+// of their files, each file once. Points are rounded to 0.001 mm, turns to 1e-6, other lengths to 1e-6 mm;
+// the same input gives the same bytes. Behind the page's address "#view=front&at=30" says how it begins; the
+// views are iso, front, back, left, right and top. window.popupc says where each plate is: page.js has it.
+//
+// Errors: those of choose_keys(), and `model-too-large` for a page of more than 400 MB, which browsers do not
+// take. Precondition: at least one card; has_model() of all assemblies, and motions of those that move. Cost:
+// plates × keys. Length: some 45 KB, 4 to 16 bytes a plate and key, some 10 a corner and 5 a triangle, and
+// four thirds of the pictures.
+std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const OutputOptions& options,
+                                        Diagnostics& diagnostics);
+
+}  // namespace popup
