@@ -22,7 +22,7 @@ const kLight = `
   // Paper turned to the light is as it is printed; what turns away from it grows a little darker.
   vec3 lit(vec3 color, vec3 world) {
     vec3 n = normalize(cross(dFdx(world), dFdy(world)));
-    float light = 0.70 + 0.30 * max(0.0, dot(n, normalize(vec3(-0.35, -0.45, 0.82))));
+    float light = 0.78 + 0.22 * max(0.0, dot(n, normalize(vec3(-0.35, -0.45, 0.82))));
     light += 0.06 * max(0.0, dot(n, normalize(vec3(0.9, -0.3, 0.3))));
     return color * min(light, 1.0);
   }
@@ -101,7 +101,7 @@ const kPrograms = {
     vec4 nearer(vec3 p) {
       vec3 to = eye - p;
       float d = length(to);
-      return camera * vec4(p + to / d * min(0.05 + 0.12 * pixel * d, 0.3 * d), 1.0);
+      return camera * vec4(p + to / d * min(0.03 + 0.06 * pixel * d, 0.3 * d), 1.0);
     }
     void main() {
       vec4 a = nearer(placed(body, begin));
@@ -340,10 +340,10 @@ class Painter {
     gl.stencilOp(gl.KEEP, gl.KEEP, gl.REPLACE);
     this.use(programs.shadow, matrix);
     gl.uniform1f(programs.shadow.ground, ground);
-    gl.uniform1f(programs.shadow.strength, 0.03);
+    gl.uniform1f(programs.shadow.strength, 0.019);
     for (let i = 0; i < 8; ++i) {
       const angle = (i * Math.PI) / 4;
-      const spread = i % 2 === 0 ? 0.05 : 0.1;
+      const spread = i % 2 === 0 ? 0.035 : 0.075;
       gl.uniform2f(programs.shadow.slant, 0.12 + spread * Math.cos(angle), 0.16 + spread * Math.sin(angle));
       gl.stencilMask(1 << i);
       gl.stencilFunc(gl.NOTEQUAL, 255, 1 << i);

@@ -62,13 +62,12 @@ function placeBodies(scene, degrees) {
   }
 }
 
-const kLayerMm = 0.03;
 const kClosedDeg = 2;
 
 // How far a body is drawn beside its place on a card that is as good as closed, so that its layers are told apart.
 function apart(scene, body, degrees) {
   if (body.cover < 0 || body.layer === undefined || degrees >= kClosedDeg) return [0, 0, 0];
-  const by = body.layer * kLayerMm * (1 - degrees / kClosedDeg);
+  const by = body.layer * (1 - degrees / kClosedDeg);
   const axes = scene.bodies[body.cover].node.axes;
   return [by * axes[6], by * axes[7], by * axes[8]];
 }

@@ -25,8 +25,14 @@ function numbers(text, stride) {
   return values;
 }
 
-const kPointMm = 1e-3;
-const kTurn = 1e-6;
+const kPointMm = 1e-2;
+const kTurn = 5e-6;
+
+// Each number and all those 4, 8 … places before.
+function summed(values, stride) {
+  for (let i = stride; i < values.length; ++i) values[i] += values[i - stride];
+  return values;
+}
 
 function points(text, size) {
   return numbers(text, size).map((value) => value * kPointMm);
@@ -66,17 +72,16 @@ function readBody(row, flat) {
       places,
       picture: mesh.picture,
       color: rgb(mesh.color || '#ffffff'),
-      drawn: Boolean(mesh.drawn),
+      drawn: Boolean(mesh.drawn || mesh.lift),
       triangles: numbers(mesh.triangles, 1),
     };
   });
   return {
     name: row.name,
-    piece: row.piece || '',
     parent: -1,
     offset: row.offset || [0, 0, 0],
     pivot: row.pivot || [0, 0],
-    turns: row.turns ? numbers(row.turns, 4).map((value) => value * kTurn) : [0, 0, 0, 1],
+    turns: row.turns ? summed(numbers(row.turns, 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
     layer: row.layer,
     meshes,
     edges: { cut: spread(row.cuts), fold: spread(row.folds), line: spread(row.lines) },

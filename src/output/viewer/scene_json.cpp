@@ -1,6 +1,7 @@
 #include "output/viewer/scene_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -25,8 +26,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kLengthDecimals = 6;
-constexpr double kPerPointMm = 1e3;
-constexpr double kPerTurn = 1e6;
+constexpr double kPerPointMm = 1e2;
+constexpr double kPerTurn = 2e5;
+constexpr double kPerPlace = 1e6;
+constexpr double kLayerMm = 0.2;       // between plates on the closed card
+constexpr double kMostClosedMm = 6.0;  // of all of them
 constexpr double kOnFoldMm = 0.05;
 constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 
@@ -156,19 +160,18 @@ class SceneText {
         return at->second;
     }
 
-    Json paint(const Image* image, Color color, bool drawn) {
+    Json paint(const Image* image, Color color) {
         Json row = Json::object();
         if (image != nullptr) {
             row["picture"] = picture(*image);
         } else if (!(color == Color{})) {
             row["color"] = to_string(color);
         }
-        if (drawn) row["drawn"] = true;
         return row;
     }
 
     Json mesh(const MeshPart& part, Vec2 pivot) {
-        Json row = paint(part.image, part.color, part.drawn);
+        Json row = paint(part.image, part.color);
         if (part.lift_mm != 0.0) row["lift"] = rounded(part.lift_mm, kLengthDecimals);
         NumberText points(2);
         for (const Vec2 p : part.points) points.add(p);
@@ -191,7 +194,8 @@ class SceneText {
     }
 
     Json mesh(const SpaceMesh& one) {
-        Json row = paint(one.image, one.color, one.drawn);
+        Json row = paint(one.image, one.color);
+        if (one.drawn) row["drawn"] = true;
         NumberText points(3);
         for (const Vec3 p : one.points) points.add(p);
         put_text(row, "points", points);
@@ -199,8 +203,8 @@ class SceneText {
         if (one.image != nullptr) {
             NumberText places(2);
             for (const Vec2 p : one.pixels) {
-                places.add(in_steps(p.x / one.image->width, kPerTurn));
-                places.add(in_steps(p.y / one.image->height, kPerTurn));
+                places.add(in_steps(p.x / one.image->width, kPerPlace));
+                places.add(in_steps(p.y / one.image->height, kPerPlace));
             }
             row["places"] = places.take();
         }
@@ -220,8 +224,7 @@ class SceneText {
             const auto i = static_cast<std::size_t>(which);
             const Plate& plate = assembly.plates[i];
             const Piece& piece = assembly.pieces.at(static_cast<std::size_t>(plate.piece));
-            Json one{{"name", valid_utf8(card.prefix + plate.name)},
-                     {"piece", valid_utf8(card.prefix + piece.name)}};
+            Json one{{"name", valid_utf8(card.prefix + plate.name)}};
             if (plate.parent >= 0) one["parent"] = number[static_cast<std::size_t>(plate.parent)];
             const Vec3 offset = tree.offset[i];
             if (!(offset == Vec3{})) one["offset"] = lengths({offset.x, offset.y, offset.z});
@@ -242,14 +245,19 @@ class SceneText {
         if (!collisions.empty()) row["collisions"] = std::move(collisions);
     }
 
+    // Each turn less the one before; what moves evenly differs little from key to key in that.
     static std::string turns_text(const Track& track, std::size_t count, std::size_t plate) {
         bool turns = false;
         for (std::size_t k = plate; k < track.turns.size(); k += count) {
             turns = turns || track.turns[k] != track.turns[plate];
         }
         NumberText text(4);
+        std::array<std::int64_t, 4> last{};
         for (std::size_t k = plate; k < track.turns.size(); k += count) {
-            for (const float value : track.turns[k]) text.add(in_steps(value, kPerTurn));
+            for (std::size_t i = 0; i < 4; ++i) {
+                const std::int64_t value = in_steps(track.turns[k].at(i), kPerTurn);
+                text.add(value - std::exchange(last.at(i), value));
+            }
             if (!turns) break;
         }
         return text.take();
@@ -275,16 +283,19 @@ class SceneText {
         const std::size_t count = assembly.plates.size();
         if (assembly.covers.empty() || assembly.sweep.from_deg != 0.0 || !assembly.sweep.closed_flat)
             return {};
+        const double step = std::min(kLayerMm, kMostClosedMm / static_cast<double>(count));
         const double middle = 0.5 * static_cast<double>(count - 1);
+        const auto place_of = [&](double number) { return rounded(step * (number - middle), 3); };
         std::vector<double> layers(count, 0.0);
         if (card.motion != nullptr && card.motion->examination && card.motion->examination->closed.order) {
             const std::vector<int>& order = *card.motion->examination->closed.order;
             for (std::size_t i = 0; i < order.size(); ++i) {
-                layers[static_cast<std::size_t>(order[i])] = static_cast<double>(i) - middle;
+                layers[static_cast<std::size_t>(order[i])] = place_of(static_cast<double>(i));
             }
         } else {
-            layers[static_cast<std::size_t>(assembly.covers.front())] = -middle;
-            layers[static_cast<std::size_t>(assembly.covers.back())] = middle;
+            layers[static_cast<std::size_t>(assembly.covers.front())] = place_of(0.0);
+            layers[static_cast<std::size_t>(assembly.covers.back())] =
+                place_of(static_cast<double>(count - 1));
         }
         return layers;
     }

@@ -13,21 +13,22 @@ namespace popup {
 // {opening: {from_deg, to_deg, rest_deg, seconds} and angles: [deg of each key], where something moves;
 //  pictures: ["data:…"], each file once;
 //  cards: [{name, shift: mm along x, left out where 0,
-//    plates: [{name, piece, parent: number of a plate before it, left out of those in the world,
+//    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
-//      layer: its place on the closed card, 0 in the middle, towards the front of the plate `cover`;
-//      meshes: [{color or picture, drawn, lift, points: x y from the pivot, triangles,
+//      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
+//      meshes: [{color or picture, lift of what is drawn, points: x y from the pivot, triangles,
 //        place: [ux, uy, u0, vx, vy, v0], u = ux x + uy y + u0 across the picture and v down it, 0 to 1}],
 //      cuts, folds: x y of both ends of each edge of its outline}],
 //    cover: as said, left out of cards that do not close flat,
 //    collisions: [{plates: [a, b], from_deg, to_deg, deepest_deg, depth_mm}],
-//    standing: [{name, meshes: [{as above, but points: x y z in the world, lift in them, and
+//    standing: [{name, meshes: [{as above, but points: x y z in the world, drawn instead of lift, and
 //      places: u v at each point instead of place}], cuts, folds, lines: x y z of both ends}]}]}
 //
 // Plates stand behind their parents. Lists of numbers are texts: each number less the one 1 (triangles), 2, 3
-// or 4 places before, in units of 0.001 mm, 1e-6 of a turn or of a picture, as digits of five bits, lowest
-// first, from "A" to "/" as in base 64, 32 added to all digits but a number's last; the lowest bit of a
-// number is its sign. What is false, 0 or empty is left out. Cost: that of all meshes, and plates × keys.
+// or 4 places before, of turns that of these differences, in units of 0.01 mm, 5e-6 of a turn or 1e-6 of a
+// picture, as digits of five bits, lowest first, from "A" to "/" as in base 64, 32 added to all digits but a
+// number's last; the lowest bit of a number is its sign. What is false, 0 or empty is left out. Cost: that of
+// all meshes, and plates × keys.
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
                                     const OutputOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -28,9 +29,26 @@ std::string_view file_named(std::string_view name) {
     return {};
 }
 
+// Without indentation, empty lines, and lines that are comments.
+void append_lines(std::string& text, std::string_view source) {
+    while (!source.empty()) {
+        const std::size_t end = std::min(source.find('\n'), source.size() - 1);
+        std::string_view line = source.substr(0, end + 1);
+        source.remove_prefix(end + 1);
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size() - 1));
+        if (line != "\n" && !line.starts_with("//") && !line.starts_with("/*")) text += line;
+    }
+}
+
+std::string style() {
+    std::string text = "\n";
+    append_lines(text, file_named("viewer.css"));
+    return text;
+}
+
 std::string script() {
     std::string text = "\n(() => {\n'use strict';\n";
-    for (const std::string_view name : kScripts) text += file_named(name);
+    for (const std::string_view name : kScripts) append_lines(text, file_named(name));
     text += "})();\n";
     return text;
 }
@@ -134,15 +152,15 @@ std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const 
         return std::nullopt;
     }
     scene = escaped_json(scene);
-    const std::string style(file_named("viewer.css"));
+    const std::string look = style();
     const std::string code = script();
     const std::array<std::pair<std::string_view, std::string>, 6> values{{
         {"policy", fmt::format("default-src 'none'; script-src {}; style-src {}; img-src data:; base-uri "
                                "'none'; form-action 'none'",
-                               source_of(code), source_of(style))},
+                               source_of(code), source_of(look))},
         {"version", POPUP_VERSION},
         {"title", escaped(viewer_title(cards))},
-        {"style", style},
+        {"style", look},
         {"scene", std::move(scene)},
         {"script", code},
     }};

@@ -18,13 +18,14 @@ namespace popup {
 //
 // Guarantees: one file. Its policy (CSP) allows its own style and its own script, by their SHA-256, pictures
 // that are in it, and nothing else; no text of a document is read as markup or script. Pictures are the bytes
-// of their files, each file once. Points are rounded to 0.001 mm, turns to 1e-6, other lengths to 1e-6 mm;
-// the same input gives the same bytes. Behind the page's address "#view=front&at=30" says how it begins; the
-// views are iso, front, back, left, right and top. window.popupc says where each plate is: page.js has it.
+// of their files, each file once. Points are rounded to 0.01 mm, turns to 5e-6, which is 0.001 mm at 200 mm,
+// other lengths to 1e-6 mm; the same input gives the same bytes. Behind the page's address
+// "#view=front&at=30" says how it begins; the views are iso, front, back, left, right and top. window.popupc
+// says where each plate is: page.js has it.
 //
 // Errors: those of choose_keys(), and `model-too-large` for a page of more than 400 MB, which browsers do not
 // take. Precondition: at least one card; has_model() of all assemblies, and motions of those that move. Cost:
-// plates × keys. Length: some 45 KB, 4 to 16 bytes a plate and key, some 10 a corner and 5 a triangle, and
+// plates × keys. Length: some 40 KB, 4 to 12 bytes a plate and key, some 5 a corner and 4 a triangle, and
 // four thirds of the pictures.
 std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const OutputOptions& options,
                                         Diagnostics& diagnostics);
