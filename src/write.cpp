@@ -240,7 +240,7 @@ std::string outputs_of_parts(bool has_model) {
     return fmt::format(
         "of flat parts there are sheets (.svg, .pdf), {}the report (.json), and --emit assembly, pattern or "
         "layout",
-        has_model ? "the still model (.glb, .gltf), " : "");
+        has_model ? "the still model (.glb, .gltf, .html), " : "");
 }
 
 void refuse_definitions(Compilation& run) {

@@ -27,8 +27,8 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "pages many metres wide also cause this, so check the document's units."},
     {"model-too-large", Severity::error, "the model has more data than its file format holds",
      "Every plate has a turn at every key of the animation, and together with the shapes they must stay "
-     "below two gigabytes. Ask for fewer angles or fewer keys a second, or write the designs into several "
-     "models."},
+     "below two gigabytes, and a page to look at (.html) below 400 megabytes with its pictures. Ask for "
+     "fewer angles or fewer keys a second, or write the designs into several models."},
     {"pdf-failed", Severity::error, "the PDF library gave up",
      "The library that makes PDF documents reported the error in the message, for example that memory ran "
      "out or that the font of the labels is damaged. Nothing has been written. Reinstall the font, or "

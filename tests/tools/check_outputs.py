@@ -394,6 +394,8 @@ def check_files(run, findings, rendered, closely):
         elif suffix in (".glb", ".gltf"):
             models[suffix] = (read_models.read_glb if suffix == ".glb" else read_models.read_gltf)(path.read_bytes())
             yield from read_models.check_model(*models[suffix])
+        elif suffix == ".html":
+            yield from read_models.check_page(path)
         elif suffix == ".fold":
             yield from read_models.check_fold(path)
         elif suffix == ".xml":

@@ -1,6 +1,8 @@
 # Readers of models that know nothing of popupc: binary glTF, glTF and FOLD. For tests.
 import base64
 import collections
+import hashlib
+import html.parser
 import json
 import math
 import struct
@@ -87,6 +89,47 @@ def check_model(document, binary):
                 yield "an animation of a node that there is not"
     if not triangles:
         yield "a model without triangles"
+
+
+class Page(html.parser.HTMLParser):
+    """The elements of a page, and the texts of those that hold data, script and style."""
+
+    def __init__(self):
+        super().__init__()
+        self.texts = collections.defaultdict(list)
+        self.policy = None
+        self.stack = []
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if values.get("http-equiv") == "Content-Security-Policy":
+            self.policy = values["content"]
+        self.stack.append(values.get("type", tag))
+
+    def handle_endtag(self, tag):
+        self.stack.pop()
+
+    def handle_data(self, data):
+        if self.stack and self.stack[-1] in ("application/json", "script", "style"):
+            self.texts[self.stack[-1]].append(data)
+
+
+def check_page(path):
+    """A page that shows a model: its policy allows what stands in it, and its data are those of a scene."""
+    page = Page()
+    page.feed(path.read_bytes().decode("utf-8"))
+    for kind in ("script", "style"):
+        digest = base64.b64encode(hashlib.sha256("".join(page.texts[kind]).encode("utf-8")).digest()).decode("ascii")
+        if f"{kind}-src 'sha256-{digest}';" not in page.policy:
+            yield f"its policy does not allow its own {kind}"
+    scene = json.loads("".join(page.texts["application/json"]))
+    bodies = [body for card in scene["cards"] for body in card.get("plates", []) + card.get("standing", [])]
+    if not bodies:
+        yield "nothing is to be seen"
+    for body in bodies:
+        for mesh in body.get("meshes", []):
+            if not mesh["points"] or not mesh["triangles"]:
+                yield f"{body['name']} has a mesh without triangles"
 
 
 def check_fold(path):

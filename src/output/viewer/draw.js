@@ -22,8 +22,8 @@ const kLight = `
   // Paper turned to the light is as it is printed; what turns away from it grows a little darker.
   vec3 lit(vec3 color, vec3 world) {
     vec3 n = normalize(cross(dFdx(world), dFdy(world)));
-    float light = 0.78 + 0.22 * max(0.0, dot(n, normalize(vec3(-0.35, -0.45, 0.82))));
-    light += 0.06 * max(0.0, dot(n, normalize(vec3(0.9, -0.3, 0.3))));
+    float light = 0.76 + 0.24 * max(0.0, dot(n, normalize(vec3(-0.35, -0.45, 0.82))));
+    light += 0.13 * max(0.0, dot(n, normalize(vec3(0.8, 0.5, 0.3))));
     return color * min(light, 1.0);
   }
   vec3 marked(vec3 color, vec2 state) {

@@ -239,7 +239,7 @@ function showCollisions() {
   const marks = new Map();
   for (const one of scene.collisions) {
     const names = `${scene.bodies[one.a].name} and ${scene.bodies[one.b].name}`;
-    const text = `${names}: ${shown(one.from)}° to ${shown(one.to)}°, ${one.depth} mm`;
+    const text = `${names}: ${shown(one.from)}° to ${shown(one.to)}°, ${shown(one.depth)} mm`;
     const show = () => {
       goTo(one.deepest);
       tell(`${names} cross`);
@@ -286,6 +286,7 @@ function begin() {
   const gl = canvas.getContext('webgl2', { antialias: true, stencil: true, alpha: true });
   if (!gl) {
     canvas.hidden = true;
+    for (const id of ['controls', 'keys', 'views']) byId(id).hidden = true;
     byId('message').textContent = 'This browser has no WebGL 2, which the model is drawn with.';
     byId('message').hidden = false;
     return;

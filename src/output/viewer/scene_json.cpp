@@ -30,7 +30,7 @@ constexpr double kPerPointMm = 1e2;
 constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
 constexpr double kLayerMm = 0.2;       // between plates on the closed card
-constexpr double kMostClosedMm = 6.0;  // of all of them
+constexpr double kMostClosedMm = 3.0;  // of all of them
 constexpr double kOnFoldMm = 0.05;
 constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 

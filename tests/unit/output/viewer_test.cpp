@@ -215,7 +215,7 @@ TEST(Viewer, ToldOfCollisionsWhereTheExaminationFoundThem) {
     }
     ASSERT_FALSE(found.empty());
     std::vector<std::string> wanted;
-    for (const auto& one : report.at("designs").at(0).at("motion").at("collisions")) {
+    for (const auto& one : report.at("inputs").at(0).at("motion").at("collisions")) {
         wanted.push_back(one.at("plates").at(0).get<std::string>() + " " +
                          one.at("plates").at(1).get<std::string>() + " " + one.at("from_deg").dump() + " " +
                          one.at("to_deg").dump());

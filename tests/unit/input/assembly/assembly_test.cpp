@@ -139,7 +139,7 @@ std::string assembly_text(const Source& source) {
 TEST(AssemblyReading, EveryOutputOfASampleHasTheSameBytes) {
     const std::vector<std::string> sheets{"x.svg", "x.pdf", "x.dxf", "x.lbrn2", "x.plt", "x.png", "x.jpg"};
     std::vector<std::string> with_model = sheets;
-    with_model.insert(with_model.end(), {"x.glb", "x.gltf"});
+    with_model.insert(with_model.end(), {"x.glb", "x.gltf", "x.html"});
     std::vector<std::string> all = with_model;
     all.emplace_back("x.fold");
     for (const auto& [sample, outputs] : {std::pair("tree.xml", all), std::pair("parts.svg", sheets),
