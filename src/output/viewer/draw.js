@@ -96,22 +96,40 @@ const kPrograms = {
     in vec3 begin;
     in vec3 end;
     in float body;
-    in vec2 style;
+    in vec3 style;
     out float ink;
-    vec4 nearer(vec3 p) {
+    vec3 towards(vec3 p, float by) {
       vec3 to = eye - p;
       float d = length(to);
-      return camera * vec4(p + to / d * min(0.03 + 0.06 * pixel * d, 0.3 * d), 1.0);
+      return p + to / d * min(by * (0.03 + 0.06 * pixel * d), 0.3 * d);
+    }
+    vec3 seen(vec3 p) {
+      vec4 q = camera * vec4(p, 1.0);
+      return q.xyz / q.w;
+    }
+    // How much deeper the plane of the body lies where the line is wide, so that it is no nearer there than its paper.
+    float deeper(vec3 p, vec2 shift) {
+      vec3 n = vec3(texel(body, 0).z, texel(body, 1).z, texel(body, 2).z);
+      vec3 t = normalize(cross(n, abs(n.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+      vec3 o = seen(p);
+      vec3 a = seen(p + t) - o;
+      vec3 b = seen(p + cross(n, t)) - o;
+      float det = a.x * b.y - a.y * b.x;
+      if (abs(det) < 1e-10) return 0.0;
+      float z = dot(vec2(a.z * b.y - b.z * a.y, a.x * b.z - b.x * a.z) / det, shift);
+      float most = abs(seen(towards(p, 60.0)).z - o.z);
+      return clamp(z, -most, most);
     }
     void main() {
-      vec4 a = nearer(placed(body, begin));
-      vec4 b = nearer(placed(body, end));
-      vec2 along = (b.xy / b.w - a.xy / a.w) * size;
+      vec3 from = towards(placed(body, begin), 1.0);
+      vec3 to = towards(placed(body, end), 1.0);
+      vec3 own = corner.x < 0.0 ? from : to;
+      vec4 p = camera * vec4(own, 1.0);
+      vec2 along = (seen(to).xy - seen(from).xy) * size;
       float length_px = length(along);
       along = length_px > 1e-4 ? along / length_px : vec2(1.0, 0.0);
-      vec4 p = corner.x < 0.0 ? a : b;
-      vec2 shift = (corner.x * 0.3 * along + corner.y * vec2(-along.y, along.x)) * style.x;
-      gl_Position = p + vec4(shift / size * p.w, 0.0, 0.0);
+      vec2 shift = (corner.x * 0.3 * along + corner.y * vec2(-along.y, along.x)) * style.x / size;
+      gl_Position = p + vec4(shift, style.z * deeper(own, shift), 0.0) * p.w;
       ink = style.y;
     }`, `${kHead}
     in float ink;
@@ -189,7 +207,7 @@ function gatherLines(scene) {
     begin: [[], 3],
     end: [[], 3],
     body: [[], 1],
-    style: [[], 2],
+    style: [[], 3],
   };
   scene.bodies.forEach((body, number) => {
     for (const [kind, style] of Object.entries(kLineStyles)) {
@@ -198,7 +216,7 @@ function gatherLines(scene) {
         lists.begin[0].push(list[i], list[i + 1], list[i + 2]);
         lists.end[0].push(list[i + 3], list[i + 4], list[i + 5]);
         lists.body[0].push(number);
-        lists.style[0].push(...style);
+        lists.style[0].push(...style, body.flat ? 1 : 0);
       }
     }
   });
@@ -310,7 +328,7 @@ class Painter {
     // What is printed is seen from the front only.
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(-0.5, -1);
+    gl.polygonOffset(0, -2);
     drawBatch(gl, this.prints);
     gl.enable(gl.BLEND);
     this.use(programs.picture, matrix);

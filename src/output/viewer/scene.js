@@ -78,6 +78,7 @@ function readBody(row, flat) {
   });
   return {
     name: row.name,
+    flat,
     parent: -1,
     offset: row.offset || [0, 0, 0],
     pivot: row.pivot || [0, 0],

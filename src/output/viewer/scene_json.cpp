@@ -29,9 +29,9 @@ constexpr int kLengthDecimals = 6;
 constexpr double kPerPointMm = 1e2;
 constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
-constexpr double kLayerMm = 0.2;       // between plates on the closed card
-constexpr double kMostClosedMm = 3.0;  // of all of them
-constexpr double kOnFoldMm = 0.05;
+constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
+constexpr double kMostClosedMm = 3.0;   // of all of them
+constexpr double kFoldEdgeMm = 0.05;
 constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 
 std::int64_t in_steps(double value, double per_unit) {
@@ -100,7 +100,7 @@ Edges edges_of(const Plate& plate, const std::vector<Segment>& folds) {
         const Vec2 along = edge.b - edge.a;
         return std::any_of(folds.begin(), folds.end(), [&](const Segment& fold) {
             const Vec2 of_fold = fold.b - fold.a;
-            return distance(lerp(edge.a, edge.b, 0.5), fold) < kOnFoldMm &&
+            return distance(lerp(edge.a, edge.b, 0.5), fold) < kFoldEdgeMm &&
                    std::abs(cross(along, of_fold)) < kAlongFold * length(along) * length(of_fold) + 1e-12;
         });
     };
@@ -283,7 +283,7 @@ class SceneText {
         const std::size_t count = assembly.plates.size();
         if (assembly.covers.empty() || assembly.sweep.from_deg != 0.0 || !assembly.sweep.closed_flat)
             return {};
-        const double step = std::min(kLayerMm, kMostClosedMm / static_cast<double>(count));
+        const double step = std::min(kClosedLayerMm, kMostClosedMm / static_cast<double>(count));
         const double middle = 0.5 * static_cast<double>(count - 1);
         const auto place_of = [&](double number) { return rounded(step * (number - middle), 3); };
         std::vector<double> layers(count, 0.0);

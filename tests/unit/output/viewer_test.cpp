@@ -440,7 +440,11 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
                "document.querySelector('#opening').value = 120; "
                "document.querySelector('#opening').dispatchEvent(new "
                "Event('input')); popupc.opening()",
-               "document.querySelector('#degrees').textContent"},
+               "document.querySelector('#degrees').textContent",
+               "document.querySelector('#model').dispatchEvent(new PointerEvent('pointermove', {clientX: "
+               "400, clientY: "
+               "290})); new Promise((done) => setTimeout(done, 200)).then(() => "
+               "document.querySelector('#name').textContent === popupc.nameAt(400, 290))"},
               "dark");
     ASSERT_TRUE(driven.is_object());
     EXPECT_EQ(messages_of(driven), std::vector<std::string>{});
@@ -456,6 +460,7 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
     EXPECT_EQ(values[8], nullptr);
     EXPECT_EQ(values[9], 120);
     EXPECT_EQ(values[10], "120°");
+    EXPECT_EQ(values[11], true);
 }
 
 }  // namespace
