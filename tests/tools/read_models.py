@@ -128,7 +128,7 @@ def check_page(path):
         yield "nothing is to be seen"
     for body in bodies:
         for mesh in body.get("meshes", []):
-            if not mesh["points"] or not mesh["triangles"]:
+            if not scene["lists"][mesh["points"]] or not scene["lists"][mesh["triangles"]]:
                 yield f"{body['name']} has a mesh without triangles"
 
 

@@ -43,11 +43,11 @@ function rgb(text) {
 }
 
 // A plate that moves, or a piece that stands. Its meshes are where `at` says: points of three numbers.
-function readBody(row, flat) {
-  const spread = (text) => {
-    if (text === undefined) return [];
-    if (!flat) return points(text, 3);
-    const two = points(text, 2);
+function readBody(row, flat, lists) {
+  const list = (number) => (number === undefined ? '' : lists[number]);
+  const spread = (number) => {
+    if (!flat) return points(list(number), 3);
+    const two = points(list(number), 2);
     const three = [];
     for (let i = 0; i < two.length; i += 2) three.push(two[i], two[i + 1], 0);
     return three;
@@ -63,7 +63,7 @@ function readBody(row, flat) {
           places.push(ux * at[i] + uy * at[i + 1] + u0, vx * at[i] + vy * at[i + 1] + v0);
         }
       } else {
-        places = numbers(mesh.places, 2).map((value) => value * 1e-6);
+        places = numbers(list(mesh.places), 2).map((value) => value * 1e-6);
       }
     }
     if (flat) for (let i = 2; i < at.length; i += 3) at[i] = mesh.lift || 0;
@@ -73,7 +73,7 @@ function readBody(row, flat) {
       picture: mesh.picture,
       color: rgb(mesh.color || '#ffffff'),
       drawn: Boolean(mesh.drawn || mesh.lift),
-      triangles: numbers(mesh.triangles, 1),
+      triangles: numbers(list(mesh.triangles), 1),
     };
   });
   return {
@@ -82,7 +82,7 @@ function readBody(row, flat) {
     parent: -1,
     offset: row.offset || [0, 0, 0],
     pivot: row.pivot || [0, 0],
-    turns: row.turns ? summed(numbers(row.turns, 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
+    turns: row.turns !== undefined ? summed(numbers(list(row.turns), 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
     layer: row.layer,
     meshes,
     edges: { cut: spread(row.cuts), fold: spread(row.folds), line: spread(row.lines) },
@@ -105,14 +105,14 @@ function readScene(data) {
   for (const card of data.cards) {
     const first = scene.bodies.length;
     for (const row of card.plates || []) {
-      const body = readBody(row, true);
+      const body = readBody(row, true, data.lists);
       if (row.parent !== undefined) body.parent = first + row.parent;
       else body.offset = [body.offset[0] + (card.shift || 0), body.offset[1], body.offset[2]];
       body.cover = card.cover === undefined ? -1 : first + card.cover;
       scene.bodies.push(body);
     }
     for (const row of card.standing || []) {
-      const body = readBody(row, false);
+      const body = readBody(row, false, data.lists);
       body.offset = [card.shift || 0, 0, 0];
       body.cover = -1;
       scene.bodies.push(body);

@@ -72,17 +72,6 @@ class NumberText {
     std::string text_;
 };
 
-void put_text(Json& row, const char* name, NumberText& numbers) {
-    std::string text = numbers.take();
-    if (!text.empty()) row[name] = std::move(text);
-}
-
-std::string triangles_text(const std::vector<std::uint32_t>& indices) {
-    NumberText text(1);
-    for (const std::uint32_t index : indices) text.add(index);
-    return text.take();
-}
-
 Json lengths(std::initializer_list<double> values) {
     Json list = Json::array();
     for (const double value : values) list.push_back(rounded(value, kLengthDecimals));
@@ -139,6 +128,7 @@ class SceneText {
     }
 
     Json take_pictures() { return std::move(pictures_); }
+    Json take_lists() { return std::move(lists_); }
 
  private:
     void find_folds(const Assembly& assembly) {
@@ -160,6 +150,23 @@ class SceneText {
         return at->second;
     }
 
+    // Names a list: the same number for all that are equal. Empty ones are left out.
+    void put(Json& row, const char* name, NumberText& numbers) {
+        const auto [at, is_new] = list_numbers_.try_emplace(numbers.take(), lists_.size());
+        if (at->first.empty()) {
+            list_numbers_.erase(at);
+            return;
+        }
+        if (is_new) lists_.push_back(at->first);
+        row[name] = at->second;
+    }
+
+    void put_triangles(Json& row, const std::vector<std::uint32_t>& indices) {
+        NumberText text(1);
+        for (const std::uint32_t index : indices) text.add(index);
+        put(row, "triangles", text);
+    }
+
     Json paint(const Image* image, Color color) {
         Json row = Json::object();
         if (image != nullptr) {
@@ -175,8 +182,8 @@ class SceneText {
         if (part.lift_mm != 0.0) row["lift"] = rounded(part.lift_mm, kLengthDecimals);
         NumberText points(2);
         for (const Vec2 p : part.points) points.add(p);
-        put_text(row, "points", points);
-        row["triangles"] = triangles_text(part.indices);
+        put(row, "points", points);
+        put_triangles(row, part.indices);
         if (part.image != nullptr) {
             // Places in a picture are affine in the points.
             const std::vector<Vec2> at = pixels_at(*part.image, {{0, 0}, {1, 0}, {0, 1}}, pivot);
@@ -198,15 +205,15 @@ class SceneText {
         if (one.drawn) row["drawn"] = true;
         NumberText points(3);
         for (const Vec3 p : one.points) points.add(p);
-        put_text(row, "points", points);
-        row["triangles"] = triangles_text(one.indices);
+        put(row, "points", points);
+        put_triangles(row, one.indices);
         if (one.image != nullptr) {
             NumberText places(2);
             for (const Vec2 p : one.pixels) {
                 places.add(in_steps(p.x / one.image->width, kPerPlace));
                 places.add(in_steps(p.y / one.image->height, kPerPlace));
             }
-            row["places"] = places.take();
+            put(row, "places", places);
         }
         return row;
     }
@@ -229,7 +236,7 @@ class SceneText {
             const Vec3 offset = tree.offset[i];
             if (!(offset == Vec3{})) one["offset"] = lengths({offset.x, offset.y, offset.z});
             if (!(plate.pivot == Vec2{})) one["pivot"] = lengths({plate.pivot.x, plate.pivot.y});
-            one["turns"] = turns_text(track, count, i);
+            put_turns(track, count, i, one);
             if (!layers.empty()) one["layer"] = layers[i];
             Json meshes = Json::array();
             for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
@@ -246,7 +253,7 @@ class SceneText {
     }
 
     // Each turn less the one before; what moves evenly differs little from key to key in that.
-    static std::string turns_text(const Track& track, std::size_t count, std::size_t plate) {
+    void put_turns(const Track& track, std::size_t count, std::size_t plate, Json& row) {
         bool turns = false;
         for (std::size_t k = plate; k < track.turns.size(); k += count) {
             turns = turns || track.turns[k] != track.turns[plate];
@@ -260,21 +267,21 @@ class SceneText {
             }
             if (!turns) break;
         }
-        return text.take();
+        put(row, "turns", text);
     }
 
-    static void add_edges(const Plate& plate, const std::vector<Segment>& folds, Json& row) {
+    void add_edges(const Plate& plate, const std::vector<Segment>& folds, Json& row) {
         const Edges edges = edges_of(plate, folds);
-        const auto put = [&](const char* name, const std::vector<Segment>& list) {
+        const auto put_edges = [&](const char* name, const std::vector<Segment>& list) {
             NumberText text(2);
             for (const Segment& edge : list) {
                 text.add(edge.a - plate.pivot);
                 text.add(edge.b - plate.pivot);
             }
-            put_text(row, name, text);
+            put(row, name, text);
         };
-        put("cuts", edges.cuts);
-        put("folds", edges.folds);
+        put_edges("cuts", edges.cuts);
+        put_edges("folds", edges.folds);
     }
 
     // Of each plate: where it lies among the others on the closed card; empty where it is not closed flat.
@@ -315,7 +322,7 @@ class SceneText {
         return list;
     }
 
-    static void add_lines(const Trace& trace, Json& row) {
+    void add_lines(const Trace& trace, Json& row) {
         NumberText text(3);
         for (const std::vector<Vec3>& line : trace.lines) {
             for (std::size_t i = 1; i < line.size(); ++i) {
@@ -323,12 +330,12 @@ class SceneText {
                 text.add(line[i]);
             }
         }
-        put_text(row, "lines", text);
+        put(row, "lines", text);
     }
 
     // The edges of all plates of a piece, where they stand.
     void add_standing_edges(const Assembly& assembly, const std::vector<Vec3>& lifts, const Piece& piece,
-                            Json& row) const {
+                            Json& row) {
         NumberText cuts(3);
         NumberText folds(3);
         for (const int which : piece.plates) {
@@ -344,8 +351,8 @@ class SceneText {
                 }
             }
         }
-        put_text(row, "cuts", cuts);
-        put_text(row, "folds", folds);
+        put(row, "cuts", cuts);
+        put(row, "folds", folds);
     }
 
     // A row a piece of what stands still, with the lines it was drawn with; then one for each other trace.
@@ -377,6 +384,8 @@ class SceneText {
     std::vector<std::vector<Segment>> folds_;  // of the card in hand, by plate
     std::map<std::string_view, std::size_t> numbers_;
     Json pictures_ = Json::array();
+    std::map<std::string, std::size_t> list_numbers_;
+    Json lists_ = Json::array();
 };
 
 }  // namespace
@@ -401,6 +410,7 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const Outp
     Json pictures = text.take_pictures();
     if (!pictures.empty()) scene["pictures"] = std::move(pictures);
     scene["cards"] = std::move(rows);
+    scene["lists"] = text.take_lists();
     return scene;
 }
 

@@ -22,13 +22,15 @@ namespace popup {
 //    cover: as said, left out of cards that do not close flat,
 //    collisions: [{plates: [a, b], from_deg, to_deg, deepest_deg, depth_mm}],
 //    standing: [{name, meshes: [{as above, but points: x y z in the world, drawn instead of lift, and
-//      places: u v at each point instead of place}], cuts, folds, lines: x y z of both ends}]}]}
+//      places: u v at each point instead of place}], cuts, folds, lines: x y z of both ends}]}],
+//  lists: [text]}
 //
-// Plates stand behind their parents. Lists of numbers are texts: each number less the one 1 (triangles), 2, 3
-// or 4 places before, of turns that of these differences, in units of 0.01 mm, 5e-6 of a turn or 1e-6 of a
-// picture, as digits of five bits, lowest first, from "A" to "/" as in base 64, 32 added to all digits but a
-// number's last; the lowest bit of a number is its sign. What is false, 0 or empty is left out. Cost: that of
-// all meshes, and plates × keys.
+// Plates stand behind their parents. Turns, points, triangles, places, cuts, folds and lines are numbers of
+// lists, of which equal ones are there once. A list is a text of numbers: each number less the one 1
+// (triangles), 2, 3 or 4 places before, of turns that of these differences, in units of 0.01 mm, 5e-6 of a
+// turn or 1e-6 of a picture, as digits of five bits, lowest first, from "A" to "/" as in base 64, 32 added to
+// all digits but a number's last; the lowest bit of a number is its sign. What is false, 0 or empty is left
+// out. Cost: that of all meshes, and plates × keys.
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
                                     const OutputOptions& options);
 

@@ -90,7 +90,9 @@ Design small_design() {
 }
 
 // The numbers of a text, as scene_json.h says.
-std::vector<double> numbers(const std::string& text, std::size_t stride, double unit) {
+std::vector<double> numbers(const nlohmann::json& scene, const nlohmann::json& list, std::size_t stride,
+                            double unit) {
+    const std::string text = scene.at("lists").at(list.get<std::size_t>());
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::vector<long long> values;
     long long sum = 0;
@@ -110,9 +112,9 @@ std::vector<double> numbers(const std::string& text, std::size_t stride, double 
 }
 
 // Doubled area of the triangles of a mesh.
-double area_of(const nlohmann::json& mesh) {
-    const std::vector<double> at = numbers(mesh.at("points"), 2, 0.01);
-    const std::vector<double> corners = numbers(mesh.at("triangles"), 1, 1.0);
+double area_of(const nlohmann::json& scene, const nlohmann::json& mesh) {
+    const std::vector<double> at = numbers(scene, mesh.at("points"), 2, 0.01);
+    const std::vector<double> corners = numbers(scene, mesh.at("triangles"), 1, 1.0);
     const auto point = [&](std::size_t i) {
         const auto corner = static_cast<std::size_t>(corners.at(i));
         return Vec2{at.at(2 * corner), at.at(2 * corner + 1)};
@@ -174,14 +176,14 @@ TEST(Viewer, HasThePlatesAndTheirTurns) {
         const auto plate = std::find_if(model.assembly.plates.begin(), model.assembly.plates.end(),
                                         [&](const Plate& one) { return one.name == row.at("name"); });
         ASSERT_NE(plate, model.assembly.plates.end());
-        EXPECT_NEAR(area_of(row.at("meshes").at(0)), area(plate->outline), 2.0) << plate->name;
+        EXPECT_NEAR(area_of(scene, row.at("meshes").at(0)), area(plate->outline), 2.0) << plate->name;
         if (plate->parent >= 0) {
             const int parent = row.at("parent").get<int>();
             EXPECT_LT(parent, static_cast<int>(i));
             EXPECT_EQ(plates[static_cast<std::size_t>(parent)].at("name"),
                       model.assembly.plates[static_cast<std::size_t>(plate->parent)].name);
         }
-        std::vector<double> turns = numbers(row.at("turns"), 4, 5e-6);
+        std::vector<double> turns = numbers(scene, row.at("turns"), 4, 5e-6);
         ASSERT_EQ(turns.size() % 4, 0U);
         EXPECT_TRUE(turns.size() == 4 || turns.size() == 4 * scene.at("angles").size());
         for (std::size_t k = 4; k < turns.size(); ++k) turns[k] += turns[k - 4];
