@@ -19,6 +19,7 @@ class Camera {
     const high = [0, 1, 2].map((i) => corners.reduce((m, p) => Math.max(m, p[i]), -Infinity));
     this.middle = low.map((value, i) => 0.5 * (value + high[i]));
     this.ground = low[2] - 0.5;
+    this.box = [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [0, 1, 2].map((i) => ((n >> i) & 1 ? high[i] : low[i])));
     this.radius = Math.max(1, corners.reduce((m, p) => Math.max(m, Math.hypot(...p.map((v, i) => v - this.middle[i]))), 0));
     this.aspect = 1;
     this.look('iso');
@@ -101,9 +102,10 @@ class Camera {
   matrix() {
     const { out, right, up } = this.directions();
     const eye = this.eye();
-    const reach = Math.hypot(...eye.map((v, i) => v - this.middle[i])) + 3 * this.radius;
-    const near = Math.max(0.02 * this.distance, Math.min(0.5 * this.distance,
-      Math.hypot(...eye.map((v, i) => v - this.middle[i])) - 1.5 * this.radius));
+    // As narrow as the box of the scene and its shadow allow, for the sake of depth.
+    const depths = this.box.map((p) => dot(out, eye) - dot(out, p));
+    const reach = Math.max(...depths) + 2 * this.radius;
+    const near = Math.max(0.02 * this.distance, Math.min(...depths) * 0.95);
     const sx = 1 / (kHalfAngle * this.aspect);
     const sy = 1 / kHalfAngle;
     const a = (reach + near) / (reach - near);

@@ -328,7 +328,7 @@ class Painter {
     // What is printed is seen from the front only.
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(0, -2);
+    gl.polygonOffset(0, -4);
     drawBatch(gl, this.prints);
     gl.enable(gl.BLEND);
     this.use(programs.picture, matrix);

@@ -64,12 +64,19 @@ function placeBodies(scene, degrees) {
 
 const kClosedDeg = 2;
 
-// How far a body is drawn beside its place on a card that is as good as closed, so that its layers are told apart.
+// How far a body is drawn beside its place, so that what lies on one another is told apart: on a card that is as good as
+// closed its layers, and plates that are glued on the same one.
 function apart(scene, body, degrees) {
-  if (body.cover < 0 || body.layer === undefined || degrees >= kClosedDeg) return [0, 0, 0];
-  const by = body.layer * (1 - degrees / kClosedDeg);
-  const axes = scene.bodies[body.cover].node.axes;
-  return [by * axes[6], by * axes[7], by * axes[8]];
+  const shift = [0, 0, 0];
+  const move = (number, by) => {
+    const axes = scene.bodies[number].node.axes;
+    for (let i = 0; i < 3; ++i) shift[i] += by * axes[6 + i];
+  };
+  if (body.above !== 0) move(body.parent, body.above);
+  if (body.cover >= 0 && body.layer !== undefined && degrees < kClosedDeg) {
+    move(body.cover, body.layer * (1 - degrees / kClosedDeg));
+  }
+  return shift;
 }
 
 function pointOf(body, x, y, z) {

@@ -84,6 +84,7 @@ function readBody(row, flat, lists) {
     pivot: row.pivot || [0, 0],
     turns: row.turns !== undefined ? summed(numbers(list(row.turns), 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
     layer: row.layer,
+    above: row.above || 0,
     meshes,
     edges: { cut: spread(row.cuts), fold: spread(row.folds), line: spread(row.lines) },
     collides: false,

@@ -31,6 +31,7 @@ constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
 constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
 constexpr double kMostClosedMm = 3.0;   // of all of them
+constexpr double kOneAboveMm = 0.04;    // between plates that lie on one plate, perhaps over one another
 constexpr double kFoldEdgeMm = 0.05;
 constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 
@@ -227,6 +228,7 @@ class SceneText {
         }
         const std::vector<double> layers = layers_of(card);
         Json plates = Json::array();
+        std::map<std::pair<int, Lying>, int> lying;  // how many lie on this side of a plate so far
         for (const int which : tree.order) {
             const auto i = static_cast<std::size_t>(which);
             const Plate& plate = assembly.plates[i];
@@ -238,6 +240,10 @@ class SceneText {
             if (!(plate.pivot == Vec2{})) one["pivot"] = lengths({plate.pivot.x, plate.pivot.y});
             put_turns(track, count, i, one);
             if (!layers.empty()) one["layer"] = layers[i];
+            if (plate.lying != Lying::free) {
+                const double above = kOneAboveMm * lying[{plate.parent, plate.lying}]++;
+                if (above > 0.0) one["above"] = rounded(plate.lying == Lying::on_front ? above : -above, 3);
+            }
             Json meshes = Json::array();
             for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
                 meshes.push_back(mesh(part, plate.pivot));

@@ -16,6 +16,7 @@ namespace popup {
 //    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
+//      above: mm that it is drawn above its place, seen from its parent's front, where others lie there too;
 //      meshes: [{color or picture, lift of what is drawn, points: x y from the pivot, triangles,
 //        place: [ux, uy, u0, vx, vy, v0], u = ux x + uy y + u0 across the picture and v down it, 0 to 1}],
 //      cuts, folds: x y of both ends of each edge of its outline}],
