@@ -20,6 +20,16 @@ Diagnostic& refuse(Diagnostics& diagnostics, std::string message) {
     return diagnostics.error("unwritable-output", {}, std::move(message));
 }
 
+template <class Writer>
+bool is_written_by(const Format& format) {
+    return std::holds_alternative<Writer>(format.write);
+}
+
+bool shows_model(const Format& format) {
+    return is_written_by<SceneWriter>(format) || is_written_by<StillWriter>(format) ||
+           is_written_by<PageWriter>(format);
+}
+
 const Format* format_of(const std::string& path, const std::string& otherwise, Diagnostics& diagnostics) {
     if (path != "-") {
         if (const Format* format = find_format(path)) return format;
@@ -49,7 +59,7 @@ bool choose_formats(const OutputRequest& request, OutputPlan& plan, Diagnostics&
         const Format* format = format_of(path, request.format, diagnostics);
         if (format == nullptr) return false;
         plan.outputs.push_back({path, format});
-        if (std::holds_alternative<DocumentWriter>(format->write) && request.inputs.size() > 1) {
+        if (is_written_by<DocumentWriter>(*format) && request.inputs.size() > 1) {
             refuse(diagnostics,
                    fmt::format("{} is one document, and there are {} inputs", path, request.inputs.size()))
                 .hint("build each on its own, or use \"popupc fix --in-place\"");
@@ -101,13 +111,12 @@ enum class Read { assembly, lying_sheet, standing_parts, parts };
 bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
-        if (std::holds_alternative<SceneWriter>(output.format->write) ||
-            std::holds_alternative<StillWriter>(output.format->write)) {
+        if (shows_model(*output.format)) {
             const Stills least = what == Read::lying_sheet ? Stills::sheets : Stills::all;
             if (what != Read::assembly && output.format->stills < least) lacking = "motion";
             if (what == Read::parts) lacking = "moving model";
         }
-        if (std::holds_alternative<DocumentWriter>(output.format->write)) lacking = "popup document";
+        if (is_written_by<DocumentWriter>(*output.format)) lacking = "popup document";
         if (lacking.empty()) continue;
         Diagnostic& told =
             refuse(diagnostics, fmt::format("{}: this {}, and has no {} for {}", input,
@@ -157,6 +166,7 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
             [&](SheetWriter write) { return write(*run.layout, options, diagnostics); },
             [&](SceneWriter write) { return single(write(scene_of(run), options, diagnostics)); },
             [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
+            [&](PageWriter write) { return single(write(run, scene_of(run), options, diagnostics)); },
             [&](DocumentWriter write) {
                 return single(write(*run.designs.front().checked, options, diagnostics));
             },
@@ -169,7 +179,7 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
 void examine_sheets(const OutputPlan& plan, const OutputOptions& options, Compilation& run) {
     std::vector<const Format*> formats;
     for (const PlannedOutput& output : plan.outputs) {
-        if (!std::holds_alternative<SheetWriter>(output.format->write)) continue;
+        if (!is_written_by<SheetWriter>(*output.format)) continue;
         if (std::find(formats.begin(), formats.end(), output.format) == formats.end())
             formats.push_back(output.format);
     }
@@ -190,12 +200,16 @@ std::string suffixed(const PlannedOutput& output, const std::string& suffix) {
     return path.substr(0, stem) + suffix + path.substr(stem);
 }
 
-// Reports come last: they name every other file of the run.
+// Pages tell what was found while the others were written; reports come last, for they name every other file.
 std::vector<PlannedOutput> in_order_of_making(const OutputPlan& plan) {
+    const auto turn = [](const PlannedOutput& output) {
+        return is_written_by<ReportWriter>(*output.format) ? 2
+               : is_written_by<PageWriter>(*output.format) ? 1
+                                                           : 0;
+    };
     std::vector<PlannedOutput> outputs = plan.outputs;
-    std::stable_partition(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
-        return !std::holds_alternative<ReportWriter>(output.format->write);
-    });
+    std::stable_sort(outputs.begin(), outputs.end(),
+                     [&turn](const PlannedOutput& a, const PlannedOutput& b) { return turn(a) < turn(b); });
     return outputs;
 }
 
@@ -279,7 +293,7 @@ std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const
             continue;
         }
         if (parts->size() > 1 && is_standard_output(output.path)) {
-            const bool are_pictures = std::holds_alternative<StillWriter>(output.format->write);
+            const bool are_pictures = is_written_by<StillWriter>(*output.format);
             refuse(run.run_diagnostics,
                    fmt::format("standard output takes one file, and the {} make {}",
                                are_pictures ? "views and openings" : "sheets, their sides and parts",

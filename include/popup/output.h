@@ -39,6 +39,7 @@ struct StillOptions {
     std::vector<View> views{View::iso};  // each once, at least one
     std::vector<double> openings_deg;    // 0 to 180, as far as a card opens; empty: where it is seen best
     std::optional<PictureSize> size;     // none: 800 × 600, of animations 480 × 360
+    std::optional<double> paper_mm;      // > 0: shows paper this thick; none: as thin as a line
 };
 
 struct OutputOptions {
@@ -88,6 +89,9 @@ using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, c
 // Gives one file for each picture.
 using StillWriter = std::optional<std::vector<SheetFile>> (*)(std::span<const SceneCard>,
                                                               const OutputOptions&, Diagnostics&);
+// One file with the model and with what else is known of the run: its sheets and its findings.
+using PageWriter = std::optional<std::string> (*)(const Compilation&, std::span<const SceneCard>,
+                                                  const OutputOptions&, Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);
@@ -102,7 +106,7 @@ enum class Stills {
 struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
-    std::variant<SheetWriter, SceneWriter, StillWriter, DocumentWriter, ReportWriter> write;
+    std::variant<SheetWriter, SceneWriter, StillWriter, PageWriter, DocumentWriter, ReportWriter> write;
     Stills stills = Stills::none;  // of models and their pictures
 };
 std::span<const Format> format_table();

@@ -21,6 +21,7 @@ std::string_view kind_word(const Format& format) {
         std::string_view operator()(SheetWriter) const { return "sheet"; }
         std::string_view operator()(SceneWriter) const { return "scene"; }
         std::string_view operator()(StillWriter) const { return "picture"; }
+        std::string_view operator()(PageWriter) const { return "page"; }
         std::string_view operator()(DocumentWriter) const { return "document"; }
         std::string_view operator()(ReportWriter) const { return "report"; }
     };

@@ -39,7 +39,7 @@ const std::array kFormats{
     Format{".glb", "the model, in one binary glTF file: cards move, parts stand", SceneWriter{write_glb},
            Stills::all},
     Format{".gltf", "the model, as glTF text", SceneWriter{write_gltf}, Stills::all},
-    Format{".html", "the model, in a page to turn it, and to open and close it", SceneWriter{write_viewer},
+    Format{".html", "the model, in a page to turn it, and to open and close it", PageWriter{write_viewer},
            Stills::all},
     Format{".fold", "the crease pattern and the sampled poses, as FOLD 1.2", SceneWriter{write_fold},
            Stills::sheets},

@@ -29,7 +29,7 @@ HAVE = {name for name in TOOLS if shutil.which(name)}
 DPI, FEWER_DPI = 300, 100
 MM_A_POINT = 25.4 / 72
 FLAT = 0.0105  # mm that curves and their chords are apart, at most
-MODEL_KINDS = {"scene", "document"}  # formats that drawings of flat parts do not have
+MODEL_KINDS = {"scene", "page", "document"}  # formats that drawings of flat parts do not have
 # Samples that are looked at more closely: one of one piece that is only cut, one of several that are glued.
 CLOSE = ("castle", "house")
 

@@ -246,6 +246,7 @@ void add_motion_options(CLI::App& verb, Options& options) {
     value(verb, "--paper-thickness", "LENGTH", "thickness of the paper, which gives that of the closed card",
           "Motion", [&options](std::string_view text) {
               options.compile.motion.paper_mm = length_option("--paper-thickness", text, 1e-3).mm;
+              options.compile.output.still.paper_mm = options.compile.motion.paper_mm;
           });
 }
 

@@ -133,8 +133,8 @@ std::string filled(std::string_view page, std::span<const std::pair<std::string_
 
 }  // namespace
 
-std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const OutputOptions& options,
-                                        Diagnostics& diagnostics) {
+std::optional<std::string> write_viewer(const Compilation&, std::span<const SceneCard> cards,
+                                        const OutputOptions& options, Diagnostics& diagnostics) {
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;

@@ -27,7 +27,7 @@ namespace popup {
 // take. Precondition: at least one card; has_model() of all assemblies, and motions of those that move. Cost:
 // plates × keys. Length: some 40 KB, 4 to 12 bytes a plate and key, some 5 a corner and 4 a triangle, and
 // four thirds of the pictures.
-std::optional<std::string> write_viewer(std::span<const SceneCard> cards, const OutputOptions& options,
-                                        Diagnostics& diagnostics);
+std::optional<std::string> write_viewer(const Compilation& run, std::span<const SceneCard> cards,
+                                        const OutputOptions& options, Diagnostics& diagnostics);
 
 }  // namespace popup

@@ -14,6 +14,7 @@
 #include "base/system/digest.h"
 #include "base/text/base64.h"
 #include "output/viewer/page_files.h"
+#include "popup/compile.h"
 #include "popup/image.h"
 #include "support/designs.h"
 #include "support/pictures.h"
@@ -76,7 +77,8 @@ Model model_of(const Design& design) {
 std::string page_of(const Model& model, const std::string& prefix = {}) {
     const SceneCard card{&model.assembly, &model.motion, prefix};
     Diagnostics diagnostics;
-    const auto page = write_viewer({&card, 1}, {}, diagnostics);
+    const Compilation run;
+    const auto page = write_viewer(run, {&card, 1}, {}, diagnostics);
     EXPECT_TRUE(page) << test::findings(diagnostics);
     return page.value_or("");
 }
