@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kParallel = 0.99;     // cosine between a plate and a page
 constexpr double kMostParallel = 0.6;  // of the paper that rises, for a card that stands
+constexpr double kBetweenMm = 0.02;    // two papers that lie on one another
 constexpr double kAjarDeg = 1.5;
 constexpr double kLiesOpenDeg = 130.0;
 constexpr Color kTraceInk{70, 70, 76};
@@ -53,7 +54,7 @@ Texture::Level halved(const Texture::Level& from) {
 }
 
 // Where plates that are glued flat lie beside their base: they, and what hangs on them.
-std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> frames) {
+std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> frames, double layer_mm) {
     std::vector<Vec3> lifts(assembly.plates.size());
     std::vector<char> done(assembly.plates.size(), 0);
     for (std::size_t i = 0; i < lifts.size(); ++i) {
@@ -68,7 +69,7 @@ std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> f
             const Plate& one = assembly.plates[*plate];
             if (one.parent < 0) continue;
             const double side = one.lying == Lying::on_front ? 1.0 : one.lying == Lying::on_back ? -1.0 : 0.0;
-            lifts[*plate] = lifts[index(one.parent)] + side * kLayerMm * frames[index(one.parent)].normal();
+            lifts[*plate] = lifts[index(one.parent)] + side * layer_mm * frames[index(one.parent)].normal();
         }
     }
     return lifts;
@@ -87,16 +88,40 @@ void stand_up(const Assembly& assembly, std::vector<Frame>& frames) {
     }
 }
 
-void add_ring(const Ring& ring, const Frame& frame, Vec3 shift, const Light& ink, int number, Model& model) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        model.edges.push_back(
-            {number, frame.point(ring[i]) + shift, frame.point(ring[(i + 1) % ring.size()]) + shift, ink});
-    }
+template <typename Visit>
+void each_side(const Polygon& outline, const Visit& visit) {
+    const auto sides = [&visit](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
+    };
+    sides(outline.outer);
+    for (const Ring& hole : outline.holes) sides(hole);
+}
+
+Frame moved(Frame frame, Vec3 by) {
+    frame.origin = frame.origin + by;
+    return frame;
+}
+
+// The side of a plate that is `thick` mm, along one of its edges. Outlines have the paper on their left.
+void add_wall(const Frame& frame, Vec2 a, Vec2 b, double thick, const Light& color, Model& model) {
+    const Vec3 along = frame.point(b) - frame.point(a);
+    const double long_mm = std::sqrt(dot(along, along));
+    if (long_mm < 1e-9) return;
+    const Vec3 x = (1.0 / long_mm) * along;
+    Face& wall = model.faces.emplace_back();
+    wall.plate = model.plates;
+    wall.frame.origin = frame.point(a);
+    wall.frame.axes = {x, frame.normal(), cross(x, frame.normal())};
+    wall.color = color;
+    const Vec3 up = 0.5 * thick * frame.normal();
+    for (const Vec3 p : {frame.point(a) - up, frame.point(b) - up, frame.point(b) + up, frame.point(a) + up})
+        wall.points.push_back(p);
+    wall.indices = {0, 1, 2, 0, 2, 3};
 }
 
 }  // namespace
 
-Modeller::Modeller(std::span<const SceneCard> cards) {
+Modeller::Modeller(std::span<const SceneCard> cards, double paper_mm) : paper_mm_(paper_mm) {
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
         Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, false};
@@ -166,32 +191,48 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
     return model;
 }
 
+void Modeller::add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model) {
+    const MeshPart& from = plane.parts[part];
+    Face& face = model.faces.emplace_back();
+    face.plate = model.plates;
+    face.frame = moved(frame, from.lift_mm * frame.normal());
+    face.color = light_of(from.color);
+    face.texture = plane.textures[part];
+    if (from.image != nullptr) face.place = from.image->place;
+    face.paper = !from.drawn;
+    face.points.reserve(from.points.size());
+    for (const Vec2 p : from.points) face.points.push_back(face.frame.point(p + pivot));
+    face.indices = from.indices;
+}
+
 void Modeller::add(const Card& card, Vec3 shift, Model& model) const {
     const Assembly& assembly = *card.scene->assembly;
-    const std::vector<Vec3> lifts = moves(assembly) ? glued_lifts(assembly, card.frames) : card.lifts;
+    const double layer_mm = std::max(kLayerMm, paper_mm_ + kBetweenMm);
+    const bool moving = moves(assembly);
+    const std::vector<Vec3> lifts = moving ? glued_lifts(assembly, card.frames, layer_mm) : card.lifts;
     for (std::size_t i = 0; i < card.plates.size(); ++i) {
         const Plate& plate = assembly.plates[i];
         const Plane& plane = card.plates[i];
-        const Frame& frame = card.frames[i];
-        const Vec3 to = shift + lifts[i];
-        for (std::size_t k = 0; k < plane.parts.size(); ++k) {
-            const MeshPart& part = plane.parts[k];
-            Face& face = model.faces.emplace_back();
-            face.plate = model.plates;
-            face.frame = frame;
-            face.frame.origin = frame.origin + to + part.lift_mm * frame.normal();
-            face.color = light_of(part.color);
-            face.texture = plane.textures[k];
-            if (part.image != nullptr) face.place = part.image->place;
-            face.paper = !part.drawn;
-            face.points.reserve(part.points.size());
-            for (const Vec2 p : part.points) face.points.push_back(face.frame.point(p + plate.pivot));
-            face.indices = part.indices;
-        }
         if (plane.parts.empty()) continue;
-        const Light ink = ink_on(light_of(plate.fill.value_or(Color{})));
-        add_ring(plate.outline.outer, frame, to, ink, model.plates, model);
-        for (const Ring& hole : plate.outline.holes) add_ring(hole, frame, to, ink, model.plates, model);
+        const Frame frame = moved(card.frames[i], shift + (moving ? 1.0 : layer_mm / kLayerMm) * lifts[i]);
+        const Vec3 out = 0.5 * paper_mm_ * frame.normal();
+        const Light paint = light_of(plate.fill.value_or(Color{}));
+        const auto add_edges = [&](const Frame& on) {
+            each_side(plate.outline, [&](Vec2 a, Vec2 b) {
+                model.edges.push_back({model.plates, on.point(a), on.point(b), ink_on(paint)});
+            });
+            ++model.plates;
+        };
+        // Front and back are plates of their own, so that the edges of each are hidden by the other.
+        for (std::size_t k = 0; k < plane.parts.size(); ++k)
+            add_part(plane, k, plate.pivot, moved(frame, out), model);
+        add_edges(moved(frame, out));
+        if (paper_mm_ <= 0.0) continue;
+        for (std::size_t k = 0; k < plane.parts.size(); ++k) {
+            if (!plane.parts[k].drawn) add_part(plane, k, plate.pivot, moved(frame, -out), model);
+        }
+        add_edges(moved(frame, -out));
+        each_side(plate.outline, [&](Vec2 a, Vec2 b) { add_wall(frame, a, b, paper_mm_, paint, model); });
         ++model.plates;
     }
     for (const Trace& trace : assembly.traces) {

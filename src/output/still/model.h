@@ -55,9 +55,12 @@ struct Model {
 // Makes models of the same cards at several openings: plates are triangulated, and pictures decoded, once.
 class Modeller {
  public:
-    explicit Modeller(std::span<const SceneCard> cards);
+    // Paper is shown `paper_mm` thick; 0: as thin as a line.
+    explicit Modeller(std::span<const SceneCard> cards, double paper_mm = 0.0);
     // The opening at which the cards are seen best: where models rest, and further open for cards that lie.
     [[nodiscard]] double best_deg() const { return best_deg_; }
+    // Whether the first card is seen best with one page for a back wall, and is shown so.
+    [[nodiscard]] bool first_stands_up() const { return cards_.front().stands_up; }
     // At this opening, or as far as a card opens. nullopt: `locks` was told.
     std::optional<Model> at(double opening_deg, Diagnostics& diagnostics);
 
@@ -71,15 +74,17 @@ class Modeller {
         std::vector<Plane> plates;
         std::vector<Frame> frames;
         std::vector<Vec3> lifts;  // of what stands still
-        bool stands_up = false;   // it is seen best with one page for a back wall
+        bool stands_up = false;
     };
     const Texture* texture_of(const Image& image);
     void add(const Card& card, Vec3 shift, Model& model) const;
+    static void add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model);
     // Whether most of the paper that rises from the card is parallel to one of its pages.
     [[nodiscard]] static bool stands_up(const Card& card);
 
     std::vector<Card> cards_;
     std::map<const std::string*, Texture> textures_;
+    double paper_mm_;
     double best_deg_ = 90.0;
 };
 
