@@ -151,6 +151,16 @@ std::vector<SceneCard> scene_of(const Compilation& run) {
     return cards;
 }
 
+std::vector<Diagnostic> findings_of(const Compilation& run) {
+    std::vector<Diagnostic> all;
+    const auto add = [&all](const Diagnostics& diagnostics) {
+        for (Diagnostic& one : diagnostics.sorted()) all.push_back(std::move(one));
+    };
+    for (const CompiledDesign& one : run.designs) add(one.diagnostics);
+    add(run.run_diagnostics);
+    return all;
+}
+
 // The files of one output.
 std::optional<std::vector<SheetFile>> write_format(const Format& format, const OutputOptions& options,
                                                    Compilation& run) {
@@ -166,7 +176,10 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
             [&](SheetWriter write) { return write(*run.layout, options, diagnostics); },
             [&](SceneWriter write) { return single(write(scene_of(run), options, diagnostics)); },
             [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
-            [&](PageWriter write) { return single(write(run, scene_of(run), options, diagnostics)); },
+            [&](PageWriter write) {
+                const std::vector<SceneCard> cards = scene_of(run);
+                return single(write({cards, &*run.layout, findings_of(run)}, options, diagnostics));
+            },
             [&](DocumentWriter write) {
                 return single(write(*run.designs.front().checked, options, diagnostics));
             },

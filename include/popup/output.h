@@ -89,9 +89,13 @@ using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, c
 // Gives one file for each picture.
 using StillWriter = std::optional<std::vector<SheetFile>> (*)(std::span<const SceneCard>,
                                                               const OutputOptions&, Diagnostics&);
-// One file with the model and with what else is known of the run: its sheets and its findings.
-using PageWriter = std::optional<std::string> (*)(const Compilation&, std::span<const SceneCard>,
-                                                  const OutputOptions&, Diagnostics&);
+// What people are shown of a run in one file: the model, the sheets, and what was found.
+struct RunPage {
+    std::span<const SceneCard> cards;
+    const Layout* layout = nullptr;    // null: there are no sheets
+    std::vector<Diagnostic> findings;  // in the order in which they are told
+};
+using PageWriter = std::optional<std::string> (*)(const RunPage&, const OutputOptions&, Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);

@@ -1,19 +1,21 @@
 // Opens a page in Chromium without a window and asks it questions, through a pipe:
 //   node drive_page.mjs CHROMIUM PROFILE PAGE PICTURE WIDTH HEIGHT SCHEME [EXPRESSION ...]
 // PROFILE is an empty folder for the browser; PICTURE takes a PNG of the page as it stands after the last expression
-// ("-": none); SCHEME is light or dark. Expressions are JavaScript; promises are waited for. Prints
+// ("-": none); SCHEME is light or dark, and after a comma no-webgl or no-script for a browser without. Expressions are
+// JavaScript, or "@FILE" for all of a file's; promises are waited for. Prints
 // {messages: [what the page wrote to the console, and what the browser says of it], values: [one an expression]}.
 // Exit 3 where the browser does not start. It needs nothing but Node 18 or newer.
 import { spawn } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
-const [chromium, profile, page, picture, width, height, scheme, ...expressions] = process.argv.slice(2);
+const [chromium, profile, page, picture, width, height, looks, ...expressions] = process.argv.slice(2);
+const [scheme, lacking] = looks.split(',');
 const browser = spawn(chromium, [
   '--headless', '--no-sandbox', '--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', `--user-data-dir=${profile}`, '--remote-debugging-pipe',
-  `--window-size=${width},${height}`, 'about:blank',
+  `--window-size=${width},${height}`, ...(lacking === 'no-webgl' ? ['--disable-3d-apis'] : []), 'about:blank',
 ], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
 
 const give = (code) => {
@@ -78,22 +80,24 @@ async function drive() {
   await ask('Page.enable');
   await ask('Runtime.enable');
   await ask('Log.enable');
+  if (lacking === 'no-script') await ask('Emulation.setScriptExecutionDisabled', { value: true });
   const loaded = once('Page.loadEventFired');
   const hash = page.indexOf('#');
   const file = hash < 0 ? page : page.slice(0, hash);
   await ask('Page.navigate', { url: pathToFileURL(file).href + (hash < 0 ? '' : page.slice(hash)) });
   await loaded;
-  const evaluate = async (expression) => {
+  const evaluate = async (asked) => {
+    const expression = asked.startsWith('@') ? `${readFileSync(asked.slice(1))}; 0` : asked;
     const { result, exceptionDetails } = await ask('Runtime.evaluate',
       { expression, awaitPromise: true, returnByValue: true });
-    if (exceptionDetails) throw new Error(`${expression}: ${exceptionDetails.exception?.description}`);
+    if (exceptionDetails) throw new Error(`${asked}: ${exceptionDetails.exception?.description}`);
     return result.value ?? null;
   };
   const drawn = 'new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(() => r(0))))';
-  await evaluate(drawn);
+  if (lacking !== 'no-script') await evaluate(drawn);
   const values = [];
   for (const expression of expressions) values.push(await evaluate(expression));
-  await evaluate(drawn);
+  if (lacking !== 'no-script') await evaluate(drawn);
   if (picture !== '-') {
     const shot = await ask('Page.captureScreenshot', { format: 'png' });
     writeFileSync(picture, Buffer.from(shot.data, 'base64'));

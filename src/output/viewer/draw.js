@@ -6,12 +6,14 @@ const kFrameWidth = 256;  // bodies a row of that texture, four texels each
 const kFrames = `
   uniform highp sampler2D frames;
   uniform mat4 camera;
+  uniform float lift;     // mm before the plate, of plates that can be thick
+  uniform float stretch;  // what distances before the plate are multiplied by
   vec4 texel(float body, int i) {
     int b = int(body);
     return texelFetch(frames, ivec2((b % ${kFrameWidth}) * 4 + i, b / ${kFrameWidth}), 0);
   }
   vec3 placed(float body, vec3 at) {
-    vec4 p = vec4(at, 1.0);
+    vec4 p = vec4(at.xy, at.z * stretch + lift * texel(body, 3).z, 1.0);
     return vec3(dot(texel(body, 0), p), dot(texel(body, 1), p), dot(texel(body, 2), p));
   }
 `;
@@ -199,6 +201,29 @@ function gather(scene, wanted) {
   return [lists, indices];
 }
 
+// The sides of plates that are flat, along all of their edges: 1 before the plate and 1 behind it.
+function gatherWalls(scene) {
+  const lists = { at: [[], 3], color: [[], 3], body: [[], 1] };
+  const indices = [];
+  scene.bodies.forEach((body, number) => {
+    const paper = body.meshes.find((mesh) => !mesh.drawn);
+    if (!body.flat || !paper) return;
+    const color = paper.color.map((value) => value / 255);
+    for (const list of [body.edges.cut, body.edges.fold]) {
+      for (let i = 0; i + 5 < list.length; i += 6) {
+        const first = lists.body[0].length;
+        for (const [end, side] of [[0, -1], [3, -1], [3, 1], [0, 1]]) {
+          lists.at[0].push(list[i + end], list[i + end + 1], side);
+          lists.color[0].push(...color);
+          lists.body[0].push(number);
+        }
+        for (const index of [0, 1, 2, 0, 2, 3]) indices.push(first + index);
+      }
+    }
+  });
+  return [lists, indices];
+}
+
 const kLineStyles = { cut: [0.75, 0.80], fold: [0.55, 0.38], line: [0.6, 0.95] };  // half width in px, ink
 
 function gatherLines(scene) {
@@ -233,6 +258,7 @@ class Painter {
     const { paper, picture, shadow, line } = this.programs;
     this.paper = makeBatch(gl, paper, ...gather(scene, (mesh) => !mesh.drawn && mesh.picture === undefined));
     this.prints = makeBatch(gl, paper, ...gather(scene, (mesh) => mesh.drawn && mesh.picture === undefined));
+    this.walls = makeBatch(gl, paper, ...gatherWalls(scene));
     this.shadow = makeBatch(gl, shadow, ...gather(scene, (mesh) => !mesh.drawn));
     const lines = gatherLines(scene);
     this.lines = makeBatch(gl, line, lines, [0, 1, 2, 0, 2, 3], lines.body[0].length);
@@ -279,11 +305,11 @@ class Painter {
     return texture;
   }
 
-  place(degrees) {
+  place(degrees, paper) {
     const { gl, scene, numbers } = this;
     scene.bodies.forEach((body, number) => {
       const { axes, origin } = body.node;
-      const by = apart(scene, body, degrees);
+      const by = apart(scene, body, degrees, paper);
       for (let row = 0; row < 3; ++row) {
         const at = 16 * number + 4 * row;
         numbers[at] = axes[row];
@@ -293,6 +319,7 @@ class Painter {
       }
       numbers[16 * number + 12] = body.collides ? 1 : 0;
       numbers[16 * number + 13] = body.hovered ? 1 : 0;
+      numbers[16 * number + 14] = body.flat ? 1 : 0;
     });
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.frames);
@@ -304,14 +331,20 @@ class Painter {
     gl.useProgram(program.program);
     gl.uniform1i(program.frames, 0);
     gl.uniformMatrix4fv(program.camera, false, matrix);
+    this.lay(program, 0, 1);
+  }
+  lay(program, lift, stretch) {
+    this.gl.uniform1f(program.lift, lift);
+    this.gl.uniform1f(program.stretch, stretch);
   }
 
-  // `scale`: pixels of the picture a pixel of the page.
-  draw(camera, degrees, scale) {
+  // `scale`: pixels of the picture a pixel of the page; `paper`: its thickness in mm; `edges`: whether they are drawn.
+  draw(camera, degrees, scale, paper, edges) {
     const { gl, programs } = this;
     const width = gl.drawingBufferWidth;
     const height = gl.drawingBufferHeight;
-    this.place(degrees);
+    const sides = paper > 0 ? [paper / 2, -paper / 2] : [0];
+    this.place(degrees, paper);
     const matrix = new Float32Array(camera.matrix());
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
@@ -324,14 +357,23 @@ class Painter {
     gl.depthFunc(gl.LEQUAL);
     gl.disable(gl.BLEND);
     this.use(programs.paper, matrix);
-    drawBatch(gl, this.paper);
+    for (const side of sides) {
+      this.lay(programs.paper, side, 1);
+      drawBatch(gl, this.paper);
+    }
+    if (paper > 0) {
+      this.lay(programs.paper, 0, paper / 2);
+      drawBatch(gl, this.walls);
+    }
     // What is printed is seen from the front only.
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(0, -4);
+    this.lay(programs.paper, paper / 2, 1);
     drawBatch(gl, this.prints);
     gl.enable(gl.BLEND);
     this.use(programs.picture, matrix);
+    this.lay(programs.picture, paper / 2, 1);
     gl.activeTexture(gl.TEXTURE1);
     gl.uniform1i(programs.picture.picture, 1);
     for (const { batch, texture } of this.pictures) {
@@ -342,12 +384,22 @@ class Painter {
     gl.activeTexture(gl.TEXTURE0);
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.disable(gl.CULL_FACE);
+    if (edges) this.drawLines(camera, matrix, scale, sides);
+    gl.disable(gl.BLEND);
+  }
+
+  drawLines(camera, matrix, scale, sides) {
+    const { gl, programs } = this;
+    const width = gl.drawingBufferWidth;
+    const height = gl.drawingBufferHeight;
     this.use(programs.line, matrix);
     gl.uniform2f(programs.line.size, width / scale / 2, height / scale / 2);
     gl.uniform3fv(programs.line.eye, camera.eye());
     gl.uniform1f(programs.line.pixel, (2 * kHalfAngle * scale) / height);
-    drawBatch(gl, this.lines);
-    gl.disable(gl.BLEND);
+    for (const side of sides) {
+      this.lay(programs.line, side, 1);
+      drawBatch(gl, this.lines);
+    }
   }
 
   // A soft shadow of several hard ones, each of which covers a place once.

@@ -6,6 +6,7 @@ const scene = readScene(JSON.parse(byId('scene').textContent));
 const camera = new Camera(cornersOf(scene));
 const canvas = byId('model');
 let opening = scene.opening ? scene.opening.rest_deg : 0;
+const paper = scene.paper || 0.3;  // mm
 let painter = null;
 let waiting = false;
 let playing = null;
@@ -33,7 +34,9 @@ function redraw() {
       camera.aspect = width / height;
       if (camera.fitted) camera.fit();
     }
-    painter.draw(camera, opening, scale);
+    painter.draw(camera, opening, scale, byId('thick').checked ? paper : 0, byId('edges').checked);
+    if (canvas.hidden) return;
+    byId('still').hidden = true;
   });
 }
 
@@ -198,6 +201,7 @@ function onKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key } = event;
   const inButton = event.target instanceof Element && event.target.closest('button, summary, a');
+  if (panelShown !== 'model' || (event.target instanceof Element && event.target.closest('[role=tab]'))) return;
   const inSlider = event.target === byId('opening');
   if (event.shiftKey && kTurns[key]) {
     const [x, y] = kTurns[key];
@@ -227,6 +231,57 @@ document.addEventListener('keydown', onKey);
 
 for (const button of document.querySelectorAll('#views button')) {
   button.addEventListener('click', () => lookFrom(button.dataset.view));
+}
+
+for (const id of ['edges', 'thick']) byId(id).addEventListener('change', redraw);
+
+// ---- tabs
+
+const kPanels = ['model', 'sheets', 'findings'];
+let panelShown = 'model';
+
+function showPanel(name) {
+  panelShown = name;
+  for (const one of kPanels) {
+    const tab = byId(`tab-${one}`);
+    tab.setAttribute('aria-selected', String(one === name));
+    tab.tabIndex = one === name ? 0 : -1;
+    byId(`${one}-panel`).hidden = one !== name;
+  }
+  if (name === 'model') redraw();
+  else stop();
+  if (name === 'sheets') showSheets();
+}
+
+kPanels.forEach((name, number) => {
+  const tab = byId(`tab-${name}`);
+  tab.addEventListener('click', () => showPanel(name));
+  tab.addEventListener('keydown', (event) => {
+    const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    const next = kPanels[(number + by + kPanels.length) % kPanels.length];
+    showPanel(next);
+    byId(`tab-${next}`).focus();
+  });
+});
+
+// Sheets are packed drawings, which are unpacked when they are looked at first.
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Response(stream).text();
+}
+
+async function showSheets() {
+  for (const picture of document.querySelectorAll('#sheets-panel img:not([src])')) {
+    const packed = scene.sheets[Number(picture.dataset.sheet)];
+    try {
+      picture.src = `data:image/svg+xml,${encodeURIComponent(await unpacked(packed))}`;
+    } catch (problem) {
+      picture.alt += ': this browser cannot unpack it';
+    }
+  }
 }
 
 // ---- opening, and where plates collide
@@ -287,10 +342,12 @@ function begin() {
   if (!gl) {
     canvas.hidden = true;
     for (const id of ['controls', 'keys', 'views']) byId(id).hidden = true;
-    byId('message').textContent = 'This browser has no WebGL 2, which the model is drawn with.';
+    byId('message').textContent = 'This browser has no WebGL 2, so this is a picture of the model.';
     byId('message').hidden = false;
     return;
   }
+  for (const id of ['keys', 'views']) byId(id).hidden = false;
+  byId('thick-label').hidden = !scene.bodies.some((body) => body.flat);
   painter = new Painter(gl, scene, redraw);
 }
 canvas.addEventListener('webglcontextlost', (event) => {
@@ -314,6 +371,10 @@ window.addEventListener('hashchange', followAddress);
 new ResizeObserver(redraw).observe(canvas);
 window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
 
+document.documentElement.classList.add('scripted');
+showPanel('model');
+byId('thick').checked = scene.paper > 0;
+canvas.hidden = false;
 placeBodies(scene, opening);
 begin();
 setOpening(opening);

@@ -41,11 +41,9 @@ function placeBodies(scene, degrees) {
     const own = body.turns.length > 4
       ? axesOf(slerp(body.turns, 4 * (high - 1), 4 * high, t))
       : axesOf(body.turns);
-    const node = body.node;
-    if (body.parent < 0) {
-      node.axes = own;
-      node.origin = body.offset;
-    } else {
+    const node = { axes: own, origin: body.offset };
+    body.node = node;
+    if (body.parent >= 0) {
       const base = scene.bodies[body.parent].node;
       node.axes = [0, 3, 6].flatMap((k) => turned(base.axes, own[k], own[k + 1], own[k + 2]));
       node.origin = turned(base.axes, ...body.offset).map((value, i) => value + base.origin[i]);
@@ -55,6 +53,7 @@ function placeBodies(scene, degrees) {
       .map((value, i) => value + node.origin[i]);
     body.collides = false;
   }
+  if (scene.ground !== null) standUp(scene);
   for (const one of scene.collisions) {
     if (degrees < one.from - 0.05 || degrees > one.to + 0.05) continue;
     scene.bodies[one.a].collides = true;
@@ -62,19 +61,42 @@ function placeBodies(scene, degrees) {
   }
 }
 
+// Turns all of a card so that the page that stands on the right when it lies is the ground, and the other a back wall.
+function standUp(scene) {
+  const ground = scene.bodies[scene.ground].node.axes;
+  const away = ground.slice(0, 3).map((value) => -value);
+  const up = ground.slice(6);
+  const rows = [cross(away, up), away, up];
+  const turn = (v) => rows.map((row) => dot(row, v));
+  for (const body of scene.bodies) {
+    const { axes, origin } = body.node;
+    body.node = {
+      axes: [0, 3, 6].flatMap((k) => turn([axes[k], axes[k + 1], axes[k + 2]])),
+      origin: turn(origin),
+    };
+  }
+}
+
 const kClosedDeg = 2;
+const kClosedLayerMm = 0.2;  // between plates of the closed card, at most
+const kLayerMm = 0.1;  // between a plate and what is glued on it, where paper has no thickness
+const kOneAboveMm = 0.04;  // between plates that are glued on one plate, perhaps over one another
 
 // How far a body is drawn beside its place, so that what lies on one another is told apart: on a card that is as good as
 // closed its layers, and plates that are glued on the same one.
-function apart(scene, body, degrees) {
+function apart(scene, body, degrees, paper) {
   const shift = [0, 0, 0];
   const move = (number, by) => {
     const axes = scene.bodies[number].node.axes;
     for (let i = 0; i < 3; ++i) shift[i] += by * axes[6 + i];
   };
-  if (body.above !== 0) move(body.parent, body.above);
+  if (body.above !== 0) {
+    const by = Math.max(kLayerMm, paper) + kOneAboveMm * (Math.abs(body.above) - 1);
+    move(body.parent, Math.sign(body.above) * by);
+  }
   if (body.cover >= 0 && body.layer !== undefined && degrees < kClosedDeg) {
-    move(body.cover, body.layer * (1 - degrees / kClosedDeg));
+    const thick = Math.max(1, paper / kClosedLayerMm);
+    move(body.cover, thick * body.layer * (1 - degrees / kClosedDeg));
   }
   return shift;
 }

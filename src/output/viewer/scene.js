@@ -99,8 +99,11 @@ function readScene(data) {
     opening: data.opening || null,
     angles: data.angles || [],
     pictures: data.pictures || [],
+    sheets: data.sheets || [],
     bodies: [],
     collisions: [],
+    ground: data.ground === undefined ? null : data.ground,
+    paper: data.paper_mm || 0,
     covers: [],  // of each card that has layers when it is closed: its first cover
   };
   for (const card of data.cards) {

@@ -31,7 +31,6 @@ constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
 constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
 constexpr double kMostClosedMm = 3.0;   // of all of them
-constexpr double kOneAboveMm = 0.04;    // between plates that lie on one plate, perhaps over one another
 constexpr double kFoldEdgeMm = 0.05;
 constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 
@@ -241,8 +240,8 @@ class SceneText {
             put_turns(track, count, i, one);
             if (!layers.empty()) one["layer"] = layers[i];
             if (plate.lying != Lying::free) {
-                const double above = kOneAboveMm * lying[{plate.parent, plate.lying}]++;
-                if (above > 0.0) one["above"] = rounded(plate.lying == Lying::on_front ? above : -above, 3);
+                const int above = ++lying[{plate.parent, plate.lying}];
+                one["above"] = plate.lying == Lying::on_front ? above : -above;
             }
             Json meshes = Json::array();
             for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
@@ -396,17 +395,24 @@ class SceneText {
 
 }  // namespace
 
-Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const OutputOptions& options) {
+Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const ViewerStart& start,
+                  const OutputOptions& options) {
     Json scene = Json::object();
     if (!keys.angles_deg.empty()) {
         scene["opening"] = {{"from_deg", keys.range.from_deg},
                             {"to_deg", keys.range.to_deg},
-                            {"rest_deg", rounded(rest_of(keys.range), 9)},
+                            {"rest_deg", rounded(start.opening_deg, 9)},
                             {"seconds", options.duration_s}};
         Json angles = Json::array();
         for (const double angle : keys.angles_deg) angles.push_back(rounded(angle, 9));
         scene["angles"] = std::move(angles);
     }
+    if (start.stands_up) {
+        const std::vector<int>& order = keys.trees.front().order;
+        const int ground = cards.front().assembly->covers.back();
+        scene["ground"] = std::find(order.begin(), order.end(), ground) - order.begin();
+    }
+    if (options.still.paper_mm) scene["paper_mm"] = rounded(*options.still.paper_mm, kLengthDecimals);
     const std::vector<double> shifts = card_shifts(cards, keys);
     SceneText text;
     Json rows = Json::array();

@@ -10,13 +10,21 @@
 
 namespace popup {
 
+// How a page begins.
+struct ViewerStart {
+    double opening_deg = 90.0;
+    bool stands_up = false;  // the first card is shown with a page for a back wall; there is no other card
+};
+
 // {opening: {from_deg, to_deg, rest_deg, seconds} and angles: [deg of each key], where something moves;
+//  ground: number of the plate that lies on the ground, where the card is shown with a back wall;
+//  paper_mm: its thickness, where it is known;
 //  pictures: ["data:…"], each file once;
 //  cards: [{name, shift: mm along x, left out where 0,
 //    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
-//      above: mm that it is drawn above its place, seen from its parent's front, where others lie there too;
+//      above: of what is glued on its parent, 1, 2, … of those on the parent's front, −1, −2, … on its back;
 //      meshes: [{color or picture, lift of what is drawn, points: x y from the pivot, triangles,
 //        place: [ux, uy, u0, vx, vy, v0], u = ux x + uy y + u0 across the picture and v down it, 0 to 1}],
 //      cuts, folds: x y of both ends of each edge of its outline}],
@@ -33,7 +41,7 @@ namespace popup {
 // all digits but a number's last; the lowest bit of a number is its sign. What is false, 0 or empty is left
 // out. Cost: that of all meshes, and plates × keys.
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
-                                    const OutputOptions& options);
+                                    const ViewerStart& start, const OutputOptions& options);
 
 // The names of all cards, at most three. Valid UTF-8.
 std::string viewer_title(std::span<const SceneCard> cards);

@@ -11,8 +11,10 @@
 
 #include "base/system/digest.h"
 #include "base/text/base64.h"
+#include "output/viewer/html_text.h"
 #include "output/viewer/page_files.h"
 #include "output/viewer/scene_json.h"
+#include "output/viewer/sections.h"
 
 namespace popup {
 namespace {
@@ -64,30 +66,6 @@ std::string source_of(std::string_view text) {
     return "'sha256-" + base64(bytes) + "'";
 }
 
-// Text between tags.
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 // JSON that cannot end the element it stands in, nor begin a comment there: these letters are in its strings
 // only.
 std::string escaped_json(std::string_view json) {
@@ -133,13 +111,21 @@ std::string filled(std::string_view page, std::span<const std::pair<std::string_
 
 }  // namespace
 
-std::optional<std::string> write_viewer(const Compilation&, std::span<const SceneCard> cards,
-                                        const OutputOptions& options, Diagnostics& diagnostics) {
+std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,
+                                        Diagnostics& diagnostics) {
+    const std::span<const SceneCard> cards = page.cards;
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    std::string scene = viewer_scene(cards, *keys, options)
-                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    ViewerStart start;
+    const auto still = viewer_still(cards, options, start, diagnostics);
+    if (!still) return std::nullopt;
+    const auto sheets = viewer_sheets(page.layout, options, diagnostics);
+    if (!sheets) return std::nullopt;
+    const std::string findings = viewer_findings(page.findings);
+    nlohmann::ordered_json data = viewer_scene(cards, *keys, start, options);
+    data["sheets"] = sheets->packed;
+    std::string scene = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     if (scene.size() > kMostBytes) {
         diagnostics
             .error(
@@ -154,13 +140,19 @@ std::optional<std::string> write_viewer(const Compilation&, std::span<const Scen
     scene = escaped_json(scene);
     const std::string look = style();
     const std::string code = script();
-    const std::array<std::pair<std::string_view, std::string>, 6> values{{
+    const std::array<std::pair<std::string_view, std::string>, 12> values{{
         {"policy", fmt::format("default-src 'none'; script-src {}; style-src {}; img-src data:; base-uri "
                                "'none'; form-action 'none'",
                                source_of(code), source_of(look))},
         {"version", POPUP_VERSION},
-        {"title", escaped(viewer_title(cards))},
+        {"title", html_text(viewer_title(cards))},
         {"style", look},
+        {"still", still->address},
+        {"still_text", still->text},
+        {"sheet_count", std::to_string(sheets->packed.size())},
+        {"sheets", sheets->html},
+        {"finding_count", std::to_string(page.findings.size())},
+        {"findings", findings},
         {"scene", std::move(scene)},
         {"script", code},
     }};

@@ -14,7 +14,6 @@
 #include "base/system/digest.h"
 #include "base/text/base64.h"
 #include "output/viewer/page_files.h"
-#include "popup/compile.h"
 #include "popup/image.h"
 #include "support/designs.h"
 #include "support/pictures.h"
@@ -77,8 +76,7 @@ Model model_of(const Design& design) {
 std::string page_of(const Model& model, const std::string& prefix = {}) {
     const SceneCard card{&model.assembly, &model.motion, prefix};
     Diagnostics diagnostics;
-    const Compilation run;
-    const auto page = write_viewer(run, {&card, 1}, {}, diagnostics);
+    const auto page = write_viewer({{&card, 1}, nullptr, {}}, {}, diagnostics);
     EXPECT_TRUE(page) << test::findings(diagnostics);
     return page.value_or("");
 }
@@ -136,12 +134,38 @@ TEST(Viewer, IsOneFileWhosePolicyAllowsItsOwnScriptAndStyleOnly) {
                           "; style-src " + source_of(between(page, "<style>", "</style>")) +
                           "; img-src data:; base-uri 'none'; form-action 'none'");
     EXPECT_LT(page.find("Content-Security-Policy"), page.find("<style>"));
-    for (const char* outside : {"http:", "https:", " src=", "url(", "@import", "import(", "fetch(", "XMLHttp",
+    for (const char* outside : {"http:", "https:", "url(", "@import", "import(", "fetch(", "XMLHttp",
                                 " onclick", " onload", " style=", "eval(", "innerHTML", "{{"}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
+    EXPECT_EQ(count_of(page, " src="), 1U);
+    EXPECT_EQ(count_of(page, " src=\"data:image/webp;base64,"), 1U);
     EXPECT_EQ(count_of(page, "<script"), 2U);
     EXPECT_EQ(count_of(page, "</script"), 2U);
+}
+
+TEST(Viewer, HasTheFindingsAndNoMarkupOfTheirs) {
+    const Model model = model_of(small_design());
+    const SceneCard card{&model.assembly, &model.motion, {}};
+    Diagnostics diagnostics;
+    RunPage told{{&card, 1}, nullptr, {}};
+    EXPECT_NE(write_viewer(told, {}, diagnostics)->find("Nothing was found"), std::string::npos);
+    Diagnostics found("folder/<a>.xml");
+    found.warning("collision", {3, 7}, "<b>wall</b> & roof cross\x1b")
+        .with({9, 2}, "the \"roof\"")
+        .hint("move <it>");
+    Diagnostics of_run;
+    of_run.remark("prints-left-out", {}, "something is left out");
+    told.findings = {found.sorted().front(), of_run.sorted().front()};
+    const auto page = write_viewer(told, {}, diagnostics);
+    ASSERT_TRUE(page) << test::findings(diagnostics);
+    EXPECT_EQ(between(*page, "<ul class=\"findings\">\n", "</ul>\n</section>"),
+              "<li><span class=\"warning\">warning</span> &lt;b&gt;wall&lt;/b&gt; &amp; roof cross\\x1b "
+              "<code>&lt;a&gt;.xml:3:7 [collision]</code><ul><li>with &lt;a&gt;.xml:9:2 the "
+              "&quot;roof&quot;</li><li>move &lt;it&gt;</li></ul></li>\n"
+              "<li><span class=\"remark\">remark</span> something is left out <code>popupc "
+              "[prints-left-out]</code></li>\n");
+    EXPECT_EQ(between(*page, "Findings (", ")"), "2");
 }
 
 TEST(Viewer, NoNameOfADocumentLeavesItsPlace) {
@@ -172,7 +196,9 @@ TEST(Viewer, HasThePlatesAndTheirTurns) {
     ASSERT_EQ(plates.size(), model.assembly.plates.size());
     EXPECT_EQ(scene.at("opening").at("from_deg"), 0.0);
     EXPECT_EQ(scene.at("opening").at("to_deg"), 180.0);
-    EXPECT_EQ(scene.at("opening").at("rest_deg"), 90.0);
+    // The still is of this opening: a card that lies is seen best when it is open wide.
+    EXPECT_EQ(scene.at("opening").at("rest_deg"), 130.0);
+    EXPECT_FALSE(scene.contains("ground"));
     for (std::size_t i = 0; i < plates.size(); ++i) {
         const auto& row = plates[i];
         const auto plate = std::find_if(model.assembly.plates.begin(), model.assembly.plates.end(),
@@ -301,6 +327,7 @@ TEST(ViewerOfSamples, EachIsSmallAndTheSameTwice) {
         for (const auto& one : scene.value("pictures", nlohmann::json::array())) {
             pictures += one.get_ref<const std::string&>().size();
         }
+        pictures += between(pages[0], " src=\"", "\"").size();
         EXPECT_LT(pages[0].size() - pictures, kMostBytes) << sample;
     }
 }
@@ -457,7 +484,7 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
     EXPECT_EQ(values[1], 31);
     EXPECT_EQ(values[2], 30);
     EXPECT_EQ(values[3], true);
-    EXPECT_EQ(values[4], 90);
+    EXPECT_EQ(values[4], 130);
     EXPECT_GE(values[5].get<int>(), 1);
     EXPECT_GE(values[6].get<int>(), 2);
     EXPECT_EQ(values[7], true);
@@ -465,6 +492,117 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
     EXPECT_EQ(values[9], 120);
     EXPECT_EQ(values[10], "120°");
     EXPECT_EQ(values[11], true);
+}
+
+// ---- what is there beside the model
+
+const char* const kWait = "new Promise((done) => setTimeout(done, 300)).then(() => ";
+
+TEST(ViewerTabs, ShowTheSheetsOfTheSvgOutputAndTheFindings) {
+    if (!have_browser()) GTEST_SKIP() << "there is no " << kChromium << ", or no node";
+    const ScratchDirectory scratch;
+    ASSERT_EQ(
+        popupc({"build", "-q", kRoot / "samples/cake.xml", "-o", scratch / "a.html", "-o", scratch / "a.svg"})
+            .exit,
+        0);
+    const std::string shown =
+        "['model', 'sheets', 'findings'].filter((n) => !document.getElementById(`${n}-panel`).hidden)";
+    const std::string press =
+        "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {bubbles: true, key: '";
+    const nlohmann::json driven =
+        drive(scratch, scratch / "a.html", "-",
+              {shown, "document.querySelector('#tab-model').focus(); " + press + "ArrowRight'})); " + shown,
+               std::string(kWait) +
+                   "[...document.querySelectorAll('#sheets-panel img')].map((i) => [i.naturalWidth > 100, "
+                   "decodeURIComponent(i.src.slice(i.src.indexOf(',') + 1))]))",
+               "popupc.opening()", press + "ArrowRight'})); " + shown, "document.activeElement.id",
+               press + "ArrowRight'})); " + shown});
+    ASSERT_TRUE(driven.is_object());
+    EXPECT_EQ(messages_of(driven), std::vector<std::string>{});
+    const auto& values = driven.at("values");
+    EXPECT_EQ(values[0], nlohmann::json({"model"}));
+    EXPECT_EQ(values[1], nlohmann::json({"sheets"}));
+    ASSERT_EQ(values[2].size(), 2U);
+    EXPECT_EQ(values[2][0], nlohmann::json({true, test::read_file(scratch / "a.svg")}));
+    EXPECT_EQ(values[2][1], nlohmann::json({true, test::read_file(scratch / "a-2.svg")}));
+    EXPECT_EQ(values[3], 130) << "arrows on tabs open nothing";
+    EXPECT_EQ(values[4], nlohmann::json({"findings"}));
+    EXPECT_EQ(values[5], "tab-findings");
+    EXPECT_EQ(values[6], nlohmann::json({"model"}));
+}
+
+TEST(ViewerStill, IsShownWhereThereIsNoWebGlAndWhereThereAreNoScripts) {
+    if (!have_browser()) GTEST_SKIP() << "there is no " << kChromium << ", or no node";
+    const ScratchDirectory scratch;
+    ASSERT_EQ(popupc({"build", "-q", kRoot / "samples/castle.xml", "-o", scratch / "a.html"}).exit, 0);
+    const std::string seen =
+        "(() => { const still = document.getElementById('still'); return [still.naturalWidth, "
+        "still.clientHeight > 100, still.alt, document.getElementById('message').hidden, "
+        "document.getElementById('model').hidden, document.querySelectorAll('section[hidden]').length]; })()";
+    const nlohmann::json plain = drive(scratch, scratch / "a.html", "-", {seen});
+    const nlohmann::json no_webgl = drive(scratch, scratch / "a.html", "-", {seen}, "light,no-webgl");
+    const nlohmann::json no_script = drive(scratch, scratch / "a.html", "-", {seen}, "light,no-script");
+    ASSERT_TRUE(plain.is_object() && no_webgl.is_object() && no_script.is_object());
+    const char* text = "A picture of the model, open at 90 degrees";
+    EXPECT_EQ(plain.at("values")[0], nlohmann::json({480, false, text, true, false, 2}));
+    EXPECT_EQ(no_webgl.at("values")[0], nlohmann::json({480, true, text, false, true, 2}));
+    EXPECT_EQ(no_script.at("values")[0], nlohmann::json({480, true, text, true, true, 0}));
+}
+
+TEST(ViewerLooks, ThickPaperAndEdgesAreSwitchesAndTheCardStands) {
+    if (!have_browser()) GTEST_SKIP() << "there is no " << kChromium << ", or no node";
+    const ScratchDirectory scratch;
+    ASSERT_EQ(popupc({"build", "-q", kRoot / "samples/castle.xml", "-o", scratch / "a.html",
+                      "--paper-thickness", "2mm"})
+                  .exit,
+              0);
+    std::vector<std::string> pictures;
+    for (const std::vector<std::string>& clicks :
+         {std::vector<std::string>{"document.getElementById('thick').checked"},
+          {"document.getElementById('thick').click()"},
+          {"document.getElementById('edges').click()"}}) {
+        const nlohmann::json driven =
+            drive(scratch, (scratch / "a.html").string() + "#view=left&at=60", scratch / "a.png", clicks);
+        ASSERT_TRUE(driven.is_object());
+        EXPECT_EQ(messages_of(driven), std::vector<std::string>{});
+        pictures.push_back(test::read_file(scratch / "a.png"));
+        if (pictures.size() == 1) {
+            EXPECT_EQ(driven.at("values")[0], true);
+        }
+    }
+    EXPECT_NE(pictures[0], pictures[1]);
+    EXPECT_NE(pictures[0], pictures[2]);
+    const auto scene = scene_of(test::read_file(scratch / "a.html"));
+    EXPECT_EQ(scene.at("paper_mm"), 2.0);
+    const auto& ground = scene.at("cards")[0].at("plates").at(scene.at("ground").get<std::size_t>());
+    EXPECT_EQ(ground.at("name"), "page/right");
+}
+
+// axe-core looks for what people who see, hear or move less cannot use. POPUP_AXE: where npm has put it.
+TEST(ViewerAccess, HasNothingThatAxeCallsSerious) {
+    if (!have_browser()) GTEST_SKIP() << "there is no " << kChromium << ", or no node";
+    const char* folder = std::getenv("POPUP_AXE");
+    const fs::path axe = fs::path(folder == nullptr ? "" : folder) / "node_modules/axe-core/axe.min.js";
+    if (folder == nullptr || !fs::exists(axe)) GTEST_SKIP() << "POPUP_AXE names no folder with axe-core";
+    const ScratchDirectory scratch;
+    ASSERT_EQ(popupc({"build", "-q", kRoot / "tests/cases/allow/whole-document.xml", "--allow", "collision",
+                      "-o", scratch / "a.html"})
+                  .exit,
+              0);
+    const std::string look =
+        "axe.run().then((found) => [found.passes.length > 10, found.violations.map((one) => `${one.impact}: "
+        "${one.id}: ${one.nodes.map((node) => node.html)}`)])";
+    for (const char* scheme : {"light", "dark"}) {
+        const nlohmann::json driven =
+            drive(scratch, scratch / "a.html", "-",
+                  {"@" + axe.string(), look, "document.getElementById('tab-sheets').click()",
+                   std::string(kWait) + look + ")", "document.getElementById('tab-findings').click()", look},
+                  scheme);
+        ASSERT_TRUE(driven.is_object());
+        for (const std::size_t i : {1U, 3U, 5U}) {
+            EXPECT_EQ(driven.at("values")[i], nlohmann::json({true, nlohmann::json::array()})) << scheme;
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+#include "output/viewer/sections.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/text/base64.h"
+#include "base/text/numbers.h"
+#include "output/sheet_drawing.h"
+#include "output/still/film.h"
+#include "output/still/model.h"
+#include "output/still/render.h"
+#include "output/svg.h"
+#include "output/viewer/deflate.h"
+#include "output/viewer/html_text.h"
+
+namespace popup {
+namespace {
+
+constexpr PictureSize kSize{480, 360};
+constexpr int kDecimals = 2;
+
+std::string told_html(std::string_view text) { return html_text(visible(text)); }
+
+std::string place_text(const std::string& file, Place place) {
+    // By name only: pages are mailed.
+    std::string text = file.empty() ? "popupc" : file.substr(file.rfind('/') + 1);
+    if (place.line > 0) text += fmt::format(":{}", place.line);
+    if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+    return told_html(text);
+}
+
+std::string finding_html(const Diagnostic& one) {
+    const std::string_view severity = to_string(one.severity);
+    std::string html = fmt::format("<li><span class=\"{0}\">{0}</span> {1} <code>{2} [{3}]</code>", severity,
+                                   told_html(one.message), place_text(one.file, one.place), one.code);
+    std::string more;
+    if (one.change && !one.change->after.empty()) {
+        more += fmt::format("<li>was {}, now {}</li>", told_html(one.change->before),
+                            told_html(one.change->after));
+    }
+    for (const Related& other : one.related) {
+        more += fmt::format("<li>with {} {}</li>", place_text(one.file, other.place), told_html(other.text));
+    }
+    for (const std::string& hint : one.hints) more += fmt::format("<li>{}</li>", told_html(hint));
+    if (!more.empty()) html += "<ul>" + more + "</ul>";
+    return html + "</li>\n";
+}
+
+}  // namespace
+
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
+                                        ViewerStart& start, Diagnostics& diagnostics) {
+    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    start.opening_deg = modeller.best_deg();
+    start.stands_up = cards.size() == 1 && modeller.first_stands_up();
+    const std::optional<still::Model> model = modeller.at(start.opening_deg, diagnostics);
+    if (!model) return std::nullopt;
+    still::Film film{kSize.width, kSize.height, {}, {{0, 1}}};
+    const still::Framing framing = still::framing_of(*model, View::iso, film.width, film.height);
+    film.pictures.push_back(still::render(*model, framing, film.width, film.height));
+    std::string bytes;
+    if (!still::to_webp(film, bytes)) {
+        diagnostics.error("picture-failed", {},
+                          "the page's picture could not be made: there is no memory for it");
+        return std::nullopt;
+    }
+    ViewerStill still{"data:image/webp;base64," + base64(bytes), "A picture of the model"};
+    if (moves(*cards.front().assembly))
+        still.text += fmt::format(", open at {} degrees", number_text(start.opening_deg, 1));
+    return still;
+}
+
+std::optional<ViewerSheets> viewer_sheets(const Layout* layout, const OutputOptions& options,
+                                          Diagnostics& diagnostics) {
+    ViewerSheets sheets;
+    if (layout == nullptr) {
+        sheets.html = "<p>There are no sheets.</p>\n";
+        return sheets;
+    }
+    OutputOptions whole = options;
+    whole.print_and_cut = false;
+    const auto views = views_of(*layout, whole, diagnostics);
+    if (!views) return std::nullopt;
+    const auto files = write_svg(*layout, whole, diagnostics);
+    if (!files) return std::nullopt;
+    const std::size_t count = layout->sheets.size();
+    for (std::size_t i = 0; i < files->size(); ++i) {
+        const SheetView& view = views->at(i);
+        const LayoutSheet& sheet = layout->sheets.at(static_cast<std::size_t>(view.sheet));
+        const std::string name =
+            fmt::format("Sheet {} of {}{}, {} × {} mm", view.sheet + 1, count, view.back ? ", its back" : "",
+                        number_text(sheet.width_mm, kDecimals), number_text(sheet.height_mm, kDecimals));
+        sheets.html += fmt::format(
+            "<figure><figcaption>{0}</figcaption><img data-sheet=\"{1}\" alt=\"{0}\"></figure>\n", name, i);
+        sheets.packed.push_back(base64(deflated((*files)[i].bytes)));
+    }
+    sheets.html += "<noscript><p>They are packed, and scripts are switched off here.</p></noscript>\n";
+    return sheets;
+}
+
+std::string viewer_findings(std::span<const Diagnostic> findings) {
+    if (findings.empty()) return "<p>Nothing was found.</p>\n";
+    std::string html = "<ul class=\"findings\">\n";
+    for (const Diagnostic& one : findings) html += finding_html(one);
+    return html + "</ul>\n";
+}
+
+}  // namespace popup

@@ -1,0 +1,38 @@
+// What the viewer's page has beside the model: a picture of it, its sheets, and what was found.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "output/viewer/scene_json.h"
+#include "popup/output.h"
+
+namespace popup {
+
+// The model before, or instead of, what the browser draws: 480 × 360 pixels.
+struct ViewerStill {
+    std::string address;  // "data:image/webp;base64,…"
+    std::string text;     // for who cannot see it
+};
+
+// The picture of the cards where they are seen best, and how the page is to begin so that it shows the same.
+// Errors: `locks`, `picture-failed`.
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
+                                        ViewerStart& start, Diagnostics& diagnostics);
+
+struct ViewerSheets {
+    std::string html;                 // a figure a side, whose picture is number data-sheet of `packed`
+    std::vector<std::string> packed;  // SVG documents, deflated (RFC 1950), in base 64
+};
+
+// The sheets as the SVG output draws them, prints and cuts together; null: there are none. Errors: those of
+// write_svg().
+std::optional<ViewerSheets> viewer_sheets(const Layout* layout, const OutputOptions& options,
+                                          Diagnostics& diagnostics);
+
+// Findings as a list.
+std::string viewer_findings(std::span<const Diagnostic> findings);
+
+}  // namespace popup
