@@ -170,6 +170,18 @@ void pictures(benchmark::State& state, const char* suffix) {
     }
 }
 
+// The page of the 26-element sample: its model, its sheets and a still.
+void page(benchmark::State& state) {
+    const CompileOptions options;
+    const Compilation c = compile({creature()}, options, {});
+    const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
+    for (auto _ : state) {
+        Diagnostics diagnostics;
+        benchmark::DoNotOptimize(
+            write_with<PageWriter>(".html")({{&scene, 1}, &*c.layout, {}}, {}, diagnostics));
+    }
+}
+
 const std::vector<int> kSheets{250, 500, 1000};
 
 // A sheet of so many drawn features, read, examined and written to SVG and GLB.
@@ -281,6 +293,7 @@ int main(int argc, char** argv) {
     for (const char* suffix : {".view.png", ".webp", ".gif"})
         benchmark::RegisterBenchmark((std::string("picture/") + suffix).c_str(), pictures, suffix)
             ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("page/.html", page)->Unit(benchmark::kMillisecond);
     auto* sheets = benchmark::RegisterBenchmark("drawn sheet", drawn_sheet)->Unit(benchmark::kMillisecond);
     for (const int size : kSheets) sheets->Arg(size);
     static Diagnostics ignored;
