@@ -1,5 +1,5 @@
-"""Prints the sources below src/ that a change touches: those that changed, and those that include a header that did,
-directly or through others.
+"""Prints the sources below src/ that may lack an include after a change: those that changed, and those that include,
+directly or through others, a header that has lost an include. Headers that changed otherwise touch nearly every source.
 
     affected_sources.py BASE      # a commit; without it, all sources
 """
@@ -21,14 +21,26 @@ def resolved(name, beside):
     return None
 
 
+def changed_since(base):
+    """The sources that changed, and the headers of which an include was taken out."""
+    diff = subprocess.run(["git", "diff", "-U0", "--no-renames", base, "--", "*.h", "*.cpp"], cwd=ROOT, check=True,
+                          capture_output=True, text=True).stdout
+    changed = set()
+    file = None
+    for line in diff.splitlines():
+        if line.startswith("diff --git "):
+            file = (ROOT / line.rsplit(" b/", 1)[1]).resolve()
+        if file.suffix == ".cpp" or line.startswith("-#include"):
+            changed.add(file)
+    return changed
+
+
 def main():
     sources = sorted((ROOT / "src").rglob("*.cpp"))
     if len(sys.argv) < 2:
         changed = {path.resolve() for path in sources}
     else:
-        listed = subprocess.run(["git", "diff", "--name-only", sys.argv[1]], cwd=ROOT, check=True, capture_output=True,
-                                text=True).stdout
-        changed = {(ROOT / line).resolve() for line in listed.splitlines()}
+        changed = changed_since(sys.argv[1])
     includes = {}
 
     def touches(path):
