@@ -381,7 +381,8 @@ bool output_refused(const Diagnostics& diagnostics) {
     return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
         return one.code == "unwritable-output" || one.code == "font-missing" || one.code == "pdf-failed" ||
                one.code == "pdf-page-size" || one.code == "model-too-large" || one.code == "picture-failed" ||
-               one.code == "picture-too-large";
+               one.code == "picture-too-large" || one.code == "tiles-impossible" ||
+               one.code == "tile-too-small" || one.code == "too-many-tiles";
     });
 }
 

@@ -42,6 +42,13 @@ struct StillOptions {
     std::optional<double> paper_mm;      // > 0: shows paper this thick; none: as thin as a line
 };
 
+// Paper of a printer on which larger sheets are printed in parts, to be glued together.
+struct TileOptions {
+    double width_mm = 0.0, height_mm = 0.0;  // > 0; pages lie upright or across
+    double margin_mm = 10.0;  // ≥ 5: the edge of a page that stays free of the drawing; marks and labels are
+                              // in its inner 5 mm
+};
+
 struct OutputOptions {
     double fps =
         0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0 is 15
@@ -54,6 +61,7 @@ struct OutputOptions {
     double dpi = 300.0;          // of raster pictures
     FoldDialect fold_dialect = FoldDialect::simulator;
     StillOptions still;
+    std::optional<TileOptions> tile;  // of .pdf: on pages of this paper; none: a page a sheet
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
@@ -70,6 +78,12 @@ struct SceneCard {
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.
 double margin_needed(const OutputOptions& options);
+
+// Whether .pdf can be tiled under these options; true where no tiles are wanted. Errors: `tiles-impossible`,
+// of printed backs, of lines on backs, of print_and_cut, and of profiles of machines or with spot colours,
+// which all need their sheet in one piece; `tile-too-small`, of margins below 5 mm, and of paper with less
+// than 30 mm inside them either way.
+bool can_tile(const OutputOptions& options, Diagnostics& diagnostics);
 
 // What these options and the designs ask for and the profile leaves out. Remark: `prints-left-out`, of
 // pictures, of printed texts, of marks, of the bar, and of backs; under print_and_cut only of what cut files

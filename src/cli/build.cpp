@@ -10,6 +10,7 @@
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
 #include "cli/options/still_options.h"
+#include "cli/options/tile_options.h"
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -116,6 +117,7 @@ CLI::App* add_build(CLI::App& app, Options& options) {
     add_output_options(*verb, options);
     add_dependency_options(*verb, options);
     add_profile_options(*verb, options);
+    add_tile_options(*verb, options);
     add_check_options(*verb, options);
     add_sheet_options(*verb, options);
     add_nest_options(*verb, options);
@@ -244,6 +246,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
         return;
     }
     finish_profile(options);
+    check_tiles(options);
     if (plan.outputs.empty() && options.build.emit == Emit::trail) {
         print_trails(options, result);
         return;
@@ -286,6 +289,9 @@ Build build(const Options& given) {
     check_source_date();
     check_motion_options(options);
     const OutputPlan plan = plan_of(options);
+    check_tile_outputs(options, plan);
+    if (options.build.tile_margin && options.compile.output.tile)
+        options.compile.output.tile->margin_mm = options.build.tile_margin->mm;
     Build result;
     result.inputs = options.inputs.names;
     if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);

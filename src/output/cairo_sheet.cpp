@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <set>
 
 #include "base/system/digest.h"
@@ -60,20 +59,34 @@ Surface picture_surface(const Image& image) {
 
 class Painter {
  public:
-    Painter(cairo_t* context, const SheetDrawing& drawing)
-        : cairo_(context), drawing_(drawing), profile_(drawing.profile) {}
+    Painter(cairo_t* context, const SheetDrawing& drawing, PaintedPictures& pictures)
+        : cairo_(context), drawing_(drawing), profile_(drawing.profile), pictures_(pictures) {}
 
     void draw() {
         for (const SheetLayer& layer : drawing_.layers) {
             for (const SheetShape& one : drawing_.shapes_of(layer)) shape(one);
-            for (const SheetText& one : drawing_.texts_of(layer)) {
-                color(one.color);
-                text(one);
-            }
+            for (const SheetText& one : drawing_.texts_of(layer)) colored(one);
+        }
+    }
+
+    void draw(const SheetPart& part) {
+        auto next_shape = part.shapes.begin();
+        auto next_text = part.texts.begin();
+        for (const SheetLayer& layer : drawing_.layers) {
+            const std::size_t shapes_end = layer.first_shape + layer.shapes;
+            for (; next_shape != part.shapes.end() && *next_shape < shapes_end; ++next_shape)
+                shape(drawing_.shapes[*next_shape]);
+            const std::size_t texts_end = layer.first_text + layer.texts;
+            for (; next_text != part.texts.end() && *next_text < texts_end; ++next_text)
+                colored(drawing_.texts[*next_text]);
         }
     }
 
  private:
+    void colored(const SheetText& one) {
+        color(one.color);
+        text(one);
+    }
     void color(Color c) { cairo_set_source_rgb(cairo_, c.r / 255.0, c.g / 255.0, c.b / 255.0); }
 
     void curves(const Subpath& path) {
@@ -184,7 +197,7 @@ class Painter {
     cairo_t* cairo_;
     const SheetDrawing& drawing_;
     const Profile& profile_;
-    std::map<const std::string*, Surface> pictures_;  // of this sheet
+    PaintedPictures& pictures_;
     std::set<const cairo_surface_t*> painted_;
     std::array<FontFace, kTextFontNames.size()> fonts_;
 };
@@ -212,7 +225,15 @@ void set_font(cairo_t* context, cairo_font_face_t* font) {
     cairo_set_font_face(context, font);
 }
 
-void paint_sheet(cairo_t* context, const SheetDrawing& drawing) { Painter(context, drawing).draw(); }
+void paint_sheet(cairo_t* context, const SheetDrawing& drawing) {
+    PaintedPictures pictures;
+    Painter(context, drawing, pictures).draw();
+}
+
+void paint_part(cairo_t* context, const SheetDrawing& drawing, const SheetPart& part,
+                PaintedPictures& pictures) {
+    Painter(context, drawing, pictures).draw(part);
+}
 
 void report_missing_font(const std::string& file, Diagnostics& diagnostics) {
     diagnostics

@@ -3,10 +3,12 @@
 
 #include <cairo.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
 #include "output/sheet_drawing.h"
+#include "output/tile_parts.h"
 
 namespace popup {
 
@@ -30,6 +32,12 @@ void set_font(cairo_t* context, cairo_font_face_t* font);
 
 // Draws the sheet. The context's unit is the millimetre, y down from the sheet's upper edge.
 void paint_sheet(cairo_t* context, const SheetDrawing& drawing);
+
+// Pictures as Cairo has them, by their bytes, so that several pages decode one once.
+using PaintedPictures = std::map<const std::string*, Surface>;
+// Draws only a part of it, in the same order.
+void paint_part(cairo_t* context, const SheetDrawing& drawing, const SheetPart& part,
+                PaintedPictures& pictures);
 
 // The error `font-missing` for a file that open_font() cannot read.
 void report_missing_font(const std::string& file, Diagnostics& diagnostics);

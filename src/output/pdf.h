@@ -1,4 +1,4 @@
-// Cut sheets as PDF, a page a sheet, true size.
+// Cut sheets as PDF in true size: a page a sheet, or several that are glued together.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,9 @@ namespace popup {
 // embedded subset of DejaVu Sans. It carries no date unless SOURCE_DATE_EPOCH is set, and is the same byte
 // for byte with the same versions of Cairo and FreeType. Coordinates are Cairo's: whole 1/256 points (0.0014
 // mm). Errors: `font-missing`, `pdf-page-size` (a PDF page has at most 14400 points, 5080 mm, a side),
-// `pdf-failed`. Profiles whose pens have spot colours get the document of production_pdf.h instead.
+// `pdf-failed`. With OutputOptions::tile the
+// pages are those of tiled_pdf.h instead, of the size of that paper; its errors, and those of can_tile(),
+// then are errors here. Profiles whose pens have spot colours get the document of production_pdf.h instead.
 std::optional<std::vector<SheetFile>> write_pdf(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics);
 

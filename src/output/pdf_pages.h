@@ -14,6 +14,8 @@ inline constexpr double kPointsPerMm = 72.0 / 25.4;
 // False when a sheet is larger than a PDF page can be (14400 points a side, 5080 mm; ISO 32000-1, annex C.2).
 // Error then: `pdf-page-size`.
 bool fits_pages(const Layout& layout, Diagnostics& diagnostics);
+// The same of one page.
+bool fits_page(double width_mm, double height_mm, Diagnostics& diagnostics);
 
 // SOURCE_DATE_EPOCH in UTC; nothing when it is not set, or no whole number of seconds from 1970 to 9999.
 std::optional<std::tm> source_date();

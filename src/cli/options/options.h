@@ -93,6 +93,7 @@ struct BuildOptions {
     std::optional<Marks> marks;              // likewise
     std::vector<std::string> kerfs;          // as given, each good in itself
     std::vector<std::string> speeds;         // likewise
+    std::optional<Length> tile_margin;       // none: as TileOptions has it
     DependencyOptions dependencies;
 };
 
