@@ -208,7 +208,9 @@ class Plan {
         cairo_clip(cairo_);
         const double step = 2.5 / scale;
         const double top = sheet_.drawing.height_mm - seen.max.y;
-        for (double x = seen.min.x - seen.height(); x < seen.max.x; x += step) {
+        const int lines = static_cast<int>((seen.width() + seen.height()) / step) + 1;
+        for (int i = 0; i < lines; ++i) {
+            const double x = seen.min.x - seen.height() + i * step;
             cairo_move_to(cairo_, x, top + seen.height());
             cairo_line_to(cairo_, x + seen.height(), top);
         }
