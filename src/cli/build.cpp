@@ -246,7 +246,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
         return;
     }
     finish_profile(options);
-    check_tiles(options);
+    finish_tiles(options, plan);
     if (plan.outputs.empty() && options.build.emit == Emit::trail) {
         print_trails(options, result);
         return;
@@ -289,9 +289,6 @@ Build build(const Options& given) {
     check_source_date();
     check_motion_options(options);
     const OutputPlan plan = plan_of(options);
-    check_tile_outputs(options, plan);
-    if (options.build.tile_margin && options.compile.output.tile)
-        options.compile.output.tile->margin_mm = options.build.tile_margin->mm;
     Build result;
     result.inputs = options.inputs.names;
     if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);

@@ -63,22 +63,19 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "registration marks. The sheet is too narrow for a bar of this length. Ask for a shorter one, or "
      "choose a wider --sheet."},
     {"tile-too-small", Severity::error, "the paper of --tile has too little room inside its margins",
-     "Each page shows its part of the sheet inside the free edge that --tile-margin gives, next to which 5 "
-     "mm "
-     "are for marks and labels. Neighbouring pages both show a strip of 5 mm, in which they are glued; so "
-     "that "
-     "there is more to a page than its strips, 30 mm must be left both ways. Choose a larger paper or a "
-     "narrower margin."},
+     "Each page shows its part of the sheet inside the free edge that --tile-margin gives. Marks and labels "
+     "are in the inner 5 mm of that edge, so it is at least as wide. Neighbouring pages both show a strip of "
+     "5 mm, where they are glued; so that there is more to a page than its strips, 30 mm must be left both "
+     "ways. Choose a larger paper, or a margin that fits."},
     {"tiles-impossible", Severity::error, "what is asked for needs its sheet in one piece",
      "With --tile a sheet is printed on several pages, which are glued together before anything is cut. "
-     "A machine cannot take such a sheet, so profiles of machines and --print-and-cut do not go with it; a "
-     "print shop takes sheets whole, so spot colours do not either; and the back of what is glued together "
-     "is "
-     "covered in parts by margins, so nothing can be printed there. The message names which of these it is."},
+     "Machines and print shops take sheets in one piece, so --print-and-cut, profiles of machines and spot "
+     "colours do not go with it. Printed backs do not either: where pages are glued, the margin of one "
+     "covers the back of the other. The message says which of these was asked for; leave it out, or leave "
+     "out --tile."},
     {"too-many-tiles", Severity::error, "the sheets need more pages than a document may have",
-     "A document has at most 10000 places for pages, those that stay empty counted. That many pages can "
-     "hardly "
-     "be glued together: check the units of the design and --scale, or choose a larger paper with --tile."},
+     "A document has at most 10000 tiles, counting those on which nothing is drawn. Nobody glues so many "
+     "pages together: check the units of the design and --scale, or choose a larger paper with --tile."},
 });
 
 }  // namespace

@@ -113,8 +113,9 @@ std::optional<std::vector<SheetFile>> write_pdf_with_font(const Layout& layout, 
 
 std::optional<std::vector<SheetFile>> write_pdf(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    if (!can_tile(options, diagnostics)) return std::nullopt;
-    if (has_spot_colors(options.profile)) return write_production_pdf(layout, options, diagnostics);
+    // Tiles have no spot colours: what is asked for both is refused there.
+    if (has_spot_colors(options.profile) && !options.tile)
+        return write_production_pdf(layout, options, diagnostics);
     return write_pdf_with_font(layout, options, POPUP_FONT_FILE, diagnostics);
 }
 

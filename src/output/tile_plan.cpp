@@ -96,12 +96,15 @@ class Plan {
                                     size_text(grid_.page_width_mm, grid_.page_height_mm),
                                     sheet_.pages == 1 ? fmt::format("page {}", last)
                                                       : fmt::format("pages {} to {}", first_page_, last)));
-        texts.emplace_back(
-            "Print at 100 %, without fitting to the page. Cut each page along the dashed lines at its right "
-            "and "
-            "its lower edge, lay it over the grey strip of its neighbour, and glue. First glue the pages of "
-            "each "
-            "row, then the rows. After that cut and fold the pieces.");
+        const bool both = grid_.columns > 1 && grid_.rows > 1;
+        texts.push_back(
+            fmt::format("Print at 100 %, without fitting to the page. Cut along the dashed {}, lay the page "
+                        "over the grey "
+                        "strip of its neighbour, and glue. {}After that cut and fold the pieces.",
+                        both                ? "lines at the right and lower edges of pages"
+                        : grid_.columns > 1 ? "line at the right edge of a page"
+                                            : "line at the lower edge of a page",
+                        both ? "First glue the pages of each row, then the rows. " : ""));
         if (static_cast<double>(sheet_.pages) < grid_.tiles())
             texts.emplace_back("Nothing is drawn where the plan is hatched: those pages are left out.");
         return texts;

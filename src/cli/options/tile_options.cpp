@@ -4,11 +4,10 @@
 
 #include "cli/files/outputs.h"
 #include "cli/options/value_option.h"
+#include "output/tiles.h"
 
 namespace popup::cli {
 namespace {
-
-constexpr double kLeastTileMarginMm = 5.0;
 
 SheetChoice paper_named(std::string_view text) {
     const std::optional<SheetChoice> paper = parse_sheet(text);
@@ -32,27 +31,27 @@ void add_tile_options(CLI::App& verb, Options& options) {
               tile = TileOptions{paper.width_mm, paper.height_mm};
           })
         ->configurable(false);
-    value(verb, "--tile-margin", "LENGTH", "free edge of such pages, with their labels (default 10mm)",
+    value(verb, "--tile-margin", "LENGTH", "edge of each page that stays free of the drawing (default 10mm)",
           "Print",
-          [&margin](std::string_view text) {
-              margin = length_option("--tile-margin", text, kLeastTileMarginMm);
-          })
+          [&margin](std::string_view text) { margin = length_option("--tile-margin", text, kTileBandMm); })
         ->configurable(false);
 }
 
-void check_tile_outputs(const Options& options, const OutputPlan& plan) {
-    if (!options.compile.output.tile) {
-        if (!options.build.tile_margin) return;
-        throw UsageError("--tile-margin is the free edge of tiles, and no --tile is given",
-                         {"name the printer's paper too, such as --tile a4"});
+void finish_tiles(Options& options, const OutputPlan& plan) {
+    std::optional<TileOptions>& tile = options.compile.output.tile;
+    const std::optional<Length>& margin = options.build.tile_margin;
+    if (!tile) {
+        if (!margin) return;
+        throw UsageError("--tile-margin needs --tile, which names the printer's paper",
+                         {"add --tile a4, or leave out --tile-margin"});
     }
+    if (margin) tile->margin_mm = margin->mm;
     const bool has_pdf = std::any_of(plan.outputs.begin(), plan.outputs.end(),
                                      [](const PlannedOutput& one) { return one.format->suffix == ".pdf"; });
-    if (has_pdf) return;
-    throw UsageError("--tile is for .pdf, and no output is one", {"add -o card.pdf, or leave out --tile"});
-}
-
-void check_tiles(const Options& options) {
+    if (!has_pdf) {
+        throw UsageError("--tile prints a .pdf, and no output is one",
+                         {"add -o card.pdf, or leave out --tile"});
+    }
     Diagnostics told;
     if (!can_tile(options.compile.output, told)) refuse_usage(told);
 }

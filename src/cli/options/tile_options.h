@@ -8,11 +8,9 @@ namespace popup::cli {
 // --tile and --tile-margin, in the group "Print".
 void add_tile_options(CLI::App& verb, Options& options);
 
-// A UsageError when a margin is given without a paper, when tiles are wanted and there is no .pdf among the
-// outputs.
-void check_tile_outputs(const Options& options, const OutputPlan& plan);
-// A UsageError when tiles do not go together with the other options. Call it once these are all known, those
-// of a profile's file too.
-void check_tiles(const Options& options);
+// Gives tiles the margin that was asked for. A UsageError when there is a margin and no paper, when no output
+// is a .pdf, and when tiles do not go together with the other options. Call it once these are all known,
+// those of a profile's file too.
+void finish_tiles(Options& options, const OutputPlan& plan);
 
 }  // namespace popup::cli
