@@ -8,6 +8,7 @@
 
 #include "input/xml/number.h"
 #include "input/xml/path_text.h"
+#include "output/markup.h"
 #include "popup/check.h"
 #include "popup/mechanism.h"
 
@@ -173,42 +174,19 @@ class DocumentText {
         if (image.horizon) more += fmt::format(" horizon=\"{}\"", xml::format_number(*image.horizon));
         if (image.horizon_mm) more += fmt::format(" horizonheight=\"{}\"", length(*image.horizon_mm));
         line(2, "<image{} width=\"{}\" height=\"{}\"{} href=\"{}\"/>", at(print), length(image.width_mm),
-             length(image.height_mm), more, escaped(image.href));
+             length(image.height_mm), more, as_markup(image.href));
     }
 
     void printed(const DrawnPrint& print, const DrawnText& text) {
         std::string more = turn(print);
         if (text.font != TextFont::sans) more += fmt::format(" font=\"{}\"", to_string(text.font));
         line(2, "<text{} height=\"{}\"{} fill=\"{}\">{}</text>", at(print), length(text.height_mm), more,
-             to_string(text.fill), escaped(text.text));
+             to_string(text.fill), as_markup(text.text));
     }
 
     void printed(const DrawnPrint& print, const DrawnArea& area) {
         line(2, "<area page=\"{}\" fill=\"{}\" d=\"{}\"/>", print.page, to_string(area.fill),
-             escaped(xml::path_text(area.shape, design_.unit)));
-    }
-
-    static std::string escaped(std::string_view text) {
-        std::string made;
-        for (const char c : text) {
-            switch (c) {
-                case '&':
-                    made += "&amp;";
-                    break;
-                case '<':
-                    made += "&lt;";
-                    break;
-                case '>':
-                    made += "&gt;";
-                    break;
-                case '"':
-                    made += "&quot;";
-                    break;
-                default:
-                    made += c;
-            }
-        }
-        return made;
+             as_markup(xml::path_text(area.shape, design_.unit)));
     }
 
     void drawn_lines() {

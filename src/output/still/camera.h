@@ -37,8 +37,11 @@ struct Camera {
     [[nodiscard]] Vec3 eye() const { return target + eye_mm * back; }
 };
 
-// Looks at the middle of a ball that holds everything, from outside of it; z is up, and who looks from before
-// has x on the right. Scale and middle of the picture are still to be set.
+// From where a view looks: the direction to the eye; z is up, and who looks from before has x on the right.
+Vec3 eye_of(View view);
+
+// Looks at the middle of a ball that holds everything, from outside of it. Scale and middle of the picture
+// are still to be set.
 Camera camera_at(View view, Vec3 centre, double radius_mm);
 
 }  // namespace popup::still

@@ -147,6 +147,12 @@ Modeller::Modeller(std::span<const SceneCard> cards, double paper_mm) : paper_mm
     best_deg_ = std::max(best_deg_, std::min(widest, sweep_of(cards).to_deg));
 }
 
+std::vector<bool> Modeller::stands_up() const {
+    std::vector<bool> each;
+    for (const Card& card : cards_) each.push_back(card.stands_up);
+    return each;
+}
+
 const Texture* Modeller::texture_of(const Image& image) {
     const auto [known, fresh] = textures_.try_emplace(image.bytes.get());
     if (!fresh) return &known->second;

@@ -59,8 +59,8 @@ class Modeller {
     explicit Modeller(std::span<const SceneCard> cards, double paper_mm = 0.0);
     // The opening at which the cards are seen best: where models rest, and further open for cards that lie.
     [[nodiscard]] double best_deg() const { return best_deg_; }
-    // Whether the first card is seen best with one page for a back wall, and is shown so.
-    [[nodiscard]] bool first_stands_up() const { return cards_.front().stands_up; }
+    // Of each card, whether it is seen best with one page for a back wall, and is shown so.
+    [[nodiscard]] std::vector<bool> stands_up() const;
     // At this opening, or as far as a card opens. nullopt: `locks` was told.
     std::optional<Model> at(double opening_deg, Diagnostics& diagnostics);
 

@@ -1,20 +1,14 @@
 
 // The camera turns about a point: `yaw` and `pitch` say from where it looks, z is up on the screen.
 
-const kViews = {
-  iso: [0.35, -1.2, 0.62],
-  front: [0, -1, 0.12],
-  back: [0.35, 1.2, 0.62],
-  left: [-1, -0.15, 0.25],
-  right: [1, -0.15, 0.25],
-  top: [0, 0, 1],
-};
 const kHalfAngle = Math.tan((14 * Math.PI) / 180);  // of what is seen above the middle
 const kMargin = 1.08;
 
 class Camera {
-  constructor(corners) {
+  // `views`: by name, the directions to the eye.
+  constructor(corners, views) {
     this.corners = corners;
+    this.views = views;
     const low = [0, 1, 2].map((i) => corners.reduce((m, p) => Math.min(m, p[i]), Infinity));
     const high = [0, 1, 2].map((i) => corners.reduce((m, p) => Math.max(m, p[i]), -Infinity));
     this.middle = low.map((value, i) => 0.5 * (value + high[i]));
@@ -26,8 +20,8 @@ class Camera {
   }
 
   look(view) {
-    const [x, y, z] = kViews[view];
-    this.yaw = x === 0 && y === 0 ? -Math.PI / 2 : Math.atan2(y, x);
+    const [x, y, z] = this.views[view];
+    this.yaw = Math.atan2(y, x);
     this.pitch = Math.atan2(z, Math.hypot(x, y));
     this.fit();
   }

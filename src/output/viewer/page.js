@@ -3,7 +3,7 @@
 
 const byId = (id) => document.getElementById(id);
 const scene = readScene(JSON.parse(byId('scene').textContent));
-const camera = new Camera(cornersOf(scene));
+const camera = new Camera(cornersOf(scene), scene.views);
 const canvas = byId('model');
 let opening = scene.opening ? scene.opening.rest_deg : 0;
 const paper = scene.paper || 0.3;  // mm
@@ -362,7 +362,7 @@ canvas.addEventListener('webglcontextrestored', () => {
 // "#view=front&at=30" behind the address of the page: how it begins.
 function followAddress() {
   const words = new URLSearchParams(location.hash.slice(1));
-  if (Object.hasOwn(kViews, words.get('view') || '')) camera.look(words.get('view'));
+  if (Object.hasOwn(scene.views, words.get('view') || '')) camera.look(words.get('view'));
   const at = Number.parseFloat(words.get('at') || '');
   if (Number.isFinite(at)) goTo(at);
   redraw();
@@ -386,7 +386,8 @@ window.popupc = Object.freeze({
   opening: () => opening,
   setOpening: goTo,
   look: lookFrom,
-  // Of a plate: the frame that maps points of its pattern page into the world, in mm.
+  // Of a plate: the frame that maps points of its pattern page into the world of its card, in mm, where both pages rise
+  // alike, whatever way the card is shown.
   frameOf: (name) => {
     const body = scene.bodies.find((one) => one.name === name);
     return body ? { axes: [...body.page.axes], origin: [...body.page.origin] } : null;

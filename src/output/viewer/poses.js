@@ -53,7 +53,11 @@ function placeBodies(scene, degrees) {
       .map((value, i) => value + node.origin[i]);
     body.collides = false;
   }
-  if (scene.ground !== null) standUp(scene);
+  for (const card of scene.cards) {
+    const bodies = scene.bodies.slice(card.first, card.end);
+    if (card.ground !== null) standUp(bodies, scene.bodies[card.ground].node.axes);
+    for (const { node } of bodies) node.origin = [node.origin[0] + card.shift, node.origin[1], node.origin[2]];
+  }
   for (const one of scene.collisions) {
     if (degrees < one.from - 0.05 || degrees > one.to + 0.05) continue;
     scene.bodies[one.a].collides = true;
@@ -62,13 +66,12 @@ function placeBodies(scene, degrees) {
 }
 
 // Turns all of a card so that the page that stands on the right when it lies is the ground, and the other a back wall.
-function standUp(scene) {
-  const ground = scene.bodies[scene.ground].node.axes;
+function standUp(bodies, ground) {
   const away = ground.slice(0, 3).map((value) => -value);
   const up = ground.slice(6);
   const rows = [cross(away, up), away, up];
   const turn = (v) => rows.map((row) => dot(row, v));
-  for (const body of scene.bodies) {
+  for (const body of bodies) {
     const { axes, origin } = body.node;
     body.node = {
       axes: [0, 3, 6].flatMap((k) => turn([axes[k], axes[k + 1], axes[k + 2]])),
@@ -105,20 +108,55 @@ function pointOf(body, x, y, z) {
   return turned(body.node.axes, x, y, z).map((value, i) => value + body.node.origin[i]);
 }
 
+function bodyCorners(body) {
+  return [body.edges.cut, body.edges.fold, body.edges.line].flatMap((list) => {
+    const corners = [];
+    for (let i = 0; i < list.length; i += 3) corners.push(pointOf(body, list[i], list[i + 1], list[i + 2]));
+    return corners;
+  });
+}
+
+// Openings all over the sweep.
+function openingsOf(scene) {
+  if (!scene.opening) return [0];
+  const { from_deg: from, to_deg: to } = scene.opening;
+  return [0, 1, 2, 3, 4, 5, 6].map((i) => from + (i / 6) * (to - from));
+}
+
 // The corners of all bodies at openings all over the sweep: what a camera must have in view.
 function cornersOf(scene) {
-  const corners = [];
-  const openings = scene.opening ? [0, 1, 2, 3, 4, 5, 6].map(
-    (i) => scene.opening.from_deg + (i / 6) * (scene.opening.to_deg - scene.opening.from_deg)) : [0];
-  for (const degrees of openings) {
+  const corners = openingsOf(scene).flatMap((degrees) => {
     placeBodies(scene, degrees);
-    for (const body of scene.bodies) {
-      for (const list of [body.edges.cut, body.edges.fold, body.edges.line]) {
-        for (let i = 0; i < list.length; i += 3) corners.push(pointOf(body, list[i], list[i + 1], list[i + 2]));
-      }
-    }
-  }
+    return scene.bodies.flatMap(bodyCorners);
+  });
   return corners.length > 0 ? corners : [[0, 0, 0]];
+}
+
+const kCardGapMm = 20;
+
+// Several cards stand side by side, where each is widest.
+function layInARow(scene) {
+  if (scene.cards.length < 2) return;
+  const spans = scene.cards.map(() => [Infinity, -Infinity]);
+  for (const degrees of openingsOf(scene)) {
+    placeBodies(scene, degrees);
+    scene.cards.forEach((card, number) => {
+      const span = spans[number];
+      for (const body of scene.bodies.slice(card.first, card.end)) {
+        for (const [x] of bodyCorners(body)) {
+          span[0] = Math.min(span[0], x);
+          span[1] = Math.max(span[1], x);
+        }
+      }
+    });
+  }
+  let left = 0;
+  scene.cards.forEach((card, number) => {
+    const [low, high] = spans[number];
+    if (low > high) return;
+    card.shift = left - low;
+    left += high - low + kCardGapMm;
+  });
 }
 
 // The body that a ray meets first, its distance along the ray; paper only.

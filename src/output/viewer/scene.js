@@ -102,7 +102,8 @@ function readScene(data) {
     sheets: data.sheets || [],
     bodies: [],
     collisions: [],
-    ground: data.ground === undefined ? null : data.ground,
+    views: data.views,
+    cards: [],  // bodies from `first` up to `end`; `ground`: the one on which the card stands, or null; `shift` along x
     paper: data.paper_mm || 0,
     covers: [],  // of each card that has layers when it is closed: its first cover
   };
@@ -111,16 +112,20 @@ function readScene(data) {
     for (const row of card.plates || []) {
       const body = readBody(row, true, data.lists);
       if (row.parent !== undefined) body.parent = first + row.parent;
-      else body.offset = [body.offset[0] + (card.shift || 0), body.offset[1], body.offset[2]];
       body.cover = card.cover === undefined ? -1 : first + card.cover;
       scene.bodies.push(body);
     }
     for (const row of card.standing || []) {
       const body = readBody(row, false, data.lists);
-      body.offset = [card.shift || 0, 0, 0];
       body.cover = -1;
       scene.bodies.push(body);
     }
+    scene.cards.push({
+      first,
+      end: scene.bodies.length,
+      ground: card.ground === undefined ? null : first + card.ground,
+      shift: 0,
+    });
     for (const row of card.collisions || []) {
       scene.collisions.push({
         a: first + row.plates[0],
@@ -132,5 +137,6 @@ function readScene(data) {
       });
     }
   }
+  layInARow(scene);
   return scene;
 }

@@ -12,12 +12,12 @@
 
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
-#include "output/card_row.h"
 #include "output/examination_json.h"
 #include "output/gltf_values.h"
 #include "output/mesh.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
+#include "output/still/camera.h"
 #include "popup/image.h"
 
 namespace popup {
@@ -117,9 +117,12 @@ std::string root_name(const SceneCard& card) {
 
 class SceneText {
  public:
-    Json add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
+    Json add_card(const SceneCard& card, const HingeTree& tree, const Track& track, bool stands_up) {
         Json row{{"name", root_name(card)}};
-        if (shift != 0.0) row["shift"] = shift;
+        if (stands_up) {
+            const int ground = card.assembly->covers.back();
+            row["ground"] = std::find(tree.order.begin(), tree.order.end(), ground) - tree.order.begin();
+        }
         find_folds(*card.assembly);
         if (moves(*card.assembly)) add_moving(card, tree, track, row);
         Json standing = standing_of(card);
@@ -407,17 +410,15 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const View
         for (const double angle : keys.angles_deg) angles.push_back(rounded(angle, 9));
         scene["angles"] = std::move(angles);
     }
-    if (start.stands_up) {
-        const std::vector<int>& order = keys.trees.front().order;
-        const int ground = cards.front().assembly->covers.back();
-        scene["ground"] = std::find(order.begin(), order.end(), ground) - order.begin();
-    }
     if (options.still.paper_mm) scene["paper_mm"] = rounded(*options.still.paper_mm, kLengthDecimals);
-    const std::vector<double> shifts = card_shifts(cards, keys);
+    for (std::size_t i = 0; i < kViewNames.size(); ++i) {
+        const Vec3 eye = still::eye_of(static_cast<View>(i));
+        scene["views"][std::string(kViewNames.at(i))] = lengths({eye.x, eye.y, eye.z});
+    }
     SceneText text;
     Json rows = Json::array();
     for (std::size_t i = 0; i < cards.size(); ++i) {
-        rows.push_back(text.add_card(cards[i], keys.trees[i], keys.tracks[i], shifts[i]));
+        rows.push_back(text.add_card(cards[i], keys.trees[i], keys.tracks[i], start.stands_up.at(i)));
     }
     Json pictures = text.take_pictures();
     if (!pictures.empty()) scene["pictures"] = std::move(pictures);

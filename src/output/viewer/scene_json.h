@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "output/keys.h"
 #include "popup/output.h"
@@ -13,14 +14,14 @@ namespace popup {
 // How a page begins.
 struct ViewerStart {
     double opening_deg = 90.0;
-    bool stands_up = false;  // the first card is shown with a page for a back wall; there is no other card
+    std::vector<bool> stands_up;  // of each card, whether it is shown with a page for a back wall
 };
 
 // {opening: {from_deg, to_deg, rest_deg, seconds} and angles: [deg of each key], where something moves;
-//  ground: number of the plate that lies on the ground, where the card is shown with a back wall;
 //  paper_mm: its thickness, where it is known;
 //  pictures: ["data:…"], each file once;
-//  cards: [{name, shift: mm along x, left out where 0,
+//  views: {name: direction to the eye};
+//  cards: [{name, ground: number of the plate on the ground, where the card is shown with a back wall,
 //    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
@@ -33,6 +34,7 @@ struct ViewerStart {
 //    standing: [{name, meshes: [{as above, but points: x y z in the world, drawn instead of lift, and
 //      places: u v at each point instead of place}], cuts, folds, lines: x y z of both ends}]}],
 //  lists: [text]}
+// write_viewer() adds `sheets`, the texts of ViewerSheets::packed.
 //
 // Plates stand behind their parents. Turns, points, triangles, places, cuts, folds and lines are numbers of
 // lists, of which equal ones are there once. A list is a text of numbers: each number less the one 1

@@ -8,13 +8,13 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
+#include "output/markup.h"
 #include "output/sheet_drawing.h"
 #include "output/still/film.h"
 #include "output/still/model.h"
 #include "output/still/render.h"
 #include "output/svg.h"
 #include "output/viewer/deflate.h"
-#include "output/viewer/html_text.h"
 
 namespace popup {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 constexpr PictureSize kSize{480, 360};
 constexpr int kDecimals = 2;
 
-std::string told_html(std::string_view text) { return html_text(visible(text)); }
+std::string told_html(std::string_view text) { return as_markup(visible(text)); }
 
 std::string place_text(const std::string& file, Place place) {
     // By name only: pages are mailed.
@@ -52,10 +52,9 @@ std::string finding_html(const Diagnostic& one) {
 }  // namespace
 
 std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
-                                        ViewerStart& start, Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics) {
     still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
-    start.opening_deg = modeller.best_deg();
-    start.stands_up = cards.size() == 1 && modeller.first_stands_up();
+    const ViewerStart start{modeller.best_deg(), modeller.stands_up()};
     const std::optional<still::Model> model = modeller.at(start.opening_deg, diagnostics);
     if (!model) return std::nullopt;
     still::Film film{kSize.width, kSize.height, {}, {{0, 1}}};
@@ -67,7 +66,7 @@ std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const 
                           "the page's picture could not be made: there is no memory for it");
         return std::nullopt;
     }
-    ViewerStill still{"data:image/webp;base64," + base64(bytes), "A picture of the model"};
+    ViewerStill still{"data:image/webp;base64," + base64(bytes), "A picture of the model", start};
     if (moves(*cards.front().assembly))
         still.text += fmt::format(", open at {} degrees", number_text(start.opening_deg, 1));
     return still;
@@ -97,7 +96,8 @@ std::optional<ViewerSheets> viewer_sheets(const Layout* layout, const OutputOpti
             "<figure><figcaption>{0}</figcaption><img data-sheet=\"{1}\" alt=\"{0}\"></figure>\n", name, i);
         sheets.packed.push_back(base64(deflated((*files)[i].bytes)));
     }
-    sheets.html += "<noscript><p>They are packed, and scripts are switched off here.</p></noscript>\n";
+    sheets.html +=
+        "<noscript><p>A script shows the sheets, and scripts are switched off here.</p></noscript>\n";
     return sheets;
 }
 

@@ -14,13 +14,13 @@ namespace popup {
 // The model before, or instead of, what the browser draws: 480 × 360 pixels.
 struct ViewerStill {
     std::string address;  // "data:image/webp;base64,…"
-    std::string text;     // for who cannot see it
+    std::string text;     // for those who cannot see it
+    ViewerStart start;    // how the page begins, so that it shows the same
 };
 
-// The picture of the cards where they are seen best, and how the page is to begin so that it shows the same.
-// Errors: `locks`, `picture-failed`.
+// The picture of the cards at the opening where they are seen best. Errors: `locks`, `picture-failed`.
 std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
-                                        ViewerStart& start, Diagnostics& diagnostics);
+                                        Diagnostics& diagnostics);
 
 struct ViewerSheets {
     std::string html;                 // a figure a side, whose picture is number data-sheet of `packed`

@@ -11,7 +11,7 @@
 
 #include "base/system/digest.h"
 #include "base/text/base64.h"
-#include "output/viewer/html_text.h"
+#include "output/markup.h"
 #include "output/viewer/page_files.h"
 #include "output/viewer/scene_json.h"
 #include "output/viewer/sections.h"
@@ -56,15 +56,7 @@ std::string script() {
 }
 
 // What stands in a policy for exactly this text.
-std::string source_of(std::string_view text) {
-    const std::string digits = sha256(text);
-    std::string bytes;
-    const auto value = [](char digit) { return digit <= '9' ? digit - '0' : digit - 'a' + 10; };
-    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-        bytes += static_cast<char>(16 * value(digits[i]) + value(digits[i + 1]));
-    }
-    return "'sha256-" + base64(bytes) + "'";
-}
+std::string source_of(std::string_view text) { return "'sha256-" + base64(sha256_bytes(text)) + "'"; }
 
 // JSON that cannot end the element it stands in, nor begin a comment there: these letters are in its strings
 // only.
@@ -117,13 +109,12 @@ std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    ViewerStart start;
-    const auto still = viewer_still(cards, options, start, diagnostics);
+    const auto still = viewer_still(cards, options, diagnostics);
     if (!still) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);
     if (!sheets) return std::nullopt;
     const std::string findings = viewer_findings(page.findings);
-    nlohmann::ordered_json data = viewer_scene(cards, *keys, start, options);
+    nlohmann::ordered_json data = viewer_scene(cards, *keys, still->start, options);
     data["sheets"] = sheets->packed;
     std::string scene = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     if (scene.size() > kMostBytes) {
@@ -145,7 +136,7 @@ std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions
                                "'none'; form-action 'none'",
                                source_of(code), source_of(look))},
         {"version", POPUP_VERSION},
-        {"title", html_text(viewer_title(cards))},
+        {"title", as_markup(viewer_title(cards))},
         {"style", look},
         {"still", still->address},
         {"still_text", still->text},

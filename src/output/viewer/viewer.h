@@ -13,7 +13,7 @@ namespace popup {
 // The model is all cards in 3D with plain WebGL 2: drag to turn, wheel or pinch to zoom, a slider and a play
 // button for the opening, plates named under the pointer, plates red at the openings at which they cross
 // others, these openings as marks on the slider and in a list, edges and the thickness of the paper as
-// switches. What stands still has no slider. A card that is alone lies or stands as stills show it
+// switches. What stands still has no slider. Cards lie or stand side by side as stills show them
 // (output/still/still.h), and a still is there where there is no WebGL 2, or no script. Plates are
 // placed as in glTF: meshes of plate_mesh() and standing_meshes(), keys of choose_keys(), spherical linear
 // interpolation between them, several cards side by side. The world is popupc's: mm, z up, the gutter along

@@ -1,4 +1,4 @@
-// Text in HTML pages.
+// Text in XML and HTML.
 #pragma once
 
 #include <string>
@@ -8,6 +8,6 @@ namespace popup {
 
 // The text as it stands between tags, or in an attribute within double quotes: markup of its own is text
 // there.
-std::string html_text(std::string_view text);
+std::string as_markup(std::string_view text);
 
 }  // namespace popup

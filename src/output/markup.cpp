@@ -1,8 +1,8 @@
-#include "output/viewer/html_text.h"
+#include "output/markup.h"
 
 namespace popup {
 
-std::string html_text(std::string_view text) {
+std::string as_markup(std::string_view text) {
     std::string result;
     for (const char c : text) {
         switch (c) {
