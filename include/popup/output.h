@@ -121,11 +121,21 @@ enum class Stills {
     all,     // whatever stands somewhere
 };
 
+// Output options that only some formats regard. Who gives one to a run without such a format is told so.
+struct OptionUses {
+    bool view = false, size = false;         // StillOptions::views and size
+    bool openings = false;                   // StillOptions::openings_deg
+    bool rate = false;                       // fps and duration_s
+    bool dpi = false, fold_dialect = false;  // the options of these names
+    bool speeds = false;                     // those of the profile
+};
+
 struct Format {
     std::string_view suffix;  // ".svg"
     std::string_view about;
     std::variant<SheetWriter, SceneWriter, StillWriter, PageWriter, DocumentWriter, ReportWriter> write;
     Stills stills = Stills::none;  // of models and their pictures
+    OptionUses uses = {};
 };
 std::span<const Format> format_table();
 // The row whose suffix ends `path` (case disregarded), or whose suffix without its dot is `path`; null: none.

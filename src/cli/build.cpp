@@ -11,6 +11,7 @@
 #include "cli/files/read_files.h"
 #include "cli/options/still_options.h"
 #include "cli/options/tile_options.h"
+#include "cli/options/unused_options.h"
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -254,6 +255,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
     result.run = run_inputs(options, needed_stage(plan, options.build.emit));
     take_in_loaded(options, result);
     Compilation& compilation = result.run.compilation;
+    tell_unused_options(options, plan, compilation.run_diagnostics);
     // To check them is one thing, but nothing can be built of programs that only define what others call.
     refuse_definitions(compilation);
     bool written = true;

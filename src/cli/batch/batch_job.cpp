@@ -93,7 +93,11 @@ Command read_settled(const std::vector<std::string>& words, std::vector<FileDige
         std::vector<FileDigest> now;
         for (const std::string& name : command->options.settings_files) now.push_back(digest_of(name));
         // Without such files there is nothing to look at twice.
-        if (now == settings) return std::move(*command);
+        if (now == settings) {
+            // What is said for all jobs need not concern each of them.
+            command->options.given.clear();
+            return std::move(*command);
+        }
         settings = std::move(now);
     }
 }

@@ -11,6 +11,7 @@
 #include "cli/options/config.h"
 #include "cli/options/dependency_options.h"
 #include "cli/options/response_files.h"
+#include "cli/options/value_option.h"
 #include "cli/verbs.h"
 #include "popup/compile.h"
 
@@ -84,6 +85,9 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         if (!verbs[i]->parsed()) continue;
         command.verb = &verb_table()[i];
+        for (const CLI::Option* option : verbs[i]->get_options()) {
+            if (option->count() > 0) options.given.insert(traits_of(*option).key);
+        }
         const Settings settings = apply_settings(app, *verbs[i], options);
         // What is defined for a whole directory need not concern every program in it.
         constexpr std::string_view kUnused = "flatlang-unused-definition";

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -157,6 +158,7 @@ struct ConfigOptions {
 // Everything of one run. A verb fills what it offers.
 struct Options {
     std::vector<std::string> arguments;  // all of these come from
+    std::set<std::string> given;         // keys of the options that stand on the command line itself
     InputOptions inputs;
     MessageOptions messages;
     DiagnosticPolicy policy;
