@@ -41,7 +41,9 @@ struct Contact {
     int a = 0, b = 0;       // plates, a < b
     double from_deg = 0.0;  // 0 when they still cross at the smallest angle looked at
     double to_deg = 0.0;    // the first contact as the card closes
-    double depth_mm = 0.0;  // how far one goes through the other, at the angle where that is most
+    // The shortest way by which one must move, square to itself or to the other, until the two are apart; at
+    // the angle where that is longest.
+    double depth_mm = 0.0;
     double deepest_deg = 0.0;
     double excess_mm = 0.0;  // the most that `longer` reaches through the other, measured on its own paper
     int longer = 0;          // a or b: the one that reaches less far through the other

@@ -19,8 +19,9 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "cross where a common point of both lies more than 0.01 mm inside the edges of both, and the paper "
      "round it stands out of the other plate on either side; plates that only touch, along folds, seams, "
      "corners and edges or flat on one another, do not. The message gives the first and last angle, and "
-     "how far one goes through the other. Real paper would bend, catch or tear there. Move one of the "
-     "elements as the hint says, or make one of them smaller."},
+     "how deep they are in each other: how far one must move, square to itself or to the other, until they "
+     "are apart. Real paper would bend, catch or tear there. Move one of the elements as the hint says, or "
+     "make one of them smaller."},
     {"horizon-flat", Severity::remark, "a picture with a horizon lies flat on the open card",
      "The horizon of a picture is levelled where its paper stands up when the card is open: there, lines of "
      "one height have one direction, and the picture is sheared until its rows have it. A plate that lies "

@@ -7,6 +7,7 @@
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "motion/cells.h"
+#include "motion/depth.h"
 
 namespace popup {
 namespace {
@@ -77,6 +78,10 @@ struct Pair {
         return false;
     }
 
+    [[nodiscard]] double depth_of(const PairSearch::At& at) const {
+        return depth_mm(search.shape(a), search.shape(b), at.b_in_a);
+    }
+
     // Where they are deepest; `excess` becomes the most there is anywhere.
     [[nodiscard]] double deepest(double from, double to, double& excess) const {
         double best = 0.5 * (from + to);
@@ -85,8 +90,9 @@ struct Pair {
             const auto at = search.at(a, b, deg);
             if (!at.crossing) return;
             excess = std::max(excess, at.crossing->excess_mm);
-            if (at.crossing->depth_mm <= most) return;
-            most = at.crossing->depth_mm;
+            const double depth = depth_of(at);
+            if (depth <= most) return;
+            most = depth;
             best = deg;
         };
         look(best);
@@ -113,7 +119,7 @@ struct Pair {
             for (const Vec2 p : ring) {
                 const double height = of_b ? at.b_in_a.point(p).z
                                            : dot(Vec3{p.x, p.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
-                const double off = std::abs(std::abs(height) - here.depth_mm);
+                const double off = std::abs(std::abs(height) - here.excess_mm * here.sine);
                 const std::pair<double, double> order{off < kSameHeightMm ? 0.0 : off, distance(p, meeting)};
                 if (order >= least) continue;
                 least = order;
@@ -130,7 +136,7 @@ struct Pair {
         found.deepest_deg = deepest(from, to, found.excess_mm);
         const auto deep = search.at(a, b, found.deepest_deg);
         if (deep.crossing) {
-            found.depth_mm = deep.crossing->depth_mm;
+            found.depth_mm = depth_of(deep);
             found.longer = deep.crossing->b_is_longer ? b : a;
             found.corner = furthest_corner(deep);
         }

@@ -187,7 +187,6 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
             found.b_is_longer = reach_b < reach_a;
             found.excess_mm = std::min(reach_a, reach_b);
             found.sine = sine;
-            found.depth_mm = found.excess_mm * sine;
             best = found;
         };
         if (from < to && !each_between(runs, from, to, [&](double begin, double end) {

@@ -11,10 +11,10 @@ struct Crossing {
     Vec3 point;              // of both, in a's page coordinates: the one furthest inside the edges of both
     double inside_mm = 0.0;  // how far that is
     double inside_at_most_mm =
-        0.0;                   // no common point is further; larger by a fiftieth or 0.0001 mm, seldom more
-    double sine = 0.0;         // of the angle between the planes
-    double depth_mm = 0.0;     // how far one goes through the other's plane, the one that reaches less far
-    double excess_mm = 0.0;    // the same on its own paper
+        0.0;                 // no common point is further; larger by a fiftieth or 0.0001 mm, seldom more
+    double sine = 0.0;       // of the angle between the planes
+    double excess_mm = 0.0;  // how far one reaches beyond the other's plane, on its own paper, of the two the
+                             // one that reaches less far
     bool b_is_longer = false;  // which one that is
 
     // How far a circle of paper round the point reaches to both sides of the other plate, the largest circle

@@ -354,6 +354,15 @@ std::optional<double> BruteForce::closest(int a, int b, double deg) const {
     return std::sqrt(least);
 }
 
+bool BruteForce::meet_when_moved(int a, int b, double deg, Vec3 b_by, bool shrunk) const {
+    auto frames = impl_->frames(deg);
+    Frame& moved = frames[static_cast<std::size_t>(b)];
+    moved.origin = moved.origin + b_by;
+    const Body one = impl_->body(a, frames);
+    const Body other = impl_->body(b, frames);
+    return shrunk ? impl_->meet(one.inner, other.inner) : impl_->meet(one.whole, other.whole);
+}
+
 std::size_t BruteForce::triangle_tests() const { return impl_->tests; }
 
 }  // namespace popup::test
@@ -382,6 +391,9 @@ std::optional<std::pair<double, double>> BruteForce::contact_around(int /*a*/, i
     missing();
 }
 std::optional<double> BruteForce::closest(int /*a*/, int /*b*/, double /*deg*/) const { missing(); }
+bool BruteForce::meet_when_moved(int /*a*/, int /*b*/, double /*deg*/, Vec3 /*b_by*/, bool /*shrunk*/) const {
+    missing();
+}
 std::size_t BruteForce::triangle_tests() const { missing(); }
 
 }  // namespace popup::test

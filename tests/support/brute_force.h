@@ -58,6 +58,9 @@ class BruteForce {
     // Distance of two plates in mm, as they are (not shrunk); 0 where they meet. nullopt when one of them has
     // no area.
     [[nodiscard]] std::optional<double> closest(int a, int b, double deg) const;
+    // Whether two plates have a common point, also of their edges, when b is moved by that. `shrunk`: a point
+    // further than kInsideMm inside the edges of both.
+    [[nodiscard]] bool meet_when_moved(int a, int b, double deg, Vec3 b_by, bool shrunk) const;
     // Exact tests of two triangles made so far.
     [[nodiscard]] std::size_t triangle_tests() const;
 
