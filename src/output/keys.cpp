@@ -21,10 +21,10 @@ constexpr double kLeastStepDeg = 180.0 / (1 << 21);
 constexpr int kAngleDecimals = 7;
 // An interval shorter than this is looked at in its middle only, where a smooth motion strays most.
 constexpr double kShortDeg = 3.0;
-// A turn takes 16 bytes of the file, which may not reach 2 GiB.
-constexpr double kMostTurns = 1 << 26;
-constexpr double kMostTurnsRefined = 1 << 25;
-constexpr double kMostKeys = 1 << 20;
+// A turn takes 16 bytes of the file, and some 130 of memory while it is written.
+constexpr double kMostTurns = 1 << 24;
+constexpr double kMostTurnsRefined = 1 << 23;
+constexpr double kMostKeys = 100'000;
 
 struct Pose {
     double angle_deg = 0.0;
