@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <optional>
 
+#include "cli/files/tree_walk.h"
+#include "cli/options/config_file.h"
 #include "cli/options/dependency_options.h"
 #include "popup/files.h"
 
@@ -21,6 +24,17 @@ std::optional<Identity> identity_of(const std::string& name) {
     return Identity{status.st_dev, status.st_ino};
 }
 
+// A later run would read what this one writes.
+void spare_own_names(const std::string& output, std::string_view by) {
+    const std::string file = std::filesystem::path(output).filename();
+    for (const std::string_view own : {kIgnoreFile, kConfigName}) {
+        if (file != own) continue;
+        throw UsageError(
+            fmt::format("{} would write {}, and popupc reads files of that name by itself", by, output),
+            {"name another file"});
+    }
+}
+
 }  // namespace
 
 void ReadFiles::add(const std::string& name, std::string_view as) {
@@ -31,7 +45,10 @@ void ReadFiles::spare(const std::string& output, std::string_view by) const {
     if (is_standard_output(output)) return;
     const auto identity = identity_of(output);
     const auto found = identity ? files_.find(*identity) : files_.end();
-    if (found == files_.end()) return;
+    if (found == files_.end()) {
+        spare_own_names(output, by);
+        return;
+    }
     const auto& [name, as] = found->second;
     throw UsageError(
         fmt::format("{} would overwrite {}, {}{}", by, output, as,

@@ -79,6 +79,8 @@ TEST_F(Overwriting, IsRefusedBeforeAnythingIsWritten) {
              {"check card.xml --diagnostics card.xml", "--diagnostics would overwrite card.xml, an input"},
              {"check lib --diagnostics lib/more/two.xml", "would overwrite lib/more/two.xml, an input"},
              {"check lib --diagnostics lib/.popupcignore", "lib/.popupcignore, which says what"},
+             {"check lib --diagnostics lib/more/.popupcignore", "popupc reads files of that name by itself"},
+             {"check lib --diagnostics lib/popupc.toml", "popupc reads files of that name by itself"},
              {"check lib --diagnostics popupc.toml", "popupc.toml, which options are read from"},
              {"check lib --config other.toml --diagnostics other.toml", "other.toml, which options"},
              {"check @words card.xml --diagnostics words", "words, which options are read from"},
