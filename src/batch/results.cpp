@@ -136,6 +136,13 @@ FileDigest digest_of(const std::string& name) {
     return source ? digest_of(name, source->text) : FileDigest{name, 0, {}};
 }
 
+FileDigest digest_as_read(const std::string& name, std::filesystem::file_time_type begun) {
+    FileDigest digest = digest_of(name);
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(name, error);
+    return error || changed < begun ? digest : FileDigest{name, 0, {}};
+}
+
 bool is_fresh(const JobResult& result, const std::string& command) {
     const bool settled = result.status == JobStatus::done || result.status == JobStatus::failed;
     if (!settled || result.command != command) return false;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ std::string command_digest(const std::vector<std::string>& words);
 // The digest of a file's bytes now; the digest is empty where it cannot be read.
 FileDigest digest_of(const std::string& name);
 FileDigest digest_of(const std::string& name, std::string_view bytes);
+// The digest of a file that was read after `begun`. One that may have been written since is not known: what
+// was made of it is not taken for done then.
+FileDigest digest_as_read(const std::string& name, std::filesystem::file_time_type begun);
 
 // True when nothing is left to do: the result is of this very command, every file it depends on is as it was,
 // those that were not there still missing, and either what it wrote is still there byte for byte, or the

@@ -319,12 +319,7 @@ int run_batch(const Options& options) {
     // Under make each process but the first needs a token.
     Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
     if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
-    if (jobserver.named()) {
-        pool.workers = jobserver.usable() ? Jobserver::kMost : 1;
-        pool.may_start = [&jobserver] { return jobserver.acquire(); };
-        pool.stopped = [&jobserver] { jobserver.release(); };
-        pool.wake_on = jobserver.descriptor();
-    }
+    ask_before_workers(jobserver, pool);
     const auto begun = std::chrono::steady_clock::now();
     const int signal = run_pool(
         jobs, pool, [&run](std::size_t job) { return packed(do_job(run, job)); },

@@ -1,18 +1,14 @@
 #include "cli/batch/batch_files.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
-#include "base/system/signal_cleanup.h"
 #include "cli/files/read_settings.h"
 #include "cli/report.h"
 
@@ -23,17 +19,6 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 std::string within(const std::string& directory, const std::string& name) {
     return name.starts_with('/') ? name : directory + "/" + name;
-}
-
-// Appends all of it in one call where the system lets it.
-bool append(int fd, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
-        if (put < 0 && errno == EINTR) continue;
-        if (put < 0) return false;
-        bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-    return true;
 }
 
 }  // namespace
@@ -94,34 +79,9 @@ std::string results_for(const std::string& manifest, int shard, int shards) {
 }
 
 std::string ResultsFile::open(const std::string& name) {
-    const auto refuse = [&name](const std::string& why) {
-        throw UsageError(fmt::format("{}: {}", name, why),
-                         {"results are kept there; --results FILE names another"});
-    };
-    fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd_ < 0) refuse(reason(errno));
-    if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        refuse(errno == EWOULDBLOCK ? "another run is writing its results there" : reason(errno));
-    }
-    // A run that finished in between may have put another file in its place.
-    struct stat held {};
-    struct stat named {};
-    if (::fstat(fd_, &held) != 0 || ::stat(name.c_str(), &named) != 0 || held.st_ino != named.st_ino ||
-        held.st_dev != named.st_dev) {
-        refuse("another run has just written its results there");
-    }
-    if (!S_ISREG(held.st_mode)) refuse("it is no file");
-    // Somebody's file is not written to, let alone put in order.
-    std::string begin(kResultBegin.size(), '\0');
-    const ssize_t read = ::pread(fd_, begin.data(), begin.size(), 0);
-    if (read > 0 && begin != kResultBegin) refuse("it holds something else than results");
-    char last = '\n';
-    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) refuse(reason(errno));
-    if (last != '\n' && !append(fd_, "\n")) refuse(reason(errno));
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::canonical(name, error);
-    name_ = error ? name : path.string();
-    return name_;
+    if (lines_.open(name, kResultBegin)) return lines_.name();
+    throw UsageError(fmt::format("{}: {}", name, lines_.trouble()),
+                     {"results are kept there; --results FILE names another"});
 }
 
 bool ResultsFile::add(const JobResult& result, const ResultIndex& before) {
@@ -129,42 +89,29 @@ bool ResultsFile::add(const JobResult& result, const ResultIndex& before) {
     for (const JobResult& one : before.of(result.key)) {
         if (to_line(one) == line) return true;
     }
-    if (append(fd_, line)) return true;
-    trouble_ = reason(errno);
-    return false;
+    return lines_.add(line);
 }
 
 bool ResultsFile::settle(const Manifest& manifest) {
-    const auto fail = [this](const std::string& why) {
-        trouble_ = why;
-        return false;
-    };
-    const SignalPause pause;
+    trouble_.clear();
     Diagnostics trouble;
     ResultIndex index;
-    if (!index.add(name_, trouble)) return fail("it cannot be read again");
-    std::ifstream old(name_, std::ios::binary);
-    NewFile made(name_);
-    bool same = true;
-    for (std::size_t i = 0; i < manifest.size(); ++i) {
-        for (const JobResult& one : index.of(job_key(manifest.job(i)))) {
-            const std::string line = to_line(one);
-            std::string there;
-            same = same && std::getline(old, there) && there + "\n" == line;
-            if (!made.write(line)) return fail(made.trouble());
+    if (!index.add(lines_.name(), trouble)) {
+        trouble_ = "it cannot be read again";
+        return false;
+    }
+    std::size_t job = 0;
+    std::vector<JobResult> waiting;  // of the job before, the next one last
+    return lines_.settle([&]() -> std::optional<std::string> {
+        while (waiting.empty() && job < manifest.size()) {
+            waiting = index.of(job_key(manifest.job(job++)));
+            std::reverse(waiting.begin(), waiting.end());
         }
-    }
-    if (same && old.peek() == std::ifstream::traits_type::eof()) {
-        return ::futimens(fd_, nullptr) == 0 || fail(reason(errno));
-    }
-    struct stat now {};
-    if (::fstat(fd_, &now) == 0) made.keep_mode(now.st_mode);
-    return made.commit() || fail(made.trouble());
-}
-
-void ResultsFile::close() {
-    if (fd_ >= 0) ::close(fd_);
-    fd_ = -1;
+        if (waiting.empty()) return std::nullopt;
+        std::string line = to_line(waiting.back());
+        waiting.pop_back();
+        return line;
+    });
 }
 
 }  // namespace popup::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/kept_lines.h"
 #include "batch/manifest.h"
 #include "batch/results.h"
 #include "cli/files/read_files.h"
@@ -45,11 +46,6 @@ std::string results_for(const std::string& manifest, int shard, int shards);
 // A results file that is written to. One process at a time has it.
 class ResultsFile {
  public:
-    ResultsFile() = default;
-    ResultsFile(const ResultsFile&) = delete;
-    ResultsFile& operator=(const ResultsFile&) = delete;
-    ~ResultsFile() { close(); }
-
     // Opens or makes it, and ends a line that was cut off. Returns its name with links followed. UsageError
     // when it cannot be had.
     std::string open(const std::string& name);
@@ -60,14 +56,15 @@ class ResultsFile {
     // else; what is so already is not written again, but for the time of the last change: it is that of the
     // newest run. The old file stays until the new one is complete. Memory: one line.
     bool settle(const Manifest& manifest);
-    void close();
+    void close() { lines_.close(); }
     // Why add() or settle() failed.
-    [[nodiscard]] const std::string& trouble() const { return trouble_; }
+    [[nodiscard]] const std::string& trouble() const {
+        return trouble_.empty() ? lines_.trouble() : trouble_;
+    }
 
  private:
-    std::string name_;
+    KeptLines lines_;
     std::string trouble_;
-    int fd_ = -1;
 };
 
 }  // namespace popup::cli

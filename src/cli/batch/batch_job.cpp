@@ -160,15 +160,6 @@ void make_directories(const std::vector<std::string>& outputs) {
     }
 }
 
-// The digest of a file that was read after `begun`. One that may have been written since is not known: the
-// job is not taken for done then.
-FileDigest digest_as_read(const std::string& name, std::filesystem::file_time_type begun) {
-    FileDigest digest = digest_of(name);
-    std::error_code error;
-    const auto changed = std::filesystem::last_write_time(name, error);
-    return error || changed < begun ? digest : FileDigest{name, 0, {}};
-}
-
 // The digests of what the build read: of what it holds in memory, else those that were taken as it was read.
 std::vector<FileDigest> digests_of(const Build& build, const std::vector<FileDigest>& settings,
                                    std::filesystem::file_time_type begun) {

@@ -204,4 +204,12 @@ void ask_before_threads(Jobserver& jobserver, CompileOptions& options) {
     options.thread_ended = [&jobserver] { jobserver.release(); };
 }
 
+void ask_before_workers(Jobserver& jobserver, PoolOptions& options) {
+    if (!jobserver.named()) return;
+    options.workers = jobserver.usable() ? Jobserver::kMost : 1;
+    options.may_start = [&jobserver] { return jobserver.acquire(); };
+    options.stopped = [&jobserver] { jobserver.release(); };
+    options.wake_on = jobserver.descriptor();
+}
+
 }  // namespace popup::cli

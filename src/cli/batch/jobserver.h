@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/system/signal_cleanup.h"
+#include "cli/batch/worker_pool.h"
 #include "popup/compile.h"
 
 namespace popup::cli {
@@ -83,5 +84,7 @@ class Jobserver {
 // Where a jobserver is named, threads are started as it allows, however many processors there are; each gives
 // its token back when it ends. The jobserver must outlive the compilation.
 void ask_before_threads(Jobserver& jobserver, CompileOptions& options);
+// The same of worker processes; the jobserver must outlive the pool.
+void ask_before_workers(Jobserver& jobserver, PoolOptions& options);
 
 }  // namespace popup::cli

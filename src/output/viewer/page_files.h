@@ -2,14 +2,11 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "output/html_page.h"
 
 namespace popup {
 
-struct PageFile {
-    std::string_view name;  // "page.html"
-    std::string_view text;
-};
 // By name.
 std::span<const PageFile> viewer_files();
 

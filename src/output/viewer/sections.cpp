@@ -66,7 +66,7 @@ std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const 
                           "the page's picture could not be made: there is no memory for it");
         return std::nullopt;
     }
-    ViewerStill still{"data:image/webp;base64," + base64(bytes), "A picture of the model", start};
+    ViewerStill still{std::move(bytes), "A picture of the model", start};
     if (moves(*cards.front().assembly))
         still.text += fmt::format(", open at {} degrees", number_text(start.opening_deg, 1));
     return still;

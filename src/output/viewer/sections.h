@@ -13,9 +13,9 @@ namespace popup {
 
 // The model before, or instead of, what the browser draws: 480 × 360 pixels.
 struct ViewerStill {
-    std::string address;  // "data:image/webp;base64,…"
-    std::string text;     // for those who cannot see it
-    ViewerStart start;    // how the page begins, so that it shows the same
+    std::string webp;   // its file
+    std::string text;   // for those who cannot see it
+    ViewerStart start;  // how the page begins, so that it shows the same
 };
 
 // The picture of the cards at the opening where they are seen best. Errors: `locks`, `picture-failed`.

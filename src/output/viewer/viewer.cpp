@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/system/digest.h"
 #include "base/text/base64.h"
+#include "output/html_page.h"
 #include "output/markup.h"
 #include "output/viewer/page_files.h"
 #include "output/viewer/scene_json.h"
@@ -23,40 +23,18 @@ constexpr std::size_t kMostBytes = 400'000'000;
 
 constexpr std::array<std::string_view, 5> kScripts{"scene.js", "poses.js", "camera.js", "draw.js", "page.js"};
 
-std::string_view file_named(std::string_view name) {
-    for (const PageFile& file : viewer_files()) {
-        if (file.name == name) return file.text;
-    }
-    POPUP_INVARIANT(false && "a file of the viewer is missing");
-    return {};
-}
-
-// Without indentation, empty lines, and lines that are comments.
-void append_lines(std::string& text, std::string_view source) {
-    while (!source.empty()) {
-        const std::size_t end = std::min(source.find('\n'), source.size() - 1);
-        std::string_view line = source.substr(0, end + 1);
-        source.remove_prefix(end + 1);
-        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size() - 1));
-        if (line != "\n" && !line.starts_with("//") && !line.starts_with("/*")) text += line;
-    }
-}
-
 std::string style() {
     std::string text = "\n";
-    append_lines(text, file_named("viewer.css"));
+    append_page_lines(text, page_file(viewer_files(), "viewer.css"));
     return text;
 }
 
 std::string script() {
     std::string text = "\n(() => {\n'use strict';\n";
-    for (const std::string_view name : kScripts) append_lines(text, file_named(name));
+    for (const std::string_view name : kScripts) append_page_lines(text, page_file(viewer_files(), name));
     text += "})();\n";
     return text;
 }
-
-// What stands in a policy for exactly this text.
-std::string source_of(std::string_view text) { return "'sha256-" + base64(sha256_bytes(text)) + "'"; }
 
 // JSON that cannot end the element it stands in, nor begin a comment there: these letters are in its strings
 // only.
@@ -81,30 +59,10 @@ std::string escaped_json(std::string_view json) {
     return result;
 }
 
-// The template with "{{name}}" replaced; what is put in is not looked at again.
-std::string filled(std::string_view page, std::span<const std::pair<std::string_view, std::string>> values) {
-    std::string result;
-    while (true) {
-        const std::size_t open = page.find("{{");
-        result += page.substr(0, open);
-        if (open == std::string_view::npos) return result;
-        const std::size_t close = page.find("}}", open);
-        const std::string_view name = page.substr(open + 2, close - open - 2);
-        bool known = false;
-        for (const auto& [key, text] : values) {
-            if (key != name) continue;
-            result += text;
-            known = true;
-        }
-        POPUP_INVARIANT(known);
-        page.remove_prefix(close + 2);
-    }
-}
-
 }  // namespace
 
-std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,
-                                        Diagnostics& diagnostics) {
+std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions& options,
+                                       Diagnostics& diagnostics) {
     const std::span<const SceneCard> cards = page.cards;
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
@@ -134,11 +92,11 @@ std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions
     const std::array<std::pair<std::string_view, std::string>, 12> values{{
         {"policy", fmt::format("default-src 'none'; script-src {}; style-src {}; img-src data:; base-uri "
                                "'none'; form-action 'none'",
-                               source_of(code), source_of(look))},
+                               policy_source(code), policy_source(look))},
         {"version", POPUP_VERSION},
         {"title", as_markup(viewer_title(cards))},
         {"style", look},
-        {"still", still->address},
+        {"still", "data:image/webp;base64," + base64(still->webp)},
         {"still_text", still->text},
         {"sheet_count", std::to_string(sheets->packed.size())},
         {"sheets", sheets->html},
@@ -147,7 +105,14 @@ std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions
         {"scene", std::move(scene)},
         {"script", code},
     }};
-    return filled(file_named("page.html"), values);
+    return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still->webp)};
+}
+
+std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,
+                                        Diagnostics& diagnostics) {
+    std::optional<ViewerFiles> files = make_viewer(page, options, diagnostics);
+    if (!files) return std::nullopt;
+    return std::move(files->page);
 }
 
 }  // namespace popup
