@@ -21,6 +21,9 @@ int run_batch(const Options& options);
 CLI::App* add_merge_reports(CLI::App& app, Options& options);
 int run_merge_reports(const Options& options);
 
+CLI::App* add_gallery(CLI::App& app, Options& options);
+int run_gallery(const Options& options);
+
 CLI::App* add_trace(CLI::App& app, Options& options);
 int run_trace(const Options& options);
 

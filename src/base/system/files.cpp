@@ -334,7 +334,7 @@ std::optional<Source> read_source(const std::string& name, Diagnostics& diagnost
     if (::fstat(fd, &status) != 0) return refuse(reason(errno));
     if (S_ISDIR(status.st_mode)) {
         diagnostics.error("unreadable-input", {}, "cannot be read: " + reason(EISDIR))
-            .hint("name the files in it; only check and fix look into directories");
+            .hint("name the files in it; only check, fix and gallery look into directories");
         return std::nullopt;
     }
     const auto too_large = [&](const std::string& size) {

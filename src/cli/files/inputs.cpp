@@ -245,6 +245,11 @@ bool Run::has_findings() const {
                        [](const auto& one) { return one.second.has_findings(); });
 }
 
+void check_inputs(const Options& options, const std::vector<std::string>& names) {
+    check_names(names);
+    check_languages(options, names);
+}
+
 const Language& language_of(const InputOptions& options, const Source& source) {
     if (const Language* language = find_language(source, options.language)) return *language;
     const std::string suffix = std::filesystem::path(source.name).extension().string();

@@ -60,6 +60,9 @@ enum class Keep { everything, findings };
 // The language a source is read as: --from, else as find_language() finds it; UsageError when there is none.
 const Language& language_of(const InputOptions& options, const Source& source);
 
+// UsageError where an input has no name or a suffix that names no language, or standard input is named twice.
+void check_inputs(const Options& options, const std::vector<std::string>& names);
+
 // Reads the inputs and runs those that are programs; nothing is made of what they draw. The trails are JSON,
 // one an input that could be read. UsageError as below, and on an input that is no program.
 Run run_trails(const Options& options, std::vector<std::string>& trails);

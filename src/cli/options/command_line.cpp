@@ -23,6 +23,7 @@ std::span<const Verb> verb_table() {
                                       {add_fix, run_fix},
                                       {add_batch, run_batch},
                                       {add_merge_reports, run_merge_reports},
+                                      {add_gallery, run_gallery},
                                       {add_trace, run_trace},
                                       {add_explain, run_explain},
                                       {add_list, run_list},
@@ -89,6 +90,9 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
             if (option->count() > 0) options.given.insert(traits_of(*option).key);
         }
         const Settings settings = apply_settings(app, *verbs[i], options);
+        for (const CLI::Option* option : verbs[i]->get_options()) {
+            if (option->count() > 0) options.settings[traits_of(*option).key] = option->results();
+        }
         // What is defined for a whole directory need not concern every program in it.
         constexpr std::string_view kUnused = "flatlang-unused-definition";
         if (settings.origins.contains("define") && !options.policy.deny.contains(kUnused)) {

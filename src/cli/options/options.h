@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -131,6 +132,12 @@ struct BatchOptions {
     bool dry_run = false;
 };
 
+struct GalleryOptions {
+    std::string directory;  // -o
+    std::string title;      // empty: as the library's directory is called
+    bool dry_run = false;
+};
+
 struct MergeOptions {
     std::string manifest;
     std::vector<std::string> results;  // empty: those beside the manifest
@@ -174,9 +181,13 @@ struct Options {
     ListOptions list;
     JudgeOptions judge;
     BatchOptions batch;
+    GalleryOptions gallery;
     MergeOptions merge;
     TraceVerbOptions trace;
     ConfigOptions config;
+    // Every option that has a value, by its key, whatever it comes from: command line, environment or
+    // configuration. Of a flag the value is "true" or "false".
+    std::map<std::string, std::vector<std::string>> settings;
     // The response files and the configuration by which the other options came to be: inputs of the run.
     std::vector<std::string> settings_files;
     // POPUPC_* of the environment that are no option's.

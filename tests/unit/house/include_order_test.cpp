@@ -45,7 +45,8 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"compile.cpp", {"base", "fabrication", "run"}},
         {"write.cpp", {"base"}},
         {"batch", {"base"}},
-        {"cli", {"base", "findings", "output", "batch"}},
+        {"gallery", {"base", "output", "batch"}},
+        {"cli", {"base", "findings", "output", "batch", "gallery"}},
         {"main.cpp", {"cli", "findings", "batch"}},
     };
     return table;
