@@ -77,6 +77,11 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "numbers are in the document's unit, which is inches when nothing is said; a size like 279 without "
      "units=\"mm\" is a page of seven metres. Correct the size or the unit; without either the page has 11 "
      "by 8.5 inches."},
+    {"page-size-unlikely", Severity::warning, "a card as large as a table, or as small as a stamp",
+     "The open card is longer than 1.2 m or shorter than 30 mm. Most often the document does not name its "
+     "unit, so that its numbers are read as inches, or names another than was meant. The attribute units of "
+     "<popup> names the unit of all numbers; the hint has the one that gives a card of a usual size. Where "
+     "the size is meant, allow this warning."},
     {"point-count", Severity::error, "too few or too many points",
      "Every type of structure has a fixed number of outer points in a fixed order, called by the letters "
      "in the message; the corners that follow from them are computed. A drawn line has at least two "

@@ -62,6 +62,11 @@ void Reporter::unknown_name(Name context, std::string_view name, Place place, bo
     Diagnostic& made = add(severity, "unknown-markup", place,
                            fmt::format("the {} '{}' is not known in '{}'",
                                        attribute ? "attribute" : "element", shown(name), canonical(context)));
+    if (const Name home = home_of(context, name); home != Name::unknown) {
+        made.hint(
+            fmt::format("nothing is made of it here; '{}' stands in '{}'", shown(name), canonical(home)));
+        return;
+    }
     const std::vector<std::string> near = nearest(lower(name), names_in(context), 1);
     if (!near.empty()) made.hint(fmt::format("perhaps '{}' is meant", near.front()));
 }

@@ -199,6 +199,14 @@ bool repeats(Name context, Name name) {
 
 bool is_scalar(Name name) { return (kScalars & in({name})) != 0; }
 
+Name home_of(Name context, std::string_view spelling) {
+    for (const Name home :
+         {Name::popup, Name::mainpage, Name::structurelist, Name::drawnlinelist, Name::structure}) {
+        if (home != context && find_name(home, spelling) != Name::unknown) return home;
+    }
+    return Name::unknown;
+}
+
 std::vector<std::string_view> names_in(Name context) {
     std::vector<std::string_view> names;
     for (const Row& row : kRows) {

@@ -65,6 +65,10 @@ Name find_name(Name context, std::string_view spelling);
 // How the canonical document writes it.
 std::string_view canonical(Name name);
 
+// Where a name that has no meaning in `context` would have one: the outermost such place of a document.
+// `unknown` when it has none.
+Name home_of(Name context, std::string_view spelling);
+
 // The parameter of any row of element_table() that `spelling` means inside a structure, in canonical
 // spelling; empty when there is none.
 std::string_view find_parameter_name(std::string_view spelling);

@@ -179,8 +179,9 @@ class DocumentReader {
         design_.page_place = node.place();
         design_.left = values_.color(fields.find(Name::leftcolor));
         design_.right = values_.color(fields.find(Name::rightcolor));
-        read_page_size(fields.find(Name::width), design_.width_mm);
-        read_page_size(fields.find(Name::height), design_.height_mm);
+        const bool has_width = read_page_size(fields.find(Name::width), design_.width_mm);
+        const bool has_height = read_page_size(fields.find(Name::height), design_.height_mm);
+        if (has_width && has_height) doubt_page_size();
         if (const Field* field = fields.find(Name::opens)) read_opening(*field);
     }
 
@@ -202,18 +203,40 @@ class DocumentReader {
             .hint("write version=\"3.0\"");
     }
 
-    void read_page_size(const Field* field, double& size) {
-        if (!field) return;
+    // A unit that was forgotten makes cards as large as rooms.
+    void doubt_page_size() {
+        const double longer = std::max(design_.width_mm, design_.height_mm);
+        if (longer >= kSmallestLikelyMm && longer <= kLargestLikelyMm) return;
+        const auto size = [this](const Unit& unit) {
+            return fmt::format("{} × {} {}", format_number(design_.width_mm / design_.unit.mm),
+                               format_number(design_.height_mm / design_.unit.mm), unit.name);
+        };
+        const double m = longer / 1000.0;
+        Diagnostic& made =
+            reporter_.warning("page-size-unlikely", design_.page_place,
+                              fmt::format("the open card is {}, {}", size(design_.unit),
+                                          m > 1.0 ? fmt::format("{:.2f} m on its longer side", m)
+                                                  : fmt::format("{:.2f} mm on its longer side", longer)));
+        const Unit* likely = likely_unit(longer / design_.unit.mm);
+        if (likely != nullptr && likely->name != design_.unit.name) {
+            made.hint(fmt::format("units=\"{}\" in <popup> would make it {}", likely->name, size(*likely)));
+        }
+    }
+
+    // False after an error.
+    bool read_page_size(const Field* field, double& size) {
+        if (!field) return true;
         const auto mm = values_.length(*field);
-        if (!mm) return;
+        if (!mm) return false;
         if (*mm >= kSmallestPage && *mm <= kLargestPage) {
             size = *mm;
-            return;
+            return true;
         }
         reporter_.error(
             "page-size", field->place,
             fmt::format("the page's {} is {} mm, and must be from {} to {} mm", canonical(field->name),
                         format_number(*mm), format_number(kSmallestPage), format_number(kLargestPage)));
+        return false;
     }
 
     void read_structure(Name /*name*/, Node node) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "input/text.h"
+#include "input/xml/number.h"
 
 namespace popup::xml {
 namespace {
@@ -35,6 +36,24 @@ const Unit* find_unit(std::string_view name) {
     const std::string word = lower(name);
     for (const UnitRow& row : kUnits) {
         if (word == row.unit.name || has_word(row.others, word)) return &row.unit;
+    }
+    return nullptr;
+}
+
+const Unit* unit_behind_number(std::string_view text) {
+    text = trimmed(text);
+    const std::size_t digit = text.find_last_of("0123456789.");
+    if (digit == std::string_view::npos || parse_number(text.substr(0, digit + 1)).fault != NumberFault::none)
+        return nullptr;
+    return find_unit(trimmed(text.substr(digit + 1)));
+}
+
+const Unit* likely_unit(double longer) {
+    constexpr double kLeastMm = 60.0;
+    constexpr double kMostMm = 700.0;
+    for (const UnitRow& row : kUnits) {
+        const double mm = longer * row.unit.mm;
+        if (mm >= kLeastMm && mm <= kMostMm) return &row.unit;
     }
     return nullptr;
 }

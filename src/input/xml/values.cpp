@@ -10,6 +10,7 @@
 #include "input/text.h"
 #include "input/xml/encoding.h"
 #include "input/xml/number.h"
+#include "input/xml/units.h"
 
 namespace popup::xml {
 namespace {
@@ -34,9 +35,15 @@ std::optional<double> Values::number(std::string_view text, std::string_view wha
         case NumberFault::none:
             return parsed.value;
         case NumberFault::empty:
-        case NumberFault::malformed:
-            wrong("is not a number");
+        case NumberFault::malformed: {
+            Diagnostic& made = wrong("is not a number");
+            if (const Unit* unit = unit_behind_number(text)) {
+                made.hint(
+                    fmt::format("write the number alone; units=\"{}\" in <popup> is the unit of all numbers",
+                                unit->name));
+            }
             break;
+        }
         case NumberFault::comma:
             wrong("is not a number").hint("write a decimal point, not a comma");
             break;
