@@ -1,9 +1,12 @@
 // Manual pages of verbs, made from the parser with the texts of --help.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <csignal>
+#include <cstdio>
 #include <sstream>
 
 #include "cli/program_view.h"
@@ -154,6 +157,18 @@ const VerbView& verb_named(const ProgramView& program, std::string_view name) {
     return *found;
 }
 
+// Lets man set the page for a terminal. False: there is no man, or it could not.
+bool shown_by_man(const std::string& page) {
+    std::FILE* man = ::popen("man -l - 2>/dev/null", "w");
+    if (man == nullptr) return false;
+    // Who leaves the pager early has seen enough.
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    std::fwrite(page.data(), 1, page.size(), man);
+    const bool done = ::pclose(man) == 0;
+    std::signal(SIGPIPE, before);
+    return done;
+}
+
 }  // namespace
 
 CLI::App* add_manual(CLI::App& app, Options& options) {
@@ -177,14 +192,17 @@ CLI::App* add_manual(CLI::App& app, Options& options) {
         ->type_name("");
     verb->footer(
         "Examples:\n"
-        "  popupc manual build | man -l -\n"
-        "\nThe page is mdoc, which man and mandoc read.");
+        "  popupc manual build\n"
+        "  popupc manual build > popupc-build.1\n"
+        "\nOn a terminal man shows the page; elsewhere it is printed as mdoc, which man and mandoc read.");
     return verb;
 }
 
 int run_manual(const Options& options) {
     const ProgramView program = view_program();
-    return print(manual_page(verb_named(program, options.topic))) ? exit_done : exit_unusable;
+    const std::string page = manual_page(verb_named(program, options.topic));
+    if (::isatty(STDOUT_FILENO) != 0 && shown_by_man(page)) return exit_done;
+    return print(page) ? exit_done : exit_unusable;
 }
 
 }  // namespace popup::cli

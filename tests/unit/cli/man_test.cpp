@@ -445,6 +445,18 @@ TEST(VerbManuals, AreWhatTheProgramMakesOfItsHelp) {
     }
 }
 
+TEST(VerbManuals, AreSetByManOnATerminal) {
+    if (!have_program("man")) GTEST_SKIP() << "man is not installed (man-db)";
+    if (!have_program("script")) GTEST_SKIP() << "script is not installed (bsdutils)";
+    RunOptions options;
+    options.environment = {{"MANPAGER", "cat"}, {"TERM", "dumb"}};
+    const RunResult shown =
+        run({"script", "-qec", std::string(POPUPC_BINARY) + " manual list", "/dev/null"}, options);
+    EXPECT_EQ(shown.exit, 0);
+    EXPECT_NE(shown.out.find("POPUPC-LIST(1)"), std::string::npos) << shown.out;
+    EXPECT_EQ(shown.out.find(".Sh"), std::string::npos) << shown.out;
+}
+
 TEST(VerbManuals, HaveEveryOptionOfHelpAndEveryExample) {
     for (const std::string& verb : verbs()) {
         std::set<std::string> options;
