@@ -68,7 +68,7 @@ bool ends_like_digest(std::string_view stem) {
 
 std::string name_of(const std::string& label) {
     if (label.ends_with(kDocument)) {
-        const std::string stem = label.substr(0, label.size() - kDocument.size());
+        std::string stem = label.substr(0, label.size() - kDocument.size());
         if (!stem.empty() && stem.size() <= kLongestStem && std::all_of(stem.begin(), stem.end(), is_plain) &&
             !ends_like_digest(stem)) {
             return stem;

@@ -36,13 +36,20 @@ std::vector<std::string> words_for_sample(const std::string& sample, const fs::p
 bool have_browser() { return fs::exists(kChromium) && have_program("node"); }
 
 nlohmann::json drive(const ScratchDirectory& scratch, const std::string& page, const std::string& picture,
-                     const std::vector<std::string>& expressions, const std::string& scheme) {
+                     const std::vector<std::string>& expressions, const std::string& scheme, int width,
+                     int height) {
     const fs::path profile = scratch / "profile";
     fs::remove_all(profile);
     fs::create_directory(profile);
-    std::vector<std::string> words{
-        "node", kRoot / "tests/tools/drive_page.mjs", kChromium, profile, page, picture, "800", "600",
-        scheme};
+    std::vector<std::string> words{"node",
+                                   kRoot / "tests/tools/drive_page.mjs",
+                                   kChromium,
+                                   profile,
+                                   page,
+                                   picture,
+                                   std::to_string(width),
+                                   std::to_string(height),
+                                   scheme};
     words.insert(words.end(), expressions.begin(), expressions.end());
     RunOptions options;
     options.environment["HOME"] = profile;

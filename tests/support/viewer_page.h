@@ -27,7 +27,8 @@ inline constexpr const char* kNoBrowser = "there is no /usr/bin/chromium, or no 
 // What tests/tools/drive_page.mjs says of a page and of these expressions; `picture` takes what is seen at
 // the end, "-": nothing. Null, and a failure, when the browser fails.
 nlohmann::json drive(const ScratchDirectory& scratch, const std::string& page, const std::string& picture,
-                     const std::vector<std::string>& expressions, const std::string& scheme = "light");
+                     const std::vector<std::string>& expressions, const std::string& scheme = "light",
+                     int width = 800, int height = 600);
 
 // What the browser says, but for the speed of pictures that it copies where there is no graphics card.
 std::vector<std::string> messages_of(const nlohmann::json& driven);

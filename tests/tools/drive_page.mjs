@@ -2,7 +2,8 @@
 //   node drive_page.mjs CHROMIUM PROFILE PAGE PICTURE WIDTH HEIGHT SCHEME [EXPRESSION ...]
 // PROFILE is an empty folder for the browser; PICTURE takes a PNG of the page as it stands after the last expression
 // ("-": none); SCHEME is light or dark, and after a comma no-webgl or no-script for a browser without. Expressions are
-// JavaScript, or "@FILE" for all of a file's; promises are waited for. Prints
+// JavaScript, or "@FILE" for all of a file's; promises are waited for. "press KEY" presses a key (Tab, Enter, Shift+Tab,
+// ArrowDown, a letter) and "type TEXT" types a text, where the focus is, as a hand would. Prints
 // {messages: [what the page wrote to the console, and what the browser says of it], values: [one an expression]}.
 // Exit 3 where the browser does not start. It needs nothing but Node 18 or newer.
 import { spawn } from 'node:child_process';
@@ -86,7 +87,19 @@ async function drive() {
   const file = hash < 0 ? page : page.slice(0, hash);
   await ask('Page.navigate', { url: pathToFileURL(file).href + (hash < 0 ? '' : page.slice(hash)) });
   await loaded;
+  const press = async (asked) => {
+    const shift = asked.startsWith('Shift+');
+    const key = shift ? asked.slice(6) : asked;
+    const codes = { Tab: 9, Enter: 13, Escape: 27, ' ': 32, Home: 36, End: 35, ArrowUp: 38, ArrowDown: 40 };
+    const event = { key, code: key, windowsVirtualKeyCode: codes[key] ?? key.toUpperCase().charCodeAt(0), modifiers: shift ? 8 : 0 };
+    const text = { Enter: '\r', ' ': ' ' }[key] ?? (key.length === 1 ? key : undefined);
+    await ask('Input.dispatchKeyEvent', { type: text ? 'keyDown' : 'rawKeyDown', text, ...event });
+    await ask('Input.dispatchKeyEvent', { type: 'keyUp', ...event });
+    return key;
+  };
   const evaluate = async (asked) => {
+    if (asked.startsWith('press ')) return press(asked.slice(6));
+    if (asked.startsWith('type ')) return ask('Input.insertText', { text: asked.slice(5) }).then(() => null);
     const expression = asked.startsWith('@') ? `${readFileSync(asked.slice(1))}; 0` : asked;
     const { result, exceptionDetails } = await ask('Runtime.evaluate',
       { expression, awaitPromise: true, returnByValue: true });

@@ -262,10 +262,15 @@ std::optional<std::string> sheet_picture(const Layout& layout, const OutputOptio
     first.placements.erase(std::remove_if(first.placements.begin(), first.placements.end(),
                                           [](const Placement& one) { return one.sheet > 0; }),
                            first.placements.end());
-    const LayoutSheet& sheet = first.sheets.front();
+    // Pieces lie in its lower left corner; marks and bar are not for looking at.
+    LayoutSheet& sheet = first.sheets.front();
+    sheet.width_mm = std::min(sheet.width_mm, sheet.used_mm.x + 2.0 * first.margin_mm);
+    sheet.height_mm = std::min(sheet.height_mm, sheet.used_mm.y + 2.0 * first.margin_mm);
     OutputOptions small = options;
     small.backs = false;
     small.print_and_cut = false;
+    small.reference_mm = 0.0;
+    small.profile.marks = Marks::none;
     small.dpi = kInch * std::min(kTileSize.width / sheet.width_mm, kTileSize.height / sheet.height_mm);
     auto files = write_png(first, small, diagnostics);
     if (!files) return std::nullopt;

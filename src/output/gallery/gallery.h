@@ -57,7 +57,7 @@ std::optional<std::string> write_plain_page(const GalleryTile& tile, const std::
                                             const Layout* layout, std::span<const Diagnostic> findings,
                                             const OutputOptions& options, Diagnostics& diagnostics);
 
-// The first sheet as a PNG that fits into kTileSize. Errors: those of write_png().
+// What is used of the first sheet as a PNG that fits into kTileSize. Errors: those of write_png().
 std::optional<std::string> sheet_picture(const Layout& layout, const OutputOptions& options,
                                          Diagnostics& diagnostics);
 

@@ -76,7 +76,9 @@ const form = byId('filter');
 form.hidden = false;
 form.addEventListener('input', showAndKeep);
 form.addEventListener('reset', () => setTimeout(showAndKeep));
-form.addEventListener('submit', (event) => {
+form.addEventListener('submit', (event) => event.preventDefault());
+form.addEventListener('keydown', (event) => {
+  if (event.key !== 'Enter' || event.target.tagName !== 'INPUT') return;
   event.preventDefault();
   list.querySelector('li:not([hidden]) a')?.focus();
 });

@@ -67,7 +67,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    const auto still = viewer_still(cards, options, diagnostics);
+    auto still = viewer_still(cards, options, diagnostics);
     if (!still) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);
     if (!sheets) return std::nullopt;
