@@ -109,19 +109,8 @@ class Keeper {
         say(messages_, fmt::format("{} {}", written ? "made" : "could not write",
                                    entry.row.result.outputs.empty() ? run_.plan.designs[job].file
                                                                     : entry.row.result.outputs.front().file));
-        if (written) {
-            run_.record.add(std::move(entry.row));
-            return;
-        }
-        // What was there is still there, and may be a page of the gallery.
-        const GalleryRow* before = run_.record.find(entry.row.label);
-        const std::optional<GalleryRow> old = before ? std::optional(*before) : std::nullopt;
-        run_.record.add(std::move(entry.row));
-        if (old) {
-            run_.record.add(*old);
-        } else {
-            run_.record.remove(run_.plan.designs[job].label);
-        }
+        // Else what was there is still there, and its row with it.
+        if (written) run_.record.add(std::move(entry.row));
     }
 
     GalleryRun& run_;
@@ -369,8 +358,10 @@ int run_gallery(const Options& given) {
     if (output) {
         // Where a directory could not be looked at, its designs may still be there.
         if (files.readable) forget_others(run);
-        if (!tally.lost && !write_index(options.gallery, run, *output, trouble)) tally.unusable = true;
-        if (!tally.lost) tally.gone = output->settle(run.record, messages, tally.lost);
+        const bool written = !tally.lost && write_index(options.gallery, run, *output, trouble);
+        if (!written) tally.unusable = true;
+        // The old page leads to files that the new one does without.
+        if (written) tally.gone = output->settle(run.record, messages, tally.lost);
         output->close();
     }
     print_programs(options, run, keeper);

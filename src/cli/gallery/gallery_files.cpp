@@ -47,11 +47,11 @@ std::string directory_for(const std::string& given, const GalleryPlan& plan) {
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(given, error), error);
     if (error) refuse(given, std::generic_category().message(error.value()));
-    std::string directory = path.has_filename() ? path.string() : path.parent_path().string();
+    const std::string directory = (path.has_filename() ? path : path.parent_path()).string();
     if (is_there(directory) && !fs::is_directory(directory, error)) refuse(given, "this is no directory");
-    const std::string root = plan.root.ends_with('/') ? plan.root : plan.root + "/";
     for (const GalleryDesign& design : plan.designs) {
-        if (!(root + design.label).starts_with(directory + "/")) continue;
+        const fs::path below = (fs::path(plan.root) / design.label).lexically_relative(directory);
+        if (below.empty() || *below.begin() == "..") continue;
         throw UsageError(
             fmt::format("{} is an input, and lies in {}, where the gallery would be", design.file, given),
             {"a gallery has a directory of its own; it may lie in that of the designs"});
