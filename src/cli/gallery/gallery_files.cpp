@@ -47,7 +47,7 @@ std::string directory_for(const std::string& given, const GalleryPlan& plan) {
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(given, error), error);
     if (error) refuse(given, std::generic_category().message(error.value()));
-    const std::string directory = (path.has_filename() ? path : path.parent_path()).string();
+    std::string directory = (path.has_filename() ? path : path.parent_path()).string();
     if (is_there(directory) && !fs::is_directory(directory, error)) refuse(given, "this is no directory");
     for (const GalleryDesign& design : plan.designs) {
         const fs::path below = (fs::path(plan.root) / design.label).lexically_relative(directory);
@@ -70,9 +70,10 @@ GalleryRecord record_of(const std::string& given, const std::string& directory, 
     }
     for (const std::string& file : files) {
         const bool is_index = file == kGalleryIndex;
+        const std::string path = fmt::format("{}/{}", directory, file);
         // Whether others were changed since is looked at when they are written.
-        if ((!is_index && record.files().contains(file)) || !is_there(directory + "/" + file)) continue;
-        FileDigest digest = digest_of(directory + "/" + file);
+        if ((!is_index && record.files().contains(file)) || !is_there(path)) continue;
+        FileDigest digest = digest_of(path);
         digest.file = file;
         if (record.has_written(digest)) continue;
         throw UsageError(
