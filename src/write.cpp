@@ -105,17 +105,22 @@ bool are_files_of_their_own(const OutputRequest& request, Diagnostics& diagnosti
 }
 
 // What is read as an assembly has no document. Parts that do not move have sheets and a report; also a model,
-// where their language says how they stand.
-enum class Read { assembly, lying_sheet, standing_parts, parts };
+// where their language says how they stand, and a book, where they are glued together.
+enum class Read { assembly, lying_sheet, glued_parts, standing_parts, parts };
+
+// What a model, picture or page of it would lack; empty: nothing.
+std::string_view lacking_for(const Format& format, Read what) {
+    if (what == Read::assembly) return {};
+    if (format.stills == Stills::made)
+        return what == Read::lying_sheet || what == Read::glued_parts ? "" : "steps to fold or glue";
+    if (what == Read::parts || what == Read::glued_parts) return "moving model";
+    return format.stills < (what == Read::lying_sheet ? Stills::sheets : Stills::all) ? "motion" : "";
+}
 
 bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan, Diagnostics& diagnostics) {
     for (const PlannedOutput& output : plan.outputs) {
         std::string_view lacking;
-        if (shows_model(*output.format)) {
-            const Stills least = what == Read::lying_sheet ? Stills::sheets : Stills::all;
-            if (what != Read::assembly && output.format->stills < least) lacking = "motion";
-            if (what == Read::parts) lacking = "moving model";
-        }
+        if (shows_model(*output.format)) lacking = lacking_for(*output.format, what);
         if (is_written_by<DocumentWriter>(*output.format)) lacking = "popup document";
         if (lacking.empty()) continue;
         Diagnostic& told =
@@ -147,6 +152,7 @@ std::vector<SceneCard> scene_of(const Compilation& run) {
         card.assembly = &*one.assembly;
         if (one.motion) card.motion = &*one.motion;
         if (one.creases) card.creases = &*one.creases;
+        if (one.pattern) card.pattern = &*one.pattern;
     }
     return cards;
 }
@@ -178,7 +184,9 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
             [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
             [&](PageWriter write) {
                 const std::vector<SceneCard> cards = scene_of(run);
-                return single(write({cards, &*run.layout, findings_of(run)}, options, diagnostics));
+                const std::optional<Design>& first = run.designs.front().design;
+                const bool inches = first && first->unit.name == "in";
+                return single(write({cards, &*run.layout, findings_of(run), inches}, options, diagnostics));
             },
             [&](DocumentWriter write) {
                 return single(write(*run.designs.front().checked, options, diagnostics));
@@ -233,6 +241,9 @@ void fit_layout(CompileOptions& options) {
     options.layout.bed = {profile.bed_width_mm, profile.bed_height_mm};
     Length& margin = options.layout.margin;
     margin = Length::millimetres(std::max(margin.mm, margin_needed(options.output)));
+    const std::string& sheet = options.layout.sheet.name;
+    if (!options.output.letter_pages && !sheet.empty() && sheet != "auto")
+        options.output.letter_pages = sheet == "letter" || sheet == "tabloid";
 }
 
 std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics& diagnostics) {
@@ -255,8 +266,10 @@ bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& di
     return std::all_of(run.designs.begin(), run.designs.end(), [&](const CompiledDesign& one) {
         if (one.design || !one.assembly) return true;
         const bool is_sheet = has_model(*one.assembly) && !one.assembly->hinges.empty();
+        const bool is_glued = !one.assembly->glue.empty() || !one.assembly->glued_areas.empty();
         const Read what = moves(*one.assembly)       ? Read::assembly
                           : is_sheet                 ? Read::lying_sheet
+                          : is_glued                 ? Read::glued_parts
                           : has_model(*one.assembly) ? Read::standing_parts
                                                      : Read::parts;
         return can_be_made_of(what, one.source.name, plan, diagnostics);

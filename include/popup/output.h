@@ -62,6 +62,8 @@ struct OutputOptions {
     FoldDialect fold_dialect = FoldDialect::simulator;
     StillOptions still;
     std::optional<TileOptions> tile;  // of .pdf: on pages of this paper; none: a page a sheet
+    // Books: pages of letter paper, 8.5 × 11 in, or of A4; none: letter for designs in inches, else A4.
+    std::optional<bool> letter_pages = {};
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
@@ -74,6 +76,7 @@ struct SceneCard {
     const Motion* motion = nullptr;      // of what moves; else there is none
     std::string prefix;
     const CreasePattern* creases = nullptr;  // what it was folded from, for what its file says beside
+    const Pattern* pattern = nullptr;        // its pieces as they are made, whatever the scale of the layout
 };
 
 // How wide the margin of sheets must be, in mm, so that marks and bar lie clear of pieces.
@@ -108,6 +111,7 @@ struct RunPage {
     std::span<const SceneCard> cards;
     const Layout* layout = nullptr;    // null: there are no sheets
     std::vector<Diagnostic> findings;  // in the order in which they are told
+    bool inches = false;               // the first design is written in inches
 };
 using PageWriter = std::optional<std::string> (*)(const RunPage&, const OutputOptions&, Diagnostics&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
@@ -118,6 +122,7 @@ using ReportWriter = std::optional<std::string> (*)(const Compilation&, const Ou
 enum class Stills {
     none,
     sheets,  // a sheet that lies folded: it has hinges
+    made,    // that, and parts that are glued together
     all,     // whatever stands somewhere
 };
 

@@ -39,6 +39,7 @@ struct PatternPrint {
 struct GlueTarget {
     Ring outline;
     int plate = -1;
+    std::string label = {};  // the number on it
 };
 
 enum class LabelKind { piece, tab, target };

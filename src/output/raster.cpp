@@ -5,13 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csetjmp>
-#include <cstdio>
-#include <cstdlib>
-// Needs <cstdio> before it.
-#include <jpeglib.h>
 
 #include "output/cairo_sheet.h"
+#include "output/jpeg.h"
 #include "output/png.h"
 #include "output/sheet_drawing.h"
 
@@ -55,56 +51,6 @@ std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height
         }
     }
     return pixels;
-}
-
-// The library leaves by longjmp when it fails; nothing with a destructor may live in encode_jpeg().
-struct JpegErrors {
-    jpeg_error_mgr manager;
-    std::jmp_buf back;
-};
-
-[[noreturn]] void leave(j_common_ptr info) {
-    std::longjmp(reinterpret_cast<JpegErrors*>(info->err)->back, 1);
-}
-
-bool encode_jpeg(jpeg_compress_struct& info, JpegErrors& errors, const Pixels& pixels, unsigned char** data,
-                 unsigned long* size) {
-    if (setjmp(errors.back) != 0) return false;
-    jpeg_create_compress(&info);
-    jpeg_mem_dest(&info, data, size);
-    info.image_width = static_cast<JDIMENSION>(pixels.width);
-    info.image_height = static_cast<JDIMENSION>(pixels.height);
-    info.input_components = 3;
-    info.in_color_space = JCS_RGB;
-    jpeg_set_defaults(&info);
-    jpeg_set_quality(&info, kQuality, TRUE);
-    // Thin coloured lines on white would be smeared.
-    info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
-    info.density_unit = 1;
-    info.X_density = info.Y_density = static_cast<UINT16>(kPageDpi);
-    info.dct_method = JDCT_ISLOW;
-    jpeg_start_compress(&info, TRUE);
-    const std::size_t row = static_cast<std::size_t>(pixels.width) * 3U;
-    while (info.next_scanline < info.image_height) {
-        JSAMPROW line = const_cast<unsigned char*>(pixels.rgb.data()) + info.next_scanline * row;
-        jpeg_write_scanlines(&info, &line, 1);
-    }
-    jpeg_finish_compress(&info);
-    return true;
-}
-
-bool to_jpeg(const Pixels& pixels, std::string& bytes) {
-    jpeg_compress_struct info{};
-    JpegErrors errors{};
-    info.err = jpeg_std_error(&errors.manager);
-    errors.manager.error_exit = leave;
-    unsigned char* data = nullptr;
-    unsigned long size = 0;
-    const bool good = encode_jpeg(info, errors, pixels, &data, &size);
-    if (good) bytes.assign(reinterpret_cast<const char*>(data), size);
-    jpeg_destroy_compress(&info);
-    std::free(data);
-    return good;
 }
 
 void report_failure(std::string_view format, Diagnostics& diagnostics) {
@@ -190,7 +136,7 @@ std::optional<std::vector<SheetFile>> write_jpg(const Layout& layout, const Outp
                 painted(drawing, kPageWidth, kPageHeight, kPageWidth / drawing.width_mm, font.get());
             SheetFile& file = files.emplace_back();
             if (files.size() > 1) file.suffix = fmt::format("-{}", files.size());
-            if (pixels && to_jpeg(*pixels, file.bytes)) continue;
+            if (pixels && to_jpeg(*pixels, kQuality, kPageDpi, file.bytes)) continue;
             report_failure("JPEG", diagnostics);
             return std::nullopt;
         }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "output/book/book_html.h"
+#include "output/book/book_pdf.h"
 #include "output/dxf.h"
 #include "output/fold.h"
 #include "output/gltf.h"
@@ -25,6 +27,9 @@ constexpr OptionUses kMoving{.view = true, .size = true, .rate = true};
 const std::array kFormats{
     Format{".svg", "cut sheets, one file a sheet, with a layer for each kind of line",
            SheetWriter{write_svg}},
+    Format{".book.pdf", "the assembly book: the steps in their order, with pictures, to print",
+           PageWriter{write_book_pdf}, Stills::made},
+    Format{".book.html", "the same, as a page to read", PageWriter{write_book_html}, Stills::made},
     Format{".pdf", "cut sheets in true size, a page a sheet", SheetWriter{write_pdf}},
     Format{".dxf", "cut sheets as AutoCAD 2000 drawings in mm, one file a sheet", SheetWriter{write_dxf}},
     Format{".lbrn2",

@@ -247,7 +247,7 @@ class Unfolder {
             // The base sees the tab from the other side: what was counter-clockwise is clockwise.
             insert_ring(base, target);
             std::reverse(target.begin(), target.end());
-            under.piece.targets.push_back({std::move(target), glue.base_plate});
+            under.piece.targets.push_back({std::move(target), glue.base_plate, glue.label});
         }
         add_rest_of_seam(on_piece, parts, work);
         if (!glue.on_back) base.insert(glue.on_base, false);
@@ -271,7 +271,7 @@ class Unfolder {
         };
         bool labelled = false;
         for (const Polygon& part : glued.on_base) {
-            under.piece.targets.push_back({part.outer, glued.base_plate});
+            under.piece.targets.push_back({part.outer, glued.base_plate, glued.label});
             Ring obstacle = part.outer;
             std::reverse(obstacle.begin(), obstacle.end());
             insert_ring(on_plate(glued.base_plate), obstacle);

@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 import read_models
 import read_sheets
 
-TOOLS = ("xmllint", "rsvg-convert", "qpdf", "pdfinfo", "gs", "librecad", "pdftoppm")
+TOOLS = ("xmllint", "rsvg-convert", "qpdf", "pdfinfo", "gs", "librecad", "pdftoppm", "pdftotext", "pdffonts")
 HAVE = {name for name in TOOLS if shutil.which(name)}
 # Pixels an inch of .png: popupc's default once a profile, and what takes less time.
 DPI, FEWER_DPI = 300, 100
@@ -335,13 +335,40 @@ def check_names(run, findings):
             sums[row["operation"]] += row["length_mm"]
     if any(abs(total[name] - parts[name]) > 0.001 for name in total | parts):
         findings.add("a.json", f"lengths of all sheets {dict(parts)} are not those of the run {dict(total)}")
-    counts = collections.Counter(pathlib.PurePath(file).suffix for file in named)
+    counts = collections.Counter(suffix_of(run, file) for file in named)
     sheets, pieces = run.report["layout"]["sheets"], sum(one["pieces"] for one in run.report["inputs"])
     for suffix in run.formats:
         wanted = sheets if run.kinds[suffix] == "sheet" and suffix != ".pdf" else 1
         wanted = pieces if suffix == ".jpg" else wanted
         if counts[suffix] != wanted:
             findings.add(f"*{suffix}", f"{counts[suffix]} files, not {wanted}")
+
+
+def suffix_of(run, file):
+    """That of its format: ".book.pdf" rather than ".pdf"."""
+    ends = [suffix for suffix in run.formats if file.endswith(suffix)]
+    return max(ends, key=len) if ends else pathlib.PurePath(file).suffix
+
+
+def check_book(run, file, findings):
+    """A book's texts have every piece, every number of a tab, and a step for each of the glued pieces."""
+    if not {"pdftotext", "pdffonts"} <= HAVE:
+        findings.notes.add("books: there is no pdftotext or pdffonts")
+        return
+    status, text = tool("pdftotext", "-layout", run.folder / file, "-")
+    if status != 0:
+        yield f"pdftotext: {text.strip()}"
+    said = "".join(text.split())
+    for piece in {row["piece"] for row in run.report["layout"]["placements"]}:
+        if "".join(piece.split()) not in said:
+            yield f"it does not name the piece {piece}"
+    steps = [int(number) for number in re.findall(r"^ *Step (\d+):", text, re.MULTILINE)]
+    if steps != list(range(1, len(steps) + 1)):
+        yield f"its steps are {steps}"
+    status, fonts = tool("pdffonts", run.folder / file)
+    rows = [line for line in fonts.splitlines()[2:] if line.strip()]
+    if status != 0 or not rows or not all(" yes yes yes " in f" {' '.join(row.split())} " for row in rows):
+        yield "not all of its fonts are embedded, as subsets, with what their letters are"
 
 
 def check_files(run, findings, rendered, closely):
@@ -352,7 +379,7 @@ def check_files(run, findings, rendered, closely):
     models, drawn, markup = {}, {}, []
 
     def examine(file):
-        path, suffix, sheet = run.folder / file, pathlib.PurePath(file).suffix, sheet_number(file)
+        path, suffix, sheet = run.folder / file, suffix_of(run, file), sheet_number(file)
         expected, paths, outer = expected_lines(run, sheet)
         if suffix == ".svg":
             markup.append(path)
@@ -364,6 +391,10 @@ def check_files(run, findings, rendered, closely):
             yield from compare_lengths(drawn[sheet], expected, layers)
             if rendered and sheet == 1:
                 check_rsvg(run, file, size, findings)
+        elif suffix == ".book.pdf":
+            yield from check_book(run, file, findings)
+        elif suffix == ".book.html":
+            yield from read_models.check_book(path)
         elif suffix == ".pdf":
             check_pdf(run, file, sizes, findings)
             if closely and any("spot" in pen for pen in run.profile["pens"].values()):

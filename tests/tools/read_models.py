@@ -132,6 +132,66 @@ def check_page(path):
                 yield f"{body['name']} has a mesh without triangles"
 
 
+class Book(html.parser.HTMLParser):
+    """A page of text: what it has, and whether its elements are closed in the order in which they open."""
+
+    VOID = {"meta", "link", "br", "img", "hr"}
+    SHAPES = {"path", "rect", "image"}  # of SVG, which close themselves
+
+    def __init__(self):
+        super().__init__(convert_charrefs=True)
+        self.open, self.faults, self.policy, self.style, self.pictures = [], [], "", "", 0
+        self.names, self.links = set(), set()
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if tag == "script" or any(name.startswith("on") or name == "style" for name, _ in attributes):
+            self.faults.append(f"it has a script or a style of its own: <{tag}>")
+        if values.get("http-equiv") == "Content-Security-Policy":
+            self.policy = values["content"]
+        if "id" in values:
+            self.names.add(values["id"])
+        if values.get("href", "").startswith("#"):
+            self.links.add(values["href"][1:])
+        if values.get("role") == "img" and not values.get("aria-label"):
+            self.faults.append("a picture says nothing to those who cannot see it")
+        if tag == "image":
+            data = base64.b64decode(values["href"].removeprefix("data:image/jpeg;base64,"), validate=True)
+            self.pictures += data[:2] == b"\xff\xd8"
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in self.VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.faults.append(f"</{tag}> closes nothing")
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] == "style":
+            self.style += data
+
+
+def check_book(path):
+    """A page that says how a card is made."""
+    page = Book()
+    page.feed(path.read_bytes().decode("utf-8"))
+    page.close()
+    yield from page.faults
+    if page.open:
+        yield f"{page.open} are not closed"
+    digest = base64.b64encode(hashlib.sha256(page.style.encode("utf-8")).digest()).decode("ascii")
+    if page.policy != f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:; base-uri 'none'; form-action 'none'":
+        yield f"its policy is {page.policy}"
+    if page.pictures == 0:
+        yield "it has no picture"
+    if not page.links or not page.links <= page.names:
+        yield f"links lead nowhere: {sorted(page.links - page.names)}"
+
+
 def check_fold(path):
     fold = json.loads(path.read_text("utf-8"))
     if fold["file_spec"] != 1.2:

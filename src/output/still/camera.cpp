@@ -20,9 +20,9 @@ constexpr std::array<Vec3, kViewNames.size()> kEyes{Vec3{0.35, -1.2, 0.62}, Vec3
 
 Vec3 eye_of(View view) { return kEyes.at(static_cast<std::size_t>(view)); }
 
-Camera camera_at(View view, Vec3 centre, double radius_mm) {
+Camera camera_at(Vec3 eye, Vec3 centre, double radius_mm) {
     Camera camera;
-    camera.back = unit_of(eye_of(view));
+    camera.back = unit_of(eye);
     camera.right = unit_of(cross({0, 0, 1}, camera.back));
     camera.up = cross(camera.back, camera.right);
     camera.target = centre;

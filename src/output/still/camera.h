@@ -40,8 +40,9 @@ struct Camera {
 // From where a view looks: the direction to the eye; z is up, and who looks from before has x on the right.
 Vec3 eye_of(View view);
 
-// Looks at the middle of a ball that holds everything, from outside of it. Scale and middle of the picture
+// Looks at the middle of a ball that holds everything, from outside of it; `eye` is the direction to the eye,
+// not upright. Scale and middle of the picture
 // are still to be set.
-Camera camera_at(View view, Vec3 centre, double radius_mm);
+Camera camera_at(Vec3 eye, Vec3 centre, double radius_mm);
 
 }  // namespace popup::still

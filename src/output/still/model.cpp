@@ -30,6 +30,13 @@ Light ink_on(const Light& paper) {
     return ink;
 }
 
+Light washed_out(const Light& light, float fade) {
+    Light result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result.at(i) = light.at(i) + fade * (kWashedOut - light.at(i));
+    return result;
+}
+
 // Each pixel the mean of up to four; what shows through counts for nothing.
 Texture::Level halved(const Texture::Level& from) {
     Texture::Level to{std::max(1, from.width / 2), std::max(1, from.height / 2), {}};
@@ -191,9 +198,15 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
             }
         }
         const bool several = cards_.size() > 1 && low <= high;
-        add(card, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
+        add(card, {card.frames, {}}, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
         if (several) left += high - low + kCardGapMm;
     }
+    return model;
+}
+
+Model Modeller::staged(std::size_t card, const Staging& staging) const {
+    Model model;
+    add(cards_.at(card), staging, {}, model);
     return model;
 }
 
@@ -211,18 +224,20 @@ void Modeller::add_part(const Plane& plane, std::size_t part, Vec2 pivot, const 
     face.indices = from.indices;
 }
 
-void Modeller::add(const Card& card, Vec3 shift, Model& model) const {
+void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const {
     const Assembly& assembly = *card.scene->assembly;
     const double layer_mm = std::max(kLayerMm, paper_mm_ + kBetweenMm);
     const bool moving = moves(assembly);
-    const std::vector<Vec3> lifts = moving ? glued_lifts(assembly, card.frames, layer_mm) : card.lifts;
+    const std::vector<Vec3> lifts = moving ? glued_lifts(assembly, staging.frames, layer_mm) : card.lifts;
     for (std::size_t i = 0; i < card.plates.size(); ++i) {
         const Plate& plate = assembly.plates[i];
         const Plane& plane = card.plates[i];
-        if (plane.parts.empty()) continue;
-        const Frame frame = moved(card.frames[i], shift + (moving ? 1.0 : layer_mm / kLayerMm) * lifts[i]);
+        const float fade = staging.fades.empty() ? 0.0F : staging.fades[i];
+        if (plane.parts.empty() || fade < 0.0F) continue;
+        const std::size_t first = model.faces.size();
+        const Frame frame = moved(staging.frames[i], shift + (moving ? 1.0 : layer_mm / kLayerMm) * lifts[i]);
         const Vec3 out = 0.5 * paper_mm_ * frame.normal();
-        const Light paint = light_of(plate.fill.value_or(Color{}));
+        const Light paint = washed_out(light_of(plate.fill.value_or(Color{})), fade);
         const auto add_edges = [&](const Frame& on) {
             each_side(plate.outline, [&](Vec2 a, Vec2 b) {
                 model.edges.push_back({model.plates, on.point(a), on.point(b), ink_on(paint)});
@@ -233,6 +248,7 @@ void Modeller::add(const Card& card, Vec3 shift, Model& model) const {
         for (std::size_t k = 0; k < plane.parts.size(); ++k)
             add_part(plane, k, plate.pivot, moved(frame, out), model);
         add_edges(moved(frame, out));
+        for (std::size_t k = first; k < model.faces.size(); ++k) model.faces[k].fade = fade;
         if (paper_mm_ <= 0.0) continue;
         for (std::size_t k = 0; k < plane.parts.size(); ++k) {
             if (!plane.parts[k].drawn) add_part(plane, k, plate.pivot, moved(frame, -out), model);
@@ -241,6 +257,7 @@ void Modeller::add(const Card& card, Vec3 shift, Model& model) const {
         each_side(plate.outline, [&](Vec2 a, Vec2 b) { add_wall(frame, a, b, paper_mm_, paint, model); });
         ++model.plates;
     }
+    if (!staging.fades.empty()) return;
     for (const Trace& trace : assembly.traces) {
         for (const std::vector<Vec3>& line : trace.lines) {
             for (std::size_t i = 0; i + 1 < line.size(); ++i)

@@ -18,6 +18,8 @@ namespace popup::still {
 
 using Light = std::array<float, 3>;  // linear, red, green and blue, 0 to 1
 
+inline constexpr float kWashedOut = 0.92F;  // what fades, fades to a grey of this light
+
 // A picture's pixels, and half, a quarter… as many of them, for where it is seen small.
 struct Texture {
     struct Level {
@@ -36,6 +38,7 @@ struct Face {
     const Texture* texture = nullptr;  // in place of the colour
     Affine place;                      // of the texture on the page
     bool paper = true;                 // seen from both sides, and throws a shadow; else only from the front
+    float fade = 0.0F;                 // how far it is washed out, 0 to 1
     std::vector<Vec3> points;          // mm
     std::vector<std::uint32_t> indices;
 };
@@ -64,6 +67,13 @@ class Modeller {
     // At this opening, or as far as a card opens. nullopt: `locks` was told.
     std::optional<Model> at(double opening_deg, Diagnostics& diagnostics);
 
+    // Some plates of one card, as whoever asks has placed them; z is up.
+    struct Staging {
+        std::span<const Frame> frames;  // of each plate
+        std::span<const float> fades;   // likewise: how far it is washed out; below 0: it is not there
+    };
+    [[nodiscard]] Model staged(std::size_t card, const Staging& staging) const;
+
  private:
     struct Plane {
         std::vector<MeshPart> parts;
@@ -77,7 +87,7 @@ class Modeller {
         bool stands_up = false;
     };
     const Texture* texture_of(const Image& image);
-    void add(const Card& card, Vec3 shift, Model& model) const;
+    void add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const;
     static void add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model);
     // Whether most of the paper that rises from the card is parallel to one of its pages.
     [[nodiscard]] static bool stands_up(const Card& card);

@@ -241,7 +241,8 @@ class Picture {
     }
     // What a face shows at a point to which samples of so many a side belong.
     [[nodiscard]] Light color(const Face& face, Vec3 p, double near, double samples) const {
-        return face.texture == nullptr ? face.color : picture(spot(face, p, near, samples));
+        const Light light = face.texture == nullptr ? face.color : picture(spot(face, p, near, samples));
+        return face.fade > 0.0F ? mixed(light, {kWashedOut, kWashedOut, kWashedOut}, face.fade) : light;
     }
 
     [[nodiscard]] double light_on(const Face& face, Vec3 p) const {
@@ -358,7 +359,7 @@ Framing Framer::unaimed() const {
     const Vec3 low = empty ? Vec3{} : low_;
     const Vec3 size = (empty ? Vec3{} : high_) - low;
     const double radius = std::max(0.5 * std::sqrt(dot(size, size)), 1e-3);
-    return {camera_at(view_, low + 0.5 * size, radius), radius, low.z, false};
+    return {camera_at(eye_, low + 0.5 * size, radius), radius, low.z, false};
 }
 
 void Framer::aim(const Model& model) {

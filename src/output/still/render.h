@@ -24,7 +24,9 @@ struct Framing {
 //     const Pixels first = render(models.front(), framer.framing(), 800, 600);
 class Framer {
  public:
-    Framer(View view, int width, int height) : view_(view), width_(width), height_(height) {}
+    Framer(View view, int width, int height) : Framer(eye_of(view), width, height) {}
+    // `eye`: the direction to it, not upright.
+    Framer(Vec3 eye, int width, int height) : eye_(eye), width_(width), height_(height) {}
     void measure(const Model& model);
     void aim(const Model& model);
     [[nodiscard]] Framing framing() const;
@@ -32,7 +34,7 @@ class Framer {
  private:
     [[nodiscard]] Framing unaimed() const;
 
-    View view_;
+    Vec3 eye_;
     int width_, height_;
     Vec3 low_{HUGE_VAL, HUGE_VAL, HUGE_VAL};
     Vec3 high_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

@@ -1,0 +1,273 @@
+#include "output/book/book_html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "base/diagnostics/render_diagnostics.h"
+#include "base/system/digest.h"
+#include "base/text/base64.h"
+#include "base/text/numbers.h"
+#include "output/book/book.h"
+#include "output/book/page_files.h"
+#include "output/book/pictures.h"
+#include "output/markup.h"
+#include "output/sheet_drawing.h"
+
+namespace popup {
+namespace book {
+namespace {
+
+constexpr std::size_t kMostBookBytes = 400'000'000;
+constexpr int kFigureDecimals = 2;
+constexpr double kShownMm =
+    76.0;  // as wide as most drawings are shown: by it their lines are as wide as they say
+
+std::string told(std::string_view text) { return as_markup(visible(text)); }
+
+class Page {
+ public:
+    Page(const Book& book, Pictures& pictures) : book_(book), pictures_(pictures) {}
+
+    bool write() {
+        if (!cover()) return false;
+        begin("What is needed");
+        add("<dl>\n");
+        for (const auto& [name, value] : book_.needs)
+            add("<dt>{}</dt><dd>{}</dd>\n", told(name), told(value));
+        add("</dl>\n");
+        begin("Before you begin");
+        list("ul", book_.first);
+        sheets();
+        if (!std::all_of(book_.cards.begin(), book_.cards.end(),
+                         [this](const CardPart& part) { return card(part); }))
+            return false;
+        add("</main>\n");
+        return true;
+    }
+    [[nodiscard]] const std::string& body() const { return body_; }
+    [[nodiscard]] const std::string& header() const { return header_; }
+    [[nodiscard]] std::string contents() const {
+        std::string html = "<nav aria-label=\"Contents\">\n<ol>\n";
+        for (std::size_t i = 0; i < chapters_.size(); ++i)
+            html += fmt::format("<li><a href=\"#c{}\">{}</a></li>\n", i + 1, told(chapters_[i]));
+        return html + "</ol>\n</nav>\n";
+    }
+
+ private:
+    template <typename... Values>
+    void add(fmt::format_string<Values...> text, Values&&... values) {
+        fmt::format_to(std::back_inserter(body_), text, std::forward<Values>(values)...);
+    }
+
+    void begin(const std::string& title) {
+        chapters_.push_back(title);
+        add("<h2 id=\"c{}\">{}</h2>\n", chapters_.size(), told(title));
+    }
+
+    void list(std::string_view kind, const std::vector<std::string>& texts) {
+        if (texts.empty()) return;
+        add("<{}>\n", kind);
+        for (const std::string& text : texts) add("<li>{}</li>\n", told(text));
+        add("</{}>\n", kind);
+    }
+
+    static std::string number(double value) { return number_text(value, kFigureDecimals); }
+
+    // An estimate that is hardly ever too small: letters of fonts differ.
+    static double width_of(const std::string& text, double cap) {
+        return cap * (0.86 * static_cast<double>(std::max<std::size_t>(text.size(), 1)) + 0.7);
+    }
+    // A text on a white plate.
+    static std::string badge(const std::string& text, double x, double y, double cap) {
+        const double wide = width_of(text, cap);
+        return fmt::format(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" "
+            "fill-opacity=\"0.86\"/><text "
+            "x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-family=\"system-ui, sans-serif\" "
+            "font-weight=\"700\" "
+            "font-size=\"{}\" fill=\"#111\">{}</text>",
+            number(x - 0.5 * wide), number(y - 0.95 * cap), number(wide), number(1.9 * cap),
+            number(0.3 * cap), number(x), number(y + 0.5 * cap), number(1.37 * cap), told(text));
+    }
+
+    static std::string drawing(const Figure& figure, double shown_mm) {
+        // How many of the drawing's millimetres are one of the page.
+        const double coarse = std::max({1.0, figure.width_mm / shown_mm, figure.height_mm / shown_mm});
+        std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                                      number(figure.width_mm), number(figure.height_mm), told(figure.alt));
+        for (const Figure::Shape& shape : figure.shapes) {
+            std::string path;
+            for (const std::vector<Vec2>& line : shape.lines) {
+                const char* letter = "M";
+                for (const Vec2 p : line) {
+                    path += fmt::format("{}{} {}", letter, number(p.x), number(p.y));
+                    letter = "L";
+                }
+                if (shape.closed) path += "Z";
+            }
+            svg += fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"", path,
+                               shape.fill ? to_string(*shape.fill) : std::string("none"));
+            if (shape.ink) {
+                const InkLook& look = look_of(*shape.ink);
+                svg += fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                                   to_string(look.color), number(coarse * look.width_mm));
+                if (look.dashes_mm[0] > 0.0) {
+                    svg += " stroke-dasharray=\"";
+                    for (const double mm : look.dashes_mm) svg += number(coarse * mm) + " ";
+                    svg.back() = '"';
+                }
+            }
+            svg += "/>";
+        }
+        for (const Figure::Label& label : figure.labels) {
+            const double cap = 2.0 * coarse;
+            const bool tight = !label.brief.empty() && width_of(label.text, cap) > label.room_mm;
+            svg += badge(tight ? label.brief : label.text, label.at.x, label.at.y, cap);
+        }
+        return svg + "</svg>";
+    }
+
+    bool show(std::span<const Scene> scenes, std::span<const std::string> captions, PictureSize size,
+              std::string& html) {
+        const auto shown = pictures_.draw(scenes, size);
+        if (!shown) return false;
+        for (std::size_t i = 0; i < shown->size(); ++i) {
+            const Picture& picture = (*shown)[i].picture;
+            html += fmt::format(
+                "<figure><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\"><image width=\"{0}\" "
+                "height=\"{1}\" href=\"data:image/jpeg;base64,{3}\"/>",
+                picture.pixels.width, picture.pixels.height, told(scenes[i].alt), base64((*shown)[i].jpeg));
+            for (const PictureMark& mark : picture.marks)
+                html += badge(mark.text, mark.x * picture.pixels.width, mark.y * picture.pixels.height,
+                              0.022 * picture.pixels.width);
+            html += "</svg>";
+            if (i < captions.size()) html += fmt::format("<figcaption>{}</figcaption>", told(captions[i]));
+            html += "</figure>\n";
+        }
+        return true;
+    }
+
+    bool cover() {
+        header_ = fmt::format("<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n", told(book_.title),
+                              told(book_.subtitle));
+        if (!book_.cover.empty()) header_ += "<div class=\"pictures cover\">\n";
+        for (const Scene& one : book_.cover) {
+            if (!show({&one, 1}, {}, kCoverPicture, header_)) return false;
+        }
+        header_ += book_.cover.empty() ? "</header>\n" : "</div>\n</header>\n";
+        add("<main>\n");
+        return true;
+    }
+
+    void sheets() {
+        if (book_.sheets.empty()) return;
+        begin("The sheets");
+        for (const SheetPart& sheet : book_.sheets)
+            add("<figure class=\"sheet\">{}<figcaption>{}</figcaption></figure>\n",
+                drawing(sheet.figure, 190.0), told(sheet.title));
+    }
+
+    bool card(const CardPart& part) {
+        const std::string of = book_.cards.size() > 1 ? part.title + ": " : std::string();
+        begin(of + "Pieces");
+        add("<table>\n<thead><tr><th scope=\"col\">No.</th><th scope=\"col\">Piece</th><th "
+            "scope=\"col\">Sheet</th><th "
+            "scope=\"col\">Folds</th><th scope=\"col\">Tabs</th></tr></thead>\n<tbody>\n");
+        for (const PartRow& row : part.parts)
+            add("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                told(row.number), told(row.name), told(row.sheets), told(row.folds), told(row.tabs));
+        add("</tbody>\n</table>\n");
+        for (const Chapter& chapter : part.chapters) {
+            if (chapter.steps.empty()) continue;
+            begin(of + chapter.title);
+            if (!chapter.intro.empty()) add("<p>{}</p>\n", told(chapter.intro));
+            for (const Step& one : chapter.steps) {
+                if (!step(one)) return false;
+            }
+        }
+        return closing(part, of);
+    }
+
+    bool step(const Step& step) {
+        add("<article>\n<h3>{}</h3>\n", told(step.title));
+        if (!step.scenes.empty()) {
+            add("<div class=\"pictures\">\n");
+            if (!show(step.scenes, step.captions, kStepPicture, body_)) return false;
+            add("</div>\n");
+        }
+        if (!step.figures.empty()) {
+            const bool large = step.large_figures && step.figures.size() == 1;
+            add("<div class=\"{}\">\n", large ? "large" : "drawings");
+            for (const Figure& figure : step.figures)
+                add("<figure>{}</figure>\n", drawing(figure, large ? 2.0 * kShownMm : kShownMm));
+            add("</div>\n");
+        }
+        if (!step.lies.empty()) add("<p class=\"lies\">{}</p>\n", told(step.lies));
+        list("ol", step.actions);
+        for (const std::string& note : step.notes) add("<p class=\"note\">{}</p>\n", told(note));
+        add("</article>\n");
+        return true;
+    }
+
+    bool closing(const CardPart& part, const std::string& of) {
+        if (part.opens.empty() && part.trouble.empty() && part.found.empty()) return true;
+        begin(of + part.closing_title);
+        if (!part.opening.empty()) {
+            add("<div class=\"pictures\">\n");
+            for (std::size_t i = 0; i < part.opening.size(); ++i) {
+                if (!show({&part.opening[i], 1}, {&part.opening_captions[i], 1}, kSmallPicture, body_))
+                    return false;
+            }
+            add("</div>\n");
+        }
+        for (const std::string& text : part.opens) add("<p>{}</p>\n", told(text));
+        if (!part.trouble.empty()) add("<h3>When it does not</h3>\n");
+        list("ul", part.trouble);
+        if (!part.found.empty()) add("<h3>What popupc found</h3>\n");
+        list("ul", part.found);
+        return true;
+    }
+
+    const Book& book_;
+    Pictures& pictures_;
+    std::string header_, body_;
+    std::vector<std::string> chapters_;
+};
+
+}  // namespace
+}  // namespace book
+
+std::optional<std::string> write_book_html(const RunPage& page, const OutputOptions& options,
+                                           Diagnostics& diagnostics) {
+    const book::Book book = book::make_book(page, options);
+    book::Pictures pictures(page.cards, diagnostics);
+    book::Page made(book, pictures);
+    if (!made.write()) return std::nullopt;
+    const std::string style = "\n" + std::string(book::book_files().front().text);
+    std::string html = fmt::format(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
+        "data:; "
+        "base-uri 'none'; form-action 'none'\">\n<meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" "
+        "content=\"{}\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{}: assembly "
+        "book</title>\n<style>{}</style>\n"
+        "</head>\n<body>\n",
+        base64(sha256_bytes(style)), generator(), book::told(book.title), style);
+    html += made.header() + made.contents() + made.body();
+    html += fmt::format("<footer>{}</footer>\n</body>\n</html>\n", generator());
+    if (html.size() <= book::kMostBookBytes) return html;
+    diagnostics
+        .error("model-too-large", {},
+               fmt::format("the book would be {:.0f} MB, {:.0f} MB are the most",
+                           1e-6 * static_cast<double>(html.size()),
+                           1e-6 * static_cast<double>(book::kMostBookBytes)))
+        .hint("write fewer designs into one book, or a .book.pdf");
+    return std::nullopt;
+}
+
+}  // namespace popup

@@ -1,0 +1,34 @@
+// Pictures of a book with their files.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "output/book/scene.h"
+
+namespace popup::book {
+
+inline constexpr PictureSize kCoverPicture{840, 580};
+inline constexpr PictureSize kStepPicture{560, 372};
+inline constexpr PictureSize kSmallPicture{360, 270};
+
+struct ShownPicture {
+    Picture picture;
+    std::string jpeg;  // its file
+};
+
+class Pictures {
+ public:
+    Pictures(std::span<const SceneCard> cards, Diagnostics& diagnostics)
+        : illustrator_(cards), diagnostics_(diagnostics) {}
+    // The scenes of one step. nullopt: `locks` or `picture-failed` was told.
+    std::optional<std::vector<ShownPicture>> draw(std::span<const Scene> scenes, PictureSize size);
+
+ private:
+    Illustrator illustrator_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace popup::book

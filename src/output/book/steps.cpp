@@ -1,0 +1,541 @@
+#include "output/book/steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "base/nth.h"
+#include "base/text/numbers.h"
+#include "output/book/words.h"
+#include "popup/motion.h"
+
+namespace popup::book {
+namespace {
+
+constexpr float kWashed = 0.62F;
+constexpr std::size_t kMostTogether = 6;  // flat pieces that are glued in one step
+constexpr std::size_t kMostNames = 12;
+
+// Findings that somebody who holds the card can see, or do something about.
+constexpr std::array<std::string_view, 8> kForHands{"clearance-low", "collision",    "folds-in-order",
+                                                    "layer-order",   "not-forced",   "not-rigid",
+                                                    "protrusion",    "tab-too-small"};
+
+class CardSteps {
+ public:
+    CardSteps(const SceneCard& card, std::size_t number)
+        : card_(card), in_(*card.assembly), number_(number), words_(card), order_(gluing_order(in_)) {
+        borne_.resize(in_.pieces.size());
+        for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
+            if (order_.bearers[i] >= 0) nth(borne_, order_.bearers[i]).push_back(static_cast<int>(i));
+        }
+        there_.assign(in_.pieces.size(), false);
+        for (const PushedOut& one : pushed_out(in_)) pushed_[one.piece].push_back(one);
+    }
+
+    std::vector<Chapter> run() {
+        const std::vector<FoldingStep> folding = folding_steps(in_);
+        if (!folding.empty()) {
+            fold_sheet(folding);
+        } else if (!moves(in_) && in_.glue.empty() && in_.glued_areas.empty()) {
+            fold_flat();
+        } else {
+            fold_card();
+        }
+        glue();
+        return std::move(chapters_);
+    }
+
+ private:
+    [[nodiscard]] double opening(double share) const {
+        return in_.sweep.from_deg + share * (in_.sweep.to_deg - in_.sweep.from_deg);
+    }
+    [[nodiscard]] std::string numbered(const std::string& what) {
+        return fmt::format("Step {}: {}", ++steps_, what);
+    }
+    [[nodiscard]] bool shows() const { return has_model(in_); }
+
+    // Of a scene: what of it is washed out; none of it is there.
+    [[nodiscard]] Scene scene(double share, std::string alt) const {
+        Scene one;
+        one.card = number_;
+        one.opening_deg = opening(share);
+        one.fades.assign(in_.plates.size(), -1.0F);
+        one.alt = std::move(alt);
+        return one;
+    }
+    void show(Scene& scene, int piece, float fade) const {
+        for (const int plate : nth(in_.pieces, piece).plates) nth(scene.fades, plate) = fade;
+    }
+
+    [[nodiscard]] const PatternPiece* pattern_of(int piece) const {
+        return card_.pattern == nullptr ? nullptr : &nth(card_.pattern->pieces, piece);
+    }
+    void add_figure(int piece, const std::vector<std::string>& wanted, Step& step) const {
+        if (const PatternPiece* const from = pattern_of(piece))
+            step.figures.push_back(piece_figure(*from, wanted));
+    }
+
+    // Which of several it is.
+    void name_figure(int piece, Figure& figure) const {
+        figure.labels.push_back(
+            {words_.number(piece), {0.5 * figure.width_mm, 0.5 * figure.height_mm}, {}, 0.0});
+    }
+
+    // What is cut out of a piece and hangs on its folds.
+    void add_pushes(int piece, Step& step) const {
+        const auto all = pushed_.find(piece);
+        if (all == pushed_.end()) return;
+        std::map<int, std::vector<std::string>> levels;
+        for (const PushedOut& one : all->second) levels[one.level].push_back(one.name);
+        std::string text = "Push out from behind ";
+        bool first = true;
+        for (const auto& [level, names] : levels) {
+            text += (first ? "" : "; then ") + listed(names, kMostNames);
+            first = false;
+        }
+        step.actions.push_back(text + ", so that their folds turn the other way than those beside them.");
+    }
+
+    // The card's own piece, before anything is glued on it.
+    void fold_card() {
+        if (words_.fold_count(order_.card).empty()) return;
+        Chapter& chapter = chapters_.emplace_back();
+        chapter.title = "Fold";
+        Step step;
+        step.title = numbered(fmt::format("crease {}", words_.piece(order_.card)));
+        step.actions = words_.folds(order_.card);
+        add_figure(order_.card, {}, step);
+        step.large_figures = pushed_.contains(order_.card);
+        const auto pushes = pushed_.find(order_.card);
+        const bool glued = !order_.steps.empty();
+        if (pushes == pushed_.end()) {
+            step.actions.emplace_back("Close the card, press the fold with a fingernail, and open it again.");
+        } else {
+            step.actions.emplace_back(
+                "Fold each line once, only a little, the way it goes: then all move easily later.");
+        }
+        chapter.steps.push_back(std::move(step));
+        if (pushes != pushed_.end()) push_out(pushes->second, chapter);
+        if (glued && pushes != pushed_.end())
+            chapter.steps.back().notes.emplace_back(
+                "Before you glue, open the card flat again: what was pushed out lies "
+                "flat, and its folds remember their ways.");
+    }
+
+    // A level at a time: what hangs on the card, then what hangs on that.
+    void push_out(const std::vector<PushedOut>& all, Chapter& chapter) {
+        const int levels = all.back().level;
+        for (int level = 1; level <= levels; ++level) {
+            std::vector<std::string> names;
+            std::set<int> plates;
+            for (const PushedOut& one : all) {
+                if (one.level != level) continue;
+                names.push_back(one.name);
+                plates.insert(one.plates.begin(), one.plates.end());
+            }
+            Step step;
+            step.title = numbered("push out " + listed(names, 4));
+            if (names.size() > 4) step.actions.push_back(fmt::format("These: {}.", listed(names, 60)));
+            step.actions.push_back(level == 1 ? "Open the card about half. Put a finger behind each of these "
+                                                "and push it towards you, until "
+                                                "its middle fold stands out and its outer folds turn inwards."
+                                              : "Likewise with these, which hang on what stands out already. "
+                                                "Where one sinks in instead, push "
+                                                "it away from you: its middle fold is a valley.");
+            if (level == levels)
+                step.actions.emplace_back(
+                    "Close the card slowly, and help with a finger wherever a fold does not know its "
+                    "way. Press it flat, and open it.");
+            if (shows()) {
+                Scene before = scene(1.0, "Before: flat, with what is pushed out in its colours");
+                Scene after = scene(0.5, "After: half open, with what is pushed out in its colours");
+                for (Scene* const one : {&before, &after}) {
+                    one->as_still = true;
+                    show(*one, order_.card, kWashed);
+                    for (const int plate : plates) nth(one->fades, plate) = 0.0F;
+                }
+                step.scenes = {std::move(before), std::move(after)};
+                step.captions = {"before", "after"};
+            }
+            chapter.steps.push_back(std::move(step));
+        }
+    }
+
+    // Panels by the numbers that the drawings of a book have.
+    [[nodiscard]] std::string panel(int plate) const {
+        const std::string& name = nth(in_.plates, plate).name;
+        const std::string start = nth(in_.pieces, nth(in_.plates, plate).piece).name + "/";
+        return name.starts_with(start) ? name.substr(start.size()) : name;
+    }
+
+    // "Valley folds by 90°: between 1 and 3, 1 and 4."
+    [[nodiscard]] std::vector<std::string> fold_words(const FoldingStep& fold,
+                                                      std::span<const double> folded) const {
+        std::vector<std::pair<std::string, std::vector<std::string>>> alike;
+        for (std::size_t i = 0; i < fold.hinges.size(); ++i) {
+            const double to = folded[i];
+            if (std::abs(to) < 0.5) continue;
+            std::string how =
+                fmt::format("{} folds, {}", to < 0.0 ? "Mountain" : "Valley",
+                            std::abs(to) > 179.5 ? std::string("right over")
+                                                 : "to " + number_text(std::round(std::abs(to)), 0) + "°");
+            const Hinge& hinge = nth(in_.hinges, fold.hinges[i]);
+            std::string where = fmt::format("{} | {}", panel(hinge.a), panel(hinge.b));
+            const auto same = std::find_if(alike.begin(), alike.end(),
+                                           [&how](const auto& one) { return one.first == how; });
+            if (same != alike.end()) {
+                same->second.push_back(std::move(where));
+            } else {
+                alike.push_back({std::move(how), {std::move(where)}});
+            }
+        }
+        std::vector<std::string> said;
+        for (const auto& [how, where] : alike)
+            said.push_back(fmt::format("{}: between {}.", how, listed(where, kMostNames)));
+        return said;
+    }
+
+    // The sheet with its panels' numbers, and the folds of one step.
+    void add_fold_figures(const FoldingStep& fold, std::span<const double> folded, Step& step) const {
+        for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
+            const PatternPiece* const from = pattern_of(static_cast<int>(i));
+            if (from == nullptr) continue;
+            FoldedSheet sheet;
+            for (std::size_t k = 0; k < fold.hinges.size(); ++k) {
+                const Hinge& hinge = nth(in_.hinges, fold.hinges[k]);
+                if (nth(in_.plates, hinge.a).piece != static_cast<int>(i) || std::abs(folded[k]) < 0.5)
+                    continue;
+                sheet.folds.push_back({hinge.a_line, folded[k] < 0.0});
+            }
+            if (sheet.folds.empty()) continue;
+            for (const int plate : in_.pieces[i].plates)
+                sheet.panels.push_back({panel(plate), inner_point(nth(in_.plates, plate).outline, 0.5).at});
+            step.figures.push_back(fold_figure(*from, sheet));
+        }
+    }
+
+    void fold_sheet(const std::vector<FoldingStep>& folding) {
+        Chapter& chapter = chapters_.emplace_back();
+        chapter.title = "Fold";
+        if (folding.size() > 1)
+            chapter.intro =
+                "In this order nothing is in the way of anything. Let what is folded stay folded.";
+        std::vector<Frame> to(in_.plates.size());
+        for (const FoldingStep& fold : folding) {
+            Step step;
+            std::vector<std::string> moved;
+            for (const int plate : fold.plates) moved.push_back(panel(plate));
+            step.title =
+                numbered(folding.size() == 1 ? "fold the sheet" : "fold up panels " + listed(moved, 8));
+            std::vector<double> folded(fold.hinges.size(), 0.0);
+            if (place(in_, Angle::degrees(fold.to_deg), to)) {
+                for (std::size_t i = 0; i < folded.size(); ++i) {
+                    const Hinge& hinge = nth(in_.hinges, fold.hinges[i]);
+                    folded[i] = folded_deg(hinge, nth(to, hinge.a), nth(to, hinge.b));
+                }
+            }
+            step.actions = fold_words(fold, folded);
+            if (fold.hinges.size() > kMostNames)
+                step.actions.emplace_back(
+                    "Crease each fold by itself first. Then take the sheet in both hands and move all "
+                    "of them a little further, again and again, until they are where they end.");
+            add_fold_figures(fold, folded, step);
+            step.large_figures = true;
+            Scene before = scene(0.0, "Before");
+            Scene after = scene(0.0, "After");
+            before.opening_deg = fold.from_deg;
+            after.opening_deg = fold.to_deg;
+            for (Scene* const one : {&before, &after}) {
+                std::fill(one->fades.begin(), one->fades.end(), folding.size() == 1 ? 0.0F : kWashed);
+                for (const int plate : fold.plates) nth(one->fades, plate) = 0.0F;
+            }
+            step.scenes = {std::move(before), std::move(after)};
+            step.captions = {"before", "after"};
+            chapter.steps.push_back(std::move(step));
+        }
+    }
+
+    // A sheet that is known as it lies in the end.
+    void fold_flat() {
+        Chapter& chapter = chapters_.emplace_back();
+        chapter.title = "Fold";
+        Step step;
+        step.title = numbered("fold the sheet");
+        for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
+            const std::string folds = words_.fold_count(static_cast<int>(i));
+            if (!folds.empty())
+                step.actions.push_back(fmt::format("Crease the folds of {}: {}.", in_.pieces[i].name, folds));
+            add_figure(static_cast<int>(i), {}, step);
+        }
+        step.large_figures = true;
+        step.actions.emplace_back(
+            "Fold it until it lies as the picture shows. In which order its folds go is not known.");
+        if (shows()) {
+            Scene after = scene(0.0, "The sheet as it lies folded");
+            std::fill(after.fades.begin(), after.fades.end(), 0.0F);
+            step.scenes = {std::move(after)};
+            step.captions = {"after"};
+        }
+        chapter.steps.push_back(std::move(step));
+    }
+
+    void glue() {
+        const Chapter* of_ground = nullptr;
+        int ground = -1;
+        for (std::size_t i = 0; i < order_.steps.size();) {
+            const GluingStep& first = order_.steps[i];
+            if (of_ground == nullptr || first.ground != ground) {
+                ground = first.ground;
+                of_ground = &begin_chapter(ground);
+            }
+            std::size_t last = i + 1;
+            while (last < order_.steps.size() && last - i < kMostTogether &&
+                   are_alike(first, order_.steps[last]))
+                ++last;
+            chapters_.back().steps.push_back(step_of(std::span(order_.steps).subspan(i, last - i)));
+            i = last;
+        }
+    }
+
+    Chapter& begin_chapter(int ground) {
+        Chapter& chapter = chapters_.emplace_back();
+        if (ground == order_.card) {
+            chapter.title = fmt::format("Glue on {}", words_.piece(ground));
+            return chapter;
+        }
+        chapter.title = fmt::format("Sub-assembly: {}", words_.piece(ground));
+        chapter.intro = "Made on the table, before it is glued to anything else.";
+        if (words_.fold_count(ground).empty() && !pushed_.contains(ground)) return chapter;
+        Step step;
+        step.title = numbered(fmt::format("crease {}", words_.piece(ground)));
+        step.actions = words_.folds(ground);
+        add_pushes(ground, step);
+        step.actions.emplace_back("Open the folds again, so that the piece lies on the table.");
+        add_figure(ground, {}, step);
+        creased_.insert(ground);
+        chapter.steps.push_back(std::move(step));
+        return chapter;
+    }
+
+    // Flat pieces are glued on one after another, and one picture shows them.
+    [[nodiscard]] bool are_alike(const GluingStep& a, const GluingStep& b) const {
+        const auto is_flat = [&](const GluingStep& step) {
+            return step.ring.empty() && step.turns.size() == 1 && nth(borne_, step.piece).empty() &&
+                   step.turns.front().bonds.size() == 1 &&
+                   step.turns.front().bonds.front().kind == Bond::Kind::area;
+        };
+        return is_flat(a) && is_flat(b) && a.ground == b.ground && a.lie == b.lie;
+    }
+
+    [[nodiscard]] static std::vector<Bond> bonds_of(const GluingStep& step) {
+        std::vector<Bond> bonds;
+        for (const BondTurn& turn : step.turns)
+            bonds.insert(bonds.end(), turn.bonds.begin(), turn.bonds.end());
+        return bonds;
+    }
+
+    [[nodiscard]] std::vector<Bond> later_bonds() const {
+        std::vector<Bond> all;
+        for (const GluingStep& step : order_.steps) {
+            const std::vector<Bond> bonds = bonds_of(step);
+            all.insert(all.end(), bonds.begin(), bonds.end());
+        }
+        return all;
+    }
+
+    // All pieces that come with a piece.
+    [[nodiscard]] std::vector<int> with_borne(int piece) const {
+        std::vector<int> all{piece};
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const std::vector<int>& more = nth(borne_, all[i]);
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        return all;
+    }
+
+    Step step_of(std::span<const GluingStep> together) {
+        const GluingStep& first = together.front();
+        Step step;
+        std::vector<std::string> names;
+        for (const GluingStep& one : together) names.push_back(words_.piece(one.piece));
+        step.title = numbered("glue on " + listed(names, 3));
+        step.lies = words_.lies(first, order_.card);
+        const bool several = together.size() > 1;
+        for (const GluingStep& one : together) {
+            if (!creased_.contains(one.piece)) {
+                for (std::string& text : words_.folds(one.piece)) step.actions.push_back(std::move(text));
+                add_pushes(one.piece, step);
+            }
+            for (std::string& text : words_.actions(one))
+                step.actions.push_back(several ? fmt::format("{}: {}", words_.piece(one.piece), text)
+                                               : std::move(text));
+            add_notes(one, step);
+            add_figure(one.piece, {}, step);
+            if (several && !step.figures.empty()) name_figure(one.piece, step.figures.back());
+        }
+        if (shows()) add_scenes(together, step);
+        for (const GluingStep& one : together) there_.at(static_cast<std::size_t>(one.piece)) = true;
+        return step;
+    }
+
+    void add_notes(const GluingStep& one, Step& step) const {
+        const std::vector<int>& borne = nth(borne_, one.piece);
+        if (!borne.empty()) {
+            std::vector<std::string> names;
+            for (const int piece : borne) names.push_back(words_.piece(piece));
+            step.notes.push_back(
+                fmt::format("It comes with what is glued on it: {}.", listed(names, kMostNames)));
+        }
+        if (std::string free = words_.left_free(one.piece, later_bonds()); !free.empty())
+            step.notes.push_back(std::move(free));
+        if (one.under.empty()) return;
+        std::vector<std::string> labels;
+        for (const Bond& bond : one.under) labels.push_back(words_.label(bond));
+        const bool is_area = one.under.front().kind == Bond::Kind::area;
+        step.notes.push_back(
+            is_area
+                ? fmt::format("Other pieces cover a part of area {} already: glue over them.", listed(labels))
+                : fmt::format("Something stands above target {} already: slip the {} in below it. Closing "
+                              "the card presses it.",
+                              listed(labels), one.under.size() == 1 ? "tab" : "tabs"));
+    }
+
+    void add_scenes(std::span<const GluingStep> together, Step& step) const {
+        const GluingStep& first = together.front();
+        const bool on_card = first.ground == order_.card;
+        double share = 0.84;
+        if (!on_card) share = 0.75;
+        if (on_card && first.lie == Lie::half_open) share = 0.62;
+        if (on_card && first.lie == Lie::turned) share = 0.97;
+        Scene before = scene(share, "Before: the piece above its place");
+        Scene after = scene(share, "After: the piece in its place");
+        for (Scene* const one : {&before, &after}) {
+            one->back_up = first.lie == Lie::turned;
+            if (!on_card) one->on_table = first.ground;
+            one->unfolded = !on_card && lies_unfolded(first.ground);
+            for (const int piece : with_borne(first.ground)) {
+                if (is_on(piece, first.ground)) show(*one, piece, kWashed);
+            }
+            for (const GluingStep& glued : together) {
+                for (const int piece : with_borne(glued.piece)) show(*one, piece, 0.0F);
+            }
+        }
+        for (const GluingStep& glued : together) {
+            const std::vector<Bond> bonds = bonds_of(glued);
+            before.bonds.insert(before.bonds.end(), bonds.begin(), bonds.end());
+            for (const int piece : with_borne(glued.piece)) {
+                const std::vector<int>& plates = nth(in_.pieces, piece).plates;
+                before.lifted.insert(before.lifted.end(), plates.begin(), plates.end());
+            }
+        }
+        step.scenes = {std::move(before), std::move(after)};
+        step.captions = {"before", "after"};
+    }
+
+    // Whether all that is glued on a piece lies flat on it: then it can be shown as it is cut.
+    [[nodiscard]] bool lies_unfolded(int ground) const {
+        return std::all_of(order_.steps.begin(), order_.steps.end(), [ground](const GluingStep& step) {
+            if (step.ground != ground) return true;
+            const std::vector<Bond> bonds = bonds_of(step);
+            return std::all_of(bonds.begin(), bonds.end(),
+                               [](const Bond& bond) { return bond.kind != Bond::Kind::tab; });
+        });
+    }
+
+    // Whether all that bears the piece, up to the ground, is there.
+    [[nodiscard]] bool is_on(int piece, int ground) const {
+        while (piece >= 0 && piece != ground) {
+            if (!there_.at(static_cast<std::size_t>(piece))) return false;
+            piece = nth(order_.bearers, piece);
+        }
+        return piece == ground;
+    }
+
+    const SceneCard& card_;
+    const Assembly& in_;
+    std::size_t number_;
+    Words words_;
+    GluingOrder order_;
+    std::vector<std::vector<int>> borne_;  // of each piece those that are glued on it
+    std::map<int, std::vector<PushedOut>> pushed_;
+    std::vector<bool> there_;  // pieces that are glued on already
+    std::set<int> creased_;
+    int steps_ = 0;
+    std::vector<Chapter> chapters_;
+};
+
+}  // namespace
+
+std::vector<Chapter> chapters_of(const SceneCard& card, std::size_t number) {
+    return CardSteps(card, number).run();
+}
+
+void add_opening(const SceneCard& card, std::size_t number, std::span<const Diagnostic> findings,
+                 CardPart& part) {
+    const Assembly& in = *card.assembly;
+    const bool is_card = moves(in) && !in.covers.empty();
+    const Sweep& sweep = in.sweep;
+    const auto add = [&](double share, std::string caption) {
+        Scene one;
+        one.card = number;
+        one.as_still = true;
+        one.opening_deg = sweep.from_deg + share * (sweep.to_deg - sweep.from_deg);
+        one.alt = fmt::format("{}, {}", in.stem, caption);
+        part.opening.push_back(std::move(one));
+        part.opening_captions.push_back(std::move(caption));
+    };
+    const auto degrees = [&](double share) {
+        return fmt::format(
+            "open {}°", number_text(std::round(sweep.from_deg + share * (sweep.to_deg - sweep.from_deg)), 0));
+    };
+    if (is_card) {
+        for (const double share : {0.2, 0.5, 1.0}) add(share, degrees(share));
+        const bool is_glued = !in.glue.empty() || !in.glued_areas.empty();
+        part.opens.push_back(
+            fmt::format("{}pen it slowly, to {}°: everything stands up by itself, and lies flat again when "
+                        "it closes.",
+                        is_glued ? "Let the glue dry with the card closed, under a book. Then o" : "O",
+                        number_text(sweep.to_deg, 0)));
+        part.trouble.emplace_back(
+            "It does not close flat: a fold goes the wrong way. Find the place that is thick, open the "
+            "card, and crease that fold as its line is drawn.");
+        part.trouble.emplace_back(
+            "It does not open wide: glue went beyond a tab, or a tab sits beside its target. Look along "
+            "the seams of what is tight.");
+        part.trouble.emplace_back(
+            "Something stands crooked: its two tabs do not sit alike. Loosen one while the glue is "
+            "wet, and close the card on it again.");
+        if (!is_glued) {
+            part.trouble.erase(part.trouble.begin() + 1, part.trouble.end());
+            part.trouble.emplace_back(
+                "It does not open wide, or tears: a cut does not go to its end. Cut it a little further, "
+                "exactly to where the folds begin.");
+        }
+    } else if (moves(in)) {
+        part.closing_title = "How it must look";
+        add(1.0, "flat");
+        add(0.5, "half folded");
+        add(0.0, "folded");
+        part.opens.emplace_back(
+            "Folded, it looks like the last picture. Whether glue or tucked flaps keep it so, its drawing "
+            "does not say.");
+        part.trouble.emplace_back(
+            "Panels do not meet: a fold goes the wrong way, or not far enough. Compare each with the "
+            "steps.");
+    }
+    for (const Diagnostic& one : findings) {
+        const bool own = one.file == in.file || one.file.empty();
+        const bool is_for_hands = std::find(kForHands.begin(), kForHands.end(), one.code) != kForHands.end();
+        if (!own || !is_for_hands || one.severity == Severity::error) continue;
+        part.found.push_back(one.message);
+    }
+}
+
+}  // namespace popup::book

@@ -1,0 +1,404 @@
+// The assembly book: its words on known cards, what readers of PDF and HTML find in it, and its pictures.
+#include "output/book/book.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/nth.h"
+#include "base/system/digest.h"
+#include "base/text/base64.h"
+#include "output/book/pictures.h"
+#include "popup/compile.h"
+#include "popup/write.h"
+#include "support/designs.h"
+#include "support/run_program.h"
+#include "support/viewer_page.h"
+
+namespace popup {
+namespace {
+
+using Lines = std::vector<std::string>;
+using test::between;
+
+Source sample_source(const std::string& name) {
+    Diagnostics diagnostics("samples");
+    std::optional<Source> source =
+        read_source(std::string(POPUP_SOURCE_DIR) + "/samples/" + name, diagnostics);
+    POPUP_INVARIANT(source.has_value());
+    return std::move(*source);
+}
+
+Compilation compiled(std::vector<Source> sources, CompileOptions options = {}) {
+    options.read.drawing.as = DrawnAs::folded;
+    fit_layout(options);
+    return compile(std::move(sources), options, {});
+}
+
+// What a writer of pages is given.
+struct Made {
+    explicit Made(const std::vector<std::string>& samples, const CompileOptions& options = {}) {
+        std::vector<Source> sources;
+        for (const std::string& name : samples) sources.push_back(sample_source(name));
+        run = compiled(std::move(sources), options);
+        for (const CompiledDesign& one : run.designs) {
+            EXPECT_TRUE(one.pattern) << test::findings(one.diagnostics);
+            cards.push_back(
+                {&*one.assembly, one.motion ? &*one.motion : nullptr, "", nullptr, &*one.pattern});
+        }
+        POPUP_INVARIANT(run.layout.has_value());
+    }
+    [[nodiscard]] RunPage page() const { return {cards, &*run.layout, {}, false}; }
+    [[nodiscard]] book::Book made() const { return book::make_book(page(), {}); }
+
+    Compilation run;
+    std::vector<SceneCard> cards;
+};
+
+std::string written(const Made& run, const std::string& format, const OutputOptions& options = {}) {
+    Diagnostics diagnostics("book");
+    const auto write = std::get<PageWriter>(find_format("a" + format)->write);
+    const auto bytes = write(run.page(), options, diagnostics);
+    EXPECT_TRUE(bytes) << test::findings(diagnostics);
+    return bytes.value_or("");
+}
+
+Lines titles(const book::Book& book) {
+    Lines all;
+    for (const book::CardPart& card : book.cards) {
+        for (const book::Chapter& chapter : card.chapters) {
+            all.push_back(chapter.title);
+            for (const book::Step& step : chapter.steps) all.push_back("  " + step.title);
+        }
+    }
+    return all;
+}
+
+const book::Step& step_named(const book::Book& book, const std::string& title) {
+    for (const book::CardPart& card : book.cards) {
+        for (const book::Chapter& chapter : card.chapters) {
+            for (const book::Step& step : chapter.steps) {
+                if (step.title == title) return step;
+            }
+        }
+    }
+    ADD_FAILURE() << title;
+    static const book::Step kNone;
+    return kNone;
+}
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+TEST(Book, HasTheStepsOfAHouse) {
+    const book::Book book = Made({"house.xml"}).made();
+    EXPECT_EQ(titles(book),
+              (Lines{"Fold", "  Step 1: crease page", "Sub-assembly: 2. roof", "  Step 2: crease 2. roof",
+                     "  Step 3: glue on 3. chimney", "Glue on page", "  Step 4: glue on 6. tree-behind",
+                     "  Step 5: glue on 1. front", "  Step 6: glue on 2. roof",
+                     "  Step 7: glue on 4. tree-left", "  Step 8: glue on 5. tree-right"}));
+    EXPECT_FALSE(book.letter);
+    EXPECT_EQ(book.cards.front().parts.size(), 7U);
+    EXPECT_EQ(book.cards.front().parts[2].number, "2");
+    EXPECT_EQ(book.cards.front().parts[2].tabs, "2L, 2R");
+}
+
+TEST(Book, SaysWhatIsDoneInWords) {
+    const book::Book house = Made({"house.xml"}).made();
+    const book::Step& front = step_named(house, "Step 5: glue on 1. front");
+    EXPECT_EQ(front.lies, "The card lies open on the table.");
+    EXPECT_EQ(front.actions,
+              (Lines{"Mountain fold between left and right: folded right over on the closed card, 62° on the "
+                     "open card.",
+                     "Put glue on tab 1L, and press it onto target 1L on the left part of page.",
+                     "When that holds, fold the piece flat onto that side, so that tab 1R faces up. Put glue "
+                     "on it, close "
+                     "the card over it and press: the glue finds target 1R on the right part of page. Open "
+                     "it again when "
+                     "it holds."}));
+    EXPECT_EQ(front.captions, (Lines{"before", "after"}));
+    const book::Step& chimney = step_named(house, "Step 3: glue on 3. chimney");
+    EXPECT_EQ(chimney.lies, "Piece 2. roof lies on the table, printed side up.");
+    EXPECT_EQ(chimney.actions.back(),
+              "Put glue on tab 3R, bend the piece until it lies on target 3R on the right part of "
+              "roof, and hold until the glue does.");
+    EXPECT_EQ(step_named(house, "Step 6: glue on 2. roof").notes,
+              Lines{"It comes with what is glued on it: 3. chimney."});
+
+    const book::Book cake = Made({"cake.xml"}).made();
+    const book::Step& pillar = step_named(cake, "Step 12: glue on 2. low-top/pillar");
+    EXPECT_EQ(pillar.notes, Lines{"Leave tab 2T free: 2. low-top comes on it later."});
+    const book::Step& wall = step_named(cake, "Step 13: glue on 1. low-wall");
+    EXPECT_EQ(wall.actions.at(wall.actions.size() - 3),
+              "Bend the piece into a ring: put glue on tab 1B and press it behind the left part of "
+              "low-wall, edge on edge. Press the ring flat while the glue sets.");
+    const book::Step& top = step_named(cake, "Step 14: glue on 2. low-top");
+    EXPECT_EQ(top.actions.at(1),
+              "Put glue on tab 2T of 2. low-top/pillar, and let the top-left part of low-top down on it, "
+              "so that the tab is under it, along the fold.");
+}
+
+TEST(Book, OfOneSheetIsPushedOutByLevels) {
+    const book::Book book = Made({"castle.xml"}).made();
+    EXPECT_EQ(titles(book),
+              (Lines{"Fold", "  Step 1: crease page",
+                     "  Step 2: push out keep, south-wall, south-tower, north-wall and north-tower",
+                     "  Step 3: push out turret, gatehouse, keep-gap-1, keep-gap-2 and 14 more",
+                     "  Step 4: push out door, turret-gap-1, turret-gap-2, gatehouse-gap-1 and 3 more"}));
+    for (const auto& [name, value] : book.needs) EXPECT_NE(name, "To glue") << value;
+    for (const std::string& text : book.cards.front().opens) EXPECT_EQ(text.find("glue"), std::string::npos);
+}
+
+TEST(Book, OfACartonHasItsFoldsInOrder) {
+    const book::Book book = Made({"folded/carton.svg"}).made();
+    EXPECT_EQ(titles(book), (Lines{"Fold", "  Step 1: fold up panels 3, 4, 5, 8, 9, 10 and 11",
+                                   "  Step 2: fold up panels 2, 6, 7, 12 and 13"}));
+    EXPECT_EQ(step_named(book, "Step 2: fold up panels 2, 6, 7, 12 and 13").actions,
+              Lines{"Valley folds, to 90°: between 2 | 1, 5 | 6, 5 | 7, 11 | 12 and 11 | 13."});
+    EXPECT_EQ(book.cards.front().closing_title, "How it must look");
+    // The panels' numbers are on the drawing.
+    std::set<std::string> labels;
+    for (const auto& label :
+         step_named(book, "Step 2: fold up panels 2, 6, 7, 12 and 13").figures.front().labels)
+        labels.insert(label.text);
+    EXPECT_EQ(labels.size(), 13U);
+    EXPECT_TRUE(labels.contains("12"));
+}
+
+TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
+    const book::Book book = Made({"seasons.xml"}).made();
+    const book::Step& first = step_named(book, "Step 3: glue on 4. leaf-3, 5. leaf-4, 6. leaf-5 and 3 more");
+    EXPECT_EQ(first.lies, "Turn piece 1. tree over: its back is up.");
+    EXPECT_EQ(first.actions.front(),
+              "4. leaf-3: Glue the piece on the back of the left part of tree, behind area 4: against the "
+              "light you see "
+              "where.");
+    EXPECT_EQ(first.figures.size(), 6U);
+    EXPECT_EQ(step_named(book, "Step 4: glue on 16. leaf-15, 17. leaf-16, 24. leaf-23 and 25. leaf-24")
+                  .notes.front(),
+              "Other pieces cover a part of area 16 already: glue over them.");
+    const book::Step& disc = step_named(book, "Step 8: glue on season");
+    EXPECT_EQ(disc.lies, "Turn the card over: it lies open, its back up.");
+    EXPECT_EQ(
+        disc.actions,
+        Lines{"Lay the piece behind the right part of page, its printed side towards the window, the round "
+              "holes "
+              "over each other. Push a brad through both and bend its legs. The piece must turn freely: glue "
+              "nothing here."});
+}
+
+TEST(Book, CountsWhatIsNeeded) {
+    CompileOptions options;
+    options.layout.copies = 2;
+    const book::Book book = Made({"house.xml"}, options).made();
+    const auto need = [&](const std::string& name) {
+        for (const auto& [what, value] : book.needs) {
+            if (what == name) return value;
+        }
+        return std::string();
+    };
+    EXPECT_EQ(need("To glue"), "12 tabs");
+    EXPECT_EQ(need("Copies").substr(0, 34), "the sheets have 2 of each piece; t");
+    EXPECT_EQ(need("To fold"), "14 folds");
+    EXPECT_NE(need("Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos) << need("Paper");
+}
+
+// The first picture of a step has what is there and what comes; the second differs. What is new has its
+// colours, what is there is washed out.
+TEST(Book, PicturesShowWhatIsThere) {
+    const Made run({"house.xml"});
+    const book::Book book = run.made();
+    const Assembly& in = *run.cards.front().assembly;
+    const book::Step& step = step_named(book, "Step 5: glue on 1. front");
+    ASSERT_EQ(step.scenes.size(), 2U);
+    for (const book::Scene& scene : step.scenes) {
+        for (std::size_t i = 0; i < in.plates.size(); ++i) {
+            const std::string& piece = nth(in.pieces, in.plates[i].piece).name;
+            const float fade = scene.fades[i];
+            if (piece == "front") {
+                EXPECT_EQ(fade, 0.0F);
+            } else if (piece == "page" || piece == "tree-behind") {
+                EXPECT_GT(fade, 0.3F) << piece;
+            } else {
+                EXPECT_LT(fade, 0.0F) << piece;
+            }
+        }
+    }
+    EXPECT_EQ(step.scenes[0].lifted.size(), 2U);
+    EXPECT_TRUE(step.scenes[1].lifted.empty());
+    Diagnostics diagnostics("book");
+    book::Pictures pictures(run.cards, diagnostics);
+    const auto shown = pictures.draw(step.scenes, book::kStepPicture);
+    ASSERT_TRUE(shown);
+    EXPECT_NE((*shown)[0].picture.pixels.rgb, (*shown)[1].picture.pixels.rgb);
+    Lines marks;
+    for (const book::PictureMark& mark : (*shown)[0].picture.marks) {
+        marks.push_back(mark.text);
+        EXPECT_TRUE(mark.x > 0.0 && mark.x < 1.0 && mark.y > 0.0 && mark.y < 1.0);
+    }
+    EXPECT_EQ(marks, (Lines{"1L", "1R"}));
+    EXPECT_TRUE((*shown)[1].picture.marks.empty());
+    // Its targets are orange before, and covered after.
+    const auto orange = [&](std::size_t picture) {
+        const std::vector<unsigned char>& rgb = (*shown)[picture].picture.pixels.rgb;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
+            count += rgb[i] > 200 && rgb[i + 1] > 110 && rgb[i + 2] < 70;
+        return count;
+    };
+    EXPECT_GT(orange(0), 200U);
+    EXPECT_LT(orange(1), 20U);
+}
+
+class BookOfASample : public testing::TestWithParam<std::string> {};
+
+TEST_P(BookOfASample, HasEveryPieceAndTabForReadersOfPdf) {
+    if (!test::have_program("pdftotext")) GTEST_SKIP() << "there is no pdftotext";
+    const Made run({GetParam()});
+    const test::ScratchDirectory scratch;
+    test::write_file(scratch / "a.book.pdf", written(run, ".book.pdf"));
+    const test::RunResult text = test::run({"pdftotext", scratch / "a.book.pdf", "-"});
+    ASSERT_EQ(text.exit, 0) << text.err;
+    std::string said = text.out;
+    said.erase(std::remove_if(said.begin(), said.end(), [](char c) { return c == ' ' || c == '\n'; }),
+               said.end());
+    const book::Book book = run.made();
+    const Assembly& in = *run.cards.front().assembly;
+    for (const Piece& piece : in.pieces) EXPECT_NE(said.find(piece.name), std::string::npos) << piece.name;
+    for (const Glue& glue : in.glue) EXPECT_GE(count_of(said, glue.label), 2U) << glue.label;
+    std::size_t steps = 0;
+    for (const book::Chapter& chapter : book.cards.front().chapters) {
+        for (const book::Step& step : chapter.steps) {
+            ++steps;
+            std::string title = step.title;
+            title.erase(std::remove(title.begin(), title.end(), ' '), title.end());
+            EXPECT_NE(said.find(title), std::string::npos) << title;
+        }
+    }
+    EXPECT_EQ(count_of(text.out, "\nStep ") + (text.out.starts_with("Step ") ? 1U : 0U) +
+                  count_of(text.out, "\fStep "),
+              steps);
+    const test::RunResult info = test::run({"pdfinfo", scratch / "a.book.pdf"});
+    EXPECT_NE(info.out.find("595.276 x 841.89 pts (A4)"), std::string::npos) << info.out;
+    const std::size_t pages = count_of(text.out, "\f");
+    EXPECT_NE(info.out.find(fmt::format("Pages:           {}\n", pages)), std::string::npos) << info.out;
+    // No page without anything, and two steps on most.
+    EXPECT_LE(pages, steps + 6);
+    const test::RunResult fonts = test::run({"pdffonts", scratch / "a.book.pdf"});
+    EXPECT_EQ(count_of(fonts.out, "DejaVuSans"), count_of(fonts.out, "yes yes yes")) << fonts.out;
+    EXPECT_EQ(test::run({"qpdf", "--check", scratch / "a.book.pdf"}).exit, 0);
+}
+
+TEST_P(BookOfASample, IsTheSameEachTime) {
+    const Made run({GetParam()});
+    for (const char* format : {".book.pdf", ".book.html"}) {
+        const std::string once = written(run, format);
+        EXPECT_GT(once.size(), 10000U);
+        EXPECT_EQ(sha256(once), sha256(written(Made({GetParam()}), format))) << format;
+    }
+}
+
+TEST_P(BookOfASample, IsAPageWithoutScripts) {
+    const std::string page = written(Made({GetParam()}), ".book.html");
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find(" style="), std::string::npos);
+    EXPECT_EQ(page.find("http"), page.find("http-equiv"));
+    const std::string style = between(page, "<style>", "</style>");
+    EXPECT_EQ(between(page, "<meta http-equiv=\"Content-Security-Policy\" content=\"", "\">"),
+              "default-src 'none'; style-src 'sha256-" + base64(sha256_bytes(style)) +
+                  "'; img-src data:; base-uri 'none'; form-action 'none'");
+    EXPECT_EQ(count_of(page, "role=\"img\""), count_of(page, "role=\"img\" aria-label=\""));
+    EXPECT_EQ(count_of(page, "aria-label=\"\""), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, BookOfASample,
+                         testing::Values("house.xml", "cake.xml", "castle.xml", "seasons.xml",
+                                         "folded/carton.svg", "folded/map.fold", "villa.oa", "cascade.xml",
+                                         "swallow.xml"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             for (char& c : name)
+                                 c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+                             return name;
+                         });
+
+TEST(Book, HasAPartForEachCard) {
+    const Made run({"house.xml", "whale.xml"});
+    const book::Book book = run.made();
+    EXPECT_EQ(book.title, "house and whale");
+    ASSERT_EQ(book.cards.size(), 2U);
+    EXPECT_EQ(book.cards[1].chapters.back().steps.back().title.substr(0, 7), "Step 4:");
+    EXPECT_EQ(book.cover.size(), 2U);
+    const std::string page = written(run, ".book.html");
+    EXPECT_NE(page.find("whale: Pieces"), std::string::npos);
+}
+
+TEST(Book, IsOnLetterPaperWhereThatIsAskedFor) {
+    CompileOptions options;
+    fit_layout(options);
+    EXPECT_FALSE(options.output.letter_pages.has_value());
+    options.layout.sheet = {"tabloid", 0.0, 0.0};
+    fit_layout(options);
+    EXPECT_EQ(options.output.letter_pages, true);
+    options.output.letter_pages.reset();
+    options.layout.sheet = {"a3", 0.0, 0.0};
+    fit_layout(options);
+    EXPECT_EQ(options.output.letter_pages, false);
+    const Made run({"house.xml"});
+    RunPage page = run.page();
+    page.inches = true;
+    EXPECT_TRUE(book::make_book(page, {}).letter);
+    EXPECT_FALSE(book::make_book(page, options.output).letter);
+}
+
+// Names are texts, whatever stands in them.
+TEST(Book, NoNameOfADocumentBecomesMarkup) {
+    const Made plain({"house.xml"});
+    Assembly named = *plain.cards.front().assembly;
+    const std::string hostile = "<b onclick='x'>&\"\xff\x01";
+    for (Piece& piece : named.pieces) piece.name += hostile;
+    for (Plate& plate : named.plates) plate.name += hostile;
+    named.stem = hostile;
+    SceneCard card = plain.cards.front();
+    card.assembly = &named;
+    Diagnostics diagnostics("book");
+    const RunPage page{{&card, 1}, &*plain.run.layout, {}, false};
+    const auto write = std::get<PageWriter>(find_format("a.book.html")->write);
+    const auto html = write(page, {}, diagnostics);
+    ASSERT_TRUE(html);
+    EXPECT_EQ(html->find("<b "), std::string::npos);
+    EXPECT_NE(html->find("&lt;b onclick"), std::string::npos);
+    EXPECT_EQ(html->find('\x01'), std::string::npos);
+    const auto pdf = std::get<PageWriter>(find_format("a.book.pdf")->write)(page, {}, diagnostics);
+    EXPECT_TRUE(pdf) << test::findings(diagnostics);
+}
+
+TEST(Book, ABrowserHasNothingToSayOfIt) {
+    if (!test::have_browser()) GTEST_SKIP() << test::kNoBrowser;
+    const test::ScratchDirectory scratch;
+    test::write_file(scratch / "a.html", written(Made({"house.xml"}), ".book.html"));
+    const auto driven = test::drive(
+        scratch, scratch / "a.html", "-",
+        {"document.querySelectorAll('article').length", "document.querySelectorAll('image').length",
+         "getComputedStyle(document.querySelector('article')).borderTopLeftRadius",
+         "document.documentElement.scrollWidth <= innerWidth"});
+    EXPECT_EQ(test::messages_of(driven), Lines{});
+    EXPECT_EQ(driven.at("values")[0], 8);
+    EXPECT_EQ(driven.at("values")[1], 16);
+    EXPECT_EQ(driven.at("values")[2], "10px");  // the style is let in
+    EXPECT_EQ(driven.at("values")[3], true);
+}
+
+}  // namespace
+}  // namespace popup
