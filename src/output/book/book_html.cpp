@@ -23,8 +23,7 @@ namespace {
 
 constexpr std::size_t kMostBookBytes = 400'000'000;
 constexpr int kFigureDecimals = 2;
-constexpr double kShownMm =
-    76.0;  // as wide as most drawings are shown: by it their lines are as wide as they say
+constexpr double kShownMm = 76.0;  // how wide and how high most drawings are shown at most
 
 std::string told(std::string_view text) { return as_markup(visible(text)); }
 
@@ -97,8 +96,10 @@ class Page {
     static std::string drawing(const Figure& figure, double shown_mm) {
         // How many of the drawing's millimetres are one of the page.
         const double coarse = std::max({1.0, figure.width_mm / shown_mm, figure.height_mm / shown_mm});
-        std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
-                                      number(figure.width_mm), number(figure.height_mm), told(figure.alt));
+        std::string svg =
+            fmt::format("<svg width=\"{}mm\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                        number(figure.width_mm / coarse), number(figure.width_mm), number(figure.height_mm),
+                        told(figure.alt));
         for (const Figure::Shape& shape : figure.shapes) {
             std::string path;
             for (const std::vector<Vec2>& line : shape.lines) {

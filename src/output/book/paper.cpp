@@ -15,9 +15,9 @@
 namespace popup::book {
 namespace {
 
-constexpr double kSideMm = 17.0;
-constexpr double kHeadMm = 16.0;
-constexpr double kFootMm = 17.0;
+constexpr double kPageSideMm = 17.0;
+constexpr double kPageHeadMm = 16.0;
+constexpr double kPageFootMm = 17.0;
 constexpr double kLeadingCaps = 2.0;  // from line to line, in heights of capitals
 constexpr double kMarkCapMm = 1.9;
 
@@ -44,13 +44,13 @@ Paper::Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plai
       plain_(plain),
       bold_(bold),
       footer_(visible(footer)),
-      left_(kSideMm),
-      top_(kHeadMm),
-      y_(kHeadMm),
+      left_(kPageSideMm),
+      top_(kPageHeadMm),
+      y_(kPageHeadMm),
       page_width_(letter ? 215.9 : 210.0),
       page_height_(letter ? 279.4 : 297.0) {
-    right_ = page_width_ - kSideMm;
-    low_ = page_height_ - kFootMm;
+    right_ = page_width_ - kPageSideMm;
+    low_ = page_height_ - kPageFootMm;
     cairo_pdf_surface_set_size(surface, page_width_ * kPointsPerMm, page_height_ * kPointsPerMm);
 }
 

@@ -249,7 +249,7 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
 
 // The first place from which the most targets are seen, if what is lifted were not there.
 Vec3 Illustrator::eye_for(const Scene& scene, const Stage& stage) const {
-    constexpr double kFarMm = 1e4;
+    constexpr double kEyeAwayMm = 1e4;
     const Assembly& assembly = *cards_[scene.card].assembly;
     std::vector<float> there = stage.fades;
     for (const int plate : scene.lifted) nth(there, plate) = -1.0F;
@@ -263,7 +263,7 @@ Vec3 Illustrator::eye_for(const Scene& scene, const Stage& stage) const {
             if (dot(out, unit(eye)) < 0.15) continue;
             for (const Ring& ring : targets_of(cards_[scene.card], bond)) {
                 const Vec3 from = frame.point(places_on(ring).front()) + kTargetLiftMm * out;
-                if (!is_hidden(assembly, stage.placed, there, from, from + kFarMm * unit(eye))) ++seen;
+                if (!is_hidden(assembly, stage.placed, there, from, from + kEyeAwayMm * unit(eye))) ++seen;
             }
         }
         if (seen > most) {

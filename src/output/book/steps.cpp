@@ -142,7 +142,7 @@ class CardSteps {
             }
             Step step;
             step.title = numbered("push out " + listed(names, 4));
-            if (names.size() > 4) step.actions.push_back(fmt::format("These: {}.", listed(names, 60)));
+            if (names.size() > 5) step.actions.push_back(fmt::format("These: {}.", listed(names, 60)));
             step.actions.push_back(level == 1 ? "Open the card about half. Put a finger behind each of these "
                                                 "and push it towards you, until "
                                                 "its middle fold stands out and its outer folds turn inwards."
