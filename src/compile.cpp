@@ -110,24 +110,26 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     share_work(run.designs.size(), crew_of(options),
                [&](std::size_t i) { compile_one(run.designs[i], options); });
 
-    if (options.until != Stage::layout || run.designs.empty() || run.has_errors()) return run;
+    if (options.until == Stage::layout) lay_out_run(run, options);
+    return run;
+}
+
+void lay_out_run(Compilation& run, const CompileOptions& options) {
     std::vector<DesignPattern> patterns;
-    patterns.reserve(run.designs.size());
     for (const CompiledDesign& one : run.designs) {
         if (one.pattern) patterns.push_back({one.source.name, one.stem, *one.pattern});
     }
-    if (patterns.empty()) return run;
+    if (patterns.empty() || run.has_errors()) return;
     LayoutOptions layout = options.layout;
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;
     layout.nesting.thread_ended = options.thread_ended;
     run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
-    if (!run.layout) return run;
     const Profile& profile = options.output.profile;
     const KerfWidths kerf{profile.pen(Operation::inner_cut).kerf_mm,
                           profile.pen(Operation::outer_cut).kerf_mm};
-    if (!apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics)) run.layout.reset();
-    return run;
+    if (run.layout && !apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics))
+        run.layout.reset();
 }
 
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,

@@ -143,20 +143,6 @@ bool can_be_made_of(Read what, const std::string& input, const OutputPlan& plan,
     return true;
 }
 
-std::vector<SceneCard> scene_of(const Compilation& run) {
-    std::vector<SceneCard> cards;
-    const bool several = run.designs.size() > 1;
-    for (const CompiledDesign& one : run.designs) {
-        SceneCard& card = cards.emplace_back();
-        if (several) card.prefix = one.stem + ":";
-        card.assembly = &*one.assembly;
-        if (one.motion) card.motion = &*one.motion;
-        if (one.creases) card.creases = &*one.creases;
-        if (one.pattern) card.pattern = &*one.pattern;
-    }
-    return cards;
-}
-
 std::vector<Diagnostic> findings_of(const Compilation& run) {
     std::vector<Diagnostic> all;
     const auto add = [&all](const Diagnostics& diagnostics) {
@@ -274,6 +260,20 @@ bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& di
                                                      : Read::parts;
         return can_be_made_of(what, one.source.name, plan, diagnostics);
     });
+}
+
+std::vector<SceneCard> scene_of(const Compilation& run) {
+    std::vector<SceneCard> cards;
+    const bool several = run.designs.size() > 1;
+    for (const CompiledDesign& one : run.designs) {
+        SceneCard& card = cards.emplace_back();
+        if (several) card.prefix = one.stem + ":";
+        card.assembly = &*one.assembly;
+        if (one.motion) card.motion = &*one.motion;
+        if (one.creases) card.creases = &*one.creases;
+        if (one.pattern) card.pattern = &*one.pattern;
+    }
+    return cards;
 }
 
 std::string outputs_of_parts(bool has_model) {

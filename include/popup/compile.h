@@ -83,10 +83,16 @@ struct Compilation {
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy);
 
-// The same without the layout, for more designs than the memory can hold the values of: each source is asked
-// for when its turn comes, each design handed over when it is done, and nothing else is kept. Both functions
-// are called once for each number below `count`, from any of the threads, in no certain order, and must not
-// throw. A source of nullopt is left out, and `done` is not called for it. Stems are not made unique.
+// The last stage alone, of designs that were compiled as far as their patterns with the same options: lays
+// them all out together. Does nothing where a design has errors, or there are no patterns; what it finds is
+// the run's. compile() is that and this.
+void lay_out_run(Compilation& run, const CompileOptions& options);
+
+// As compile(), but without the layout, for more designs than the memory can hold the values of: each source
+// is asked for when its turn comes, each design handed over when it is done, and nothing else is kept. Both
+// functions are called once for each number below `count`, from any of the threads, in no certain order, and
+// must not throw. A source of nullopt is left out, and `done` is not called for it. Stems are not made
+// unique.
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,
                   const std::function<void(std::size_t, CompiledDesign&&)>& done,
                   const CompileOptions& options, const DiagnosticPolicy& policy);

@@ -66,6 +66,9 @@ std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics
 // not move have no animation and no document, and a model only where their language says how they stand.
 bool can_be_made(const OutputPlan& plan, const Compilation& run, Diagnostics& diagnostics);
 
+// The designs of a run as scenes, which point into it. Precondition: each has an assembly.
+std::vector<SceneCard> scene_of(const Compilation& run);
+
 // What can be made of flat parts, in words for a hint.
 std::string outputs_of_parts(bool has_model);
 

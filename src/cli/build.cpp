@@ -59,20 +59,7 @@ void add_output_options(CLI::App& verb, Options& options) {
     verb.add_flag("--watch", build.watch, "build again whenever an input changes, until Ctrl-C")
         ->configurable(false)
         ->group("Output");
-    const auto number = [&verb](const std::string& name, const std::string& about, double& target,
-                                double least) {
-        verb.add_option_function<std::string>(
-                name,
-                [name, &target, least](const std::string& text) {
-                    target = number_option(name, text, least, 1000.0);
-                },
-                about)
-            ->type_name("N")
-            ->group("Motion");
-    };
-    number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
-    number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
-           0.001);
+    add_animation_options(verb, options);
     add_still_options(verb, options.compile.output.still);
     value(
         verb, "--fold-dialect", "DIALECT", "letters in .fold: simulator (default) or strict, all of FOLD 1.2",
@@ -239,25 +226,50 @@ void check_source_date() {
                      {"\"date +%s\" prints such a number"});
 }
 
-// From the profile on.
-void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles& read, Build& result) {
+std::vector<std::string> inputs_of(const Options& options) {
+    std::vector<std::string> inputs = options.inputs.names;
+    if (!options.build.profile_file.empty()) inputs.push_back(options.build.profile_file);
+    inputs.insert(inputs.end(), options.settings_files.begin(), options.settings_files.end());
+    return inputs;
+}
+
+// False where the profile cannot be used.
+bool take_in_profile(Options& options, Build& result) {
     result.profile = load_profile(options);
     if (result.profile && result.profile->diagnostics.has_errors()) {
         result.status = result.profile->readable ? exit_findings : exit_unusable;
-        return;
+        return false;
     }
     finish_profile(options);
+    return true;
+}
+
+void run_stages(const Options& options, Stage until, Build& result) {
+    result.run = run_inputs(options, until);
+    take_in_loaded(options, result);
+    // To check them is one thing, but nothing can be built of programs that only define what others call.
+    refuse_definitions(result.run.compilation);
+}
+
+void settle_status(bool written, Build& result) {
+    if (!result.run.usable() || !written) {
+        result.status = exit_unusable;
+    } else if (result.run.compilation.has_errors()) {
+        result.status = exit_findings;
+    }
+}
+
+// From the profile on.
+void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles& read, Build& result) {
+    if (!take_in_profile(options, result)) return;
     finish_tiles(options, plan);
     if (plan.outputs.empty() && options.build.emit == Emit::trail) {
         print_trails(options, result);
         return;
     }
-    result.run = run_inputs(options, needed_stage(plan, options.build.emit));
-    take_in_loaded(options, result);
+    run_stages(options, needed_stage(plan, options.build.emit), result);
     Compilation& compilation = result.run.compilation;
     tell_unused_options(options, plan, compilation.run_diagnostics);
-    // To check them is one thing, but nothing can be built of programs that only define what others call.
-    refuse_definitions(compilation);
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
         auto files = files_of(plan, options, compilation);
@@ -276,11 +288,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
             written = !output_refused(compilation.run_diagnostics);
         }
     }
-    if (!result.run.usable() || !written) {
-        result.status = exit_unusable;
-    } else if (compilation.has_errors()) {
-        result.status = exit_findings;
-    }
+    settle_status(written, result);
     if (result.status != exit_done && written) write_what_was_run(options, result);
 }
 
@@ -292,13 +300,21 @@ Build build(const Options& given) {
     check_motion_options(options);
     const OutputPlan plan = plan_of(options);
     Build result;
-    result.inputs = options.inputs.names;
-    if (!options.build.profile_file.empty()) result.inputs.push_back(options.build.profile_file);
-    result.inputs.insert(result.inputs.end(), options.settings_files.begin(), options.settings_files.end());
+    result.inputs = inputs_of(options);
     const ReadFiles read = files_read(options, options.inputs.names);
     spare(read, options);
     compile_and_write(options, plan, read, result);
     if (result.status != exit_done) tell_dependencies_of_failure(options, result);
+    return result;
+}
+
+Build compile_inputs(Options& options, Stage until) {
+    check_motion_options(options);
+    Build result;
+    result.inputs = inputs_of(options);
+    if (!take_in_profile(options, result)) return result;
+    run_stages(options, until, result);
+    settle_status(true, result);
     return result;
 }
 

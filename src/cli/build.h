@@ -29,4 +29,8 @@ struct Build {
 // Compiles the inputs and writes all outputs, or none. UsageError when the options do not go together.
 Build build(const Options& options);
 
+// The first half of it: reads the profile, into the options, and the inputs, and compiles these. Nothing is
+// made of what comes of it, and nothing is written.
+Build compile_inputs(Options& options, Stage until);
+
 }  // namespace popup::cli

@@ -144,6 +144,9 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
         if (is_option && verb != nullptr && verb->get_name() == "batch") {
             hints.emplace_back("options of builds stand behind --, or in the manifest");
         }
+        if ((word == "-o" || word == "--output") && verb != nullptr && verb->get_name() == "view") {
+            hints.emplace_back("view writes nothing; \"popupc build\" writes files");
+        }
         hints.push_back(see);
         return UsageError(is_option ? fmt::format("there is no option {}", word)
                                     : fmt::format("\"{}\" is one argument too many", word),

@@ -12,6 +12,9 @@ int run_build(const Options& options);
 CLI::App* add_check(CLI::App& app, Options& options);
 int run_check(const Options& options);
 
+CLI::App* add_view(CLI::App& app, Options& options);
+int run_view(const Options& options);
+
 CLI::App* add_fix(CLI::App& app, Options& options);
 int run_fix(const Options& options);
 

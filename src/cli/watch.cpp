@@ -28,11 +28,18 @@ namespace {
 std::atomic<bool> g_over{false};
 std::atomic<int> g_wake{-1};
 
-extern "C" void popup_stop_watching(int signal) {
-    if (g_over.exchange(true)) end_by_signal(signal);
+void wake_up() {
     const std::uint64_t one = 1;
     // Nothing can be done where it fails; the loop also asks after each build.
     [[maybe_unused]] const ssize_t put = ::write(g_wake.load(), &one, sizeof one);
+}
+
+std::atomic<bool> g_harmless{false};  // what is going on may be broken off
+
+extern "C" void popup_stop_watching(int signal) {
+    if (g_over.exchange(true)) end_by_signal(signal);
+    if (g_harmless.load()) end_with(exit_done);
+    wake_up();
 }
 
 // From now on SIGINT and SIGTERM end the loop. Gives a descriptor that becomes readable then.
@@ -55,23 +62,16 @@ int stop_on_signals() {
 }
 
 void refuse_streams(const Options& options) {
-    const auto refuse = [](const std::string& what) {
-        throw UsageError(fmt::format("--watch builds again and again, and {}", what),
-                         {"name files for inputs, outputs and diagnostics"});
-    };
-    for (const std::string& name : options.inputs.names) {
-        struct stat status {};
-        const bool once =
-            ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-        if (name == "-" || once) {
-            refuse(fmt::format("{} can be read only once", name == "-" ? "standard input" : name));
-        }
-    }
+    const std::string who = "--watch builds again and again";
+    check_watchable(options, who);
     bool standard = options.build.emit || options.messages.use_standard_output() ||
                     is_standard_output(options.messages.file) || is_standard_output(options.print.file) ||
                     is_standard_output(dependency_file_name(options));
     for (const std::string& output : options.build.outputs) standard = standard || is_standard_output(output);
-    if (standard) refuse("standard output takes one result");
+    if (standard) {
+        throw UsageError(who + ", and standard output takes one result",
+                         {"name files for inputs, outputs and diagnostics"});
+    }
 }
 
 bool has_any(const std::vector<FileFindings>& findings, const Diagnostics& run) {
@@ -97,18 +97,12 @@ void add_config_places(const Options& options, std::vector<std::string>& files) 
 }
 
 // Builds and tells; gives what was read, and what was looked for.
-std::vector<std::string> build_and_tell(Options options, const std::string& why,
+std::vector<std::string> build_and_tell(Options options, const Watched& watched, const std::string& why,
                                         std::set<std::string>& missing) {
     NestEffort& nesting = options.compile.layout.nesting;
     if (nesting.seconds) nesting.stop = &g_over;
-    const Build done = build(options);
-    say(options.messages, line_of(done, why));
-    tell_printed(options, done.run);
-    const std::vector<FileFindings> findings = done.findings();
-    const Diagnostics& run = done.run.compilation.run_diagnostics;
-    // A file of diagnostics also has to become empty again.
-    if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
-    std::vector<std::string> files = done.inputs;
+    BuiltOf done = watched.build(options, why);
+    std::vector<std::string> files = std::move(done.inputs);
     files.insert(files.end(), done.missing.begin(), done.missing.end());
     missing = {done.missing.begin(), done.missing.end()};
     add_config_places(options, files);
@@ -122,6 +116,15 @@ bool changed_since(const std::string& name, std::filesystem::file_time_type begu
     const auto changed = std::filesystem::last_write_time(name, error);
     return error || changed >= begun - std::chrono::milliseconds(20);
 }
+
+// As long as one lives, the first signal may end the program.
+class MayBreakOff {
+ public:
+    explicit MayBreakOff(bool may) { g_harmless.store(may); }
+    MayBreakOff(const MayBreakOff&) = delete;
+    MayBreakOff& operator=(const MayBreakOff&) = delete;
+    ~MayBreakOff() { g_harmless.store(false); }
+};
 
 // The options as they are now: files that they are read from may be what has changed.
 Options read_again(const Options& options) {
@@ -144,14 +147,38 @@ void watch_loop(const std::vector<std::string>& first, const Watching& watching)
             if (watching.over()) return;
         }
         why = *change;
-        for (int i = 0; i < kMostQuietWaits && watching.wait(kQuietTime); ++i) {
+        for (int i = 0; i < kMostQuietWaits && watching.wait(watching.quiet); ++i) {
         }
         if (watching.over()) return;
     }
 }
 
-int run_watch(const Options& options) {
-    refuse_streams(options);
+void check_watchable(const Options& options, const std::string& who) {
+    for (const std::string& name : options.inputs.names) {
+        struct stat status {};
+        const bool once =
+            ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+        if (name != "-" && !once) continue;
+        throw UsageError(
+            fmt::format("{}, and {} can be read only once", who, name == "-" ? "standard input" : name),
+            {"name a file"});
+    }
+}
+
+void tell_build(const Options& options, const Build& done) {
+    tell_printed(options, done.run);
+    const std::vector<FileFindings> findings = done.findings();
+    const Diagnostics& run = done.run.compilation.run_diagnostics;
+    // A file of diagnostics also has to become empty again.
+    if (!options.messages.file.empty() || has_any(findings, run)) report(options.messages, findings, run);
+}
+
+void stop_watching() {
+    g_over.store(true);
+    wake_up();
+}
+
+void watch(const Options& options, const Watched& watched) {
     FileChanges changes;
     const int wake = stop_on_signals();
     std::vector<std::string> files = options.inputs.names;
@@ -165,19 +192,20 @@ int run_watch(const Options& options) {
     std::set<std::string> missing;  // that the last build would have read
     std::optional<std::string> missed;
     Watching watching;
+    watching.quiet = watched.quiet;
     watching.build = [&](const std::string& why) {
+        const MayBreakOff may(watched.harmless);
         begun = Time::clock::now();
         if (first) {
             first = false;
-            return files = build_and_tell(options, why, missing);
+            return files = build_and_tell(options, watched, why, missing);
         }
         try {
-            const Options now = read_again(options);
-            refuse_streams(now);
-            files = build_and_tell(now, why, missing);
+            files = build_and_tell(read_again(options), watched, why, missing);
         } catch (const UsageError& error) {
             // Of a configuration that is being edited, say. What was looked at stays looked at.
             report_usage(error);
+            if (watched.refused) watched.refused(error);
         }
         return files;
     };
@@ -198,6 +226,19 @@ int run_watch(const Options& options) {
     };
     watching.over = [] { return g_over.load(); };
     watch_loop(files, watching);
+}
+
+int run_watch(const Options& options) {
+    refuse_streams(options);
+    Watched watched;
+    watched.build = [](const Options& now, const std::string& why) {
+        refuse_streams(now);
+        const Build done = build(now);
+        say(now.messages, line_of(done, why));
+        tell_build(now, done);
+        return BuiltOf{done.inputs, done.missing};
+    };
+    watch(options, watched);
     return exit_done;
 }
 

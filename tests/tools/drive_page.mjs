@@ -1,12 +1,13 @@
 // Opens a page in Chromium without a window and asks it questions, through a pipe:
 //   node drive_page.mjs CHROMIUM PROFILE PAGE PICTURE WIDTH HEIGHT SCHEME [EXPRESSION ...]
-// PROFILE is an empty folder for the browser; PICTURE takes a PNG of the page as it stands after the last expression
-// ("-": none); SCHEME is light or dark, and after a comma no-webgl or no-script for a browser without. Expressions are
-// JavaScript, or "@FILE" for all of a file's; promises are waited for. "press KEY" presses a key (Tab, Enter, Shift+Tab,
-// ArrowDown, a letter) and "type TEXT" types a text, where the focus is, as a hand would. Prints
+// PROFILE is an empty folder for the browser; PAGE is a file, or an address that begins with http; PICTURE takes a PNG of
+// the page as it stands after the last expression ("-": none); SCHEME is light or dark, and after a comma no-webgl or
+// no-script for a browser without. Expressions are JavaScript, or "@FILE" for all of a file's; promises are waited for.
+// "press KEY" presses a key (Tab, Enter, Shift+Tab, ArrowDown, a letter) and "type TEXT" types a text, where the focus
+// is, as a hand would. "$ COMMAND" is done by sh, and gives what it prints. Prints
 // {messages: [what the page wrote to the console, and what the browser says of it], values: [one an expression]}.
 // Exit 3 where the browser does not start. It needs nothing but Node 18 or newer.
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
@@ -85,7 +86,8 @@ async function drive() {
   const loaded = once('Page.loadEventFired');
   const hash = page.indexOf('#');
   const file = hash < 0 ? page : page.slice(0, hash);
-  await ask('Page.navigate', { url: pathToFileURL(file).href + (hash < 0 ? '' : page.slice(hash)) });
+  const url = file.startsWith('http') ? file : pathToFileURL(file).href;
+  await ask('Page.navigate', { url: url + (hash < 0 ? '' : page.slice(hash)) });
   await loaded;
   const press = async (asked) => {
     const shift = asked.startsWith('Shift+');
@@ -109,7 +111,10 @@ async function drive() {
   const drawn = 'new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(() => r(0))))';
   if (lacking !== 'no-script') await evaluate(drawn);
   const values = [];
-  for (const expression of expressions) values.push(await evaluate(expression));
+  for (const expression of expressions) {
+    if (expression.startsWith('$ ')) values.push(execFileSync('sh', ['-c', expression.slice(2)], { encoding: 'utf8' }));
+    else values.push(await evaluate(expression));
+  }
   if (lacking !== 'no-script') await evaluate(drawn);
   if (picture !== '-') {
     const shot = await ask('Page.captureScreenshot', { format: 'png' });

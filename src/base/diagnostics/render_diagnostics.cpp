@@ -264,6 +264,8 @@ std::string render_text(const Diagnostic& diagnostic, PlaceFinder& source, bool 
     return text;
 }
 
+std::string render_excerpt(Place place, PlaceFinder& source) { return pointed_at(place, source, {false}); }
+
 nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
     nlohmann::ordered_json json;
     const auto or_null = [](const auto& value, bool present) {

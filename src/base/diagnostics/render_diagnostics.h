@@ -46,6 +46,9 @@ std::string render_short(const Diagnostic& diagnostic, bool color = false);
 // four columns, wide characters two; a long line is cut to a window around the caret.
 std::string render_text(const Diagnostic& diagnostic, PlaceFinder& source, bool color = false);
 
+// Of these, the source line with a caret under the column; empty for a place without a column.
+std::string render_excerpt(Place place, PlaceFinder& source);
+
 // One object: file, line, column, severity, code, element, message, hints, before, after; null for what there
 // is not. Where there are related places, also `related`: a list of {line, column, text}.
 nlohmann::ordered_json to_json(const Diagnostic& diagnostic);

@@ -112,6 +112,11 @@ void end_by_signal(int signal) {
     ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
+void end_with(int status) {
+    act_all();
+    ::_exit(status);
+}
+
 SignalPause::SignalPause() {
     sigset_t set;
     sigemptyset(&set);

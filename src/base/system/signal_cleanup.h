@@ -31,6 +31,9 @@ class SignalCleanup {
 // process. Async-signal-safe.
 void end_by_signal(int signal);
 
+// The same, but the process ends with this exit status. What is open is not flushed.
+[[noreturn]] void end_with(int status);
+
 // Holds signals back in this thread that would end the process, but for faults.
 class SignalPause {
  public:

@@ -20,6 +20,7 @@ namespace popup::cli {
 std::span<const Verb> verb_table() {
     static constexpr Verb kVerbs[] = {{add_build, run_build},
                                       {add_check, run_check},
+                                      {add_view, run_view},
                                       {add_fix, run_fix},
                                       {add_batch, run_batch},
                                       {add_merge_reports, run_merge_reports},

@@ -250,6 +250,23 @@ void add_motion_options(CLI::App& verb, Options& options) {
           });
 }
 
+void add_animation_options(CLI::App& verb, Options& options) {
+    const auto number = [&verb](const std::string& name, const std::string& about, double& target,
+                                double least) {
+        verb.add_option_function<std::string>(
+                name,
+                [name, &target, least](const std::string& text) {
+                    target = number_option(name, text, least, 1000.0);
+                },
+                about)
+            ->type_name("N")
+            ->group("Motion");
+    };
+    number("--fps", "at least so many keys a second in the animation", options.compile.output.fps, 0.001);
+    number("--duration", "length of the animation in seconds (default 4)", options.compile.output.duration_s,
+           0.001);
+}
+
 void check_motion_options(const Options& options) {
     const MotionOptions& motion = options.compile.motion;
     if (motion.solver != Solver::iterative) return;

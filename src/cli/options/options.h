@@ -112,6 +112,12 @@ struct JudgeOptions {
     bool statistics = false;
 };
 
+struct ViewOptions {
+    int port = 0;  // 0: one that is free
+    bool no_browser = false;
+    std::chrono::milliseconds idle = std::chrono::hours(1);  // until nobody is thought to look; 0: never
+};
+
 struct ListOptions {
     std::string what;
     bool json = false;
@@ -177,6 +183,7 @@ struct Options {
     BuildOptions build;
     PrintOptions print;
     FixOptions fix;
+    ViewOptions view;
     std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb
     ListOptions list;
     JudgeOptions judge;
@@ -208,6 +215,8 @@ void add_check_options(CLI::App& verb, Options& options);
 void add_sheet_options(CLI::App& verb, Options& options);
 void add_nest_options(CLI::App& verb, Options& options);
 void add_motion_options(CLI::App& verb, Options& options);
+// How animations run, in the same group.
+void add_animation_options(CLI::App& verb, Options& options);
 void add_thread_option(CLI::App& verb, Options& options);
 void add_config_options(CLI::App& verb, Options& options);
 
@@ -230,6 +239,9 @@ std::optional<std::vector<Angle>> parse_angles(std::string_view text);
 // is no such range.
 inline constexpr double kMostAngles = 100000;
 double count_angles(std::string_view text);
+
+// "90s", "15m", "1.5h", or 0; at most 1000 hours. nullopt when it is not that.
+std::optional<std::chrono::milliseconds> parse_time(std::string_view text);
 
 // The length or number of `text` for `option`, at least `least_mm` and at most 1 km, or within [least, most];
 // else a UsageError that says what was wanted.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/text/nearest.h"
 #include "cli/options/options.h"
@@ -49,6 +50,18 @@ std::optional<Length> parse_length(std::string_view text) {
     const std::optional<double> value = parse_number(text);
     if (!value) return std::nullopt;
     return Length::millimetres(*value * scale);
+}
+
+std::optional<std::chrono::milliseconds> parse_time(std::string_view text) {
+    if (text == "0") return std::chrono::milliseconds(0);
+    constexpr double kMostSeconds = 3'600'000.0;
+    for (const auto& [unit, seconds] : {std::pair('s', 1.0), std::pair('m', 60.0), std::pair('h', 3600.0)}) {
+        if (!text.ends_with(unit)) continue;
+        const std::optional<double> value = parse_number(text.substr(0, text.size() - 1));
+        if (!value || *value < 0.0 || *value * seconds > kMostSeconds) return std::nullopt;
+        return std::chrono::milliseconds(std::llround(1000.0 * *value * seconds));
+    }
+    return std::nullopt;
 }
 
 std::optional<PieceRule> parse_turn_rule(std::string_view text) {

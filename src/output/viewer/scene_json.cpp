@@ -1,8 +1,11 @@
 #include "output/viewer/scene_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -25,6 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMostBytes = 400'000'000;
 constexpr int kLengthDecimals = 6;
 constexpr double kPerPointMm = 1e2;
 constexpr double kPerTurn = 2e5;
@@ -425,6 +429,19 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const View
     scene["cards"] = std::move(rows);
     scene["lists"] = text.take_lists();
     return scene;
+}
+
+std::optional<std::string> viewer_scene_text(const nlohmann::ordered_json& scene, Diagnostics& diagnostics) {
+    std::string text = scene.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    if (text.size() <= kMostBytes) return text;
+    diagnostics
+        .error("model-too-large", {},
+               fmt::format("the page would be {:.0f} MB, {:.0f} MB are the most",
+                           1e-6 * static_cast<double>(text.size()), 1e-6 * static_cast<double>(kMostBytes)))
+        .hint(
+            "ask for fewer angles or fewer keys a second, take smaller pictures, or write fewer designs into "
+            "one page");
+    return std::nullopt;
 }
 
 std::string viewer_title(std::span<const SceneCard> cards) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ struct ViewerStart {
 // out. Cost: that of all meshes, and plates × keys.
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
                                     const ViewerStart& start, const OutputOptions& options);
+
+// The scene as text. `model-too-large` and nullopt: it has more than 400 MB, which browsers do not take.
+std::optional<std::string> viewer_scene_text(const nlohmann::ordered_json& scene, Diagnostics& diagnostics);
 
 // The names of all cards, at most three. Valid UTF-8.
 std::string viewer_title(std::span<const SceneCard> cards);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -22,27 +21,17 @@ namespace {
 constexpr PictureSize kSize{480, 360};
 constexpr int kDecimals = 2;
 
-std::string told_html(std::string_view text) { return as_markup(visible(text)); }
-
-std::string place_text(const std::string& file, Place place) {
-    // By name only: pages are mailed.
-    std::string text = file.empty() ? "popupc" : file.substr(file.rfind('/') + 1);
-    if (place.line > 0) text += fmt::format(":{}", place.line);
-    if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
-    return told_html(text);
-}
-
 std::string finding_html(const Diagnostic& one) {
     const std::string_view severity = to_string(one.severity);
     std::string html = fmt::format("<li><span class=\"{0}\">{0}</span> {1} <code>{2} [{3}]</code>", severity,
-                                   told_html(one.message), place_text(one.file, one.place), one.code);
+                                   told_html(one.message), place_html(one.file, one.place), one.code);
     std::string more;
     if (one.change && !one.change->after.empty()) {
         more += fmt::format("<li>was {}, now {}</li>", told_html(one.change->before),
                             told_html(one.change->after));
     }
     for (const Related& other : one.related) {
-        more += fmt::format("<li>with {} {}</li>", place_text(one.file, other.place), told_html(other.text));
+        more += fmt::format("<li>with {} {}</li>", place_html(one.file, other.place), told_html(other.text));
     }
     for (const std::string& hint : one.hints) more += fmt::format("<li>{}</li>", told_html(hint));
     if (!more.empty()) html += "<ul>" + more + "</ul>";
@@ -50,6 +39,20 @@ std::string finding_html(const Diagnostic& one) {
 }
 
 }  // namespace
+
+std::string told_html(std::string_view text) { return as_markup(visible(text)); }
+
+std::string place_html(const std::string& file, Place place) {
+    std::string text = file.empty() ? "popupc" : file.substr(file.rfind('/') + 1);
+    if (place.line > 0) text += fmt::format(":{}", place.line);
+    if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+    return told_html(text);
+}
+
+ViewerStart viewer_start(std::span<const SceneCard> cards, const OutputOptions& options) {
+    const still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    return {modeller.best_deg(), modeller.stands_up()};
+}
 
 std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
                                         Diagnostics& diagnostics) {

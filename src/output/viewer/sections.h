@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "output/viewer/scene_json.h"
@@ -17,6 +18,9 @@ struct ViewerStill {
     std::string text;   // for those who cannot see it
     ViewerStart start;  // how the page begins, so that it shows the same
 };
+
+// How a page of these cards begins: where they are seen best.
+ViewerStart viewer_start(std::span<const SceneCard> cards, const OutputOptions& options);
 
 // The picture of the cards at the opening where they are seen best. Errors: `locks`, `picture-failed`.
 std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
@@ -34,5 +38,10 @@ std::optional<ViewerSheets> viewer_sheets(const Layout* layout, const OutputOpti
 
 // Findings as a list.
 std::string viewer_findings(std::span<const Diagnostic> findings);
+
+// "castle.xml:4:5", by name only: pages are mailed. As markup.
+std::string place_html(const std::string& file, Place place);
+// Text that may come from a document, as markup: what cannot be seen is made visible.
+std::string told_html(std::string_view text);
 
 }  // namespace popup
