@@ -37,6 +37,9 @@ struct ProgramOptions {
     // How a file that `load` names is read, and a picture that a document names: the disk, where it is empty.
     // nullopt: there is none.
     std::function<std::optional<Source>(const std::string& path)> read_file;
+    // What such a file holds in place of what the disk has, as when an editor has it open: asked before the
+    // disk, and before read_file. nullopt: nothing; the disk. May be empty.
+    std::function<std::optional<std::string>(const std::string& path)> overlay = {};
 };
 
 // What a line of a drawing was drawn for.

@@ -237,11 +237,15 @@ std::optional<Color> parse_color(std::string_view text) {
     return parse_name(text);
 }
 
-std::string nearest_color_name(std::string_view text) {
+std::vector<std::string_view> color_names() {
     std::vector<std::string_view> names;
     names.reserve(kNames.size());
     for (const NamedColor& row : kNames) names.push_back(row.name);
-    const std::vector<std::string> near = nearest(lower(trimmed(text)), names, 1);
+    return names;
+}
+
+std::string nearest_color_name(std::string_view text) {
+    const std::vector<std::string> near = nearest(lower(trimmed(text)), color_names(), 1);
     return near.empty() ? std::string() : near.front();
 }
 

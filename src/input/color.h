@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "popup/print.h"
 
@@ -13,6 +14,9 @@ namespace popup {
 // number that Java's Color.getRGB() gives (-65536 is red; its alpha is disregarded). Case and blanks around
 // do not matter. nullopt when it is none of these.
 std::optional<Color> parse_color(std::string_view text);
+
+// The names of CSS colours, sorted.
+std::vector<std::string_view> color_names();
 
 // The CSS colour name nearest to a misspelt one; empty when none is near.
 std::string nearest_color_name(std::string_view text);

@@ -46,7 +46,8 @@ PictureRefusal outside(std::string message) {
 
 PictureFiles::PictureFiles(const Source& document, const ReadOptions& options)
     : folder_{input_folder(folder_of(document.name), !options.program.read_file)},
-      read_(options.program.read_file) {}
+      read_(options.program.read_file),
+      overlay_(options.program.overlay) {}
 
 std::optional<std::string> PictureFiles::name(std::string_view href, std::string_view what,
                                               PictureRefusal& refusal) {
@@ -72,7 +73,10 @@ std::optional<std::string> PictureFiles::name(std::string_view href, std::string
 std::optional<FileBelow> PictureFiles::bytes(const std::string& named, std::string_view what,
                                              std::string_view hint, PictureRefusal& refusal) {
     FileBelow file;
-    if (!read_) {
+    if (overlay_) file.text = overlay_(named);
+    if (file.text) {
+        file.path = named;
+    } else if (!read_) {
         file = read_file_below(named, folder_, "the folder of the document", kMostMiB);
     } else if (std::optional<Source> source = read_(named)) {
         file.text = std::move(source->text);

@@ -53,6 +53,7 @@ class PictureFiles {
 
     std::vector<InputFolder> folder_;
     std::function<std::optional<Source>(const std::string& path)> read_;
+    std::function<std::optional<std::string>(const std::string& path)> overlay_;
     std::map<std::string, Entry, std::less<>> by_name_;  // as named from the working directory
     std::map<std::string, Image> by_path_;               // canonical
     struct Text {

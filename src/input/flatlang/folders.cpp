@@ -35,13 +35,21 @@ std::string list_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Folders::Folders(const Source& program, const ProgramOptions& options) : read_(options.read_file) {
+Folders::Folders(const Source& program, const ProgramOptions& options)
+    : read_(options.read_file), overlay_(options.overlay) {
     folders_.push_back(input_folder(folder_of(program.name), !read_));
     for (const std::string& folder : options.folders) folders_.push_back(input_folder(folder, !read_));
+    if (!overlay_) return;
+    for (const InputFolder& folder : folders_) as_named_.push_back(input_folder(folder.shown, false));
 }
 
 std::optional<LoadedFile> Folders::load(const std::string& shown, std::string& trouble,
                                         std::set<std::string>* missing) const {
+    if (overlay_) {
+        const std::string path = normal_path(shown);
+        std::optional<std::string> text = is_below(path, as_named_) ? overlay_(path) : std::nullopt;
+        if (text) return LoadedFile{shown, std::move(*text)};
+    }
     if (!read_) {
         FileBelow file = read_file_below(shown, folders_, kOutOf, kLargestMiB);
         trouble = std::move(file.trouble);

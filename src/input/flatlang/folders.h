@@ -46,7 +46,9 @@ class Folders {
                                    std::set<std::string>* missing) const;
 
     std::vector<InputFolder> folders_;
+    std::vector<InputFolder> as_named_;  // the same by their names alone, for the overlay
     std::function<std::optional<Source>(const std::string& path)> read_;
+    std::function<std::optional<std::string>(const std::string& path)> overlay_;
 };
 
 // A file of the kit by its name without "kit/" ("gear.fl"); null: there is none.

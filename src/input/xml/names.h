@@ -69,6 +69,9 @@ std::string_view canonical(Name name);
 // `unknown` when it has none.
 Name home_of(Name context, std::string_view spelling);
 
+// What it is, in half a sentence, for those who write documents; empty for what is no word of the table.
+std::string_view about(Name name);
+
 // The parameter of any row of element_table() that `spelling` means inside a structure, in canonical
 // spelling; empty when there is none.
 std::string_view find_parameter_name(std::string_view spelling);

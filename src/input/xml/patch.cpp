@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "input/text.h"
@@ -17,7 +18,7 @@ class Patch {
  public:
     Patch(std::string_view text, const Design& design) : text_(text), design_(design) {}
 
-    std::string run() {
+    std::vector<PatchEdit> run() {
         for (const Structure& structure : design_.structures) {
             if (structure.dropped) {
                 remove(structure.tag_text);
@@ -35,27 +36,11 @@ class Patch {
         }
         for (const DrawnPrint& print : design_.prints) print_edits(print);
         std::sort(edits_.begin(), edits_.end(),
-                  [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
-        std::string out;
-        out.reserve(text_.size() + edits_.size() * 8);
-        std::size_t at = 0;
-        for (const Edit& edit : edits_) {
-            POPUP_INVARIANT(edit.begin >= at && edit.end >= edit.begin && edit.end <= text_.size());
-            out += text_.substr(at, edit.begin - at);
-            out += edit.text;
-            at = edit.end;
-        }
-        out += text_.substr(at);
-        return out;
+                  [](const PatchEdit& a, const PatchEdit& b) { return a.begin < b.begin; });
+        return std::move(edits_);
     }
 
  private:
-    struct Edit {
-        std::size_t begin;
-        std::size_t end;
-        std::string text;
-    };
-
     void structure_edits(const Structure& structure) {
         if (structure.type_changed) type(structure);
         for (const DesignPoint& point : structure.points) point_edits(point, structure.ground_page());
@@ -183,11 +168,29 @@ class Patch {
 
     std::string_view text_;
     const Design& design_;
-    std::vector<Edit> edits_;
+    std::vector<PatchEdit> edits_;
 };
 
 }  // namespace
 
-std::string patch(const Source& source, const Design& design) { return Patch(source.text, design).run(); }
+std::vector<PatchEdit> patch_edits(const Source& source, const Design& design) {
+    return Patch(source.text, design).run();
+}
+
+std::string patch(const Source& source, const Design& design) {
+    const std::string_view text = source.text;
+    const std::vector<PatchEdit> edits = patch_edits(source, design);
+    std::string out;
+    out.reserve(text.size() + edits.size() * 8);
+    std::size_t at = 0;
+    for (const PatchEdit& edit : edits) {
+        POPUP_INVARIANT(edit.begin >= at && edit.end >= edit.begin && edit.end <= text.size());
+        out += text.substr(at, edit.begin - at);
+        out += edit.text;
+        at = edit.end;
+    }
+    out += text.substr(at);
+    return out;
+}
 
 }  // namespace popup::xml

@@ -1,8 +1,10 @@
 // The popup XML document as an input language.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "popup/language.h"
 
@@ -13,5 +15,14 @@ Reading read_document(const Source& source, const ReadOptions& options, Diagnost
 // The design alone.
 std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 std::string patch(const Source& source, const Design& design);
+
+// Bytes [begin, end) of a source, and what stands there in place of them.
+struct PatchEdit {
+    std::size_t begin;
+    std::size_t end;
+    std::string text;
+};
+// What patch() changes, in the order of the text; none overlap.
+std::vector<PatchEdit> patch_edits(const Source& source, const Design& design);
 
 }  // namespace popup::xml

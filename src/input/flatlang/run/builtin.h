@@ -30,6 +30,8 @@ struct Builtin {
     int most = 0;  // arguments; -1: any number
     Value (*run)(const Call&) = nullptr;
     const void* data = nullptr;  // for rows made from another table
+    // The call and what it does, for those that programs call: "sqrt(x): the square root".
+    std::string_view about = {};
 };
 
 // The tables. A further one is one file and one row of `builtin_tables` in builtins.cpp.
@@ -45,7 +47,7 @@ const Builtin* find_builtin(std::string_view name);
 std::vector<std::string_view> builtin_names();
 
 // FlatLang text that is run before every program: what the language calls forward(), cons() … in terms of
-// builtins whose names begin with "__".
+// builtins whose names begin with "__". What a function does stands in a comment behind it.
 std::string_view prelude();
 
 }  // namespace popup::flatlang

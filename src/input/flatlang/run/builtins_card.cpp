@@ -465,10 +465,18 @@ struct Rows {
     std::vector<Builtin> rows;
 
     Rows() {
-        rows.push_back({"popup", 0, 4, popup_card});
-        rows.push_back({"named", 2, 3, named});
-        rows.push_back({"painted", 2, 5, painted});
-        rows.push_back({"drawline", 1, -1, draw_line});
+        rows.push_back(
+            {"popup", 0, 4, popup_card, nullptr,
+             "popup(), popup(width, height), popup(width, height, left, right): begins a card, in inches, "
+             "with the colours of its halves; the gutter is its .gutter"});
+        rows.push_back({"named", 2, 3, named, nullptr,
+                        "named(element, name), named(element, name, number): gives an element its id"});
+        rows.push_back({"painted", 2, 5, painted, nullptr,
+                        "painted(element, left, right, left tab, right tab): gives an element its colours"});
+        rows.push_back({"drawline", 1, -1, draw_line, nullptr,
+                        "drawline(where, [x, y], [x, y], ..., thickness, colour): prints a line on a page, "
+                        "an element or "
+                        "beside a fold"});
         for (const ElementInfo& info : element_table()) {
             std::vector<std::string> spellings = names_of(info.name);
             for (const std::string_view also : info.also) {
@@ -476,7 +484,7 @@ struct Rows {
             }
             for (std::string& name : spellings) {
                 names.push_back(std::move(name));
-                rows.push_back({names.back(), 1, -1, element, &info});
+                rows.push_back({names.back(), 1, -1, element, &info, info.about});
             }
         }
     }

@@ -23,14 +23,15 @@ double arc_cosine(double v) { return std::acos(v); }
 double arc_tangent(double v) { return std::atan(v); }
 
 constexpr std::array kBuiltins{
-    Builtin{"sqrt", 1, 1, of_number<square_root>},
-    Builtin{"sin", 1, 1, of_number<sine>},
-    Builtin{"cos", 1, 1, of_number<cosine>},
-    Builtin{"tan", 1, 1, of_number<tangent>},
-    Builtin{"asin", 1, 1, of_number<arc_sine>},
-    Builtin{"acos", 1, 1, of_number<arc_cosine>},
-    Builtin{"atan", 1, 1, of_number<arc_tangent>},
-    Builtin{"pi", 0, 0, [](const Call& call) { return call.in.heap.number(std::numbers::pi); }},
+    Builtin{"sqrt", 1, 1, of_number<square_root>, nullptr, "sqrt(x): the square root"},
+    Builtin{"sin", 1, 1, of_number<sine>, nullptr, "sin(x): the sine of an angle in radians"},
+    Builtin{"cos", 1, 1, of_number<cosine>, nullptr, "cos(x): the cosine of an angle in radians"},
+    Builtin{"tan", 1, 1, of_number<tangent>, nullptr, "tan(x): the tangent of an angle in radians"},
+    Builtin{"asin", 1, 1, of_number<arc_sine>, nullptr, "asin(x): the angle of that sine, in radians"},
+    Builtin{"acos", 1, 1, of_number<arc_cosine>, nullptr, "acos(x): the angle of that cosine, in radians"},
+    Builtin{"atan", 1, 1, of_number<arc_tangent>, nullptr, "atan(x): the angle of that tangent, in radians"},
+    Builtin{"pi", 0, 0, [](const Call& call) { return call.in.heap.number(std::numbers::pi); }, nullptr,
+            "pi(): half a turn in radians"},
 };
 
 }  // namespace

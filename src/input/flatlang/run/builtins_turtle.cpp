@@ -136,12 +136,15 @@ constexpr std::array kBuiltins{
     Builtin{"__mark", 1, 1, mark},
     Builtin{"__backto", 1, 1, back_to},
     Builtin{"__part", 0, 1, part},
-    Builtin{"draw", 1, 2, draw},
-    Builtin{"pos", 0, 0, pos},
-    Builtin{"dir", 0, 0, dir},
-    Builtin{"drawto", 1, 2, draw_to},
-    Builtin{"facedir", 1, 1, face},
-    Builtin{"turtlexor", 0, -1, nothing},
+    Builtin{"draw", 1, 2, draw, nullptr,
+            "draw(shape), draw(shape, mark): draws a shape, from its beginning or from a mark in it"},
+    Builtin{"pos", 0, 0, pos, nullptr, "pos(): the place of the turtle, a vector"},
+    Builtin{"dir", 0, 0, dir, nullptr, "dir(): which ways are right, ahead and up for the turtle, a matrix"},
+    Builtin{"drawto", 1, 2, draw_to, nullptr,
+            "drawto(v), drawto(v, fraction): draws a line to a place, or a part of it; the turtle then faces "
+            "as at the beginning"},
+    Builtin{"facedir", 1, 1, face, nullptr, "facedir(m): turns as dir() said"},
+    Builtin{"turtlexor", 0, -1, nothing, nullptr, "turtlexor(...): is accepted, and does nothing"},
 };
 
 }  // namespace
