@@ -27,6 +27,7 @@
 #include "parts/codes.h"
 #include "pattern/codes.h"
 #include "popup/diagnostics.h"
+#include "repair/codes.h"
 #include "run/codes.h"
 #include "trace/codes.h"
 
@@ -40,7 +41,7 @@ std::vector<CodeInfo> sorted_rows() {
           flatlang_codes(), assembly_codes(),  fold_codes(),        dxf_codes(),     oa_codes(),
           parts_codes(),    mechanism_codes(), check_codes(),       folded_codes(),  motion_codes(),
           pattern_codes(),  layout_codes(),    fabrication_codes(), output_codes(),  run_codes(),
-          findings_codes(), batch_codes(),     cli_codes(),         trace_codes()}) {
+          findings_codes(), repair_codes(),    batch_codes(),       cli_codes(),     trace_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

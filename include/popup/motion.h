@@ -115,6 +115,18 @@ struct FreePlates {
     bool parallel = false;    // all of these run in one direction
 };
 
+// What would keep two elements from colliding: tried out by the examination, not guessed. The element is
+// moved along what it stands on, as if its points had been drawn there; whether there is paper is not looked
+// at.
+struct FreeingMove {
+    std::string element;  // the one that moves: the name of its joint
+    std::string other;    // that of the other
+    Place place;          // of the collision's finding, and of the other element that this names
+    Place other_place;
+    Vec2 by;                 // mm, on the page of its left driving plate
+    std::string_view along;  // what it moves along, in words: "fold"
+};
+
 // What the simulation found. Frames are not stored (they cost 96 bytes a plate and angle): ask for them
 // again.
 struct Motion {
@@ -125,6 +137,7 @@ struct Motion {
     bool flat_closed = false;            // flat_error_deg within tolerance
     std::vector<FreePlates> not_forced;  // as free_plates() has them; none with Solver::iterative
     std::optional<Examination> examination;  // none: not examined, not asked for or as Sweep::bends says
+    std::vector<FreeingMove> moves;  // of the first collisions that were found, as many as could be tried
 };
 
 // Frames of all plates at one angle, in closed form. `frames` has one entry a plate.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -10,13 +11,12 @@
 #include "cli/files/read_files.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
-#include "output/xml.h"
 #include "popup/files.h"
+#include "repair/free_collisions.h"
+#include "repair/mend_document.h"
 
 namespace popup::cli {
 namespace {
-
-constexpr int kMostRounds = 8;
 
 void check_usage(const Options& options, const InputFiles& files) {
     const std::vector<std::string>& inputs = options.inputs.names;
@@ -89,37 +89,57 @@ void check_documents(const Options& options, const std::vector<std::string>& nam
     }
 }
 
-// The document with its repairs, and those of what the repairs uncover, until nothing is left to repair; so a
-// second `fix` finds nothing to do. nullopt when that does not come to an end: a finding is added.
+// The document with its repairs; nullopt when they do not come to an end: a finding is added.
 std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
-    std::string text = one.source.text;
-    const Language* language = &language_of(options.inputs, one.source);
-    const bool drawn = becomes_document(options, *language);
-    if (drawn) language = find_language({}, "xml");
-    CompileOptions again = options.compile;
-    again.read.language = language->name;
-    again.until = Stage::motion;
-    again.motion.examine = false;  // it repairs nothing, and what it finds has been told
-    again.threads = 1;
-    again.progress = {};
-    const CompiledDesign* latest = &one;
-    Compilation next;
-    if (drawn) {
-        text = write_document(one.checked->design());
-        next = compile({Source{one.source.name, text}}, again, {});
-        latest = &next.designs.front();
-    }
-    for (int round = 0; round < kMostRounds && !next.has_errors(); ++round) {
-        std::string patched = language->patch(latest->source, latest->checked->design());
-        if (patched == text) return text;
-        text = patched;
-        next = compile({Source{one.source.name, std::move(patched)}}, again, {});
-        if (next.has_errors()) break;
-        latest = &next.designs.front();
-    }
+    auto text = mended_document(one, language_of(options.inputs, one.source), options.compile);
+    if (text) return text;
     one.diagnostics.error("fix-unsettled", {}, "the repairs do not settle: mending one thing breaks another")
         .hint("mend what the first warnings name by hand, then run fix again");
     return std::nullopt;
+}
+
+// The findings without the collisions of pairs that were moved apart, and with the moves.
+Diagnostics with_moves(const Diagnostics& found, const CompiledDesign& one, const FreedDocument& freed) {
+    Diagnostics made(found.file(), found.policy());
+    const auto is_freed = [&](const Diagnostic& finding) {
+        return finding.code == "collision" &&
+               std::any_of(freed.moves.begin(), freed.moves.end(), [&](const MadeMove& made_move) {
+                   const FreeingMove& move = made_move.move;
+                   const std::string other =
+                       fmt::format("\"{}\"", finding.element == move.element ? move.other : move.element);
+                   return (finding.element == move.element || finding.element == move.other) &&
+                          !finding.related.empty() && finding.related.front().text == other;
+               });
+    };
+    for (const Diagnostic& finding : found.sorted()) {
+        if (is_freed(finding)) continue;
+        made.add(finding.severity, finding.code, finding.place, finding.message) = finding;
+    }
+    for (const MadeMove& made_move : freed.moves) {
+        const FreeingMove& move = made_move.move;
+        // Where it stands in the document as it was given: repairs may have moved it in its line.
+        Place place = move.place;
+        for (const Structure& structure : one.design->structures) {
+            if (structure.id == move.element) place = structure.place;
+        }
+        made.warning("moved-clear", place,
+                     fmt::format("\"{}\" went through \"{}\"; it was moved {:.2f} mm along its {}",
+                                 move.element, move.other, moved_mm(move), move.along))
+            .about(move.element)
+            .changed(made_move.before, made_move.after);
+    }
+    return made;
+}
+
+// The document with what collides moved apart; adds to `left` how many pairs are not.
+std::string freed(const Options& options, CompiledDesign& one, std::string text, std::size_t& left) {
+    const Language* language = &language_of(options.inputs, one.source);
+    if (becomes_document(options, *language)) language = find_language({}, "xml");
+    const FreedDocument made =
+        free_collisions({one.source.name, std::move(text)}, *language, options.compile, options.policy);
+    left += made.left.size();
+    one.diagnostics = with_moves(one.diagnostics, one, made);
+    return made.text;
 }
 
 std::vector<std::string> names_of(const std::vector<PendingFile>& files) {
@@ -163,6 +183,10 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     verb->add_flag("--drop", options.compile.check.drop,
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");
+    verb->add_flag(
+            "--collisions", fix.collisions,
+            "move elements along what they stand on, as little as keeps them from going through others")
+        ->group("Output");
     add_message_options(*verb, options);
     add_config_options(*verb, options);
     add_thread_option(*verb, options);
@@ -171,9 +195,12 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
         "  popupc fix --diff castle.xml\n"
         "  popupc fix --in-place designs/\n"
         "  popupc fix castle.xml -o castle-fixed.xml\n"
+        "  popupc fix --collisions --diff castle.xml\n"
         "  popupc fix --as card drawing.svg -o card.xml\n"
         "\nExit status 0 when what was written is right; 1 when something could not be repaired (nothing is\n"
-        "written), or, with --diff, when there is something to change.");
+        "written), when --collisions leaves some that no comment allows (what helps is written), or, with "
+        "--diff,\n"
+        "when there is something to change.");
     return verb;
 }
 
@@ -189,12 +216,14 @@ int run_fix(const Options& options) {
     }
     bool written = true;
     bool changed = false;
+    std::size_t colliding = 0;  // pairs that are left
     if (run.usable() && !compilation.has_errors()) {
         std::string diff;
         std::vector<PendingFile> documents;
         for (CompiledDesign& one : compilation.designs) {
             std::optional<std::string> text = mended(options, one);
             if (!text) continue;
+            if (options.fix.collisions) text = freed(options, one, std::move(*text), colliding);
             if (*text != one.source.text) changed = true;
             if (options.fix.diff) {
                 diff += unified_diff(one.source.name, one.source.text, *text);
@@ -215,7 +244,8 @@ int run_fix(const Options& options) {
     if (!written && reader_has_gone()) return exit_unusable;
     const bool told = report(options.messages, run.findings(), compilation.run_diagnostics);
     if (!run.usable() || !written || !told) return exit_unusable;
-    return compilation.has_errors() || (options.fix.diff && changed) ? exit_findings : exit_done;
+    return compilation.has_errors() || colliding > 0 || (options.fix.diff && changed) ? exit_findings
+                                                                                      : exit_done;
 }
 
 }  // namespace popup::cli

@@ -51,7 +51,8 @@ class Findings {
              Diagnostics& diagnostics)
         : assembly_(assembly), linkage_(linkage), shapes_(shapes), diagnostics_(diagnostics) {}
 
-    void collisions(const std::vector<Contact>& contacts) {
+    std::vector<FreeingMove> collisions(const std::vector<Contact>& contacts) {
+        std::vector<FreeingMove> moves;
         int tried = 0;
         for (const auto& [joints, all] : by_elements(contacts)) {
             const Contact& worst = **std::max_element(
@@ -82,8 +83,13 @@ class Findings {
                     "frees the two",
                     assembly_.joints[static_cast<std::size_t>(move->joint)].name,
                     rounded_up(length(move->by)), move->along, move->by.x + 0.0, move->by.y + 0.0));
+                const int still = move->joint == joints.first ? joints.second : joints.first;
+                moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
+                                 assembly_.joints[static_cast<std::size_t>(still)].name, joint.place,
+                                 linkage_.element(other).place, move->by, move->along});
             }
         }
+        return moves;
     }
 
     void protrusions(const std::vector<Protrusion>& all) {
@@ -275,14 +281,16 @@ class Findings {
 
 }  // namespace
 
-void report_findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
-                     const Examination& found, const MotionOptions& options, Diagnostics& diagnostics) {
+std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage& linkage,
+                                         std::span<const PlateShape> shapes, const Examination& found,
+                                         const MotionOptions& options, Diagnostics& diagnostics) {
     Findings findings(assembly, linkage, shapes, diagnostics);
-    findings.collisions(found.contacts);
+    std::vector<FreeingMove> moves = findings.collisions(found.contacts);
     findings.protrusions(found.closed.protrusions);
     findings.layers(found);
     if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);
     findings.undecided(found);
+    return moves;
 }
 
 void report_not_forced(const Assembly& assembly, const Linkage& linkage, std::span<const FreePlates> all,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "motion/linkage.h"
 #include "motion/plate_shape.h"
@@ -11,8 +12,10 @@ namespace popup {
 
 // One warning for two elements that collide, for an element that sticks out, for a closed card without an
 // order of layers, for two elements that come too close; one remark for two that could not be told apart.
-void report_findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
-                     const Examination& found, const MotionOptions& options, Diagnostics& diagnostics);
+// Returns the moves that hints tell of.
+std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage& linkage,
+                                         std::span<const PlateShape> shapes, const Examination& found,
+                                         const MotionOptions& options, Diagnostics& diagnostics);
 
 // One remark for each group of plates that the opening does not force, at the element of its first plate.
 void report_not_forced(const Assembly& assembly, const Linkage& linkage, std::span<const FreePlates> all,

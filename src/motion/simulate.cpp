@@ -151,7 +151,8 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
         if (order_folds(*sheet, options, diagnostics, whole ? &*motion.examination : nullptr))
             return run(assembly, nullptr, options, diagnostics);
     }
-    report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
+    motion.moves =
+        report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
     add_witnesses(motion);
     return motion;
 }

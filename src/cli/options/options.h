@@ -102,7 +102,8 @@ struct BuildOptions {
 struct FixOptions {
     bool diff = false;
     bool in_place = false;
-    std::string output;  // empty: standard output
+    bool collisions = false;  // move elements that collide
+    std::string output;       // empty: standard output
 };
 
 // What `check` makes of its findings.

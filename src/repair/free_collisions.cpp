@@ -1,0 +1,156 @@
+#include "repair/free_collisions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "mechanism/standing.h"
+
+namespace popup {
+namespace {
+
+using Pair = std::pair<std::string, std::string>;
+using Pairs = std::set<Pair>;
+
+// "front/left" is of "front".
+std::string owner_of(const std::string& plate) { return plate.substr(0, plate.rfind('/')); }
+
+// A document that was looked at.
+struct Looked {
+    CompiledDesign design;
+    Pairs colliding;                    // of elements
+    std::map<std::string, int> others;  // warnings of other kinds, by code
+    bool accepted = false;              // without errors and repairs, and its motion was examined
+};
+
+class Freer {
+ public:
+    Freer(const Source& source, const Language& language, const CompileOptions& options,
+          const DiagnosticPolicy& policy)
+        : name_(source.name), language_(language), options_(options), policy_(policy) {
+        options_.read.language = language.name;
+        options_.until = Stage::motion;
+        options_.motion.examine = true;
+        options_.threads = 1;
+        options_.progress = {};
+    }
+
+    FreedDocument run(const std::string& text) {
+        FreedDocument made{text, {}, {}};
+        Looked now = look(text);
+        while (now.accepted && step(now, made)) {
+        }
+        for (const Diagnostic& one : now.design.diagnostics.sorted()) {
+            if (one.code != "collision") continue;
+            std::string other = one.related.empty() ? one.element : one.related.front().text;
+            if (other.size() > 2 && other.front() == '"') other = other.substr(1, other.size() - 2);
+            made.left.emplace_back(one.element, other);
+        }
+        return made;
+    }
+
+ private:
+    Looked look(std::string text) const {
+        Compilation run = compile({Source{name_, std::move(text)}}, options_, policy_);
+        Looked made{std::move(run.designs.front()), {}, {}, false};
+        const CompiledDesign& design = made.design;
+        for (const Diagnostic& one : design.diagnostics.sorted()) {
+            if (one.code != "collision" && one.severity != Severity::remark) ++made.others[one.code];
+        }
+        if (!design.motion || !design.motion->examination) return made;
+        for (const Contact& contact : design.motion->examination->contacts) {
+            const auto name = [&](int plate) {
+                return owner_of(design.assembly->plates[static_cast<std::size_t>(plate)].name);
+            };
+            made.colliding.insert(std::minmax(name(contact.a), name(contact.b)));
+        }
+        made.accepted = !design.diagnostics.has_errors() && design.diagnostics.repairs().empty();
+        return made;
+    }
+
+    // One move, if any helps.
+    bool step(Looked& now, FreedDocument& made) const {
+        std::vector<FreeingMove> moves = told(now.design);
+        std::stable_sort(moves.begin(), moves.end(), [](const FreeingMove& a, const FreeingMove& b) {
+            return length(a.by) < length(b.by);
+        });
+        const Standing standing = standing_of(*now.design.design);
+        for (const FreeingMove& move : moves) {
+            Design moved = *now.design.design;
+            if (!move_element(moved, standing, move)) continue;
+            std::string text = language_.patch(now.design.source, moved);
+            Looked next = look(text);
+            if (!helps(now, next, std::minmax(move.element, move.other))) continue;
+            MadeMove record{move, {}, {}};
+            points(*now.design.design, moved, move.element, record);
+            made.moves.push_back(std::move(record));
+            made.text = std::move(text);
+            now = std::move(next);
+            return true;
+        }
+        return false;
+    }
+
+    // Those whose collision is told: others are allowed.
+    static std::vector<FreeingMove> told(const CompiledDesign& design) {
+        std::vector<FreeingMove> moves;
+        const std::vector<Diagnostic> findings = design.diagnostics.sorted();
+        for (const FreeingMove& move : design.motion->moves) {
+            const bool is_told = std::any_of(findings.begin(), findings.end(), [&](const Diagnostic& one) {
+                return one.code == "collision" && one.place == move.place && !one.related.empty() &&
+                       one.related.front().place == move.other_place;
+            });
+            if (is_told) moves.push_back(move);
+        }
+        return moves;
+    }
+
+    static bool helps(const Looked& before, const Looked& after, const Pair& pair) {
+        if (!after.accepted || after.colliding.contains(pair)) return false;
+        const bool subset = std::includes(before.colliding.begin(), before.colliding.end(),
+                                          after.colliding.begin(), after.colliding.end());
+        return subset && std::all_of(after.others.begin(), after.others.end(), [&](const auto& one) {
+                   const auto had = before.others.find(one.first);
+                   return had != before.others.end() && had->second >= one.second;
+               });
+    }
+
+    // "A (-30, -40) B (-30, 2)", before and after.
+    static void points(const Design& before, const Design& after, const std::string& id, MadeMove& made) {
+        const auto find = [&id](const Design& design) -> const Structure& {
+            return *std::find_if(design.structures.begin(), design.structures.end(),
+                                 [&](const Structure& one) { return one.id == id; });
+        };
+        const Structure& old = find(before);
+        const Structure& now = find(after);
+        const ElementInfo* info = find_element(old.type);
+        const auto text = [&](Vec2 p) {
+            const auto number = [&](double mm) { return std::round(mm / before.unit.mm * 1e4) / 1e4 + 0.0; };
+            return fmt::format("({}, {})", number(p.x), number(p.y));
+        };
+        for (std::size_t i = 0; i < old.points.size(); ++i) {
+            if (!now.points[i].changed) continue;
+            const char* gap = made.before.empty() ? "" : " ";
+            made.before += fmt::format("{}{} {}", gap, info->points[i].letter, text(old.points[i].at));
+            made.after += fmt::format("{}{} {}", gap, info->points[i].letter, text(now.points[i].at));
+        }
+    }
+
+    std::string name_;
+    const Language& language_;
+    CompileOptions options_;
+    const DiagnosticPolicy& policy_;
+};
+
+}  // namespace
+
+FreedDocument free_collisions(const Source& source, const Language& language, const CompileOptions& options,
+                              const DiagnosticPolicy& policy) {
+    return Freer(source, language, options, policy).run(source.text);
+}
+
+}  // namespace popup
