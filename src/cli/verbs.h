@@ -30,6 +30,9 @@ int run_gallery(const Options& options);
 CLI::App* add_trace(CLI::App& app, Options& options);
 int run_trace(const Options& options);
 
+CLI::App* add_lsp(CLI::App& app, Options& options);
+int run_lsp(const Options& options);
+
 CLI::App* add_explain(CLI::App& app, Options& options);
 int run_explain(const Options& options);
 

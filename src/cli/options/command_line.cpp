@@ -26,6 +26,7 @@ std::span<const Verb> verb_table() {
                                       {add_merge_reports, run_merge_reports},
                                       {add_gallery, run_gallery},
                                       {add_trace, run_trace},
+                                      {add_lsp, run_lsp},
                                       {add_explain, run_explain},
                                       {add_list, run_list},
                                       {add_completions, run_completions},

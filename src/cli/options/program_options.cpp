@@ -69,7 +69,7 @@ void each_input(const Run& run, Use use) {
 
 }  // namespace
 
-void add_program_options(CLI::App& verb, Options& options) {
+void add_run_options(CLI::App& verb, Options& options) {
     ProgramOptions& program = options.compile.read.program;
     const std::string group(kProgramGroup);
     values(verb, "-D,--define", "NAME=VALUE", "a program's variable; without =VALUE it is true. Repeatable",
@@ -83,18 +83,23 @@ void add_program_options(CLI::App& verb, Options& options) {
           [&program](std::string_view text) {
               program.as_2008 = choose<bool>("--flatlang", text, {{"mended", false}, {"2008", true}});
           });
-    value(verb, "--print", "FILE", "what programs print goes here (default: to standard error)", group,
-          [&options](std::string_view text) {
-              if (text.empty()) throw UsageError("--print takes the name of a file");
-              options.print.file = text;
-          })
-        ->configurable(false);
     ProgramLimits& limits = program.limits;
     add_limit(verb, "--max-steps", "evaluations, after which a program is stopped", limits.steps, 1e15);
     add_limit(verb, "--max-depth", "calls within calls, likewise", limits.depth, 1e5);
     add_limit(verb, "--max-values", "elements, members and variables at a time", limits.values, 1e9);
     add_limit(verb, "--max-text", "bytes of a text, and of all that is printed", limits.text, 1e9);
     add_limit(verb, "--max-trail", "operations of the turtle", limits.trail, 1e9);
+}
+
+void add_program_options(CLI::App& verb, Options& options) {
+    add_run_options(verb, options);
+    value(verb, "--print", "FILE", "what programs print goes here (default: to standard error)",
+          std::string(kProgramGroup),
+          [&options](std::string_view text) {
+              if (text.empty()) throw UsageError("--print takes the name of a file");
+              options.print.file = text;
+          })
+        ->configurable(false);
 }
 
 void check_print_options(const Options& options) {

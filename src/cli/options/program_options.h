@@ -21,7 +21,9 @@ struct PrintOptions {
     std::string file;  // --print; empty: standard error
 };
 
-// -D, -I, --flatlang, --print and the limits.
+// -D, -I, --flatlang and the limits.
+void add_run_options(CLI::App& verb, Options& options);
+// The same, and --print.
 void add_program_options(CLI::App& verb, Options& options);
 
 // UsageError when --print has the place of another output of a check.

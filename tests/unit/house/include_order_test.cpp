@@ -42,13 +42,15 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"findings", {"base"}},
         {"codes.cpp",
          {"base", "trace", "input", "folded", "mechanism", "check", "motion", "parts", "pattern", "layout",
-          "fabrication", "output", "run", "findings", "batch", "cli"}},
+          "fabrication", "output", "run", "findings", "repair", "batch", "cli"}},
         {"compile.cpp", {"base", "fabrication", "run"}},
+        {"repair", {"base", "mechanism", "output"}},
+        {"lsp", {"base", "input", "mechanism", "repair"}},
         {"write.cpp", {"base"}},
         {"batch", {"base"}},
         {"gallery", {"base", "output", "batch"}},
         {"live", {"base"}},
-        {"cli", {"base", "findings", "output", "batch", "gallery", "live"}},
+        {"cli", {"base", "findings", "output", "batch", "gallery", "live", "repair", "lsp"}},
         {"main.cpp", {"cli", "findings", "batch"}},
     };
     return table;

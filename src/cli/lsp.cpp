@@ -1,0 +1,49 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+#include "cli/verbs.h"
+#include "lsp/session.h"
+
+namespace popup::cli {
+
+CLI::App* add_lsp(CLI::App& app, Options& options) {
+    CLI::App* verb = app.add_subcommand(
+        "lsp", "Serve editors: findings as you type, repairs, completion (Language Server Protocol)");
+    // Many clients say how they talk to a server; there is only this way.
+    verb->add_flag_callback(
+            "--stdio", [] {}, "standard input and output, which is the only way; clients may say so")
+        ->configurable(false)
+        ->group("Input");
+    verb->add_flag("--strict", options.compile.read.strict, "unknown markup is an error, not a warning")
+        ->group("Input");
+    add_check_options(*verb, options);
+    add_motion_options(*verb, options);
+    add_run_options(*verb, options);
+    add_policy_options(*verb, options);
+    add_config_options(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc lsp\n"
+        "  popupc lsp --werror --clearance 0.5mm\n"
+        "\nEditors start it and talk to it; it serves popup documents (.xml) and FlatLang programs (.fl). "
+        "What\n"
+        "check takes from a popupc.toml it takes from the one of the directory it is started in. Exit status "
+        "0\n"
+        "after the client has asked it to shut down and to exit, else 1.");
+    return verb;
+}
+
+int run_lsp(const Options& options) {
+    check_motion_options(options);
+    lsp::ServerOptions server;
+    server.compile = options.compile;
+    server.policy = options.policy;
+    const int code = lsp::serve(STDIN_FILENO, STDOUT_FILENO, server);
+    // Nothing is kept in this process that would have to be written, and an examination may take seconds
+    // more.
+    std::_Exit(code);
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,76 @@
+// All that is known of one state of a document, as a value.
+//
+//     const Analysis analysis = analyse({"/home/a/card.xml", text}, options, Depth::whole);
+//     for (const Finding& finding : analysis.findings) ...
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lsp/text.h"
+#include "mechanism/standing.h"
+#include "popup/compile.h"
+
+namespace popup::lsp {
+
+// How far a document is looked at. Reading and checking take milliseconds; what examines the motion may take
+// seconds.
+enum class Depth { check, whole };
+
+// A change that a finding, or the whole document, may be mended by.
+struct Fix {
+    std::string title;
+    std::vector<TextEdit> edits;  // never empty
+};
+
+struct FindingPlace {
+    Span at;
+    std::string text;
+};
+
+// A diagnostic, with what an editor shows of it.
+struct Finding {
+    Diagnostic diagnostic;
+    Span at;  // what is underlined: a word, a start tag, or the first line
+    std::vector<FindingPlace> related;
+    std::vector<Fix> fixes;  // of this finding alone, the best first
+    bool late = false;       // as mark_late() found
+};
+
+struct Analysis {
+    std::shared_ptr<const Text> text;  // that was looked at
+    Depth depth = Depth::check;
+    std::vector<Finding> findings;   // worst first, then by place
+    Standing standing;               // of the design of a document
+    std::optional<Design> design;    // as it was read, where it could be
+    std::vector<std::string> files;  // others that were read or looked for in vain
+};
+
+struct AnalysisOptions {
+    CompileOptions compile;  // its stage and its progress are not looked at
+    DiagnosticPolicy policy;
+    const Language* language = nullptr;  // never null
+};
+
+// Never throws for bad input. Cost: that of compile(), up to `depth`.
+Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth);
+
+// All repairs of a document, until nothing is left to repair, as one fix; nullopt: there are none, or it has
+// errors.
+std::optional<Fix> all_repairs(const Source& source, const AnalysisOptions& options);
+
+// Marks the findings of the whole that the check alone did not have: those of the motion, and what comes
+// after it.
+void mark_late(Analysis& whole, const Analysis& checked);
+
+// Adds the late findings of `before`, placed where their elements are now: shown until a new examination has
+// ended. Those whose elements are gone are left out.
+void carry_over(const Analysis& before, Analysis& now);
+
+// What a finding at that byte underlines: the word, name or start tag that begins there.
+Span underlined(const Text& text, std::size_t at);
+
+}  // namespace popup::lsp

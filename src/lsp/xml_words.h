@@ -1,0 +1,48 @@
+// What stands at a byte of a document, and which row tells of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lsp/features.h"
+#include "lsp/markup.h"
+#include "popup/mechanism.h"
+
+namespace popup::lsp {
+
+// A document with its tags.
+struct MarkedText {
+    std::string_view text;
+    Markup markup;
+
+    [[nodiscard]] std::string_view word(Span at) const { return text.substr(at.begin, at.size()); }
+    [[nodiscard]] const MarkupElement& element(int number) const {
+        return markup.elements[static_cast<std::size_t>(number)];
+    }
+    [[nodiscard]] std::span<const MarkupAttribute> attributes(int element) const;
+    // The attribute that means that; null: there is none.
+    [[nodiscard]] const MarkupAttribute* attribute(int element, xml::Name name) const;
+    // The structure that an element is or is in; -1: none.
+    [[nodiscard]] int structure_of(int element) const;
+    // Where the value of a field is, be it an attribute or a child element of an element.
+    [[nodiscard]] std::optional<Span> value(int element, xml::Name name) const;
+    // The row of a structure's type; null: it has none, or nobody knows it.
+    [[nodiscard]] const ElementInfo* row(int structure) const;
+    // All structures, in document order.
+    [[nodiscard]] std::vector<int> structures() const;
+};
+MarkedText marked(std::string_view text);
+
+// The parameter of a row, or of any row where `info` is null or has none of that name.
+const ParameterInfo* parameter_of(const ElementInfo* info, std::string_view spelling);
+// Whether values of that name are colours.
+bool is_color(xml::Name name, std::string_view spelling, const ElementInfo* info);
+// "0 to 90, in degrees": what a parameter takes.
+std::string takes(const ParameterInfo& parameter);
+// A row as a popup: what it is, its points, folds and parameters.
+std::string row_markdown(const ElementInfo& info);
+// "B, on the left, on the page of the fold that it stands on; its partner is E".
+std::string point_markdown(const ElementInfo& info, std::size_t number);
+
+}  // namespace popup::lsp
