@@ -66,6 +66,34 @@ inline constexpr std::array<ParameterInfo, 4> kHalfColours{
      {.name = "lefttabcolor", .about = "colour of the left tab", .partner = "righttabcolor"},
      {.name = "righttabcolor", .about = "colour of the right tab", .partner = "lefttabcolor"}}};
 
+// What a measure's value is.
+enum class MeasureKind {
+    length,  // mm
+    angle,   // degrees
+    choice,  // the number of a word
+};
+
+// When a measure is worth a word.
+enum class Said {
+    always,
+    unless_zero,  // what is uneven, or moved aside
+    drawing,      // of how it is drawn alone: nothing of the card changes with it
+};
+
+// An element in the words of people: how wide it is, at what angle, and where along its fold. All measures of
+// a row together say where its points are; paths that are drawn go along with them.
+struct MeasureInfo {
+    std::string_view name;  // lower case, without "_" and "-"; none of the row's parameters has it
+    MeasureKind kind = MeasureKind::length;
+    std::string_view about;  // one line
+    // Of a new element: this share of its fold's length, and this besides.
+    double share = 0.0, standard = 0.0;
+    Said said = Said::always;
+    // By how much to change what is there: it is always measured as 0.
+    bool relative = false;
+    std::span<const std::string_view> words = {};  // of a choice
+};
+
 // A fold or seam that an element makes, for others to stand on.
 struct FoldInfo {
     std::string_view name;  // "left": what FlatLang calls it
@@ -105,6 +133,7 @@ struct ElementInfo {
     std::span<const FoldInfo> folds = kThreeFolds;
     std::string_view since = "2.0";               // the version of the document that has it first
     std::span<const std::string_view> also = {};  // other names that are read
+    std::span<const MeasureInfo> measures = {};
 };
 
 // All rows, by code.
@@ -139,5 +168,29 @@ struct PageFold {
 std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
                                               std::span<const Vec2> points,
                                               std::span<const Argument> arguments = {});
+
+// The measures of an element, in the order of its row's `measures`; preconditions as of folds_of(). nullopt:
+// points like these have none.
+//
+//     auto values = measures_of(info, parent, page, points, arguments).value();
+//     values[*find_measure(info, "width")] = 40.0;
+//     const auto wider = shaped(info, parent, page, points, arguments, values);
+std::optional<std::vector<double>> measures_of(const ElementInfo& info, const PageFold& parent,
+                                               int extra_page, std::span<const Vec2> points,
+                                               std::span<const Argument> arguments = {});
+// The points and arguments that an element has with these measures. What its measures do not tell stays as it
+// is: which way letters run, and by how much points stray from what the element's constraints would have.
+// What is drawn on its pages goes along, `changed` where that moves it; a path that must be there and is not,
+// is made. Measures that were measured and not changed give back the points, within 1e-9 mm. An element that
+// is still to be made has all its points at 0. nullopt: nothing has such measures.
+struct Shaped {
+    std::vector<Vec2> points;
+    std::vector<Argument> arguments;
+};
+std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, int extra_page,
+                             std::span<const Vec2> points, std::span<const Argument> arguments,
+                             std::span<const double> measures);
+// The number of a row's measure, its name spelt as people like; nullopt when it has none of that name.
+std::optional<std::size_t> find_measure(const ElementInfo& info, std::string_view name);
 
 }  // namespace popup

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "cli/report.h"
@@ -44,6 +45,19 @@ Rows languages() {
     return rows;
 }
 
+Json measures_of(const ElementInfo& row) {
+    constexpr std::array kKinds{"length", "angle", "choice"};
+    Json made = Json::array();
+    for (const MeasureInfo& measure : row.measures) {
+        Json& one = made.emplace_back(Json{{"name", measure.name},
+                                           {"kind", kKinds.at(static_cast<std::size_t>(measure.kind))},
+                                           {"about", measure.about}});
+        if (!measure.words.empty()) one["words"] = measure.words;
+        if (measure.relative) one["relative"] = true;
+    }
+    return made;
+}
+
 Rows elements() {
     Rows rows;
     for (const ElementInfo& row : element_table()) {
@@ -54,7 +68,8 @@ Rows elements() {
                         {"name", row.name},
                         {"glued", row.glued},
                         {"points", points},
-                        {"about", row.about}});
+                        {"about", row.about},
+                        {"measures", measures_of(row)}});
     }
     return rows;
 }

@@ -8,6 +8,7 @@
 
 #include "mechanism/angled.h"
 #include "mechanism/fitting.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 
@@ -161,13 +162,56 @@ void lower(const Element& e, Builder& builder) {
     lower_slit(e, builder, folds, std::move(shape));
 }
 
+constexpr MeasureInfo kFarWidth{
+    .name = "width", .about = "how wide it is across the fold, at its far end", .share = 0.35};
+constexpr MeasureInfo kSideLength{.name = "length", .about = "how long its side folds are", .share = 0.15};
+constexpr std::array<MeasureInfo, 8> kMeasures{{measure::kApexAt, kFarWidth, measure::kOffset,
+                                                measure::kAngle, measure::kSkew, kSideLength, measure::kTaper,
+                                                measure::kOpens}};
+
+std::vector<double> measured(const Element& e) {
+    const auto [s, dir] = apex(e);
+    const measure::TwoRays m = measure::two_rays(e.site.length, s, dir, e.on[C], e.on[F]);
+    const auto side = [&](std::size_t inner, std::size_t outer) {
+        return std::hypot(e.on[outer].s - e.on[inner].s, e.on[outer].w - e.on[inner].w);
+    };
+    const double left = side(B, C);
+    const double right = side(G, F);
+    return {
+        m.at, m.width, m.offset, m.angle, m.skew, 0.5 * (left + right), right - left, dir > 0 ? 0.0 : 1.0};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const measure::TwoRays rays{v[0], v[1], v[2], v[3], v[4], v[7] > 0.5 ? -1 : 1};
+    const double s = measure::along(e, v[0]);
+    const auto inner = [&](SitePoint outer, double size) {
+        const double reach = std::hypot(outer.s - s, outer.w);
+        return SitePoint{outer.s + size / reach * (s - outer.s), outer.w - size / reach * outer.w};
+    };
+    e.on[C] = rays.left(s);
+    e.on[F] = rays.right(s);
+    e.on[B] = inner(e.on[C], v[5] - 0.5 * v[6]);
+    e.on[G] = inner(e.on[F], v[5] + 0.5 * v[6]);
+}
+
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "angled-step", inverted, false, about, kPoints, kPartners},
+    return {{.name = name,
+             .code = code,
+             .family = "angled-step",
+             .inverted = inverted,
+             .glued = false,
+             .about = about,
+             .points = kPoints,
+             .partners = kPartners,
+             .measures = kMeasures},
             span,
             constrain,
             fold_lines,
             nullptr,
-            lower};
+            lower,
+            nullptr,
+            measured,
+            shape};
 }
 
 }  // namespace

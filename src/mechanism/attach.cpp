@@ -50,6 +50,28 @@ std::vector<Polygon> glued_area(const Element& e, const Bed& bed) {
 
 }  // namespace
 
+AttachedMeasures attached_measures(const Element& e) {
+    const measure::Spot line = measure::spot_of(e.extra[G], e.extra[H]);
+    const Box box = measure::drawn_box(e, "outline", line);
+    return {box.width(), box.height(), line};
+}
+
+measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm) {
+    const AttachedMeasures was = attached_measures(e);
+    e.extra[G] = wanted.line.place(0.0, -0.5 * line_mm);
+    e.extra[H] = wanted.line.place(0.0, 0.5 * line_mm);
+    const auto outline = find_parameter(*e.info, "outline");
+    POPUP_INVARIANT(outline);
+    if (!e.arguments[*outline].given()) {
+        e.arguments[*outline] = measure::ellipse(wanted.line, wanted.width, wanted.height);
+        return {};
+    }
+    const measure::Scale scale = measure::scale_of(was.width, was.height, wanted.width, wanted.height);
+    measure::move_drawn(e, PointPage::extra,
+                        measure::moved_to(was.line, wanted.line, scale.aside, scale.along));
+    return scale;
+}
+
 bool constrain_line(Element& e, const Bed& bed, std::string_view name) {
     const double least = e.tolerances->min_length_mm;
     const double base = distance(bed.line.a, bed.line.b);

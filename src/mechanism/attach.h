@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanism/element.h"
+#include "mechanism/measures.h"
 
 namespace popup {
 
@@ -28,6 +28,16 @@ inline constexpr ParameterInfo kAttachedGlue{
     .kind = ParameterKind::path,
     .about = "where it is glued, on the plate's page; else all of it that lies on the plate",
     .page = PointPage::fold};
+
+// The measures of the piece: how large its outline is, and where its line G–H is drawn.
+struct AttachedMeasures {
+    double width = 0.0, height = 0.0;  // aside of the line and along it
+    measure::Spot line;
+};
+AttachedMeasures attached_measures(const Element& e);
+// Sets G and H on a line that long, and the outline with them; a piece without an outline gets an ellipse.
+// Returns by how much it grew. What is drawn on the plate's page is left to the caller.
+measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm);
 
 // Where the piece lies. Page coordinates of the plate.
 struct Bed {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "mechanism/attach.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 
 namespace popup {
@@ -39,6 +40,36 @@ bool constrain(Element& e) {
 
 void lower(const Element& e, Builder& builder) { lower_attached(e, bed_of(e), builder, e.site.left_plate); }
 
+constexpr MeasureInfo kWidth{.name = "width", .about = "width of its outline, across its line", .share = 0.2};
+constexpr MeasureInfo kHeight{
+    .name = "height", .about = "height of its outline, along its line", .share = 0.25};
+constexpr MeasureInfo kTurn{.name = "turn",
+                            .kind = MeasureKind::angle,
+                            .about = "direction of its line on the plate, from upwards, counter-clockwise"};
+constexpr MeasureInfo kLine{
+    .name = "line", .about = "length of its line", .share = 0.1, .said = Said::drawing};
+constexpr std::array<MeasureInfo, 9> kMeasures{{measure::kX, measure::kY, kTurn, kWidth, kHeight, kLine,
+                                                measure::kPieceX, measure::kPieceY, measure::kPieceTurn}};
+
+Vec2 on_plate(const Element& e, std::size_t point) { return e.site.on_page(Side::left, e.on[point]); }
+
+std::vector<double> measured(const Element& e) {
+    const measure::Spot line = measure::spot_of(on_plate(e, A), on_plate(e, B));
+    const AttachedMeasures piece = attached_measures(e);
+    return {line.at.x,       line.at.y,       line.turn,
+            piece.width,     piece.height,    distance(on_plate(e, A), on_plate(e, B)),
+            piece.line.at.x, piece.line.at.y, piece.line.turn};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const measure::Spot was = measure::spot_of(on_plate(e, A), on_plate(e, B));
+    const measure::Spot line{{v[0], v[1]}, v[2]};
+    e.on[A] = e.site.from_page(Side::left, line.place(0.0, -0.5 * v[5]));
+    e.on[B] = e.site.from_page(Side::left, line.place(0.0, 0.5 * v[5]));
+    const measure::Scale scale = shape_attached(e, {v[3], v[4], {{v[6], v[7]}, v[8]}}, v[5]);
+    measure::move_drawn(e, PointPage::fold, measure::moved_to(was, line, scale.aside, scale.along));
+}
+
 }  // namespace
 
 const ElementRow kAttachedPlane = {
@@ -53,11 +84,15 @@ const ElementRow kAttachedPlane = {
      .grounds = {.fold = false, .plate = true},
      .parameters = kParameters,
      .folds = {},
-     .since = "3.0"},
+     .since = "3.0",
+     .measures = kMeasures},
     stands_on_no_fold,
     constrain,
     makes_no_folds,
     drawn_from_front,
-    lower};
+    lower,
+    nullptr,
+    measured,
+    shape};
 
 }  // namespace popup

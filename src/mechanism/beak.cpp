@@ -22,6 +22,18 @@ int direction(const Element& e) {
     return angle_at(e.on[A].s, 1, e.on[B]) + angle_at(e.on[A].s, 1, e.on[E]) <= std::numbers::pi ? 1 : -1;
 }
 
+std::vector<double> measured(const Element& e) {
+    const measure::TwoRays m = measure::two_rays(e.site.length, e.on[A].s, direction(e), e.on[B], e.on[E]);
+    return {m.at, m.width, m.offset, m.angle, m.skew, m.dir > 0 ? 0.0 : 1.0};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const measure::TwoRays rays{v[0], v[1], v[2], v[3], v[4], v[5] > 0.5 ? -1 : 1};
+    e.on[A] = {measure::along(e, v[0]), 0.0};
+    e.on[B] = rays.left(e.on[A].s);
+    e.on[E] = rays.right(e.on[A].s);
+}
+
 std::pair<double, double> span(const Element& e) {
     return std::minmax(e.on[A].s, crossing(e.on[B], e.on[E]));
 }
@@ -109,12 +121,16 @@ constexpr ElementRow row(std::string_view name, int code, bool inverted, std::st
              .about = about,
              .points = kPoints,
              .partners = kPartners,
-             .also = also},
+             .also = also,
+             .measures = beak::kMeasures},
             beak::span,
             beak::constrain,
             beak::fold_lines,
             nullptr,
-            lower};
+            lower,
+            nullptr,
+            beak::measured,
+            beak::shape};
 }
 
 }  // namespace

@@ -4,11 +4,18 @@
 
 #include <utility>
 
+#include "mechanism/measures.h"
 #include "mechanism/shapes.h"
 
 namespace popup::beak {
 
 enum : std::size_t { A, B, E };
+
+inline constexpr std::array<MeasureInfo, 6> kMeasures{
+    {measure::kApexAt, measure::kWidth, measure::kOffset, measure::kAngle, measure::kSkew, measure::kOpens}};
+// The measures of its three points, in this order.
+std::vector<double> measured(const Element& e);
+void shape(Element& e, std::span<const double> values);
 
 // +1 when it opens along the fold's direction, -1 when against it.
 int direction(const Element& e);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 #include "mechanism/site_lines.h"
@@ -261,6 +262,16 @@ void lower(const Element& e, Builder& builder) {
     builder.add_joint({id, e.paint.place, prism});
 }
 
+constexpr MeasureInfo kBoxWidth{.name = "width", .about = "how far its walls are apart", .share = 0.2};
+constexpr std::array<MeasureInfo, 3> kMeasures{{measure::kAt, measure::kLength, kBoxWidth}};
+
+std::vector<double> measured(const Element& e) {
+    const measure::TwoSides m = measure::two_sides(e);
+    return {m.at, m.length, m.width};
+}
+
+void shape(Element& e, std::span<const double> v) { measure::set_two_sides(e, {v[0], v[1], v[2]}); }
+
 }  // namespace
 
 const ElementRow kBox = {
@@ -275,11 +286,15 @@ const ElementRow kBox = {
      .grounds = {.seam = true},
      .parameters = kParameters,
      .folds = kFolds,
-     .since = "3.0"},
+     .since = "3.0",
+     .measures = kMeasures},
     two_seams::stands_on,
     constrain,
     fold_lines,
     drawn_from_front,
-    lower};
+    lower,
+    nullptr,
+    measured,
+    shape};
 
 }  // namespace popup

@@ -4,7 +4,9 @@
 // the fold.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/sheet_rows.h"
 #include "mechanism/step.h"
@@ -70,6 +72,25 @@ std::vector<double> crossings(const Element& e) {
     return {lo, hi};
 }
 
+constexpr std::array<MeasureInfo, 4> kMeasures{
+    {measure::kAt, measure::kLength, measure::kWidth, measure::kOffset}};
+
+// Points of either side have w positive on the left.
+std::vector<double> measured(const Element& e) {
+    const SitePoint a = e.on[A];
+    const SitePoint b = e.on[B];
+    return {measure::from_middle(e, 0.5 * (a.s + b.s)), std::abs(b.s - a.s), std::abs(b.w - a.w),
+            -0.5 * (a.w + b.w)};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const double way = e.on[B].s >= e.on[A].s ? 1.0 : -1.0;
+    const double side = e.on[B].w > e.on[A].w ? 1.0 : -1.0;
+    const SitePoint middle{measure::along(e, v[0]), -v[3]};
+    e.on[A] = {middle.s - 0.5 * way * v[1], middle.w - 0.5 * side * v[2]};
+    e.on[B] = {middle.s + 0.5 * way * v[1], middle.w + 0.5 * side * v[2]};
+}
+
 }  // namespace
 
 const ElementRow kBoxFold = {{.name = "box-fold",
@@ -81,12 +102,15 @@ const ElementRow kBoxFold = {{.name = "box-fold",
                               .points = kPoints,
                               .partners = kPartners,
                               .grounds = kFoundFold,
-                              .since = "3.0"},
+                              .since = "3.0",
+                              .measures = kMeasures},
                              span,
                              constrain,
                              fold_lines,
                              nullptr,
                              lower,
-                             crossings};
+                             crossings,
+                             measured,
+                             shape};
 
 }  // namespace popup

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/geometry/regions.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/site_lines.h"
 
@@ -164,6 +165,34 @@ void lower(const Element& e, Builder& builder) {
     builder.add_joint({e.paint.id, e.paint.place, lies});
 }
 
+constexpr MeasureInfo kRivetX{
+    .name = "rivetx", .about = "how far right of its middle the rivet is", .said = Said::unless_zero};
+constexpr MeasureInfo kRivetY{
+    .name = "rivety", .about = "how far above its middle the rivet is", .said = Said::unless_zero};
+constexpr MeasureInfo kWidth{
+    .name = "width", .about = "width of its outline, where it has one", .said = Said::unless_zero};
+constexpr MeasureInfo kHeight{
+    .name = "height", .about = "height of its outline, where it has one", .said = Said::unless_zero};
+constexpr std::array<MeasureInfo, 6> kMeasures{{measure::kX, measure::kY, kRivetX, kRivetY, kWidth, kHeight}};
+
+std::vector<double> measured(const Element& e) {
+    const Vec2 at = on_plate(e, A);
+    const Vec2 rivet = own_rivet(e);
+    const Box box = measure::drawn_box(e, "outline", {});
+    return {at.x, at.y, rivet.x, rivet.y, box.width(), box.height()};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const Vec2 was = on_plate(e, A);
+    const Box box = measure::drawn_box(e, "outline", {});
+    const Vec2 at{v[0], v[1]};
+    e.on[A] = e.site.from_page(Side::left, at);
+    e.on[B] = e.site.from_page(Side::left, at + Vec2{v[2], v[3]});
+    const measure::Scale scale = measure::scale_of(box.width(), box.height(), v[4], v[5]);
+    measure::move_drawn(e, PointPage::extra, measure::moved_to({}, {}, scale.aside, scale.along));
+    measure::move_drawn(e, PointPage::fold, measure::moved_to({was, 0.0}, {at, 0.0}));
+}
+
 }  // namespace
 
 const ElementRow kDisc = {{.name = "disc",
@@ -178,11 +207,15 @@ const ElementRow kDisc = {{.name = "disc",
                            .parameters = kParameters,
                            .folds = {},
                            .since = "3.0",
-                           .also = kOtherNames},
+                           .also = kOtherNames,
+                           .measures = kMeasures},
                           stands_on_no_fold,
                           constrain,
                           makes_no_folds,
                           drawn_from_front,
-                          lower};
+                          lower,
+                          nullptr,
+                          measured,
+                          shape};
 
 }  // namespace popup

@@ -97,6 +97,12 @@ struct ElementRow {
     // Where its outline crosses the line of the fold that it stands on, as the author drew it (mm along it):
     // of rows that find their fold themselves, else null.
     std::vector<double> (*crossings)(const Element&) = nullptr;
+    // The values of `info.measures`, in mm and degrees, of an element on its site; of one on a plate or page
+    // the site is the line upwards through the page's origin.
+    std::vector<double> (*measured)(const Element&) = nullptr;
+    // Sets all points from such values: see mechanism/measures.h. Of an element that is still to be made all
+    // points are 0.
+    void (*shape)(Element&, std::span<const double>) = nullptr;
 };
 
 // What rows answer of elements that stand on plates, that make no folds, and whose piece has no back.
@@ -118,6 +124,10 @@ class RowsForTest {
     RowsForTest(const RowsForTest&) = delete;
     RowsForTest& operator=(const RowsForTest&) = delete;
 };
+
+// The element that these points make, on a fold as its pages show it; preconditions as of folds_of().
+Element element_on(const ElementInfo& info, const PageFold& parent, int extra_page,
+                   std::span<const Vec2> points, std::span<const Argument> arguments);
 
 // On which pages one of the element's folds is drawn, on its left and on its right.
 std::pair<int, int> pages_of_fold(const Element& element, const FoldInfo& fold);

@@ -15,6 +15,7 @@
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/step.h"
 #include "mechanism/two_seams.h"
 #include "mechanism/walls.h"
 
@@ -203,11 +204,15 @@ const ElementRow kFloatingLayer = {
      .grounds = {.seam = true},
      .parameters = kParameters,
      .folds = kFolds,
-     .since = "3.0"},
+     .since = "3.0",
+     .measures = step::kMeasures},
     two_seams::stands_on,
     constrain,
     fold_lines,
     drawn_from_front,
-    lower};
+    lower,
+    nullptr,
+    step::measured,
+    step::shape};
 
 }  // namespace popup

@@ -27,20 +27,8 @@ bool is_line(const Segment& s) {
 
 }  // namespace
 
-std::pair<int, int> pages_of_fold(const Element& element, const FoldInfo& fold) {
-    const Site& site = element.site;
-    if (!element.info->glued) return {site.left_page, site.left_page};
-    return {fold.on_left == PointPage::fold ? site.left_page : element.extra_page,
-            fold.on_right == PointPage::fold ? site.right_page : element.extra_page};
-}
-
-bool is_seam(const ElementInfo& info, const FoldInfo& fold) {
-    return info.glued && fold.on_left != fold.on_right;
-}
-
-std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
-                                              std::span<const Vec2> points,
-                                              std::span<const Argument> arguments) {
+Element element_on(const ElementInfo& info, const PageFold& parent, int extra_page,
+                   std::span<const Vec2> points, std::span<const Argument> arguments) {
     POPUP_INVARIANT(points.size() == info.points.size());
     static const Tolerances kTolerances;
     Element element;
@@ -59,6 +47,24 @@ std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const Pag
             element.on.push_back(element.site.from_page(side, points[i]));
         }
     }
+    return element;
+}
+
+std::pair<int, int> pages_of_fold(const Element& element, const FoldInfo& fold) {
+    const Site& site = element.site;
+    if (!element.info->glued) return {site.left_page, site.left_page};
+    return {fold.on_left == PointPage::fold ? site.left_page : element.extra_page,
+            fold.on_right == PointPage::fold ? site.right_page : element.extra_page};
+}
+
+bool is_seam(const ElementInfo& info, const FoldInfo& fold) {
+    return info.glued && fold.on_left != fold.on_right;
+}
+
+std::optional<std::vector<PageFold>> folds_of(const ElementInfo& info, const PageFold& parent, int extra_page,
+                                              std::span<const Vec2> points,
+                                              std::span<const Argument> arguments) {
+    const Element element = element_on(info, parent, extra_page, points, arguments);
     const FoldLines lines = element_row(info).fold_lines(element);
     POPUP_INVARIANT(lines.size() == info.folds.size());
     std::vector<PageFold> made;

@@ -41,12 +41,15 @@ const ElementRow kFreeform = {{.name = "freeform",
                                .partners = {},
                                .grounds = kFoundFold,
                                .parameters = kParameters,
-                               .since = "3.0"},
+                               .since = "3.0",
+                               .measures = sheet::kMeasures},
                               sheet::span,
                               sheet::constrain,
                               sheet::fold_lines,
                               nullptr,
                               sheet::lower,
-                              sheet::crossings};
+                              sheet::crossings,
+                              sheet::measured,
+                              [](Element& e, std::span<const double> v) { sheet::shape(e, v, {}); }};
 
 }  // namespace popup

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/geometry/regions.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/sheet_rows.h"
 
@@ -50,6 +51,26 @@ void lower(const Element& e, Builder& builder) {
     }
 }
 
+constexpr MeasureInfo kWidth{.name = "width", .about = "how wide it is", .share = 0.08};
+constexpr MeasureInfo kHeight{.name = "height", .about = "how high it is", .share = 0.08};
+constexpr std::array<MeasureInfo, 5> kMeasures{{measure::kX, measure::kY, kWidth, kHeight, measure::kTurnBy}};
+
+std::vector<double> measured(const Element& e) {
+    const Box box = measure::drawn_box(e, "outline", {});
+    if (box.empty()) return {0.0, 0.0, 0.0, 0.0, 0.0};
+    return {box.centre().x, box.centre().y, box.width(), box.height(), 0.0};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const Box box = measure::drawn_box(e, "outline", {});
+    const measure::Spot to{{v[0], v[1]}};
+    if (box.empty()) {
+        e.arguments.front() = measure::ellipse(to, v[2], v[3]);
+        return;
+    }
+    measure::place_drawn(e, {}, box, to, measure::scale_of(box.width(), box.height(), v[2], v[3]), v[4]);
+}
+
 }  // namespace
 
 const ElementRow kHole = {{.name = "hole",
@@ -64,11 +85,15 @@ const ElementRow kHole = {{.name = "hole",
                            .parameters = kParameters,
                            .folds = {},
                            .since = "3.0",
-                           .also = kOtherNames},
+                           .also = kOtherNames,
+                           .measures = kMeasures},
                           stands_on_no_fold,
                           constrain,
                           makes_no_folds,
                           nullptr,
-                          lower};
+                          lower,
+                          nullptr,
+                          measured,
+                          shape};
 
 }  // namespace popup

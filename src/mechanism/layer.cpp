@@ -60,11 +60,15 @@ const ElementRow kLayer = {{.name = "layer",
                             .grounds = {.seam = true},
                             .parameters = kDrawnHalves,
                             .since = "3.0",
-                            .also = kOtherNames},
+                            .also = kOtherNames,
+                            .measures = kMeasures},
                            stands_on,
                            constrain,
                            fold_lines,
                            width,
-                           lower};
+                           lower,
+                           nullptr,
+                           measured,
+                           [](Element& e, std::span<const double> v) { shape(e, v, v[2]); }};
 
 }  // namespace popup

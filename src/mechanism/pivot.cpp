@@ -14,6 +14,7 @@
 #include "mechanism/attach.h"
 #include "mechanism/beak.h"
 #include "mechanism/fitting.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/site_lines.h"
 
@@ -151,6 +152,47 @@ void lower(const Element& e, Builder& builder) {
     lower_attached(e, bed_of(e), builder, on_right(e) ? plates.right : plates.left);
 }
 
+constexpr MeasureInfo kPieceWidth{
+    .name = "piecewidth", .about = "width of its piece's outline, across the side fold", .share = 0.15};
+constexpr MeasureInfo kPieceHeight{
+    .name = "pieceheight", .about = "height of its piece's outline, along the side fold", .share = 0.3};
+constexpr std::array<MeasureInfo, 11> kMeasures = [] {
+    std::array<MeasureInfo, 11> all{};
+    std::copy(beak::kMeasures.begin(), beak::kMeasures.end(), all.begin());
+    all[6] = kPieceWidth;
+    all[7] = kPieceHeight;
+    all[8] = measure::kPieceX;
+    all[9] = measure::kPieceY;
+    all[10] = measure::kPieceTurn;
+    return all;
+}();
+
+// The side fold that G–H lies on, on its page.
+Segment line_on_page(const Element& e) {
+    const std::size_t tip = on_right(e) ? E : B;
+    return {e.site.on_page(Side::left, e.on[A]),
+            e.site.on_page(on_right(e) ? Side::right : Side::left, e.on[tip])};
+}
+
+std::vector<double> measured(const Element& e) {
+    std::vector<double> made = beak::measured(e);
+    const AttachedMeasures piece = attached_measures(e);
+    made.insert(made.end(), {piece.width, piece.height, piece.line.at.x, piece.line.at.y, piece.line.turn});
+    return made;
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const Segment was = line_on_page(e);
+    beak::shape(e, v);
+    const Segment line = line_on_page(e);
+    const measure::Scale scale =
+        shape_attached(e, {v[6], v[7], {{v[8], v[9]}, v[10]}}, distance(line.a, line.b));
+    if (was.a == was.b) return;
+    measure::move_drawn(e, PointPage::fold,
+                        measure::moved_to(measure::spot_of(was.a, was.b), measure::spot_of(line.a, line.b),
+                                          scale.aside, scale.along));
+}
+
 }  // namespace
 
 const ElementRow kPivot = {{.name = "pivot",
@@ -163,11 +205,15 @@ const ElementRow kPivot = {{.name = "pivot",
                             .partners = kPartners,
                             .parameters = kParameters,
                             .folds = kFolds,
-                            .since = "3.0"},
+                            .since = "3.0",
+                            .measures = kMeasures},
                            beak::span,
                            constrain,
                            beak::fold_lines,
                            drawn_from_front,
-                           lower};
+                           lower,
+                           nullptr,
+                           measured,
+                           shape};
 
 }  // namespace popup

@@ -13,6 +13,10 @@ namespace {
 constexpr std::array<ParameterInfo, 7> kParameters{{kHalfColours[0], kHalfColours[1], kHalfColours[2],
                                                     kHalfColours[3], kSheetOutline, kTopFold, kBottomFold}};
 
+// A gable: its far edges run along the fold.
+constexpr std::array<Vec2, 6> kFresh{
+    {{-0.5, -0.3}, {0.0, -0.5}, {0.5, -0.3}, {0.5, 0.3}, {0.0, 0.5}, {-0.5, 0.3}}};
+
 }  // namespace
 
 const ElementRow kPolygon = {{.name = "polygon",
@@ -25,12 +29,15 @@ const ElementRow kPolygon = {{.name = "polygon",
                               .partners = {},
                               .grounds = kFoundFold,
                               .parameters = kParameters,
-                              .since = "3.0"},
+                              .since = "3.0",
+                              .measures = sheet::kMeasures},
                              sheet::span,
                              sheet::constrain,
                              sheet::fold_lines,
                              nullptr,
                              sheet::lower,
-                             sheet::crossings};
+                             sheet::crossings,
+                             sheet::measured,
+                             [](Element& e, std::span<const double> v) { sheet::shape(e, v, kFresh); }};
 
 }  // namespace popup

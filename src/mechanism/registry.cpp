@@ -95,6 +95,14 @@ std::optional<std::size_t> find_parameter(const ElementInfo& info, std::string_v
     return static_cast<std::size_t>(found - info.parameters.begin());
 }
 
+std::optional<std::size_t> find_measure(const ElementInfo& info, std::string_view name) {
+    const std::string wanted = plain(name);
+    const auto found = std::find_if(info.measures.begin(), info.measures.end(),
+                                    [&](const MeasureInfo& m) { return m.name == wanted; });
+    if (found == info.measures.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - info.measures.begin());
+}
+
 std::string_view version_needed(const ElementInfo& info, std::span<const Argument> arguments) {
     std::string_view needed = info.since;
     for (std::size_t i = 0; i < arguments.size() && i < info.parameters.size(); ++i) {

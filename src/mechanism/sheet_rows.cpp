@@ -250,6 +250,45 @@ void lower(const Element& e, Builder& builder) {
     lower_slit(e, builder, shape.folds, std::move(shape.slit));
 }
 
+namespace {
+
+// Upwards along the fold, at the fold's begin.
+measure::Spot fold_spot(const Element& e) { return {e.site.left.at, measure::turn_of(e.site.left.dir)}; }
+
+Box box_on_fold(const Element& e) {
+    Box box;
+    for (const std::string_view name : {"outline", "touchpoints"}) {
+        const Box one = measure::drawn_box(e, name, fold_spot(e));
+        if (one.empty()) continue;
+        box.extend(one.min);
+        box.extend(one.max);
+    }
+    return box;
+}
+
+}  // namespace
+
+std::vector<double> measured(const Element& e) {
+    const Box box = box_on_fold(e);
+    if (box.empty()) return {0.0, 0.0, 0.0, 0.0, 0.0};
+    return {measure::from_middle(e, box.centre().y), box.height(), box.width(), box.centre().x, 0.0};
+}
+
+void shape(Element& e, std::span<const double> v, std::span<const Vec2> fresh) {
+    const measure::Spot fold = fold_spot(e);
+    const Box box = box_on_fold(e);
+    const measure::Spot to{fold.place(v[3], measure::along(e, v[0])), fold.turn};
+    if (!box.empty()) {
+        return measure::place_drawn(e, fold, box, to,
+                                    measure::scale_of(box.width(), box.height(), v[2], v[1]), v[4]);
+    }
+    const auto outline = find_parameter(*e.info, "outline");
+    POPUP_INVARIANT(outline);
+    Ring at;
+    for (const Vec2 p : fresh) at.push_back({p.x * v[2], p.y * v[1]});
+    e.arguments[*outline] = at.empty() ? measure::ellipse(to, v[2], v[1]) : measure::corners(to, at);
+}
+
 }  // namespace sheet
 
 }  // namespace popup

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanism/element.h"
+#include "mechanism/measures.h"
 #include "mechanism/sheet_shape.h"
 
 namespace popup {
@@ -54,6 +54,15 @@ bool constrain(Element& e);
 FoldLines fold_lines(const Element& e);
 void lower(const Element& e, Builder& builder);
 std::vector<double> crossings(const Element& e);
+
+// Of what is drawn, whatever its border: the box that it fills. Sizes keep its shape, unless both are asked
+// for.
+inline constexpr std::array<MeasureInfo, 5> kMeasures{
+    {measure::kAt, measure::kLength, measure::kWidth, measure::kOffset, measure::kTurnBy}};
+std::vector<double> measured(const Element& e);
+// A new one gets these corners, aside of the fold and along it, in shares of its width and length; without
+// any an ellipse.
+void shape(Element& e, std::span<const double> values, std::span<const Vec2> fresh);
 }  // namespace sheet
 
 // Lines that cannot be had: as many as the row has folds.

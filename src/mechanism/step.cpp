@@ -17,6 +17,15 @@ namespace popup {
 
 namespace step {
 
+std::vector<double> measured(const Element& e) {
+    const measure::TwoSides m = measure::two_sides(e);
+    return {m.at, m.length, m.width, m.offset, m.shift, m.taper};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    measure::set_two_sides(e, {v[0], v[1], v[2], v[3], v[4], v[5]});
+}
+
 std::pair<double, double> span(const Element& e) {
     return std::minmax({crossing(e.on[A], e.on[G]), crossing(e.on[B], e.on[H])});
 }
@@ -146,12 +155,16 @@ constexpr ElementRow row(std::string_view name, int code, bool inverted, std::st
              .about = about,
              .points = step::kPoints,
              .partners = step::kPartners,
-             .also = also},
+             .also = also,
+             .measures = step::kMeasures},
             step::span,
             step::constrain,
             step::fold_lines,
             nullptr,
-            step::lower};
+            step::lower,
+            nullptr,
+            step::measured,
+            step::shape};
 }
 
 }  // namespace

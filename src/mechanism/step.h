@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "mechanism/element.h"
+#include "mechanism/measures.h"
 
 namespace popup::step {
 
@@ -15,6 +15,12 @@ inline constexpr std::array<PointInfo, 4> kPoints{{{"A", PointPage::fold, 'L'},
                                                    {"H", PointPage::fold, 'R'}}};
 inline constexpr std::array<int, 4> kPartners{2, 3, 0, 1};
 enum : std::size_t { A, B, G, H };
+
+inline constexpr std::array<MeasureInfo, 6> kMeasures{
+    {measure::kAt, measure::kLength, measure::kWidth, measure::kOffset, measure::kShift, measure::kTaper}};
+// The measures of all that has two points on either side, at one distance from the fold: in this order.
+std::vector<double> measured(const Element& e);
+void shape(Element& e, std::span<const double> values);
 
 // The stretch of the fold between the cuts A–G and B–H.
 std::pair<double, double> span(const Element& e);

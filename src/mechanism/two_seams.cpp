@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "mechanism/fitting.h"
 #include "mechanism/shapes.h"
@@ -152,6 +153,29 @@ Halves halves_of(const Element& e, const FoldLines& folds) {
 }
 
 }  // namespace
+
+std::vector<double> measured(const Element& e) {
+    const measure::TwoSides m = measure::two_sides(e);
+    const auto& x = e.extra;
+    const Vec2 middle = 0.25 * (x[G] + x[H] + x[K] + x[L]);
+    return {m.at,     m.length, m.width,
+            m.offset, m.shift,  m.taper,
+            middle.x, middle.y, measure::turn_of(axes(e).along)};
+}
+
+void shape(Element& e, std::span<const double> v, double wide) {
+    const bool drawn = e.extra[G] != e.extra[H];
+    const measure::TwoSides sides{v[0], v[1], v[2], v[3], v[4], v[5]};
+    measure::set_two_sides(e, sides);
+    const std::array<Vec2, 3> before{e.extra[G], e.extra[H], e.extra[K]};
+    const measure::Spot spot{{v[6], v[7]}, v[8]};
+    const double middle = measure::along(e, sides.at);
+    for (const auto& [x, on, aside] : {std::tuple{G, A, -0.5}, {H, B, -0.5}, {K, E, 0.5}, {L, F, 0.5}})
+        e.extra[x] = spot.place(aside * wide, e.on[on].s - middle);
+    if (!drawn) return;
+    if (const auto map = measure::mapped_to(before, {e.extra[G], e.extra[H], e.extra[K]}))
+        measure::move_drawn(e, PointPage::extra, *map);
+}
 
 std::pair<double, double> stands_on(const Element& e) {
     const auto [lo, hi] = std::minmax({e.on[A].s, e.on[B].s, e.on[E].s, e.on[F].s});

@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-#include "mechanism/element.h"
+#include "mechanism/measures.h"
 
 namespace popup::two_seams {
 
@@ -27,6 +27,14 @@ inline constexpr std::array<PointInfo, 8> kPoints{{{"A", PointPage::fold, 'L'},
                                                    {"K", PointPage::extra, 'R'},
                                                    {"L", PointPage::extra, 'R'}}};
 inline constexpr std::array<int, 8> kPartners{2, 3, 0, 1, 6, 7, 4, 5};
+
+// The measures that the tent and the layer share; of a tent `height` comes behind the offset.
+inline constexpr std::array<MeasureInfo, 9> kMeasures{
+    {measure::kAt, measure::kLength, measure::kWidth, measure::kOffset, measure::kShift, measure::kTaper,
+     measure::kPieceX, measure::kPieceY, measure::kPieceTurn}};
+std::vector<double> measured(const Element& e);
+// `wide`: the width of the piece.
+void shape(Element& e, std::span<const double> values, double wide);
 
 // The middle of the seams, as a point of the fold.
 std::pair<double, double> stands_on(const Element& e);

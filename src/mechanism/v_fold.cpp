@@ -10,6 +10,7 @@
 
 #include "mechanism/angled.h"
 #include "mechanism/fitting.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/shapes.h"
 #include "mechanism/silhouette.h"
@@ -284,13 +285,96 @@ void lower(const Element& e, Builder& builder) {
     lower_glued(e, builder, folds, std::move(shape));
 }
 
+constexpr MeasureInfo kSeamsWidth{
+    .name = "width", .about = "how wide it is across the fold, where it is glued", .share = 0.3};
+constexpr MeasureInfo kLean{
+    .name = "lean",
+    .kind = MeasureKind::angle,
+    .about = "how much wider the angle of its piece is than that of the V: the more, the further it leans",
+    .standard = 40.0};
+constexpr MeasureInfo kHeight{.name = "height",
+                              .about = "how high the middle of its top edge is above the apex, on the piece",
+                              .share = 0.25};
+constexpr MeasureInfo kFlare{.name = "flare",
+                             .about = "how much wider its top edge is than it is where it is glued",
+                             .said = Said::unless_zero};
+constexpr MeasureInfo kSway{.name = "sway",
+                            .about = "how far right of the apex the middle of its top edge is",
+                            .said = Said::unless_zero};
+constexpr MeasureInfo kRise{
+    .name = "rise", .about = "how much higher the right end of its top edge is", .said = Said::unless_zero};
+constexpr std::array<MeasureInfo, 13> kMeasures{
+    {measure::kApexAt, kSeamsWidth, measure::kOffset, measure::kAngle, measure::kSkew, kLean, kHeight, kFlare,
+     kSway, kRise, measure::kPieceX, measure::kPieceY, measure::kPieceTurn}};
+
+std::vector<double> measured(const Element& e) {
+    const int dir = direction(e);
+    const auto& x = e.extra;
+    const measure::TwoRays m = measure::two_rays(e.site.length, e.on[B].s, dir, e.on[A], e.on[C]);
+    const double piece = piece_angle(e);
+    const Vec2 up = rotated(unit(x[G] - x[E]), -0.5 * piece);
+    const Vec2 top = 0.5 * (x[I] + x[J]) - x[E];
+    return {m.at,
+            m.width,
+            m.offset,
+            m.angle,
+            m.skew,
+            piece / kDegree - m.angle,
+            dot(up, top),
+            dot(right_of(up), x[J] - x[I]) - m.width,
+            dot(right_of(up), top),
+            dot(up, x[J] - x[I]),
+            x[E].x,
+            x[E].y,
+            measure::turn_of(up)};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const bool drawn = e.extra[E] != e.extra[G];
+    // Of one that is still to be made its row tells.
+    const int dir = e.on[A].w == 0.0 && e.on[C].w == 0.0 ? (e.inverted ? -1 : 1) : direction(e);
+    const measure::TwoRays rays{v[0], v[1], v[2], v[3], v[4], dir};
+    e.on[B] = {measure::along(e, v[0]), 0.0};
+    e.on[A] = rays.left(e.on[B].s);
+    e.on[C] = rays.right(e.on[B].s);
+    const std::array<Vec2, 3> before{e.extra[E], e.extra[G], e.extra[H]};
+    const measure::Spot spot{{v[10], v[11]}, v[12]};
+    const double half = 0.5 * (v[3] + v[5]) * kDegree;
+    const auto seam = [&](std::size_t i, double angle) {
+        const double size = std::hypot(e.on[i].s - e.on[B].s, e.on[i].w);
+        return spot.at + size * rotated(spot.up(), angle);
+    };
+    e.extra[E] = spot.at;
+    e.extra[G] = seam(A, half);
+    e.extra[H] = seam(C, -half);
+    const double wide = v[1] + v[7];
+    e.extra[I] = spot.place(v[8] - 0.5 * wide, v[6] - 0.5 * v[9]);
+    e.extra[J] = spot.place(v[8] + 0.5 * wide, v[6] + 0.5 * v[9]);
+    if (!drawn) return;
+    if (const auto map = measure::mapped_to(before, {e.extra[E], e.extra[G], e.extra[H]}))
+        measure::move_drawn(e, PointPage::extra, *map);
+}
+
 constexpr ElementRow row(std::string_view name, int code, bool inverted, std::string_view about) {
-    return {{name, code, "v-fold", inverted, true, about, kPoints, kPartners, {.seam = true}, kDrawnHalves},
+    return {{.name = name,
+             .code = code,
+             .family = "v-fold",
+             .inverted = inverted,
+             .glued = true,
+             .about = about,
+             .points = kPoints,
+             .partners = kPartners,
+             .grounds = {.seam = true},
+             .parameters = kDrawnHalves,
+             .measures = kMeasures},
             stands_on,
             constrain,
             fold_lines,
             front,
-            lower};
+            lower,
+            nullptr,
+            measured,
+            shape};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "mechanism/angled.h"
+#include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/sheet_parts.h"
 #include "mechanism/sheet_rows.h"
@@ -263,6 +264,41 @@ void lower(const Element& e, Builder& builder) {
     lower_slit(e, builder, shape.folds, std::move(shape.slit));
 }
 
+constexpr std::array<MeasureInfo, 4> kMeasures{
+    {measure::kApexAt, measure::kLength, measure::kWidth, measure::kTurnBy}};
+
+measure::Spot apex_spot(const Element& e) {
+    return {e.site.on_page(Side::left, {e.on[A].s, 0.0}), measure::turn_of(e.site.left.dir)};
+}
+
+std::vector<double> measured(const Element& e) {
+    const Box box = measure::drawn_box(e, "outline", apex_spot(e));
+    return {measure::from_middle(e, e.on[A].s), box.height(), box.width(), 0.0};
+}
+
+void shape(Element& e, std::span<const double> v) {
+    const measure::Spot from = apex_spot(e);
+    const Box box = measure::drawn_box(e, "outline", from);
+    e.on[A] = {measure::along(e, v[0]), 0.0};
+    measure::Spot to = apex_spot(e);
+    const auto outline = find_parameter(*e.info, "outline");
+    POPUP_INVARIANT(outline);
+    if (!e.arguments[*outline].given()) {
+        // Two wings, the apex behind them.
+        const std::array<Vec2, 6> wings{{{0.0, 0.0},
+                                         {-0.5 * v[2], 0.6 * v[1]},
+                                         {-0.4 * v[2], v[1]},
+                                         {0.0, 0.7 * v[1]},
+                                         {0.4 * v[2], v[1]},
+                                         {0.5 * v[2], 0.6 * v[1]}}};
+        e.arguments[*outline] = measure::corners(to, wings);
+        return;
+    }
+    const measure::Scale scale = measure::scale_of(box.width(), box.height(), v[2], v[1]);
+    to.turn += v[3];
+    measure::move_drawn(e, PointPage::fold, measure::moved_to(from, to, scale.aside, scale.along));
+}
+
 }  // namespace
 
 const ElementRow kVFoldCut = {
@@ -276,12 +312,15 @@ const ElementRow kVFoldCut = {
      .partners = kPartners,
      .grounds = kFoundFold,
      .parameters = kParameters,
-     .since = "3.0"},
+     .since = "3.0",
+     .measures = kMeasures},
     span,
     constrain,
     fold_lines,
     nullptr,
     lower,
-    crossings};
+    crossings,
+    measured,
+    shape};
 
 }  // namespace popup
