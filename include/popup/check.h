@@ -3,8 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "popup/design.h"
+#include "popup/mechanism.h"
 
 namespace popup {
 
@@ -39,5 +42,38 @@ struct CheckOptions {
 // Cost: near linear in elements (folds and paper edges are found through a spatial index).
 std::optional<CheckedDesign> check(const Design& design, const CheckOptions& options,
                                    Diagnostics& diagnostics);
+
+// A fold or seam of a card, by the name that documents call it.
+struct CardFold {
+    std::string name;                  // "gutter", "bird.centre"
+    std::optional<std::size_t> owner;  // the structure that makes it, by number; none: the page
+    std::size_t which = 0;             // among the folds of its row
+    PageFold at;                       // where check() has it
+};
+
+// What a structure stands on.
+struct Standing {
+    std::string on;  // "gutter", "bird.centre", "bird.left"; of a page "page 2"; empty: nothing
+    std::optional<std::size_t> fold;   // a number of CardFolds::folds
+    std::optional<std::size_t> owner;  // whose fold or plate it is; none: the page's
+    // The fold in the coordinates of the structure's points, in the direction in which it names it; of a
+    // plate or page the line upwards through the origin. For measures_of() and folds_of().
+    PageFold seen;
+};
+
+struct CardFolds {
+    std::vector<CardFold> folds;  // the gutter, then those of the structures, in their order
+    std::vector<std::string> plates;
+    std::vector<Standing> standing;  // one a structure
+};
+
+// All folds and plates of a design by their names, and what its structures stand on. A structure that cannot
+// be made still has names, where its points tell where its folds would be. Nothing is reported. Cost: that of
+// check().
+CardFolds folds_of_card(const Design& design);
+
+// Structures that are dropped take the pages of their pieces with them: later pages move up, in everything
+// that names one, and what is printed on a page that goes is dropped.
+void close_up_pages(Design& design);
 
 }  // namespace popup

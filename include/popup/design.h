@@ -36,7 +36,20 @@ struct DesignPoint {
     bool changed = false;  // true once a repair has moved it: `at` (or page) differs from what is written
 };
 
+// A fold or plate that is named in place of points of it: "bird.centre". What stands there gives its points
+// beside it: x across the fold, to the right, and y along it, from its middle; so it follows the fold
+// wherever that goes. Of the gutter that is where the page has them anyway.
+struct NamedGround {
+    std::string text;                  // as the canonical document has it; empty: nothing is named
+    std::optional<std::size_t> owner;  // the structure that makes it, by number; none: the page
+    std::size_t which = 0;             // among the folds or plates of its row, or of the page
+    TextRange range;                   // as written
+    bool changed = false;              // `text` differs from what is written
+    [[nodiscard]] bool given() const { return !text.empty(); }
+};
+
 struct ParentFold {
+    NamedGround on;  // then page, begin and end have no meaning
     int page = 0;
     DesignPoint begin, end;
     Place place;
@@ -44,8 +57,9 @@ struct ParentFold {
     bool page_changed = false;
 };
 
-// A plate, named by any point of it.
+// A plate, named by any point of it, or by its name.
 struct ParentPlate {
+    NamedGround on;  // then page and point have no meaning
     int page = 0;
     DesignPoint at;
     Place place;
@@ -82,8 +96,11 @@ struct Structure {
     TextRange type_text;  // the value of the type, code or name
     TextRange tag_text;   // the whole element, from "<" to after its end tag: for --drop
     TextRange start_tag;  // where a value would go that was not written
+    TextRange id_text;    // the id as written
     bool type_changed = false;
+    bool id_changed = false;
     bool dropped = false;             // taken out by `fix --drop`
+    bool added = false;               // by an edit: nothing of it stands in the text
     std::vector<DesignPoint> points;  // in the order of the element's row
     // The other values, in the order of the row's parameters; what lies behind the end was not given.
     std::vector<Argument> arguments;
@@ -92,8 +109,11 @@ struct Structure {
     // Neither was named: of `fold` only the page has a meaning, and check() finds what it stands on there.
     bool finds_ground = false;
 
-    // The page of what it stands on.
+    // The page of what it stands on; of what is named, without meaning.
     [[nodiscard]] int ground_page() const { return plate ? plate->page : fold.page; }
+    // The name of what it stands on, where that is given.
+    [[nodiscard]] const NamedGround& named() const { return plate ? plate->on : fold.on; }
+    [[nodiscard]] NamedGround& named() { return plate ? plate->on : fold.on; }
     // The n-th argument, which is made if need be.
     Argument& argument(std::size_t n) {
         if (arguments.size() <= n) arguments.resize(n + 1);
@@ -175,6 +195,11 @@ struct Design {
     double opens_deg = 180.0;  // how far the card opens: above 0, at most 180
     std::optional<Color> left, right;
     Place page_place;
+    TextRange list_text;     // the list of structures, from "<" to after its end tag
+    TextRange version_text;  // the version as written
+    TextRange root_tag;      // the start tag of the document
+    TextRange root_text;     // the whole document, from "<" to after its end tag
+    bool version_changed = false;
     std::vector<Structure> structures;  // build order, parents first
     std::vector<DrawnLine> lines;
     std::vector<DrawnPrint> prints;  // painted before the lines, texts after them, as popup/print.h has it

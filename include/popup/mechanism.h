@@ -107,6 +107,17 @@ inline constexpr std::array<FoldInfo, 3> kThreeFolds{{{"left", PointPage::fold, 
                                                       {"centre", PointPage::extra, PointPage::extra},
                                                       {"right", PointPage::extra, PointPage::fold}}};
 
+// A plate that an element makes, for others to stand on. What names it gives its points beside one of the
+// element's folds, as that lies on the plate; of a piece without folds on the page of the piece.
+struct PlateInfo {
+    std::string_view name;  // as of folds; in its assembly "front-left" is "ID/front-left"
+    int fold = -1;          // number of the fold; -1: none
+    bool right = false;     // the plate lies on the right of the fold
+};
+// Of all linkages of four folds.
+inline constexpr std::array<PlateInfo, 2> kTwoPlates{{{"left", 0, true}, {"right", 2, false}}};
+inline constexpr std::array<PlateInfo, 1> kOnePlate{{{"plate"}}};
+
 // What an element may stand on.
 struct Grounds {
     bool fold = true;
@@ -134,6 +145,7 @@ struct ElementInfo {
     std::string_view since = "2.0";               // the version of the document that has it first
     std::span<const std::string_view> also = {};  // other names that are read
     std::span<const MeasureInfo> measures = {};
+    std::span<const PlateInfo> plates = kTwoPlates;
 };
 
 // All rows, by code.
@@ -147,6 +159,20 @@ const Argument* find_argument(const ElementInfo& info, std::span<const Argument>
                               std::string_view name);
 // The version of the document that has the element and all values that are given.
 std::string_view version_needed(const ElementInfo& info, std::span<const Argument> arguments);
+// The folds and plates that everything can stand on by their names: "gutter", "page.left", "bird.centre".
+// Words are compared as people spell them: "front-left", and of a seam "right-seam".
+struct FoundName {
+    std::size_t which = 0;
+    std::string text;  // the canonical name
+};
+// Of an element, by what stands behind its id; nullopt: it has none of that name.
+std::optional<FoundName> find_fold_name(const ElementInfo& info, std::string_view id, std::string_view word);
+std::optional<FoundName> find_plate_name(const ElementInfo& info, std::string_view id, std::string_view word);
+std::string fold_name(std::string_view id, const FoldInfo& fold);
+std::string plate_name(std::string_view id, const PlateInfo& plate);
+inline constexpr std::string_view kGutter = "gutter";
+inline constexpr std::array<std::string_view, 2> kPagePlates{"page.left", "page.right"};
+
 // The colour that a structure gives under that name.
 std::optional<Color> color_of(const Structure& structure, std::string_view parameter);
 

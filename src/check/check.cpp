@@ -7,61 +7,14 @@
 #include <array>
 #include <tuple>
 
+#include "check/checker.h"
 #include "check/crossed.h"
-#include "check/fold_index.h"
-#include "check/paper.h"
+#include "check/named_place.h"
 #include "check/pierce.h"
-#include "check/placing.h"
-#include "check/plate_index.h"
-#include "mechanism/element.h"
 #include "mechanism/site_lines.h"
 #include "mechanism/spread_prints.h"
 
 namespace popup {
-
-struct Checker {
-    const Design& authored;
-    const CheckOptions& options;
-    Diagnostics& diagnostics;
-    Design design;
-    std::shared_ptr<Skeleton> skeleton = std::make_shared<Skeleton>();
-    Builder builder{*skeleton};
-    FoldIndex index;
-    PlateIndex plates;
-    PaperMap paper;
-    std::vector<Fold>
-        ghosts;     // folds of elements that could not be made, so that what stands on them is left in peace
-    int pages = 1;  // pages that exist so far
-    std::vector<bool> redrawn{
-        false};  // of each page: its piece was drawn mirrored, and the document is mended
-
-    Checker(const Design& input, const CheckOptions& opts, Diagnostics& diags)
-        : authored(input), options(opts), diagnostics(diags), design(input), paper(opts.tolerances) {}
-
-    std::optional<CheckedDesign> run();
-
- private:
-    void check_structure(std::size_t number);
-    bool ground_is_named(const Structure& structure, const ElementInfo& info, const Placing& placing);
-    bool stand(Structure& structure, Placing& placing);
-    bool stand_on_plate(Structure& structure, Placing& placing);
-    void no_plate(const Structure& structure, const Placing& placing);
-    PaperQuery query_of(const Element& element) const;
-    bool make(Structure& structure, Placing& placing);
-    void lower(const Placing& placing, const Element& before);
-    std::string owner_of(int plate) const;
-    std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
-    void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
-    bool may_stand(const Structure& structure, const Placing& placing);
-    void keep_ghost(const Element& before);
-    void drop(Structure& structure);
-    void renumber_pages();
-    bool page_is_there(int page, Place place, std::string_view what);
-    const Fold& fold_of(const FoldMatch& match) const {
-        const auto number = static_cast<std::size_t>(match.fold);
-        return match.ghost ? ghosts[number] : skeleton->folds[number];
-    }
-};
 
 namespace {
 
@@ -83,6 +36,8 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
                                           placing, diagnostics);
         if (!crossed || crossed->ghost) return crossed;
         matches.push_back(*crossed);
+    } else if (structure.named().given()) {
+        matches.push_back(*named_fold(structure));
     } else {
         matches = index.matches(structure.fold.page, placing.begin, placing.end, placing.place_on_line(),
                                 options.tolerances.snap_mm);
@@ -97,6 +52,7 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
             const double from = std::max(0.0, std::min(lo, hi));
             const double to = std::min(fold.length(), std::max(lo, hi));
             if (!(from <= to + slack)) continue;  // beside its ends, or not a number
+            placing.found = match;
             if (match.ghost) return match;
             const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
             const auto alive =
@@ -106,6 +62,7 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
                 continue;
             }
             placing.stand_between(*alive, fold.length());
+            placing.found = match;
             return match;
         }
     }
@@ -128,6 +85,18 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
                                structure.id, cut != nullptr ? cut->by : fold.owner))
             .hint(fmt::format("stand it on a fold of \"{}\", or move it along the fold",
                               cut != nullptr ? cut->by : fold.owner))
+            .about(structure.id);
+        return;
+    }
+    if (structure.named().given()) {
+        const Fold& fold = fold_of(*named_fold(structure));
+        const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
+        const double over = std::max(-std::max(lo, hi), std::min(lo, hi) - fold.length());
+        diagnostics
+            .error("fold-not-found", structure.fold.place,
+                   fmt::format("\"{}\" lies {} beyond the end of {}, which is {} long", structure.id,
+                               mm(over), structure.named().text, mm(fold.length())))
+            .hint("y of its points is measured along the fold from its middle")
             .about(structure.id);
         return;
     }
@@ -180,6 +149,7 @@ void Checker::keep_ghost(const Element& before) {
     if (info.glued) plates.add_ghost_page(before.extra_page);
     const FoldLines lines = lines_of(element_row(info), before);
     if (!finite(lines)) return;
+    made[current].ghost = static_cast<int>(ghosts.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Fold ghost;
         ghost.owner = before.paint.id;
@@ -228,6 +198,7 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
             .about(structure.id);
         return false;
     }
+    if (structure.named().given()) return true;
     if (page < 0 || page >= pages - (info.glued ? 1 : 0)) {
         diagnostics
             .error("page-not-there", place,
@@ -270,8 +241,9 @@ std::string Checker::owner_of(int plate) const {
 }
 
 bool Checker::stand_on_plate(Structure& structure, Placing& placing) {
-    const auto match =
-        plates.find(*skeleton, structure.ground_page(), placing.begin, options.tolerances.rounding_mm);
+    const auto match = structure.named().given() ? named_plate(structure)
+                                                 : plates.find(*skeleton, structure.ground_page(),
+                                                               placing.begin, options.tolerances.rounding_mm);
     if (!match) {
         no_plate(structure, placing);
         placing.look_along_given_line();
@@ -399,6 +371,8 @@ void Checker::lower(const Placing& placing, const Element& before) {
     }
     const std::size_t first_fold = skeleton->folds.size();
     const std::size_t first_plate = skeleton->draft.plates.size();
+    made[current].fold = static_cast<int>(first_fold);
+    made[current].plate = static_cast<int>(first_plate);
     element_row(info).lower(element, builder);
     POPUP_INVARIANT(skeleton->folds.size() >= first_fold + info.folds.size());
     paper.update(*skeleton);
@@ -426,7 +400,9 @@ void Checker::lower(const Placing& placing, const Element& before) {
 }
 
 void Checker::check_structure(std::size_t number) {
+    current = number;
     Structure& structure = design.structures[number];
+    if (structure.dropped) return;
     const ElementInfo* info = find_element(structure.type);
     POPUP_INVARIANT(info != nullptr && structure.points.size() == info->points.size());
     const int extra_page = info->glued ? pages++ : -1;
@@ -434,45 +410,23 @@ void Checker::check_structure(std::size_t number) {
         skeleton->page_mirrored.push_back(false);
         redrawn.push_back(false);
     }
-    Placing placing(design, structure, *info, extra_page, {skeleton->page_mirrored, redrawn});
-    if (ground_is_named(structure, *info, placing)) make(structure, placing);
-}
-
-// Pages of dropped pieces go; later pages move up, in everything that names one.
-void Checker::renumber_pages() {
-    std::vector<int> renamed(static_cast<std::size_t>(pages), 0);
-    int next = 1;
-    std::size_t page = 1;
-    for (const Structure& structure : design.structures) {
-        if (!find_element(structure.type)->glued) continue;
-        renamed[page++] = structure.dropped ? -1 : next++;
-    }
-    const auto rename = [&](int old) {
-        return old >= 0 && old < pages ? renamed[static_cast<std::size_t>(old)] : old;
-    };
-    for (Structure& structure : design.structures) {
-        if (structure.dropped) continue;
-        if (const int to = rename(structure.ground_page()); to != structure.ground_page()) {
-            (structure.plate ? structure.plate->page : structure.fold.page) = to;
-            (structure.plate ? structure.plate->page_changed : structure.fold.page_changed) = true;
+    const PageTurns turns{skeleton->page_mirrored, redrawn};
+    std::optional<NamedPlace> place;
+    if (structure.named().given()) {
+        const auto fold = beside(structure);
+        if (!fold) {  // what carries it could not be made, and that has been said
+            if (info->glued) plates.add_ghost_page(extra_page);
+            if (options.drop) drop(structure);
+            return;
         }
-        const auto rename_of = [&](auto& drawn) {
-            if (!drawn.page || rename(*drawn.page) == *drawn.page) return;
-            drawn.page = rename(*drawn.page);
-            drawn.changed = true;
-        };
-        for (DesignPoint& point : structure.points) rename_of(point);
-        for (Argument& argument : structure.arguments) rename_of(argument);
+        place.emplace(structure, *info, *fold, turns);
+        place->lay(structure);
     }
-    const auto rename_printed = [&rename](auto& printed) {
-        const int to = rename(printed.page);
-        if (to == printed.page) return;
-        printed.dropped = to < 0;
-        printed.page_changed = !printed.dropped;
-        printed.page = std::max(to, 0);
-    };
-    for (DrawnLine& line : design.lines) rename_printed(line);
-    for (DrawnPrint& print : design.prints) rename_printed(print);
+    Placing placing(design, structure, *info, extra_page, turns);
+    if (place) placing.beside = &*place;
+    if (ground_is_named(structure, *info, placing)) make(structure, placing);
+    if (names != nullptr) note(number, placing);
+    if (place) place->take_up(structure);
 }
 
 // What is printed lies on a page that some piece has.
@@ -508,7 +462,8 @@ std::optional<CheckedDesign> Checker::run() {
             redrawn[static_cast<std::size_t>(print.page)])
             mirror(print);
     }
-    if (options.drop) renumber_pages();
+    if (names != nullptr) note_folds();
+    if (options.drop) close_up_pages(design);
     if (diagnostics.has_errors()) return std::nullopt;
     return CheckedDesign(std::move(design), std::move(skeleton));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "check/named_place.h"
 #include "mechanism/arguments.h"
 #include "mechanism/site_lines.h"
 
@@ -196,6 +197,19 @@ void Placing::look_along(const FoldMatch& match, const Fold& fold) {
     site = exact;
 }
 
+PageFold Placing::seen() const {
+    const Site& site = authored_site_;
+    const auto line = [&](const DirectedLine& one) {
+        return Segment{one.at, one.at + site.length * one.dir};
+    };
+    PageFold made{site.left_page,   site.right_page, line(site.left),
+                  line(site.right), site.seam,       site.mountain ? 360 : 0};
+    if (!beside) return made;
+    const Segment along{{0, -0.5 * site.length}, {0, 0.5 * site.length}};
+    made.on_left = made.on_right = along;
+    return made;
+}
+
 void Placing::look_along_given_line() {
     Site& site = element.site;
     site.left = site.right = {begin, distance(begin, end) > 0.0 ? unit(end - begin) : Vec2{0, 1}};
@@ -299,8 +313,12 @@ Change Placing::take_change(const Tolerances& tolerances) {
             distance(now[i].at, reported_[i].at) <= tolerances.rounding_mm)
             continue;
         const std::string_view space = change.before.empty() ? "" : " ";
-        change.before += fmt::format("{}{} {}", space, letters_[i], text(reported_[i].at));
-        change.after += fmt::format("{}{} {}", space, letters_[i], text(now[i].at));
+        const auto as_written = [&](Vec2 p) {
+            const PointInfo& point = element.info->points[i];
+            return beside && point.page == PointPage::fold ? beside->written(p, point.side == 'R') : p;
+        };
+        change.before += fmt::format("{}{} {}", space, letters_[i], text(as_written(reported_[i].at)));
+        change.after += fmt::format("{}{} {}", space, letters_[i], text(as_written(now[i].at)));
         reported_[i] = now[i];
     }
     for (const Segment& snapped : std::exchange(element.snapped, {})) {

@@ -11,6 +11,8 @@
 
 namespace popup {
 
+struct NamedPlace;
+
 // Pages that are not read as they are written.
 struct PageTurns {
     const std::vector<bool>& mirrored;  // read mirrored, written as they were: the piece of a turned element
@@ -26,6 +28,11 @@ struct Placing {
     // The ends of the parent fold, or twice the point of the parent plate, as given (on a page mirrored back:
     // mirrored).
     Vec2 begin, end;
+    // Of a structure that names what it stands on: changes are told as its points are written.
+    const NamedPlace* beside = nullptr;
+    std::optional<FoldMatch> found;  // the fold that it stands on, or would
+    // The fold as the structure's points see it; for Standing.
+    [[nodiscard]] PageFold seen() const;
     bool turned = false;  // the gutter was given downwards: left and right have changed places
 
     Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,

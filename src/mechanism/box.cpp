@@ -58,6 +58,13 @@ constexpr std::array<FoldInfo, 7> kFolds{{{"left", PointPage::fold, PointPage::e
                                           {"backright"},
                                           {"back"}}};
 
+constexpr std::array<PlateInfo, 6> kPlates{{{"left", kLeft, true},
+                                            {"right", kRight, false},
+                                            {"frontleft", kFrontLeft, true},
+                                            {"frontright", kFrontRight, false},
+                                            {"backright", kBackRight, true},
+                                            {"backleft", kBack, true}}};
+
 // The measures that all of it follows from.
 struct Measures {
     double lo, hi;  // along the fold
@@ -287,7 +294,8 @@ const ElementRow kBox = {
      .parameters = kParameters,
      .folds = kFolds,
      .since = "3.0",
-     .measures = kMeasures},
+     .measures = kMeasures,
+     .plates = kPlates},
     two_seams::stands_on,
     constrain,
     fold_lines,

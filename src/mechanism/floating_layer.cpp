@@ -40,6 +40,11 @@ constexpr std::array<FoldInfo, 5> kFolds{{{"left", PointPage::fold, PointPage::e
                                           {"topright"},
                                           {"right", PointPage::extra, PointPage::fold}}};
 
+constexpr std::array<PlateInfo, 4> kPlates{{{"left", kLeft, true},
+                                            {"topleft", kTopLeft, true},
+                                            {"topright", kCentre, true},
+                                            {"right", kRight, false}}};
+
 constexpr double kBesideMm = 10.0;  // from the strip to the pillar, on their page
 
 struct Span {
@@ -205,7 +210,8 @@ const ElementRow kFloatingLayer = {
      .parameters = kParameters,
      .folds = kFolds,
      .since = "3.0",
-     .measures = step::kMeasures},
+     .measures = step::kMeasures,
+     .plates = kPlates},
     two_seams::stands_on,
     constrain,
     fold_lines,

@@ -65,7 +65,9 @@ void shape(Element& e, std::span<const double> v) {
     const Box box = measure::drawn_box(e, "outline", {});
     const measure::Spot to{{v[0], v[1]}};
     if (box.empty()) {
+        const auto page = e.arguments.front().page;
         e.arguments.front() = measure::ellipse(to, v[2], v[3]);
+        e.arguments.front().page = page;
         return;
     }
     measure::place_drawn(e, {}, box, to, measure::scale_of(box.width(), box.height(), v[2], v[3]), v[4]);
@@ -86,7 +88,8 @@ const ElementRow kHole = {{.name = "hole",
                            .folds = {},
                            .since = "3.0",
                            .also = kOtherNames,
-                           .measures = kMeasures},
+                           .measures = kMeasures,
+                           .plates = {}},
                           stands_on_no_fold,
                           constrain,
                           makes_no_folds,

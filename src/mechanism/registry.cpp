@@ -103,6 +103,33 @@ std::optional<std::size_t> find_measure(const ElementInfo& info, std::string_vie
     return static_cast<std::size_t>(found - info.measures.begin());
 }
 
+std::string fold_name(std::string_view id, const FoldInfo& fold) {
+    return std::string(id) + "." + std::string(fold.name);
+}
+
+std::string plate_name(std::string_view id, const PlateInfo& plate) {
+    return std::string(id) + "." + std::string(plate.name);
+}
+
+std::optional<FoundName> find_fold_name(const ElementInfo& info, std::string_view id, std::string_view word) {
+    const std::string wanted = plain(word);
+    for (std::size_t i = 0; i < info.folds.size(); ++i) {
+        const FoldInfo& fold = info.folds[i];
+        if (wanted == fold.name || (is_seam(info, fold) && wanted == std::string(fold.name) + "seam"))
+            return FoundName{i, fold_name(id, fold)};
+    }
+    return std::nullopt;
+}
+
+std::optional<FoundName> find_plate_name(const ElementInfo& info, std::string_view id,
+                                         std::string_view word) {
+    const std::string wanted = plain(word);
+    for (std::size_t i = 0; i < info.plates.size(); ++i) {
+        if (wanted == info.plates[i].name) return FoundName{i, plate_name(id, info.plates[i])};
+    }
+    return std::nullopt;
+}
+
 std::string_view version_needed(const ElementInfo& info, std::span<const Argument> arguments) {
     std::string_view needed = info.since;
     for (std::size_t i = 0; i < arguments.size() && i < info.parameters.size(); ++i) {

@@ -64,6 +64,7 @@ Json json(const Structure& one) {
         made.erase("fold");
         made["plate"] = {{"page", one.plate->page}, {"at", json(one.plate->at)}};
     }
+    if (one.named().given()) made[one.plate ? "plate" : "fold"] = {{"on", one.named().text}};
     if (Json values = arguments(one); !values.empty()) made["arguments"] = std::move(values);
     return made;
 }

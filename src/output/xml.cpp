@@ -8,6 +8,7 @@
 
 #include "input/xml/number.h"
 #include "input/xml/path_text.h"
+#include "input/xml/structure_text.h"
 #include "output/markup.h"
 #include "popup/check.h"
 #include "popup/mechanism.h"
@@ -17,7 +18,7 @@ namespace {
 
 class DocumentText {
  public:
-    explicit DocumentText(const Design& design) : design_(design) {}
+    DocumentText(const Design& design, std::string_view source) : design_(design), source_(source) {}
 
     std::string run() {
         line(0, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
@@ -59,7 +60,9 @@ class DocumentText {
     [[nodiscard]] std::string_view version() const {
         std::string_view version = design_.version;
         for (const Structure& s : design_.structures) {
-            if (!s.dropped) version = std::max(version, version_needed(info_of(s), s.arguments));
+            if (s.dropped) continue;
+            version = std::max(version, version_needed(info_of(s), s.arguments));
+            if (s.named().given()) version = std::max(version, std::string_view("3.0"));
         }
         const auto kept = [](const DrawnPrint& print) { return !print.dropped; };
         if (opens_less() || std::any_of(design_.prints.begin(), design_.prints.end(), kept))
@@ -67,72 +70,12 @@ class DocumentText {
         return version;
     }
 
-    // The values that stand in the start tag.
-    [[nodiscard]] std::string attributes(const Structure& s) const {
-        const ElementInfo& info = info_of(s);
-        std::string text;
-        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
-            const auto& value = s.arguments[i].value;
-            const ParameterInfo& parameter = info.parameters[i];
-            if (!parameter.group.empty()) continue;
-            if (const auto* word = std::get_if<std::string>(&value)) {
-                text += fmt::format(" {}=\"{}\"", parameter.name, *word);
-            } else if (const auto* number = std::get_if<double>(&value)) {
-                text += fmt::format(
-                    " {}=\"{}\"", parameter.name,
-                    parameter.kind == ParameterKind::length ? length(*number) : xml::format_number(*number));
-            }
-        }
-        return text;
-    }
-
-    // The values that are child elements.
-    void children(const Structure& s) {
-        const ElementInfo& info = info_of(s);
-        std::string grouped;
-        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
-            const auto* number = std::get_if<double>(&s.arguments[i].value);
-            if (number != nullptr && !info.parameters[i].group.empty())
-                grouped += fmt::format(" {}=\"{}\"", info.parameters[i].name, length(*number));
-        }
-        if (!grouped.empty()) line(3, "<folds{}/>", grouped);
-        for (std::size_t i = 0; i < s.arguments.size(); ++i) {
-            const Argument& argument = s.arguments[i];
-            const std::string_view name = info.parameters[i].name;
-            const std::string page =
-                argument.page ? fmt::format(" page=\"{}\"", *argument.page) : std::string();
-            if (const auto* tint = std::get_if<Color>(&argument.value)) {
-                color(3, name, *tint);
-            } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
-                line(3, "<{}{} d=\"{}\"/>", name, page, xml::path_text(*path, design_.unit));
-            } else if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
-                line(3, "<{}{}>", name, page);
-                for (const DesignPoint& p : *points) point(4, "point", p, false);
-                line(3, "</{}>", name);
-            }
-        }
-    }
-
-    void ground(const Structure& s) {
-        if (s.finds_ground) return;
-        if (s.plate) {
-            line(3, "<parentplate page=\"{}\" x=\"{}\" y=\"{}\"/>", s.plate->page, length(s.plate->at.at.x),
-                 length(s.plate->at.at.y));
-            return;
-        }
-        line(3, "<parentfold page=\"{}\">", s.fold.page);
-        point(4, "begin", s.fold.begin, false);
-        point(4, "end", s.fold.end, false);
-        line(3, "</parentfold>");
-    }
-
     void color(int depth, std::string_view name, const std::optional<Color>& value) {
         if (value) line(depth, "<{0}>{1}</{0}>", name, to_string(*value));
     }
 
-    void point(int depth, std::string_view name, const DesignPoint& p, bool with_page) {
-        const std::string page = with_page && p.page ? fmt::format(" page=\"{}\"", *p.page) : std::string();
-        line(depth, "<{} x=\"{}\" y=\"{}\"{}/>", name, length(p.at.x), length(p.at.y), page);
+    void point(int depth, const DesignPoint& p) {
+        line(depth, "<point x=\"{}\" y=\"{}\"/>", length(p.at.x), length(p.at.y));
     }
 
     void structures() {
@@ -143,16 +86,7 @@ class DocumentText {
             // An automatic id is left to the reader, unless it would now give another.
             ++number;
             const bool automatic = !s.id_given && s.id == fmt::format("e{}", number);
-            const std::string id = automatic ? std::string() : fmt::format(" id=\"{}\"", s.id);
-            line(2, "<structure type=\"{}\"{}{}>", s.type, id, attributes(s));
-            if (!s.points.empty()) {
-                line(3, "<outerpoints>");
-                for (const DesignPoint& p : s.points) point(4, "point", p, true);
-                line(3, "</outerpoints>");
-            }
-            children(s);
-            ground(s);
-            line(2, "</structure>");
+            out_.append(xml::structure_text(design_, s, "    ", automatic, source_));
         }
         line(1, "</structurelist>");
     }
@@ -202,19 +136,22 @@ class DocumentText {
             if (l.dropped) continue;
             line(2, "<drawnline page=\"{}\" thickness=\"{}\" color=\"{}\">", l.page,
                  xml::format_number(l.thickness_pt), to_string(l.color));
-            for (const DesignPoint& p : l.points) point(3, "point", p, false);
+            for (const DesignPoint& p : l.points) point(3, p);
             line(2, "</drawnline>");
         }
         line(1, "</drawnlinelist>");
     }
 
     const Design& design_;
+    std::string_view source_;
     fmt::memory_buffer out_;
 };
 
 }  // namespace
 
-std::string write_document(const Design& design) { return DocumentText(design).run(); }
+std::string write_document(const Design& design, std::string_view source) {
+    return DocumentText(design, source).run();
+}
 
 std::optional<std::string> write_xml(const CheckedDesign& design, const OutputOptions&, Diagnostics&) {
     return write_document(design.design());

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "popup/output.h"
 
@@ -17,6 +18,6 @@ std::optional<std::string> write_xml(const CheckedDesign& design, const OutputOp
                                      Diagnostics& diagnostics);
 
 // The same of a design that has not been checked. Precondition: its numbers are finite and its types known.
-std::string write_document(const Design& design);
+std::string write_document(const Design& design, std::string_view source = {});
 
 }  // namespace popup

@@ -21,6 +21,7 @@ std::optional<Argument> Values::argument(const Field& field, const ParameterInfo
             const std::optional<Color> value = color(&field);
             if (!value) return std::nullopt;
             made.value = *value;
+            if (const std::optional<Text> text = value_of(field, reporter_)) made.text = tight(*text);
             return made;
         }
         case ParameterKind::length:

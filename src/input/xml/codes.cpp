@@ -64,6 +64,12 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "Documents are read as UTF-8, of which plain ASCII is a part. This one declares another encoding, "
      "begins with the byte order mark of UTF-16 or UTF-32, or holds bytes that are no UTF-8. Save it as "
      "UTF-8, and let its first line say encoding=\"UTF-8\" or nothing at all."},
+    {"ground-not-yet", Severity::error, "a structure names a fold or plate of one that comes later",
+     "The list of structures is in build order: what carries others comes before them, and nothing carries "
+     "itself. This structure names a fold or plate of itself, or of a structure that is listed after it. "
+     "Move "
+     "the one that carries further up in the list. The page of a piece has the number of its glued element "
+     "in the list, so move glued elements together with what is drawn on their pages."},
     {"missing-value", Severity::error, "a value that must be given",
      "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs "
      "x and y; and a field that is written must not be empty. What is optional (ids, colours, the base "
@@ -87,6 +93,12 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "in the message; the corners that follow from them are computed. A drawn line has at least two "
      "points. Add the missing points or take the doubled ones out; `popupc list elements` shows what each "
      "type takes."},
+    {"unknown-ground", Severity::error, "the name of a fold or plate that there is not",
+     "What a structure stands on can be named: gutter, or the id of an earlier structure, a full stop and "
+     "the "
+     "name of one of its folds, such as bird.centre; of a plate, page.left or bird.left. The message says "
+     "whether there is no such structure, or none of its folds is called so. `popupc show` lists the names "
+     "that a card has."},
     {"unknown-markup", Severity::warning, "an element, attribute or text that has no meaning",
      "The document holds markup that the reader does not know in that place, and disregards with all that "
      "is in it. Often it is a slip in a name, and then something that you meant is missing from the "

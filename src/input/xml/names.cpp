@@ -43,7 +43,8 @@ constexpr std::uint64_t kScalars = in({Name::version,
                                        Name::horizonheight,
                                        Name::font,
                                        Name::fill,
-                                       Name::t});
+                                       Name::t,
+                                       Name::on});
 // Everything that is one point.
 constexpr std::uint64_t kPoints = in({Name::point, Name::begin, Name::end, Name::parentplate});
 
@@ -142,6 +143,8 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::folds, "folds", "", in({Name::structure}), 0, "where the folds are of what is cut from one sheet"},
     {Name::t, "t", "time", in({Name::point}), 0, "when the point was touched"},
     {Name::hole, "hole", "", in({Name::popup}), in({Name::popup}), "a hole through the base page"},
+    {Name::on, "on", "", in({Name::parentfold, Name::parentplate}), 0,
+     "the fold, seam or plate by its name, such as bird.centre, in place of points"},
     {Name::value, "value", "", kScalars | kPoints | in({Name::argument, Name::text}), 0, "the value itself"},
 });
 

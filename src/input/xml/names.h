@@ -55,6 +55,7 @@ enum class Name : std::uint8_t {
     t,         // of a touch point: when it was touched
     hole,      // beside the structurelist: <hole d="M …"/>
     argument,  // a structure's value under the name of a parameter, other than the four colours
+    on,        // of a parent: the name of a fold or plate
     value,     // of anything that is a single value: <leftcolor value="red"/>
 };
 

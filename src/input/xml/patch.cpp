@@ -1,5 +1,7 @@
 // Repairs written over the author's own text.
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "input/xml/number.h"
 #include "input/xml/path_text.h"
 #include "input/xml/read.h"
+#include "input/xml/structure_text.h"
 #include "popup/mechanism.h"
 
 namespace popup::xml {
@@ -18,8 +21,12 @@ class Patch {
  public:
     Patch(std::string_view text, const Design& design) : text_(text), design_(design) {}
 
-    std::vector<PatchEdit> run() {
+    std::vector<PatchEdit> run(std::span<const TextRange> gone) {
+        for (const TextRange& one : gone) remove(one);
+        add_structures();
+        if (design_.version_changed) version();
         for (const Structure& structure : design_.structures) {
+            if (structure.added) continue;
             if (structure.dropped) {
                 remove(structure.tag_text);
             } else {
@@ -35,16 +42,84 @@ class Patch {
             for (const DesignPoint& point : line.points) point_edits(point, line.page);
         }
         for (const DrawnPrint& print : design_.prints) print_edits(print);
-        std::sort(edits_.begin(), edits_.end(),
-                  [](const PatchEdit& a, const PatchEdit& b) { return a.begin < b.begin; });
+        std::stable_sort(edits_.begin(), edits_.end(),
+                         [](const PatchEdit& a, const PatchEdit& b) { return a.begin < b.begin; });
         return std::move(edits_);
     }
 
  private:
+    // The blanks before a place, where nothing else stands before it on its line.
+    [[nodiscard]] std::optional<std::string_view> indent_at(std::size_t at) const {
+        std::size_t begin = at;
+        while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
+        if (begin > 0 && text_[begin - 1] != '\n') return std::nullopt;
+        return text_.substr(begin, at - begin);
+    }
+
+    // Writes into an element, before its end tag; one that has none gets one.
+    void append_to(TextRange element, std::string_view name, const std::string& inside) {
+        const std::string_view whole = text_.substr(element.offset, element.length);
+        const std::size_t end = whole.rfind("</");
+        if (whole.ends_with("/>") || end == std::string_view::npos) {
+            const std::size_t slash = element.offset + element.length - 2;
+            const std::string outer(indent_at(element.offset).value_or(""));
+            return edits_.push_back(
+                {slash, slash + 2, in_lines(">\n" + inside + outer + "</" + std::string(name) + ">")});
+        }
+        const std::size_t at = element.offset + end;
+        if (const auto indent = indent_at(at)) {
+            edits_.push_back({at - indent->size(), at - indent->size(), in_lines(inside)});
+        } else {
+            edits_.push_back({at, at, in_lines("\n" + inside)});
+        }
+    }
+
+    // With the line ends that the document has.
+    [[nodiscard]] std::string in_lines(const std::string& text) const {
+        if (text_.find("\r\n") == std::string_view::npos) return text;
+        std::string made;
+        for (const char c : text) made += c == '\n' ? "\r\n" : std::string(1, c);
+        return made;
+    }
+
+    void add_structures() {
+        const Structure* last = nullptr;
+        for (const Structure& structure : design_.structures) {
+            if (!structure.added && structure.tag_text.present()) last = &structure;
+        }
+        const auto& list = design_.list_text;
+        const auto outer = list.present() ? indent_at(list.offset) : indent_at(design_.root_text.offset);
+        std::string indent(outer.value_or(""));
+        indent += list.present() ? "  " : "    ";
+        const bool listed = last != nullptr && list.present() && last->tag_text.offset > list.offset &&
+                            last->tag_text.offset < list.offset + list.length;
+        if (listed) indent = indent_at(last->tag_text.offset).value_or(indent);
+        std::string inside;
+        for (const Structure& structure : design_.structures) {
+            if (structure.added && !structure.dropped)
+                inside += structure_text(design_, structure, indent, false);
+        }
+        if (inside.empty()) return;
+        if (list.present()) return append_to(list, "structurelist", inside);
+        const std::string around = std::string(outer.value_or("")) + "  ";
+        append_to(design_.root_text, "popup",
+                  around + "<structurelist>\n" + inside + around + "</structurelist>\n");
+    }
+
+    void version() {
+        if (design_.version_text.present()) return replace(design_.version_text, design_.version);
+        attribute(design_.root_tag, "version", design_.version);
+    }
+
     void structure_edits(const Structure& structure) {
         if (structure.type_changed) type(structure);
+        if (structure.id_changed) id(structure);
         for (const DesignPoint& point : structure.points) point_edits(point, structure.ground_page());
         argument_edits(structure);
+        if (structure.named().given()) {
+            if (structure.named().changed) replace(structure.named().range, structure.named().text);
+            return;
+        }
         if (structure.plate) return plate_edits(*structure.plate);
         if (structure.finds_ground) return;
         const ParentFold& fold = structure.fold;
@@ -89,6 +164,10 @@ class Patch {
                 } else {
                     attribute(structure.start_tag, parameter.name, format_number(*value / unit));
                 }
+            } else if (const auto* color = std::get_if<Color>(&argument.value)) {
+                word(argument, structure, parameter, to_string(*color));
+            } else if (const auto* chosen = std::get_if<std::string>(&argument.value)) {
+                word(argument, structure, parameter, *chosen);
             } else if (const auto* path = std::get_if<DrawnPath>(&argument.value)) {
                 if (argument.text.present())
                     replace(argument.text, path_text(*path, design_.unit));
@@ -96,6 +175,12 @@ class Patch {
                     attribute(structure.start_tag, parameter.name, path_text(*path, design_.unit));
             }
         }
+    }
+
+    void word(const Argument& argument, const Structure& structure, const ParameterInfo& parameter,
+              const std::string& text) {
+        if (argument.text.present()) return replace(argument.text, text);
+        attribute(structure.start_tag, parameter.name, text);
     }
 
     void replace(TextRange at, std::string text) {
@@ -140,6 +225,11 @@ class Patch {
         edits_.push_back({offset, offset, " " + std::string(name) + "=\"" + value + "\""});
     }
 
+    void id(const Structure& structure) {
+        if (structure.id_text.present()) return replace(structure.id_text, structure.id);
+        attribute(structure.start_tag, "id", structure.id);
+    }
+
     // By code where the author wrote a code, else by name.
     void type(const Structure& structure) {
         const TextRange at = structure.type_text;
@@ -174,12 +264,14 @@ class Patch {
 }  // namespace
 
 std::vector<PatchEdit> patch_edits(const Source& source, const Design& design) {
-    return Patch(source.text, design).run();
+    return Patch(source.text, design).run({});
 }
 
-std::string patch(const Source& source, const Design& design) {
+std::string patch(const Source& source, const Design& design) { return patch(source, design, {}); }
+
+std::string patch(const Source& source, const Design& design, std::span<const TextRange> gone) {
     const std::string_view text = source.text;
-    const std::vector<PatchEdit> edits = patch_edits(source, design);
+    const std::vector<PatchEdit> edits = Patch(text, design).run(gone);
     std::string out;
     out.reserve(text.size() + edits.size() * 8);
     std::size_t at = 0;

@@ -18,6 +18,7 @@
 #include "input/xml/allowances.h"
 #include "input/xml/encoding.h"
 #include "input/xml/fields.h"
+#include "input/xml/ground_names.h"
 #include "input/xml/locate.h"
 #include "input/xml/number.h"
 #include "input/xml/read_prints.h"
@@ -52,6 +53,7 @@ class DocumentReader {
         reporter_.set_structure(Reporter::kNone);
         name_structures();
         reporter_.name_structures(design_.structures);
+        GroundNames(design_, reporter_).resolve();
         return std::move(design_);
     }
 
@@ -69,6 +71,8 @@ class DocumentReader {
         const auto shell = Tree::parse(located_, 0, Tree::Extent::shell, reporter_.diagnostics());
         if (!shell) return false;
         design_.page_place = place;
+        design_.root_tag = shell->root().start_tag();
+        design_.root_text = shell->root().whole();
 
         // Lists are not parsed whole: their items are, one at a time.
         Fields fields(shell->root(), Name::popup, reporter_);
@@ -97,6 +101,7 @@ class DocumentReader {
         read_units(fields.find(Name::units));
         if (const Field* field = element_field(fields, Name::mainpage)) read_mainpage(field->node);
         if (const Field* field = element_field(fields, Name::structurelist)) {
+            design_.list_text = field->node.whole();
             if (!read_list(structures, field->node, Name::structurelist, &DocumentReader::read_structure))
                 return false;
         }
@@ -146,6 +151,7 @@ class DocumentReader {
         const auto text = value_of(*field, reporter_);
         if (!text) return;
         std::string version(trimmed(text->decoded));
+        design_.version_text = values_.tight(*text);
         if (version == "2" || version == "3") version += ".0";
         if (std::find(kVersions.begin(), kVersions.end(), version) != kVersions.end()) {
             design_.version = version;
@@ -360,6 +366,14 @@ class DocumentReader {
 
     void read_plate(const Field& field, ParentPlate& plate) {
         plate.place = field.place;
+        if (field.node) {
+            const Fields fields(field.node, Name::parentplate, reporter_);
+            if (const Field* on = fields.find(Name::on)) {
+                if (read_name(*on, plate.on)) plate.at.place = field.place;
+                for (const Name name : {Name::x, Name::y, Name::page}) refuse_beside_name(fields, name);
+                return;
+            }
+        }
         if (const auto point = values_.point(field)) plate.at = *point;
         plate.page = plate.at.page.value_or(0);
         plate.page_text = plate.at.page_text;
@@ -388,6 +402,7 @@ class DocumentReader {
         }
         made.id = id;
         made.id_given = true;
+        made.id_text = values_.tight(*text);
     }
 
     const ElementInfo* read_type(const Field* field, Structure& made) {
@@ -450,6 +465,11 @@ class DocumentReader {
         const Fields fields(node, Name::parentfold, reporter_);
         fold.place = node.place();
         fold.tag_text = node.start_tag();
+        if (const Field* on = fields.find(Name::on)) {
+            read_name(*on, fold.on);
+            for (const Name name : {Name::begin, Name::end, Name::page}) refuse_beside_name(fields, name);
+            return;
+        }
         read_end(fields, Name::begin, fold.begin);
         read_end(fields, Name::end, fold.end);
         // The fold lies on one page, wherever that is written.
@@ -464,6 +484,30 @@ class DocumentReader {
             page = page.value_or(*end->page);
         }
         fold.page = page.value_or(0);
+    }
+
+    // Names are resolved when all structures have theirs.
+    bool read_name(const Field& field, NamedGround& on) {
+        const auto text = value_of(field, reporter_);
+        if (!text) return false;
+        on.text = std::string(trimmed(text->decoded));
+        on.range = values_.tight(*text);
+        if (design_.version < "3.0") {
+            reporter_
+                .warning("newer-element", text->place,
+                         fmt::format("what a structure stands on has no name in version {}", design_.version))
+                .hint("write version=\"3.0\"");
+        }
+        return true;
+    }
+
+    void refuse_beside_name(const Fields& fields, Name name) {
+        const Field* field = fields.find(name);
+        if (field == nullptr) return;
+        reporter_
+            .error("duplicate-value", field->place,
+                   fmt::format("what is named with 'on' has no '{}' besides", canonical(name)))
+            .hint("leave one of them out; points of a structure then lie beside what is named");
     }
 
     void read_end(const Fields& fields, Name name, DesignPoint& end) {

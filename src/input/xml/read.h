@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ Reading read_document(const Source& source, const ReadOptions& options, Diagnost
 // The design alone.
 std::optional<Design> read(const Source& source, const ReadOptions& options, Diagnostics& diagnostics);
 std::string patch(const Source& source, const Design& design);
+// The same of a design that has been edited: structures that were added are written behind the others, and
+// what stands at `gone` is taken out.
+std::string patch(const Source& source, const Design& design, std::span<const TextRange> gone);
 
 // Bytes [begin, end) of a source, and what stands there in place of them.
 struct PatchEdit {

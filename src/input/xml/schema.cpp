@@ -247,22 +247,32 @@ constexpr std::string_view kStructure = R"xsd(
 constexpr std::string_view kParentFold =
     R"xsd(      <xs:element name="parentfold">
         <xs:annotation>
-          <xs:documentation>Two points of the fold or seam. Left is the left-hand side, seen from begin to end.</xs:documentation>
+          <xs:documentation>Two points of the fold or seam. Left is the left-hand side, seen from begin to end.
+            Or its name, such as gutter or bird.centre; points then lie beside it, x to its right and y along it from its
+            middle. From version 3.0 on.</xs:documentation>
         </xs:annotation>
         <xs:complexType>
-          <xs:sequence>
+          <xs:sequence minOccurs="0">
             <xs:element name="begin" type="point"/>
             <xs:element name="end" type="point"/>
           </xs:sequence>
-          <xs:attribute name="page" type="page" default="0"/>
+          <xs:attribute name="page" type="page"/>
+          <xs:attribute name="on" type="xs:string"/>
         </xs:complexType>
       </xs:element>
 )xsd";
 constexpr std::string_view kParentPlate =
-    R"xsd(      <xs:element name="parentplate" type="pagepoint">
+    R"xsd(      <xs:element name="parentplate">
         <xs:annotation>
-          <xs:documentation>Any point of the plate. Its page is 0 where it names none.</xs:documentation>
+          <xs:documentation>Any point of the plate; its page is 0 where it names none. Or its name, such as bird.left; points
+            then lie beside the fold of that name, x to its right and y along it from its middle. From version 3.0 on.</xs:documentation>
         </xs:annotation>
+        <xs:complexType>
+          <xs:attribute name="x" type="number"/>
+          <xs:attribute name="y" type="number"/>
+          <xs:attribute name="page" type="page"/>
+          <xs:attribute name="on" type="xs:string"/>
+        </xs:complexType>
       </xs:element>
 )xsd";
 
