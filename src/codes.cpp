@@ -8,6 +8,7 @@
 #include "batch/codes.h"
 #include "check/codes.h"
 #include "cli/codes.h"
+#include "edit/codes.h"
 #include "fabrication/codes.h"
 #include "findings/codes.h"
 #include "folded/codes.h"
@@ -41,7 +42,8 @@ std::vector<CodeInfo> sorted_rows() {
           flatlang_codes(), assembly_codes(),  fold_codes(),        dxf_codes(),     oa_codes(),
           parts_codes(),    mechanism_codes(), check_codes(),       folded_codes(),  motion_codes(),
           pattern_codes(),  layout_codes(),    fabrication_codes(), output_codes(),  run_codes(),
-          findings_codes(), repair_codes(),    batch_codes(),       cli_codes(),     trace_codes()}) {
+          findings_codes(), repair_codes(),    batch_codes(),       cli_codes(),     trace_codes(),
+          edit_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

@@ -6,6 +6,7 @@
 
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/edit.h"
 #include "popup/mechanism.h"
 #include "popup/output.h"
 
@@ -74,6 +75,13 @@ Rows elements() {
     return rows;
 }
 
+Rows templates() {
+    Rows rows;
+    for (const CardTemplate& row : card_templates())
+        rows.push_back({{"name", row.name}, {"about", row.about}});
+    return rows;
+}
+
 Rows sheets() {
     Rows rows;
     for (const Paper& row : paper_table()) {
@@ -124,7 +132,8 @@ struct Listing {
     Rows (*rows)();
 };
 constexpr Listing kListings[] = {{"formats", formats},   {"languages", languages}, {"elements", elements},
-                                 {"profiles", profiles}, {"sheets", sheets},       {"codes", codes}};
+                                 {"profiles", profiles}, {"sheets", sheets},       {"templates", templates},
+                                 {"codes", codes}};
 
 // How a member of a row is shown in text; nullopt: in JSON only.
 std::optional<std::string> cell(const std::string& name, const Json& value) {
@@ -172,11 +181,11 @@ const Listing& listing_named(std::string_view name) {
 }  // namespace
 
 CLI::App* add_list(CLI::App& app, Options& options) {
-    CLI::App* verb =
-        app.add_subcommand("list", "What there is: formats, languages, elements, profiles, sheets, codes");
+    CLI::App* verb = app.add_subcommand(
+        "list", "What there is: formats, languages, elements, profiles, sheets, templates, codes");
     verb->add_option_function<std::string>(
             "WHAT", [&options](const std::string& text) { options.list.what = listing_named(text).name; },
-            "formats, languages, elements, profiles, sheets or codes")
+            "formats, languages, elements, profiles, sheets, templates or codes")
         ->required()
         ->type_name("");
     verb->add_flag("--json", options.list.json, "as a JSON array of objects")->configurable(false);

@@ -33,6 +33,18 @@ int run_trace(const Options& options);
 CLI::App* add_lsp(CLI::App& app, Options& options);
 int run_lsp(const Options& options);
 
+CLI::App* add_edit(CLI::App& app, Options& options);
+int run_edit(const Options& options);
+
+CLI::App* add_show(CLI::App& app, Options& options);
+int run_show(const Options& options);
+
+CLI::App* add_fmt(CLI::App& app, Options& options);
+int run_fmt(const Options& options);
+
+CLI::App* add_new(CLI::App& app, Options& options);
+int run_new(const Options& options);
+
 CLI::App* add_explain(CLI::App& app, Options& options);
 int run_explain(const Options& options);
 

@@ -22,6 +22,10 @@ std::span<const Verb> verb_table() {
                                       {add_check, run_check},
                                       {add_view, run_view},
                                       {add_fix, run_fix},
+                                      {add_edit, run_edit},
+                                      {add_show, run_show},
+                                      {add_new, run_new},
+                                      {add_fmt, run_fmt},
                                       {add_batch, run_batch},
                                       {add_merge_reports, run_merge_reports},
                                       {add_gallery, run_gallery},
@@ -87,6 +91,7 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     }
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         if (!verbs[i]->parsed()) continue;
+        if (verbs[i]->get_name() == "edit") options.edit.words = verbs[i]->remaining();
         command.verb = &verb_table()[i];
         for (const CLI::Option* option : verbs[i]->get_options()) {
             if (option->count() > 0) options.given.insert(traits_of(*option).key);

@@ -106,6 +106,34 @@ struct FixOptions {
     std::string output;       // empty: standard output
 };
 
+struct EditVerbOptions {
+    FixOptions output;
+    std::string document;
+    std::string file;                // -f; empty: the edit is on the command line
+    std::vector<std::string> words;  // the edit
+    bool force = false;
+};
+
+struct FmtVerbOptions {
+    FixOptions output;
+    std::vector<std::string> documents;
+};
+
+struct NewVerbOptions {
+    std::string output;
+    std::optional<std::pair<double, double>> size;  // mm
+    std::vector<std::string> with;
+    std::string pattern;  // the template; empty: none
+    bool force = false;
+};
+
+struct ShowVerbOptions {
+    std::string document;
+    std::string id;
+    bool all = false;
+    bool json = false;
+};
+
 // What `check` makes of its findings.
 struct JudgeOptions {
     std::string baseline;  // --baseline; empty: none
@@ -185,6 +213,10 @@ struct Options {
     PrintOptions print;
     FixOptions fix;
     ViewOptions view;
+    EditVerbOptions edit;
+    ShowVerbOptions show;
+    FmtVerbOptions fmt;
+    NewVerbOptions made;
     std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb
     ListOptions list;
     JudgeOptions judge;

@@ -1,0 +1,94 @@
+// Edits of documents by command: what a person does with a mouse, for scripts, makefiles and editors.
+//
+//     const std::vector<EditLine> edits{{{"set", "bird", "--angle", "70"}, {}}, {{"delete", "tent"}, {}}};
+//     Diagnostics of_edits("edits.txt"), of_document(source.name);
+//     if (const auto edited = edit_document(source, edits, {}, of_edits, of_document))
+//         source.text = edited->text;  // what no edit concerns is there byte for byte
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/check.h"
+#include "popup/language.h"
+
+namespace popup {
+
+// One edit, in words: a verb and what it takes.
+struct EditLine {
+    std::vector<std::string> words;
+    Place place;  // where it stands in a file of edits
+};
+
+// The edits of a file, one a line: words as a shell reads them, `#` begins a comment. Quotes that do not end
+// are errors.
+std::vector<EditLine> read_edits(std::string_view text, Diagnostics& diagnostics);
+
+// One row an edit, for help and manuals.
+struct EditVerb {
+    std::string_view name;
+    std::string_view usage;  // "ID --NAME VALUE..."
+    std::string_view about;  // one line
+};
+std::span<const EditVerb> edit_verbs();
+
+struct EditOptions {
+    bool force = false;  // also what adds an error
+    ReadOptions read;
+    CheckOptions check;
+};
+
+struct Edited {
+    std::string text;      // of the whole document; places of `of_document` are in it
+    bool refused = false;  // it would have a new error: nothing is to be written
+};
+
+// All edits, in their order, or none. Each sees what those before it made. Then the document is read and
+// checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
+// `of_edits`, and the errors in `of_document`, unless it is forced. What else the checks newly find is in
+// `of_document` too. The two may be one object. nullopt: there is no such document. Cost: two readings and
+// checks of the document, and one of what stands on what; edits that change what a later one stands on cost
+// one more.
+std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
+                                    const EditOptions& options, Diagnostics& of_edits,
+                                    Diagnostics& of_document);
+
+// What `popupc show` tells of a design.
+struct ShowOptions {
+    std::string id;    // of one structure alone, and what stands on it; empty: everything
+    bool all = false;  // measures that go without saying, too
+};
+// A tree of elements with their measures and folds, lengths in the document's unit; one line an element.
+// nullopt after an error: there is no such id.
+std::optional<std::string> show_tree(const Design& design, const ShowOptions& options,
+                                     Diagnostics& diagnostics);
+// The same as JSON, with all measures, points and values.
+std::optional<std::string> show_json(const Design& design, const ShowOptions& options,
+                                     Diagnostics& diagnostics);
+
+// The document in its canonical spelling, as the writer has it, with its comments: each before what it stood
+// before, or behind what it stood behind on a line. What it means stays as it is, nothing is repaired.
+// nullopt after an error: it cannot be read, or has something in it that has no meaning and would be lost.
+std::optional<std::string> format_document(const Source& source, Diagnostics& diagnostics);
+
+// A card to begin with.
+struct CardTemplate {
+    std::string_view name;   // "castle"
+    std::string_view about;  // one line
+    std::string_view text;   // the document
+};
+std::span<const CardTemplate> card_templates();  // by name
+
+struct NewCard {
+    std::optional<double> width_mm, height_mm;  // both or none: 200 × 140 mm, or as the template has it
+    std::vector<std::string> with;              // kinds of elements, which share the gutter
+    std::string pattern;  // the name of a template; it is made larger or smaller to fit the size
+};
+// The document; nullopt after an error: an element that there is not, or that has no room. Precondition:
+// there is a template of that name.
+std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diagnostics);
+
+}  // namespace popup

@@ -1,0 +1,153 @@
+#include "popup/edit.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/files/line_diff.h"
+#include "cli/files/outputs.h"
+#include "cli/files/read_files.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+#include "popup/files.h"
+
+namespace popup::cli {
+namespace {
+
+std::string edits_footer() {
+    std::string text = "Edits, with lengths in the document's unit where they have none of their own:\n";
+    for (const EditVerb& verb : edit_verbs())
+        text += fmt::format("  {} {}\n      {}\n", verb.name, verb.usage, verb.about);
+    return text +
+           "\nExamples:\n"
+           "  popupc edit card.xml add v-fold --id bird --on gutter --at 20 --width 40 --height 35 "
+           "--in-place\n"
+           "  popupc edit card.xml set bird --angle 70 --left-color '#5b8c5a' --diff\n"
+           "  popupc edit card.xml move bird --along 12 --follow -o moved.xml\n"
+           "  popupc edit card.xml -f edits.txt --in-place\n"
+           "\nExit status 0 when the edit was carried out; 1 when it was refused (nothing is written), or, "
+           "with\n"
+           "--diff, when it changes something; 2 for wrong usage and files that cannot be read or written.";
+}
+
+void check_edit_usage(const EditVerbOptions& edit, const MessageOptions& messages) {
+    if (edit.file.empty() == edit.words.empty()) {
+        throw UsageError(
+            edit.words.empty() ? "no edit is given" : "edits come from the command line or from -f",
+            {"such as: popupc edit card.xml set bird --angle 70"});
+    }
+    if (edit.output.in_place && edit.document == "-")
+        throw UsageError("standard input cannot be edited in place", {"use -o FILE"});
+    if (edit.file == "-" && edit.document == "-")
+        throw UsageError("standard input cannot be both the document and the edits");
+    const bool to_standard_output =
+        !edit.output.in_place &&
+        (edit.output.diff || edit.output.output.empty() || is_standard_output(edit.output.output));
+    if (to_standard_output && messages.use_standard_output()) {
+        throw UsageError("standard output has two users: the document and the diagnostics",
+                         {"--diagnostics FILE and -o FILE take files"});
+    }
+    if (!messages.file.empty() && (same_place(messages.file, edit.output.output) ||
+                                   (edit.output.in_place && same_place(messages.file, edit.document))))
+        throw UsageError(messages.file + " is named twice as an output");
+}
+
+}  // namespace
+
+CLI::App* add_edit(CLI::App& app, Options& options) {
+    CLI::App* verb =
+        app.add_subcommand("edit", "Edit a document by command; what is not touched stays as it is");
+    EditVerbOptions& edit = options.edit;
+    verb->add_option("DOCUMENT", edit.document,
+                     "the popup document; \"-\" is standard input; behind it the edit")
+        ->required()
+        ->configurable(false)
+        ->type_name("");
+    verb->allow_extras();
+    verb->add_option("-f,--file", edit.file, "carry out the edits of a file, one a line, all of them or none")
+        ->type_name("FILE")
+        ->configurable(false)
+        ->group("Input");
+    CLI::Option* diff =
+        verb->add_flag("--diff", edit.output.diff, "print what would change as a unified diff; write nothing")
+            ->configurable(false)
+            ->group("Output");
+    CLI::Option* in_place =
+        verb->add_flag("--in-place", edit.output.in_place, "write the document over its input")
+            ->configurable(false)
+            ->group("Output");
+    CLI::Option* output = verb->add_option("-o,--output", edit.output.output,
+                                           "write the document here (default: standard output)")
+                              ->type_name("FILE")
+                              ->configurable(false)
+                              ->group("Output");
+    diff->excludes(in_place)->excludes(output);
+    in_place->excludes(output);
+    verb->add_flag("--force", edit.force, "carry it out also where the card has a new error then")
+        ->configurable(false)
+        ->group("Output");
+    add_message_options(*verb, options);
+    add_policy_options(*verb, options);
+    add_config_options(*verb, options);
+    verb->footer(edits_footer());
+    return verb;
+}
+
+int run_edit(const Options& options) {
+    const EditVerbOptions& verb = options.edit;
+    check_edit_usage(verb, options.messages);
+    ReadFiles read = files_read(options, {verb.document});
+    read.spare(verb.output.output, "-o");
+    read.spare(options.messages.file, "--diagnostics");
+    Diagnostics trouble;
+    const auto source = read_source(verb.document, trouble);
+    std::vector<EditLine> edits;
+    Diagnostics of_edits(verb.file);
+    std::string edits_text;
+    bool readable = source.has_value();
+    if (verb.file.empty()) {
+        edits.push_back({verb.words, {}});
+    } else if (const auto file = read_source(verb.file, trouble)) {
+        edits_text = file->text;
+        edits = read_edits(edits_text, of_edits);
+    } else {
+        readable = false;
+    }
+    Diagnostics of_document(verb.document, options.policy);
+    std::optional<Edited> edited;
+    EditOptions edit;
+    edit.force = verb.force;
+    edit.read = options.compile.read;
+    if (readable && !of_edits.has_errors()) {
+        Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
+        edited = edit_document(*source, edits, edit, heard, of_document);
+    }
+    const bool accepted = edited && !edited->refused;
+    bool written = true;
+    bool changed = false;
+    if (accepted) {
+        changed = edited->text != source->text;
+        std::vector<PendingFile> files;
+        if (verb.output.diff) {
+            if (changed) files.push_back({"-", unified_diff(source->name, source->text, edited->text)});
+        } else if (verb.output.in_place) {
+            files.push_back({verb.document, edited->text});
+        } else {
+            files.push_back({verb.output.output.empty() ? "-" : verb.output.output, edited->text});
+        }
+        if (!files.empty()) {
+            clear_litter({files.front().path});
+            written = write_all(files, verb.output.in_place, trouble);
+        }
+    }
+    if (!written && reader_has_gone()) return exit_unusable;
+    const std::string text = edited ? edited->text : source ? source->text : std::string();
+    std::vector<FileFindings> findings;
+    if (!of_edits.sorted().empty()) findings.push_back({&of_edits, edits_text});
+    if (findings.empty() || !of_document.sorted().empty()) findings.push_back({&of_document, text});
+    const bool told = report(options.messages, findings, trouble);
+    if (!readable || !written || !told) return exit_unusable;
+    return !accepted || (verb.output.diff && changed) ? exit_findings : exit_done;
+}
+
+}  // namespace popup::cli

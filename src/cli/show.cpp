@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+
+#include "cli/files/outputs.h"
+#include "cli/files/read_files.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+#include "popup/edit.h"
+#include "popup/files.h"
+
+namespace popup::cli {
+
+CLI::App* add_show(CLI::App& app, Options& options) {
+    CLI::App* verb =
+        app.add_subcommand("show", "Show the elements of a document: sizes, folds, what stands on what");
+    ShowVerbOptions& show = options.show;
+    verb->add_option("DOCUMENT", show.document, "a document or program; \"-\" is standard input")
+        ->required()
+        ->configurable(false)
+        ->type_name("");
+    verb->add_option("ID", show.id, "one element alone, and what stands on it")
+        ->configurable(false)
+        ->type_name("");
+    verb->add_flag("--all", show.all, "measures that go without saying, and colours, too")->group("Output");
+    verb->add_flag("--json", show.json, "as JSON, with all measures, points and values")
+        ->configurable(false)
+        ->group("Output");
+    add_program_options(*verb, options);
+    add_message_options(*verb, options);
+    add_policy_options(*verb, options);
+    add_config_options(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc show card.xml\n"
+        "  popupc show card.xml bird --all\n"
+        "  popupc show card.xml --json\n"
+        "\nLengths are in the document's unit. Exit status 0 when it was shown, 1 when the document cannot "
+        "be\n"
+        "understood or has no such element.");
+    return verb;
+}
+
+int run_show(const Options& options) {
+    const ShowVerbOptions& verb = options.show;
+    if (options.messages.use_standard_output()) {
+        throw UsageError("standard output has two users: the elements and the diagnostics",
+                         {"--diagnostics FILE takes a file"});
+    }
+    files_read(options, {verb.document}).spare(options.messages.file, "--diagnostics");
+    Diagnostics trouble;
+    Diagnostics findings(verb.document, options.policy);
+    const auto source = read_source(verb.document, trouble);
+    std::optional<std::string> shown;
+    if (source) {
+        if (const auto design = read_design(*source, options.compile.read, findings)) {
+            ShowOptions show;
+            show.id = verb.id;
+            show.all = verb.all;
+            shown = verb.json ? show_json(*design, show, findings) : show_tree(*design, show, findings);
+        }
+    }
+    const bool printed = !shown || print(*shown);
+    const bool told = report(options.messages, {{&findings, source ? source->text : std::string()}}, trouble);
+    if (!source || !printed || !told) return exit_unusable;
+    return shown ? exit_done : exit_findings;
+}
+
+}  // namespace popup::cli

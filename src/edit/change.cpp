@@ -1,0 +1,200 @@
+// Edits of one element: its measures and values, its place, its points.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "edit/session.h"
+#include "mechanism/measures.h"
+
+namespace popup::edit {
+namespace {
+
+// The measures of an element, on what it stands on; an error where it stands on nothing.
+std::optional<std::vector<double>> measures(Session& session, std::size_t n) {
+    const Structure& structure = session.design.structures[n];
+    const Standing& standing = session.standing(n);
+    auto made = measures_of(Session::info_of(structure), standing.seen, 1, Session::points_of(structure),
+                            structure.arguments);
+    if (made) return made;
+    session.fail("bad-edit",
+                 fmt::format("\"{}\" has no measures: {}", structure.id,
+                             standing.on.empty() ? "nothing is there that it could stand on"
+                                                 : "its points are no such element"),
+                 "popupc check tells what is wrong with it; points can be given their places one by one");
+    return std::nullopt;
+}
+
+bool give_measures(Session& session, std::size_t n, const std::vector<double>& values) {
+    const Structure& structure = session.design.structures[n];
+    const Standing standing = session.standing(n);
+    const auto made = shaped(Session::info_of(structure), standing.seen, 1, Session::points_of(structure),
+                             structure.arguments, values);
+    if (!made) {
+        return session.fail("bad-edit", fmt::format("no {} has such measures", structure.type),
+                            "give widths, lengths and angles above 0");
+    }
+    return session.write(n, *made);
+}
+
+// The place in its measures of the first that it has of these.
+std::optional<std::size_t> first_of(const ElementInfo& info, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+        if (const auto found = find_measure(info, name)) return found;
+    }
+    return std::nullopt;
+}
+
+// A change of its place, and the measures that it changes.
+struct Shift {
+    std::string_view option;
+    std::initializer_list<std::string_view> measures;
+    bool to = false;  // the measure becomes this, and does not grow by it
+    bool turns = false;
+};
+const Shift kShifts[] = {{"along", {"at"}, false, false}, {"across", {"offset"}, false, false},
+                         {"to", {"at"}, true, false},     {"x", {"x"}, false, false},
+                         {"y", {"y"}, false, false},      {"turn", {"turn"}, false, true}};
+
+}  // namespace
+
+bool set(Session& session, const Command& command) {
+    const auto n = session.find(command.words.front());
+    if (!n) return false;
+    std::vector<std::pair<std::string, std::string>> values;
+    for (const auto& option : command.options) {
+        if (option.first != "follow") values.push_back(option);
+    }
+    for (std::size_t i = 1; i < command.words.size(); ++i) {
+        const std::size_t equals = command.words[i].find('=');
+        if (equals == std::string::npos)
+            return session.fail("bad-edit", fmt::format("'{}' is no value", command.words[i]),
+                                "values are such as --width 40 or width=40");
+        values.emplace_back(command.words[i].substr(0, equals), command.words[i].substr(equals + 1));
+    }
+    if (values.empty())
+        return session.fail("bad-edit", "nothing is set", "values are such as --width 40 or width=40");
+    std::optional<Followers> followers;
+    if (command.has("follow")) followers.emplace(session, *n);
+    const ElementInfo& info = Session::info_of(session.design.structures[*n]);
+    std::vector<double> all(info.measures.size(), 0.0);
+    bool any = false;
+    for (const auto& value : values) any = any || find_measure(info, value.first).has_value();
+    if (any) {
+        auto measured = measures(session, *n);
+        if (!measured) return false;
+        all = std::move(*measured);
+    }
+    for (const auto& [name, text] : values) {
+        bool of_shape = false;
+        if (!session.set_value(*n, name, text, all, of_shape)) return false;
+    }
+    if (any && !give_measures(session, *n, all)) return false;
+    session.touch(*n);
+    if (followers) followers->follow(session);
+    return true;
+}
+
+bool move(Session& session, const Command& command) {
+    const auto n = session.find(command.words.front());
+    if (!n) return false;
+    const ElementInfo& info = Session::info_of(session.design.structures[*n]);
+    std::optional<Followers> followers;
+    if (command.has("follow")) followers.emplace(session, *n);
+    auto values = measures(session, *n);
+    if (!values) return false;
+    bool any = false;
+    for (const Shift& shift : kShifts) {
+        const std::string* text = command.find(shift.option);
+        if (text == nullptr) continue;
+        const auto measure = first_of(info, shift.measures);
+        if (!measure) {
+            std::string known;
+            for (const Shift& other : kShifts) {
+                if (first_of(info, other.measures))
+                    known += fmt::format("{}--{}", known.empty() ? "" : ", ", other.option);
+            }
+            return session.fail("bad-edit", fmt::format("a {} is not moved by --{}", info.name, shift.option),
+                                fmt::format("it is by {}", known));
+        }
+        const auto by = shift.turns ? session.angle("--turn", *text)
+                                    : session.length(fmt::format("--{}", shift.option), *text);
+        if (!by) return false;
+        (*values)[*measure] = shift.to ? *by : (*values)[*measure] + *by;
+        any = true;
+    }
+    if (!any)
+        return session.fail("bad-edit", "nothing says where it is to be moved",
+                            "such as --along 12 or --to 0; on a plate --x 5 --y -3");
+    if (!give_measures(session, *n, *values)) return false;
+    if (followers) followers->follow(session);
+    return true;
+}
+
+bool move_point(Session& session, const Command& command) {
+    const std::string& name = command.words.front();
+    const std::size_t full_stop = std::min(name.rfind('.'), name.size());
+    const auto n = session.find(std::string_view(name).substr(0, full_stop));
+    if (!n) return false;
+    Structure& structure = session.design.structures[*n];
+    const ElementInfo& info = Session::info_of(structure);
+    const std::string letter = full_stop < name.size() ? name.substr(full_stop + 1) : std::string();
+    std::size_t i = 0;
+    while (i < info.points.size() && info.points[i].letter != letter) ++i;
+    if (i == info.points.size()) {
+        std::string letters;
+        for (const PointInfo& point : info.points)
+            letters += (letters.empty() ? "" : " ") + std::string(point.letter);
+        return session.fail("bad-edit",
+                            fmt::format("\"{}\" ({}) has no point '{}'", structure.id, info.name, letter),
+                            letters.empty() ? std::string("it is drawn: edit its outline")
+                                            : fmt::format("its points are {}; write {}.{}", letters,
+                                                          structure.id, info.points.front().letter));
+    }
+    const std::string* to_text = command.find("to");
+    const std::string* by_text = command.find("by");
+    if ((to_text == nullptr) == (by_text == nullptr))
+        return session.fail("bad-edit", "a point is moved to a place or by a way",
+                            "write --to 12,30 or --by 0,5");
+    const auto given =
+        session.point(to_text != nullptr ? "--to" : "--by", to_text != nullptr ? *to_text : *by_text);
+    if (!given) return false;
+    std::optional<Followers> followers;
+    if (command.has("follow")) followers.emplace(session, *n);
+    const Standing standing = session.standing(*n);
+    DesignPoint& point = structure.points[i];
+    Vec2 by = to_text != nullptr ? *given - point.at : *given;
+    const bool on_fold = info.points[i].page == PointPage::fold;
+    const PageFold& fold = standing.seen;
+    const auto partner = static_cast<std::size_t>(info.partners[i]);
+    // A point of the fold slides on it.
+    if (on_fold && partner == i && info.points[i].side == '-' && standing.fold && !info.grounds.found) {
+        const Vec2 along = unit(fold.on_left.b - fold.on_left.a);
+        by = dot(along, by) * along;
+    }
+    if (!command.has("alone") && partner != i) {
+        DesignPoint& other = structure.points[partner];
+        Vec2 mirrored_by;
+        if (on_fold && standing.fold) {
+            const bool right = info.points[i].side == 'R';
+            const Segment& own = right ? fold.on_right : fold.on_left;
+            const Segment& its = right ? fold.on_left : fold.on_right;
+            const Vec2 along = unit(own.b - own.a);
+            const Vec2 its_along = unit(its.b - its.a);
+            mirrored_by = dot(along, by) * its_along - dot(left_of(along), by) * left_of(its_along);
+        } else {
+            const Vec2 across = other.at - point.at;
+            const Vec2 axis = length(across) > 0.0 ? unit(across) : Vec2{1, 0};
+            mirrored_by = by - 2.0 * dot(axis, by) * axis;
+        }
+        other.at = other.at + mirrored_by;
+        other.changed = true;
+    }
+    point.at = point.at + by;
+    point.changed = true;
+    session.touch(*n);
+    if (followers) followers->follow(session);
+    return true;
+}
+
+}  // namespace popup::edit

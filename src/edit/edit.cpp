@@ -1,0 +1,244 @@
+#include "popup/edit.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "base/text/nearest.h"
+#include "base/text/quoted_words.h"
+#include "edit/session.h"
+#include "input/text.h"
+#include "input/xml/read.h"
+#include "popup/motion.h"
+
+namespace popup {
+namespace edit {
+
+std::span<const Row> rows() {
+    static const std::array<Row, 8> kRows{
+        {{{"set", "ID --NAME VALUE...", "change measures, sizes and colours; the others stay"},
+          {"follow"},
+          {},
+          1,
+          1000,
+          set},
+         {{"move", "ID --along LENGTH | --to PLACE | --across LENGTH | --x LENGTH --y LENGTH | --turn ANGLE",
+           "move an element along its fold, or on its plate"},
+          {"follow"},
+          {"along", "to", "across", "x", "y", "turn"},
+          1,
+          1,
+          move},
+         {{"point", "ID.LETTER --to X,Y | --by X,Y", "move a point, and its partner on the other side"},
+          {"alone", "follow"},
+          {"to", "by"},
+          1,
+          1,
+          move_point},
+         {{"add", "TYPE [--on FOLD] [--id ID] [--room LENGTH] [--NAME VALUE]...", "add an element"},
+          {},
+          {},
+          1,
+          1000,
+          add},
+         {{"copy", "ID [--times N] [--step LENGTH] [--on FOLD] [--mirror] [--ids PATTERN]",
+           "copy an element along its fold, or to another"},
+          {"mirror"},
+          {"times", "step", "on", "ids"},
+          1,
+          1,
+          copy},
+         {{"delete", "ID [--with-children]", "take an element out"}, {"with-children"}, {}, 1, 1, take_out},
+         {{"rename", "ID NEW", "give an element another id, also where it is named"}, {}, {}, 2, 2, rename},
+         {{"outline", "ID --from FILE.svg [--fit width|height|none] | --d PATH",
+           "draw a silhouette for a piece"},
+          {},
+          {"from", "fit", "d"},
+          1,
+          1,
+          outline}}};
+    return kRows;
+}
+
+namespace {
+
+// Whether an option is a number that is negative, and no option.
+bool is_value(const std::string& word) { return !word.starts_with("--"); }
+
+std::optional<Command> parse(Session& session, const EditLine& line) {
+    Command made;
+    if (line.words.empty()) {
+        session.fail("bad-edit", "there is no edit");
+        return std::nullopt;
+    }
+    made.verb = line.words.front();
+    const auto all = rows();
+    const auto row =
+        std::find_if(all.begin(), all.end(), [&](const Row& r) { return r.verb.name == made.verb; });
+    if (row == all.end()) {
+        std::vector<std::string_view> names;
+        for (const Row& one : all) names.push_back(one.verb.name);
+        const std::vector<std::string> near = nearest(made.verb, names, 1);
+        session.fail("bad-edit", fmt::format("there is no edit '{}'", shown(made.verb)),
+                     near.empty() ? fmt::format("edits are {}", fmt::join(names, ", "))
+                                  : fmt::format("perhaps '{}' is meant", near.front()));
+        return std::nullopt;
+    }
+    const std::string usage = fmt::format("{} {}", row->verb.name, row->verb.usage);
+    const bool any = row->options.empty() && row->most_words > 2;
+    for (std::size_t i = 1; i < line.words.size(); ++i) {
+        const std::string& word = line.words[i];
+        if (is_value(word)) {
+            made.words.push_back(word);
+            continue;
+        }
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const std::string name = word.substr(2, equals - 2);
+        const bool flag = std::find(row->flags.begin(), row->flags.end(), name) != row->flags.end();
+        const bool known =
+            any || std::find(row->options.begin(), row->options.end(), name) != row->options.end();
+        if (flag && equals == word.size()) {
+            made.options.emplace_back(name, std::string());
+        } else if (!known) {
+            session.fail("bad-edit", fmt::format("{} has no option --{}", made.verb, shown(name)),
+                         "write " + usage);
+            return std::nullopt;
+        } else if (equals < word.size()) {
+            made.options.emplace_back(name, word.substr(equals + 1));
+        } else if (i + 1 < line.words.size() && is_value(line.words[i + 1])) {
+            made.options.emplace_back(name, line.words[++i]);
+        } else {
+            session.fail("bad-edit", fmt::format("--{} has no value", shown(name)), "write " + usage);
+            return std::nullopt;
+        }
+    }
+    if (made.words.size() < row->least_words || made.words.size() > row->most_words) {
+        session.fail("bad-edit",
+                     fmt::format("{} takes {} word{}, and {} {} given", made.verb, row->least_words,
+                                 row->least_words == 1 ? "" : "s", made.words.size(),
+                                 made.words.size() == 1 ? "is" : "are"),
+                     "write " + usage);
+        return std::nullopt;
+    }
+    return made;
+}
+
+bool run(Session& session, const EditLine& line) {
+    session.place = line.place;
+    const auto command = parse(session, line);
+    if (!command) return false;
+    const auto all = rows();
+    return std::find_if(all.begin(), all.end(), [&](const Row& r) { return r.verb.name == command->verb; })
+        ->run(session, *command);
+}
+
+// Reads, checks and closes a document: everything that can be an error of it.
+Diagnostics findings_of(const Source& source, const EditOptions& options) {
+    Diagnostics found(source.name);
+    ReadOptions read = options.read;
+    read.language = "xml";
+    const Reading reading = read_source_text(source, read, found);
+    if (!reading.design) return found;
+    const auto checked = check(*reading.design, options.check, found);
+    if (!checked) return found;
+    const auto assembly = assemble(*checked, {}, found);
+    if (!assembly) return found;
+    MotionOptions motion;
+    motion.examine = false;
+    simulate(*assembly, motion, found);
+    return found;
+}
+
+using Counts = std::map<std::pair<std::string, std::string>, int>;
+
+Counts counted(const Diagnostics& found) {
+    Counts counts;
+    for (const Diagnostic& one : found.sorted()) ++counts[{one.code, one.element}];
+    return counts;
+}
+
+}  // namespace
+}  // namespace edit
+
+std::vector<EditLine> read_edits(std::string_view text, Diagnostics& diagnostics) {
+    std::vector<EditLine> made;
+    int number = 0;
+    while (!text.empty()) {
+        ++number;
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.empty() || line.starts_with('#')) continue;
+        EditLine& edit = made.emplace_back();
+        edit.place = {number, 1};
+        Diagnostics trouble(diagnostics.file());
+        const std::vector<QuotedWord> words = quoted_words(line, "bad-edit", trouble);
+        for (const Diagnostic& one : trouble.sorted()) diagnostics.error("bad-edit", edit.place, one.message);
+        for (const QuotedWord& word : words) {
+            if (word.plain && word.text.starts_with('#') && word.text.size() == 1) break;
+            edit.words.push_back(word.text);
+        }
+    }
+    return made;
+}
+
+std::span<const EditVerb> edit_verbs() {
+    static const std::vector<EditVerb> verbs = [] {
+        std::vector<EditVerb> made;
+        for (const edit::Row& row : edit::rows()) made.push_back(row.verb);
+        return made;
+    }();
+    return verbs;
+}
+
+std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
+                                    const EditOptions& options, Diagnostics& of_edits,
+                                    Diagnostics& of_document) {
+    ReadOptions read = options.read;
+    read.language = "xml";
+    Diagnostics reading_errors(source.name);
+    Reading reading = read_source_text(source, read, reading_errors);
+    if (!reading.design) {
+        for (const Diagnostic& one : reading_errors.sorted()) {
+            Diagnostic& told = of_document.add(one.severity, one.code, one.place, one.message);
+            told = one;
+        }
+        return std::nullopt;
+    }
+    edit::Session session(std::move(*reading.design), source.name, of_edits);
+    for (const EditLine& line : edits) {
+        if (!edit::run(session, line)) return std::nullopt;
+    }
+    Edited made;
+    made.text = xml::patch(source, session.design, session.gone);
+    if (made.text == source.text) return made;
+
+    const Diagnostics after = edit::findings_of({source.name, made.text}, options);
+    const std::vector<Diagnostic> found = after.sorted();
+    // What was found before is asked only where there is something to compare it with.
+    edit::Counts before;
+    if (!found.empty()) before = edit::counted(edit::findings_of(source, options));
+    bool broken = false;
+    for (const Diagnostic& one : found) {
+        int& known = before[{one.code, one.element}];
+        if (known > 0) {
+            --known;
+            continue;
+        }
+        broken = broken || one.severity == Severity::error;
+        of_document.add(one.severity, one.code, one.place, one.message) = one;
+    }
+    if (!broken || options.force) return made;
+    of_edits
+        .error("edit-refused", edits.empty() ? Place{} : edits.back().place,
+               "the document would have an error that it does not have now; nothing is written")
+        .hint("--force writes it all the same")
+        .hint("what stands on a moved element goes along with --follow");
+    made.refused = true;
+    return made;
+}
+
+}  // namespace popup

@@ -1,0 +1,384 @@
+// Edits of the list of elements: what comes, goes, and gets another name.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/nearest.h"
+#include "edit/session.h"
+#include "input/text.h"
+#include "mechanism/measures.h"
+
+namespace popup::edit {
+namespace {
+
+constexpr double kHeightShare = 0.15;  // of lengths that must be given, and have no standard
+constexpr int kMostCopies = 1000;
+
+bool is_taken(const Design& design, std::string_view id) {
+    return std::any_of(design.structures.begin(), design.structures.end(),
+                       [&](const Structure& one) { return one.id == id; });
+}
+
+// "tent", or "tent-2" where that is taken.
+std::string free_id(const Design& design, std::string_view wanted) {
+    std::string id(wanted);
+    for (int number = 2; is_taken(design, id) || id == "page"; ++number)
+        id = fmt::format("{}-{}", wanted, number);
+    return id;
+}
+
+bool check_id(Session& session, const std::string& id) {
+    if (!is_id(id))
+        return session.fail("bad-edit", fmt::format("'{}' cannot be an id", shown(id)), std::string(kIdHint));
+    if (id == "page" || id == kGutter)
+        return session.fail("bad-edit", fmt::format("the id '{}' is kept for the base page", id));
+    if (is_taken(session.design, id))
+        return session.fail("bad-edit", fmt::format("there is an element \"{}\" already", id));
+    return true;
+}
+
+// What a new element stands on, written into it; the fold as its points see it.
+std::optional<PageFold> stand(Session& session, Structure& made, const ElementInfo& info,
+                              const Command& command) {
+    const Design& design = session.design;
+    const Segment up{{0, 0}, {0, 1}};
+    if (info.grounds.page) {
+        made.finds_ground = true;
+        if (const std::string* page = command.find("page")) {
+            const auto number = session.count("--page", *page, 0, 100'000);
+            if (!number) return std::nullopt;
+            made.fold.page = *number;
+            made.argument(0).page = *number;
+        }
+        return PageFold{made.fold.page, made.fold.page, up, up, false, 0};
+    }
+    const std::string* given = command.find("on");
+    const bool plate = info.grounds.plate;
+    const std::string name = given != nullptr ? *given : std::string(plate ? kPagePlates[1] : kGutter);
+    const CardFolds& card = session.card();
+    NamedGround& on = plate ? made.plate.emplace().on : made.fold.on;
+    if (plate && std::find(kPagePlates.begin(), kPagePlates.end(), name) != kPagePlates.end()) {
+        on.text = name;
+        on.which = name == kPagePlates[1] ? 1 : 0;
+        return PageFold{0, 0, up, up, false, 0};
+    }
+    const std::size_t dot = std::min(name.rfind('.'), name.size());
+    const auto owner =
+        std::find_if(design.structures.begin(), design.structures.end(),
+                     [&](const Structure& one) { return one.id == std::string_view(name).substr(0, dot); });
+    if (plate || name != kGutter) {
+        std::optional<FoundName> found;
+        if (owner != design.structures.end() && dot < name.size()) {
+            const ElementInfo& carries = Session::info_of(*owner);
+            found = plate ? find_plate_name(carries, owner->id, name.substr(dot + 1))
+                          : find_fold_name(carries, owner->id, name.substr(dot + 1));
+        }
+        if (!found) {
+            std::vector<std::string_view> names;
+            for (const CardFold& fold : card.folds) {
+                if (!plate) names.push_back(fold.name);
+            }
+            for (const std::string& one : card.plates) {
+                if (plate) names.push_back(one);
+            }
+            const std::vector<std::string> near = nearest(name, names, 1);
+            session.fail("bad-edit",
+                         fmt::format("there is no {} '{}'", plate ? "plate" : "fold", shown(name)),
+                         near.empty() ? std::string("popupc show lists the names that there are")
+                                      : fmt::format("perhaps '{}' is meant", near.front()));
+            return std::nullopt;
+        }
+        on.text = found->text;
+        on.which = found->which;
+        on.owner = static_cast<std::size_t>(owner - design.structures.begin());
+    }
+    if (plate) return PageFold{0, 0, up, up, false, 0};
+    on.text = on.owner ? on.text : std::string(kGutter);
+    const auto fold = std::find_if(card.folds.begin(), card.folds.end(),
+                                   [&](const CardFold& one) { return one.name == on.text; });
+    if (fold == card.folds.end()) {
+        session.fail("bad-edit", fmt::format("nothing can stand on {}: what makes it has errors", on.text));
+        return std::nullopt;
+    }
+    // By its two points where the document has no names yet, and needs them for nothing else.
+    if (design.version < "3.0" && info.since < "3.0" && fold->at.closed_deg != 180) {
+        made.fold.page = fold->at.left_page;
+        made.fold.begin.at = fold->at.on_left.a;
+        made.fold.end.at = fold->at.on_left.b;
+        on = {};
+        return fold->at;
+    }
+    const double half = 0.5 * distance(fold->at.on_left.a, fold->at.on_left.b);
+    PageFold seen = fold->at;
+    seen.on_left = seen.on_right = {{0, -half}, {0, half}};
+    return seen;
+}
+
+// Appends a structure; it is where its points are.
+void append(Session& session, Structure made) {
+    if (made.named().given()) session.need_version("3.0");
+    const ElementInfo& info = Session::info_of(made);
+    session.need_version(version_needed(info, made.arguments));
+    made.added = true;
+    session.design.structures.push_back(std::move(made));
+    session.forget();
+}
+
+}  // namespace
+
+bool add(Session& session, const Command& command) {
+    const std::string& type = command.words.front();
+    const ElementInfo* info = find_element(type);
+    if (info == nullptr) {
+        std::vector<std::string_view> names;
+        for (const ElementInfo& row : element_table()) names.push_back(row.name);
+        const std::vector<std::string> near = nearest(type, names, 1);
+        return session.fail("bad-edit", fmt::format("there is no kind of element '{}'", shown(type)),
+                            near.empty() ? std::string("popupc list elements shows them all")
+                                         : fmt::format("perhaps '{}' is meant", near.front()));
+    }
+    Structure made;
+    made.type = info->name;
+    const std::string* id = command.find("id");
+    if (id != nullptr && !check_id(session, *id)) return false;
+    made.id = id != nullptr ? *id : free_id(session.design, info->name);
+    made.id_given = true;
+    const auto seen = stand(session, made, *info, command);
+    if (!seen) return false;
+    made.points.resize(info->points.size());
+    const bool on_fold = !made.plate && !info->grounds.page;
+    double size = on_fold ? distance(seen->on_left.a, seen->on_left.b) : session.design.height_mm;
+    if (const std::string* room = command.find("room")) {
+        const auto given = session.length("--room", *room);
+        if (!given) return false;
+        size = *given;
+    }
+    std::vector<double> measures;
+    for (const MeasureInfo& measure : info->measures)
+        measures.push_back(measure.share * size + measure.standard);
+    if (made.plate && made.plate->on.owner == std::nullopt) {
+        // In the middle of that half of the page.
+        if (const auto x = find_measure(*info, "x"))
+            measures[*x] = (made.plate->on.which == 1 ? 0.25 : -0.25) * session.design.width_mm;
+    }
+    for (std::size_t i = 0; i < info->parameters.size(); ++i) {
+        const ParameterInfo& parameter = info->parameters[i];
+        if (parameter.kind == ParameterKind::length && parameter.required) {
+            made.argument(i).value = std::clamp(kHeightShare * size, parameter.least, parameter.most);
+        }
+    }
+    session.design.structures.push_back(made);
+    const std::size_t n = session.design.structures.size() - 1;
+    bool ok = true;
+    for (std::size_t i = 0; ok && i < command.options.size(); ++i) {
+        const auto& [name, value] = command.options[i];
+        bool measured = false;
+        if (name != "id" && name != "on" && name != "page" && name != "room")
+            ok = session.set_value(n, name, value, measures, measured);
+    }
+    for (std::size_t i = 1; ok && i < command.words.size(); ++i) {
+        const std::string& word = command.words[i];
+        const std::size_t equals = std::min(word.find('='), word.size());
+        bool measured = false;
+        ok = equals < word.size()
+                 ? session.set_value(n, word.substr(0, equals), word.substr(equals + 1), measures, measured)
+                 : session.fail("bad-edit", fmt::format("'{}' is no value", shown(word)),
+                                "values are such as --width 40 or width=40");
+    }
+    made = std::move(session.design.structures.back());
+    session.design.structures.pop_back();
+    if (!ok) return false;
+    const auto drawn = shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures);
+    if (!drawn) {
+        return session.fail("bad-edit", fmt::format("no {} has such measures", info->name),
+                            "give widths, lengths and angles above 0");
+    }
+    for (std::size_t i = 0; i < made.points.size(); ++i) {
+        made.points[i].at = drawn->points[i];
+        const bool right = info->points[i].side == 'R' && info->points[i].page == PointPage::fold;
+        if (right && !made.named().given() && !made.plate && seen->right_page != seen->left_page)
+            made.points[i].page = seen->right_page;
+    }
+    made.arguments = drawn->arguments;
+    append(session, std::move(made));
+    return true;
+}
+
+namespace {
+
+// The other way round: what was on the left of the fold is on its right.
+void mirror(Structure& made, const ElementInfo& info, const PageFold& seen) {
+    const std::vector<DesignPoint> was = made.points;
+    const auto beside = [](const Segment& line, Vec2 p) {
+        const Vec2 along = unit(line.b - line.a);
+        return Vec2{cross(p - line.a, along), dot(p - line.a, along)};
+    };
+    const auto onto = [](const Segment& line, Vec2 p) {
+        const Vec2 along = unit(line.b - line.a);
+        return line.a + p.x * right_of(along) + p.y * along;
+    };
+    for (std::size_t i = 0; i < was.size(); ++i) {
+        const auto to = static_cast<std::size_t>(info.partners[i]);
+        if (info.points[i].page == PointPage::extra) {
+            made.points[to].at = {-was[i].at.x, was[i].at.y};
+            continue;
+        }
+        const bool right = info.points[i].side == 'R';
+        const Vec2 at = beside(right ? seen.on_right : seen.on_left, was[i].at);
+        const bool to_right = info.points[to].side == 'R';
+        made.points[to].at = onto(to_right ? seen.on_right : seen.on_left, {-at.x, at.y});
+    }
+    for (std::size_t i = 0; i < made.arguments.size() && i < info.parameters.size(); ++i) {
+        Argument& argument = made.arguments[i];
+        const ParameterInfo& parameter = info.parameters[i];
+        if (is_drawn(argument)) {
+            if (parameter.page == PointPage::extra) {
+                move_argument(argument, kMirrored);
+            } else {
+                const measure::Spot line = measure::spot_of(seen.on_left.a, seen.on_left.b);
+                move_argument(argument, measure::moved_to(line, line, -1.0, 1.0));
+            }
+        }
+        const auto partner = find_parameter(info, parameter.partner);
+        if (!partner) continue;
+        if (*partner == i) {
+            const auto* word = std::get_if<std::string>(&argument.value);
+            const bool first = word == nullptr || *word == parameter.words[0];
+            argument.value = std::string(parameter.words[first ? 1 : 0]);
+        } else if (*partner > i) {
+            std::swap(argument, made.argument(*partner));
+        }
+    }
+}
+
+// "bird-%n" of the third copy: "bird-3".
+std::string numbered(const std::string& pattern, int number) {
+    std::string made = pattern;
+    for (std::size_t at = made.find("%n"); at != std::string::npos; at = made.find("%n", at)) {
+        const std::string digits = std::to_string(number);
+        made.replace(at, 2, digits);
+        at += digits.size();
+    }
+    return made;
+}
+
+}  // namespace
+
+bool copy(Session& session, const Command& command) {
+    const auto n = session.find(command.words.front());
+    if (!n) return false;
+    const Structure original = session.design.structures[*n];
+    const ElementInfo& info = Session::info_of(original);
+    const auto times = command.has("times") ? session.count("--times", *command.find("times"), 1, kMostCopies)
+                                            : std::optional(1);
+    if (!times) return false;
+    std::optional<double> step = 0.0;
+    if (command.has("step")) step = session.length("--step", *command.find("step"));
+    if (!step) return false;
+    if (!command.has("step") && !command.has("on") && !command.has("mirror")) {
+        return session.fail("bad-edit", "copies would lie where the original is",
+                            "--step 25 puts each so far along the fold, --on another.centre on another fold");
+    }
+    const std::string* ids = command.find("ids");
+    if (ids != nullptr && *times > 1 && ids->find("%n") == std::string::npos)
+        return session.fail("bad-edit", "several copies would have one id",
+                            "write %n where the number goes: bird-%n");
+    const Standing standing = session.standing(*n);
+    const auto values = measures_of(info, standing.seen, 1, Session::points_of(original), original.arguments);
+    const auto along = find_measure(info, find_measure(info, "at") ? "at" : "x");
+    if (!values || standing.on.empty() || !along)
+        return session.fail("bad-edit",
+                            fmt::format("\"{}\" cannot be copied: it stands on nothing", original.id));
+    for (int i = 1; i <= *times; ++i) {
+        Structure made = original;
+        made.id = ids != nullptr ? numbered(*ids, i)
+                                 : free_id(session.design, fmt::format("{}-{}", original.id, i + 1));
+        if (ids != nullptr && !check_id(session, made.id)) return false;
+        made.id_given = true;
+        std::vector<double> measures = *values;
+        PageFold seen = standing.seen;
+        if (command.has("mirror")) {
+            mirror(made, info, seen);
+            const auto mirrored = measures_of(info, seen, 1, Session::points_of(made), made.arguments);
+            if (mirrored) measures = *mirrored;
+        }
+        if (command.has("on")) {
+            Structure there;
+            there.type = made.type;
+            const auto ground = stand(session, there, info, command);
+            if (!ground) return false;
+            // From one fold to the other, as they are seen from their middles.
+            const auto placed =
+                shaped(info, *ground, 1, std::vector<Vec2>(made.points.size()), made.arguments, measures);
+            if (!placed) return session.fail("bad-edit", "it cannot be copied there");
+            for (std::size_t k = 0; k < made.points.size(); ++k) {
+                made.points[k].at = placed->points[k];
+                made.points[k].page.reset();
+                if (info.points[k].side == 'R' && info.points[k].page == PointPage::fold &&
+                    !there.named().given() && !there.plate && ground->right_page != ground->left_page)
+                    made.points[k].page = ground->right_page;
+            }
+            made.fold = there.fold;
+            made.plate = there.plate;
+            made.finds_ground = there.finds_ground;
+            seen = *ground;
+        }
+        measures[*along] += *step * i;
+        const auto placed = shaped(info, seen, 1, Session::points_of(made), made.arguments, measures);
+        if (!placed) return session.fail("bad-edit", "it cannot be copied there");
+        for (std::size_t k = 0; k < made.points.size(); ++k) made.points[k].at = placed->points[k];
+        made.arguments = placed->arguments;
+        append(session, std::move(made));
+    }
+    return true;
+}
+
+bool take_out(Session& session, const Command& command) {
+    const auto n = session.find(command.words.front());
+    if (!n) return false;
+    const CardFolds& card = session.card();
+    std::vector<std::size_t> all{*n};
+    std::vector<bool> goes(session.design.structures.size(), false);
+    goes[*n] = true;
+    for (std::size_t i = *n + 1; i < goes.size(); ++i) {
+        const auto owner = card.standing[i].owner;
+        if (!owner || !goes[*owner]) continue;
+        goes[i] = true;
+        all.push_back(i);
+    }
+    if (all.size() > 1 && !command.has("with-children")) {
+        const std::string& first = session.design.structures[all[1]].id;
+        return session.fail("bad-edit",
+                            fmt::format("\"{}\" carries {}", command.words.front(),
+                                        all.size() == 2 ? fmt::format("\"{}\"", first)
+                                                        : fmt::format("{} elements, \"{}\" among them",
+                                                                      all.size() - 1, first)),
+                            "--with-children takes them out with it");
+    }
+    for (auto i = all.rbegin(); i != all.rend(); ++i) session.take_out(*i);
+    return true;
+}
+
+bool rename(Session& session, const Command& command) {
+    const auto n = session.find(command.words[0]);
+    const std::string& id = command.words[1];
+    if (!n) return false;
+    Structure& structure = session.design.structures[*n];
+    if (structure.id == id && structure.id_given) return true;
+    if (structure.id != id && !check_id(session, id)) return false;
+    structure.id = id;
+    structure.id_given = structure.id_changed = true;
+    for (Structure& other : session.design.structures) {
+        NamedGround& on = other.named();
+        if (on.owner != *n) continue;
+        const ElementInfo& info = Session::info_of(structure);
+        on.text = other.plate ? plate_name(id, info.plates[on.which]) : fold_name(id, info.folds[on.which]);
+        on.changed = true;
+    }
+    session.forget();
+    return true;
+}
+
+}  // namespace popup::edit

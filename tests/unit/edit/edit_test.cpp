@@ -1,0 +1,445 @@
+// Guarantees of edits: what they do not concern stays byte for byte, what would break the card is refused,
+// and what has an opposite is undone by it.
+#include "popup/edit.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/text/quoted_words.h"
+#include "output/xml.h"
+#include "support/designs.h"
+#include "support/proposals.h"
+#include "support/sanitized.h"
+
+namespace popup::test {
+namespace {
+
+constexpr const char* kCard = R"(<popup version="2.0" units="mm">
+  <mainpage width="200" height="140"/>   <!-- the card -->
+  <structurelist>
+    <structure type='tent' id="tent">  <!-- kept -->
+      <outerpoints>
+        <point x="-25" y="0"/>   <point x="-25" y="40"/>
+        <point x="25" y="0"/>    <point x="25" y="40"/>
+        <point x="-36.0" y="-20"/> <point x="-36" y="20"/>
+        <point x="36" y="-20"/>  <point x="36" y="20"/>
+      </outerpoints>
+      <leftcolor>#5b8c5a</leftcolor>
+      <parentfold>
+        <begin x="0" y="-70"/> <end x="0" y="70"/>
+      </parentfold>
+    </structure>
+    <structure type="v-fold" id="flag">
+      <outerpoints>
+        <point x="-6" y="4" page="1"/> <point x="0" y="0" page="1"/> <point x="6" y="4" page="1"/>
+        <point x="-6.8" y="2.33"/> <point x="0" y="0"/> <point x="6.8" y="2.33"/>
+        <point x="6" y="12"/> <point x="-6" y="12"/>
+      </outerpoints>
+      <parentfold page="1"><begin x="0" y="-20"/><end x="0" y="20"/></parentfold>
+    </structure>
+    <structure type="beak" id="fire">
+      <outerpoints>
+        <point x="0" y="-20"/> <point x="-18" y="-45"/> <point x="18" y="-45"/>
+      </outerpoints>
+      <parentfold>
+        <begin x="0" y="-70"/> <end x="0" y="70"/>
+      </parentfold>
+    </structure>
+  </structurelist>
+</popup>
+)";
+
+struct Done {
+    std::optional<Edited> edited;
+    std::string said;  // findings of the edits, then of the document
+};
+
+std::vector<EditLine> lines_of(const std::string& text) {
+    Diagnostics trouble("edits.txt");
+    auto made = read_edits(text, trouble);
+    EXPECT_EQ(findings(trouble), "");
+    return made;
+}
+
+Done edited(const std::string& document, const std::string& edits, bool force = false) {
+    Diagnostics of_edits("edits.txt");
+    Diagnostics of_document("card.xml");
+    EditOptions options;
+    options.force = force;
+    Done done;
+    done.edited = edit_document({"card.xml", document}, lines_of(edits), options, of_edits, of_document);
+    if (done.edited && done.edited->refused) done.edited.reset();
+    done.said = findings(of_edits) + findings(of_document);
+    return done;
+}
+
+std::string after(const std::string& document, const std::string& edits) {
+    const Done done = edited(document, edits);
+    EXPECT_TRUE(done.edited) << edits << "\n" << done.said;
+    return done.edited ? done.edited->text : std::string();
+}
+
+nlohmann::json shown(const std::string& document) {
+    Diagnostics trouble;
+    const auto design = read_design({"card.xml", document}, {}, trouble);
+    EXPECT_TRUE(design) << findings(trouble);
+    return nlohmann::json::parse(show_json(*design, {}, trouble).value());
+}
+
+nlohmann::json one(const std::string& document, const std::string& id) {
+    const nlohmann::json card = shown(document);
+    for (const auto& element : card["elements"]) {
+        if (element["id"] == id) return element;
+    }
+    ADD_FAILURE() << "no " << id;
+    return {};
+}
+
+double measure(const std::string& document, const std::string& id, const std::string& name) {
+    return one(document, id)["measures"].value(name, 1e9);
+}
+
+// Lines of `was` that are not in `is`, as many as there are.
+std::vector<std::string> lines_gone(const std::string& was, const std::string& is) {
+    std::vector<std::string> gone;
+    std::istringstream in(was);
+    for (std::string line; std::getline(in, line);) {
+        if (is.find(line + "\n") == std::string::npos) gone.push_back(line);
+    }
+    return gone;
+}
+
+TEST(Edit, ChangesNothingElse) {
+    const std::string text = after(kCard, "set fire --width 30");
+    EXPECT_EQ(lines_gone(kCard, text),
+              std::vector<std::string>{
+                  R"(        <point x="0" y="-20"/> <point x="-18" y="-45"/> <point x="18" y="-45"/>)"});
+    EXPECT_NE(text.find(R"(<point x="0" y="-20"/> <point x="-15" y="-40.833333"/>)"), std::string::npos)
+        << text;
+    EXPECT_NEAR(measure(text, "fire", "width"), 30.0, 1e-5);
+    EXPECT_NEAR(measure(text, "fire", "angle"), measure(kCard, "fire", "angle"), 1e-5);
+}
+
+TEST(Edit, SetsColoursAndChoices) {
+    const std::string text =
+        after(kCard, "set tent left-color=gold --right-color '#102030'\nset fire --opens end --at -55");
+    EXPECT_NE(text.find("<leftcolor>#ffd700</leftcolor>"), std::string::npos) << text;
+    EXPECT_NE(text.find(R"(<structure type='tent' id="tent" rightcolor="#102030">  <!-- kept -->)"),
+              std::string::npos);
+    EXPECT_EQ(shown(text)["elements"][2]["measures"]["opens"], "end");
+}
+
+// Those on a seam have one point on the page of the card, and follow it there.
+TEST(Edit, MovesWhatStandsOnIt) {
+    EXPECT_TRUE(edited(kCard, "move tent --along 12").edited) << "its piece does not move on its own page";
+    std::string text = after(kCard, "add tent --on tent.left --id porch --length 15 --width 12 --height 4");
+    EXPECT_EQ(one(text, "porch")["on"], "tent.left");
+    const Done left = edited(text, "set tent --width 80");
+    EXPECT_FALSE(left.edited);
+    EXPECT_NE(left.said.find("edit-refused"), std::string::npos) << left.said;
+    EXPECT_NE(left.said.find("fold-not-found"), std::string::npos) << left.said;
+    const std::string wider = after(text, "set tent --width 80 --follow");
+    EXPECT_NEAR(measure(wider, "porch", "at"), measure(text, "porch", "at"), 1e-5);
+    EXPECT_EQ(one(wider, "porch")["on"], "tent.left");
+    std::string narrow = text;  // numbers that change and change back have the digits of the writer
+    narrow.replace(narrow.find("-36.0"), 5, "-36");
+    EXPECT_EQ(after(wider, "set tent --width 50 --follow"), narrow);
+    const std::string moved = after(text, "move tent --along 12 --follow");
+    EXPECT_NEAR(measure(moved, "porch", "at"), measure(text, "porch", "at"), 1e-5);
+    EXPECT_EQ(after(moved, "move tent --along -12 --follow"), text);
+}
+
+TEST(Edit, MovesPartners) {
+    const std::string both = after(kCard, "point fire.B --by -2,-1");
+    EXPECT_EQ(shown(both)["elements"][3 - 1]["points"]["B"], (std::vector<double>{-20, -46}));
+    EXPECT_EQ(shown(both)["elements"][2]["points"]["E"], (std::vector<double>{20, -46}));
+    const std::string alone = after(kCard, "point fire.B --to -20,-46 --alone");
+    EXPECT_EQ(shown(alone)["elements"][2]["points"]["E"], (std::vector<double>{18, -45}));
+    EXPECT_EQ(after(both, "point fire.E --by -2,1"), kCard);
+    // A point of the fold slides on it.
+    EXPECT_EQ(shown(after(kCard, "point fire.A --to 3,-22"))["elements"][2]["points"]["A"],
+              (std::vector<double>{0, -22}));
+}
+
+TEST(Edit, AddsAndTakesOut) {
+    const std::string text = after(kCard, "add step --id box --at -55 --length 8 --width 30");
+    EXPECT_NEAR(measure(text, "box", "width"), 30.0, 1e-9);
+    EXPECT_NE(text.find(R"(<popup version="2.0")"), std::string::npos) << "it needs no names";
+    EXPECT_EQ(after(text, "delete box"), kCard);
+    const std::string newer = after(kCard, "add disc --on page.left --id sun --radius 9 --y 40");
+    EXPECT_NE(newer.find(R"(<popup version="3.0")"), std::string::npos);
+    EXPECT_NE(newer.find(R"(<parentplate on="page.left"/>)"), std::string::npos) << newer;
+}
+
+// A document has a list or not, with items or not.
+TEST(Edit, AddsToEveryKindOfList) {
+    for (const std::string list : {"", "<structurelist/>", "<structurelist></structurelist>",
+                                   "\n  <structurelist>\n  </structurelist>\n"}) {
+        SCOPED_TRACE(list);
+        const std::string document =
+            "<popup units=\"mm\"><mainpage width=\"200\" height=\"140\"/>" + list + "</popup>\n";
+        const std::string text = after(document, "add beak --id a\nadd beak --id b --at -40");
+        EXPECT_EQ(shown(text)["elements"].size(), 2U) << text;
+    }
+    EXPECT_EQ(shown(after("<popup/>", "add beak"))["elements"].size(), 1U);
+}
+
+TEST(Edit, EveryRowCanBeAdded) {
+    for (const ElementInfo& info : element_table()) {
+        SCOPED_TRACE(info.name);
+        const std::string document =
+            "<popup version=\"3.0\" units=\"mm\"><mainpage width=\"200\" height=\"140\"/></popup>\n";
+        std::string edits = fmt::format("add {}", info.name);
+        // An inverted form that is cut stands on a mountain fold, such as the centre fold of a step.
+        if (info.inverted && !info.glued)
+            edits = fmt::format(
+                "add step --id box --length 80 --width 80\nadd {} --on box.centre --length 5 --width 16",
+                info.name);
+        if (info.inverted && !info.glued && info.family == "beak")
+            edits = "add step --id box --length 80 --width 80\nadd inverted-beak --on box.centre";
+        const Done done = edited(document, edits);
+        ASSERT_TRUE(done.edited) << done.said;
+        EXPECT_EQ(done.said.find("warning"), std::string::npos) << done.said << done.edited->text;
+    }
+}
+
+TEST(Edit, CopiesAlongAndAcross) {
+    const std::string text =
+        after(kCard, "set fire --width 10 --at -20\ncopy fire --times 2 --step -12 --ids 'f%n'");
+    EXPECT_NEAR(measure(text, "f1", "at"), -32.0, 1e-9);
+    EXPECT_NEAR(measure(text, "f2", "at"), -44.0, 1e-9);
+    EXPECT_NEAR(measure(text, "f2", "width"), 10.0, 1e-6);
+    const std::string mirrored =
+        after(kCard, "set fire --width 20 --offset 3\ncopy fire --mirror --ids other --step -25");
+    EXPECT_NEAR(measure(mirrored, "other", "offset"), -3.0, 1e-6);
+    const std::string elsewhere = after(kCard,
+                                        "delete fire\nadd step --id box --at -50 --length 30 --width 40\n"
+                                        "add inverted-beak --id mouth --on box.centre --width 8\n"
+                                        "copy mouth --on box.left --ids second");
+    EXPECT_EQ(one(elsewhere, "second")["on"], "box.left");
+    EXPECT_NEAR(measure(elsewhere, "second", "width"), 8.0, 1e-6);
+}
+
+TEST(Edit, RenamesAlsoWhereItIsNamed) {
+    const std::string text =
+        after(kCard, "add inverted-beak --on tent.centre --id hole --at 14 --width 4\nrename tent house");
+    EXPECT_EQ(shown(text)["elements"][0]["id"], "house");
+    EXPECT_EQ(lines_gone(kCard, after(kCard, "rename tent house")),
+              std::vector<std::string>{R"(    <structure type='tent' id="tent">  <!-- kept -->)"});
+    EXPECT_EQ(after(after(kCard, "rename tent house"), "rename house tent"), kCard);
+}
+
+TEST(Edit, DeletesWithWhatItCarries) {
+    const Done refused = edited(kCard, "delete tent");
+    EXPECT_FALSE(refused.edited);
+    EXPECT_NE(refused.said.find("\"tent\" carries \"flag\""), std::string::npos) << refused.said;
+    const std::string text = after(kCard, "delete tent --with-children");
+    EXPECT_EQ(shown(text)["elements"].size(), 1U);
+}
+
+TEST(Edit, SaysWhatItDoesNotUnderstand) {
+    for (const auto& [edit, said] : std::vector<std::pair<std::string, std::string>>{
+             {"sett tent --width 3", "there is no edit 'sett'"},
+             {"set tend --width 3", "there is no element \"tend\""},
+             {"set tent --widht 3", "a tent has no widht"},
+             {"set tent --width wide", "width takes a length, not 'wide'"},
+             {"set tent --width", "--width has no value"},
+             {"set tent", "nothing is set"},
+             {"move tent", "nothing says where it is to be moved"},
+             {"move tent --x 3", "a tent is not moved by --x"},
+             {"point tent.Q --to 1,2", "\"tent\" (tent) has no point 'Q'"},
+             {"add tentt", "there is no kind of element 'tentt'"},
+             {"add beak --on tent.middle", "there is no fold 'tent.middle'"},
+             {"add beak --id fire", "there is an element \"fire\" already"},
+             {"copy fire", "copies would lie where the original is"},
+             {"rename fire 'a b'", "'a b' cannot be an id"},
+             {"outline tent --d 'M 0'", "the path data of outline"}}) {
+        const Done done = edited(kCard, edit);
+        EXPECT_FALSE(done.edited) << edit;
+        EXPECT_NE(done.said.find(said), std::string::npos) << edit << "\n" << done.said;
+    }
+    const Done second = edited(kCard, "set fire --width 20\nset fire --width x");
+    EXPECT_FALSE(second.edited) << "all or nothing";
+}
+
+// A new error is refused, an old one is no reason; and force writes it.
+TEST(Edit, RefusesWhatBreaksTheCard) {
+    const Done broken = edited(kCard, "move fire --along 300");
+    EXPECT_FALSE(broken.edited);
+    EXPECT_NE(broken.said.find("edit-refused"), std::string::npos);
+    const Done forced = edited(kCard, "move fire --along 300", true);
+    ASSERT_TRUE(forced.edited);
+    EXPECT_TRUE(edited(forced.edited->text, "set tent --height 20").edited)
+        << "what was broken before may be edited";
+    EXPECT_EQ(after(forced.edited->text, "move fire --along -300"), kCard);
+}
+
+// Random edits of random designs: carried out, the document has no error that it did not have; each that has
+// an opposite is undone by it, to the byte.
+TEST(Edit, RandomEditsKeepDocumentsWhole) {
+    constexpr std::uint64_t kSeeds = sanitized_count<std::uint64_t>(40, 6);
+    std::size_t carried_out = 0;
+    std::size_t refused = 0;
+    std::size_t undone = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        Dice random{seed * 77 + 1};
+        Design design = seed % 2 == 0 ? generate(seed, 7) : generate_any(seed, 7);
+        std::string text = write_document(design);
+        for (int step = 0; step < 6; ++step) {
+            Diagnostics trouble;
+            const auto now = read_design({"card.xml", text}, {}, trouble);
+            ASSERT_TRUE(now) << findings(trouble) << text;
+            if (now->structures.empty()) break;
+            const Structure& one = now->structures[random.below(now->structures.size())];
+            const ElementInfo& info = *find_element(one.type);
+            const double by = std::round(random.uniform(-8.0, 8.0) * 100.0) / 100.0;
+            std::string edit;
+            std::string back;
+            switch (random.below(6)) {
+                case 0: {
+                    const bool plate = find_measure(info, "x").has_value();
+                    edit = fmt::format("move {} --{} {}mm --follow", one.id, plate ? "x" : "along", by);
+                    back = fmt::format("move {} --{} {}mm --follow", one.id, plate ? "x" : "along", -by);
+                    break;
+                }
+                case 1: {
+                    const MeasureInfo& measure = info.measures[random.below(info.measures.size())];
+                    if (measure.kind == MeasureKind::choice) continue;
+                    edit = fmt::format("set {} --{} {} --follow", one.id, measure.name,
+                                       measure.kind == MeasureKind::length ? random.uniform(0.1, 1.5)
+                                                                           : random.uniform(5.0, 120.0));
+                    break;
+                }
+                case 2:
+                    edit = fmt::format("rename {} other-{}", one.id, step);
+                    if (one.id_given) back = fmt::format("rename other-{} {}", step, one.id);
+                    break;
+                case 3:
+                    edit = fmt::format("add beak --id new-{} --width 0.3 --at {}mm", step, by * 10);
+                    back = fmt::format("delete new-{}", step);
+                    break;
+                case 4: {
+                    if (info.points.empty()) continue;
+                    const std::string point =
+                        fmt::format("{}.{}", one.id, info.points[random.below(info.points.size())].letter);
+                    edit = fmt::format("point {} --by {}mm,{}mm --follow", point, by / 10, by / 7);
+                    break;
+                }
+                default:
+                    edit = fmt::format("delete {} --with-children", one.id);
+                    break;
+            }
+            SCOPED_TRACE(fmt::format("{} {}: {}", seed, step, edit));
+            const Done done = edited(text, edit);
+            if (!done.edited) {
+                ++refused;
+                EXPECT_NE(done.said, "");
+                continue;
+            }
+            ++carried_out;
+            Diagnostics found;
+            const auto again = read_design({"card.xml", done.edited->text}, {}, found);
+            ASSERT_TRUE(again) << findings(found) << done.edited->text;
+            Diagnostics errors;
+            EXPECT_TRUE(check(*again, {}, errors)) << findings(errors);
+            if (!back.empty()) {
+                const Done undo = edited(done.edited->text, back);
+                if (!undo.edited) {  // what stands close to several folds may be taken for what stands on
+                                     // another
+                    EXPECT_NE(undo.said, "");
+                    continue;
+                }
+                // The version of the document stays where it was raised.
+                if (again->version == now->version) {
+                    EXPECT_EQ(undo.edited->text, text);
+                }
+                ++undone;
+            }
+            text = done.edited->text;
+        }
+    }
+    EXPECT_GT(carried_out, 2 * kSeeds);
+    EXPECT_GT(undone, kSeeds / 2);
+    EXPECT_GT(refused, 0U);
+}
+
+TEST(Edit, ReadsEditsOneALine) {
+    Diagnostics trouble("edits.txt");
+    const auto edits = read_edits(
+        "# a comment\n\nset bird --left-color '#5b8c5a'\r\n  delete \"old one\" # gone\n", trouble);
+    ASSERT_EQ(edits.size(), 2U);
+    EXPECT_EQ(edits[0].words, (std::vector<std::string>{"set", "bird", "--left-color", "#5b8c5a"}));
+    EXPECT_EQ(edits[0].place, (Place{3, 1}));
+    EXPECT_EQ(edits[1].words, (std::vector<std::string>{"delete", "old one"}));
+    read_edits("set 'open", trouble);
+    EXPECT_NE(findings(trouble).find("error bad-edit"), std::string::npos);
+}
+
+// A document of ours stays as it is, and any other is so after one time; comments are all there.
+TEST(Format, SettlesAtOnceAndKeepsComments) {
+    for (std::uint64_t seed = 1; seed <= sanitized_count<std::uint64_t>(20, 4); ++seed) {
+        const std::string text = write_document(generate_any(seed, 6));
+        Diagnostics trouble("card.xml");
+        EXPECT_EQ(format_document({"card.xml", text}, trouble), text) << findings(trouble);
+    }
+    Diagnostics trouble("card.xml");
+    const std::string once = format_document({"card.xml", kCard}, trouble).value();
+    EXPECT_EQ(format_document({"card.xml", once}, trouble), once);
+    EXPECT_NE(once.find("height=\"140\"/>  <!-- the card -->\n"), std::string::npos) << once;
+    EXPECT_NE(once.find("<structure type=\"tent\" id=\"tent\">  <!-- kept -->\n"), std::string::npos);
+    EXPECT_EQ(shown(once)["elements"], [] {
+        nlohmann::json was = shown(kCard)["elements"];
+        const nlohmann::json is =
+            shown(format_document({"card.xml", kCard}, *std::make_unique<Diagnostics>("card.xml"))
+                      .value())["elements"];
+        for (std::size_t i = 0; i < was.size(); ++i) was[i]["line"] = is[i]["line"];
+        return was;
+    }());
+}
+
+// Each is a card as it comes, in any size.
+TEST(Templates, AreWorthPrintingAsTheyCome) {
+    ASSERT_GE(card_templates().size(), 8U);
+    for (const CardTemplate& one : card_templates()) {
+        SCOPED_TRACE(one.name);
+        EXPECT_FALSE(one.about.empty());
+        for (const bool small : {false, true}) {
+            NewCard wanted;
+            wanted.pattern = one.name;
+            if (small) {
+                wanted.width_mm = 150.0;
+                wanted.height_mm = 120.0;
+            }
+            Diagnostics trouble("card.xml");
+            const auto text = new_document(wanted, trouble);
+            ASSERT_TRUE(text);
+            const auto design = read_design({"card.xml", *text}, {}, trouble);
+            ASSERT_TRUE(design) << findings(trouble);
+            const Built built = build(*design);
+            ASSERT_TRUE(built.assembly);
+            EXPECT_EQ(findings(built.diagnostics) + findings(trouble), "");
+        }
+    }
+}
+
+TEST(Show, IsATreeInTheUnitOfTheDocument) {
+    Diagnostics trouble;
+    const auto design = read_design({"card.xml", kCard}, {}, trouble);
+    EXPECT_EQ(show_tree(*design, {}, trouble), R"(page, 200 × 140 mm
+  tent (tent) on gutter: at 20, length 40, width 50, height 25.904; page 1
+      folds: tent.left (seam), tent.centre, tent.right (seam)
+    flag (v-fold) on tent.centre: at 0, width 12, angle 112.62°, lean 29.552°, height 12; page 2
+        folds: flag.left (seam), flag.centre, flag.right (seam)
+  fire (beak) on gutter: at -20, width 36, angle 71.508°, opens begin
+      folds: fire.left, fire.centre, fire.right
+)");
+    EXPECT_EQ(show_tree(*design, {"nobody", false}, trouble), std::nullopt);
+}
+
+}  // namespace
+}  // namespace popup::test
