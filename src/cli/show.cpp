@@ -25,6 +25,7 @@ CLI::App* add_show(CLI::App& app, Options& options) {
         ->configurable(false)
         ->group("Output");
     add_program_options(*verb, options);
+    verb->remove_option(verb->get_option("--print"));
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);

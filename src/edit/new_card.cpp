@@ -14,8 +14,8 @@
 namespace popup {
 namespace {
 
-constexpr double kWidthMm = 200.0;
-constexpr double kHeightMm = 140.0;
+constexpr double kCardWidthMm = 200.0;
+constexpr double kCardHeightMm = 140.0;
 
 // The first line of a template is a comment that says what it is.
 std::string_view about_of(std::string_view text) {
@@ -91,11 +91,11 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         POPUP_INVARIANT(found != all.end());
         return of_template(*found, wanted);
     }
-    const double height = wanted.height_mm.value_or(kHeightMm);
+    const double height = wanted.height_mm.value_or(kCardHeightMm);
     const std::string text = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<popup version=\"3.0\" units=\"mm\">\n"
         "  <mainpage width=\"{}\" height=\"{}\"/>\n  <structurelist>\n  </structurelist>\n</popup>\n",
-        xml::format_number(wanted.width_mm.value_or(kWidthMm)), xml::format_number(height));
+        xml::format_number(wanted.width_mm.value_or(kCardWidthMm)), xml::format_number(height));
     if (wanted.with.empty()) return text;
     // Each has its own stretch of the gutter, from its end to its begin: the first stands furthest back.
     std::vector<EditLine> edits;

@@ -9,7 +9,7 @@
 namespace popup::measure {
 namespace {
 
-constexpr double kSameMm = 1e-9;
+constexpr double kUnmovedMm = 1e-9;
 
 // Of the point on a ray `away` from the fold: where it is along the fold.
 SitePoint on_ray(double apex, int dir, double angle_deg, double away) {
@@ -22,9 +22,9 @@ Vec2 image_of(const Placed& m, Vec2 p) {
 }
 
 bool is_identity(const Placed& m) {
-    constexpr double kFarMm = 1e3;
-    const auto stays = [&](Vec2 p) { return distance(image_of(m, p), p) <= kSameMm; };
-    return stays({0, 0}) && stays({kFarMm, 0}) && stays({0, kFarMm});
+    constexpr double kProbeMm = 1e3;
+    const auto stays = [&](Vec2 p) { return distance(image_of(m, p), p) <= kUnmovedMm; };
+    return stays({0, 0}) && stays({kProbeMm, 0}) && stays({0, kProbeMm});
 }
 
 }  // namespace
@@ -204,11 +204,11 @@ Argument corners(const Spot& about, std::span<const Vec2> at) {
 }
 
 Scale scale_of(double width, double height, double new_width, double new_height) {
-    const auto share = [](double is, double was) { return was > kSameMm ? is / was : 1.0; };
+    const auto share = [](double is, double was) { return was > kUnmovedMm ? is / was : 1.0; };
     const double aside = share(new_width, width);
     const double along = share(new_height, height);
-    const bool wide = std::abs(new_width - width) > kSameMm;
-    const bool high = std::abs(new_height - height) > kSameMm;
+    const bool wide = std::abs(new_width - width) > kUnmovedMm;
+    const bool high = std::abs(new_height - height) > kUnmovedMm;
     if (wide && high) return {aside, along};
     if (wide) return {aside, aside};
     if (high) return {along, along};

@@ -39,6 +39,33 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
+bool read_ground_name(const Fields& fields, std::initializer_list<Name> instead, std::string_view version,
+                      Values& values, NamedGround& on) {
+    const Field* field = fields.find(Name::on);
+    if (field == nullptr) return false;
+    Reporter& reporter = values.reporter();
+    const auto text = value_of(*field, reporter);
+    if (text) {
+        on.text = std::string(trimmed(text->decoded));
+        on.range = values.tight(*text);
+    }
+    if (text && version < "3.0") {
+        reporter
+            .warning("newer-element", text->place,
+                     fmt::format("what a structure stands on has no name in version {}", version))
+            .hint("write version=\"3.0\"");
+    }
+    for (const Name name : instead) {
+        const Field* other = fields.find(name);
+        if (other == nullptr) continue;
+        reporter
+            .error("duplicate-value", other->place,
+                   fmt::format("what is named with 'on' has no '{}' besides", canonical(name)))
+            .hint("leave one of them out; points of a structure then lie beside what is named");
+    }
+    return true;
+}
+
 void GroundNames::resolve() {
     const bool any = std::any_of(design_.structures.begin(), design_.structures.end(),
                                  [](const Structure& one) { return one.named().given(); });

@@ -368,11 +368,9 @@ class DocumentReader {
         plate.place = field.place;
         if (field.node) {
             const Fields fields(field.node, Name::parentplate, reporter_);
-            if (const Field* on = fields.find(Name::on)) {
-                if (read_name(*on, plate.on)) plate.at.place = field.place;
-                for (const Name name : {Name::x, Name::y, Name::page}) refuse_beside_name(fields, name);
+            plate.at.place = field.place;
+            if (read_ground_name(fields, {Name::x, Name::y, Name::page}, design_.version, values_, plate.on))
                 return;
-            }
         }
         if (const auto point = values_.point(field)) plate.at = *point;
         plate.page = plate.at.page.value_or(0);
@@ -465,11 +463,8 @@ class DocumentReader {
         const Fields fields(node, Name::parentfold, reporter_);
         fold.place = node.place();
         fold.tag_text = node.start_tag();
-        if (const Field* on = fields.find(Name::on)) {
-            read_name(*on, fold.on);
-            for (const Name name : {Name::begin, Name::end, Name::page}) refuse_beside_name(fields, name);
+        if (read_ground_name(fields, {Name::begin, Name::end, Name::page}, design_.version, values_, fold.on))
             return;
-        }
         read_end(fields, Name::begin, fold.begin);
         read_end(fields, Name::end, fold.end);
         // The fold lies on one page, wherever that is written.
@@ -484,30 +479,6 @@ class DocumentReader {
             page = page.value_or(*end->page);
         }
         fold.page = page.value_or(0);
-    }
-
-    // Names are resolved when all structures have theirs.
-    bool read_name(const Field& field, NamedGround& on) {
-        const auto text = value_of(field, reporter_);
-        if (!text) return false;
-        on.text = std::string(trimmed(text->decoded));
-        on.range = values_.tight(*text);
-        if (design_.version < "3.0") {
-            reporter_
-                .warning("newer-element", text->place,
-                         fmt::format("what a structure stands on has no name in version {}", design_.version))
-                .hint("write version=\"3.0\"");
-        }
-        return true;
-    }
-
-    void refuse_beside_name(const Fields& fields, Name name) {
-        const Field* field = fields.find(name);
-        if (field == nullptr) return;
-        reporter_
-            .error("duplicate-value", field->place,
-                   fmt::format("what is named with 'on' has no '{}' besides", canonical(name)))
-            .hint("leave one of them out; points of a structure then lie beside what is named");
     }
 
     void read_end(const Fields& fields, Name name, DesignPoint& end) {

@@ -20,6 +20,7 @@ class Values {
     Values(std::string_view source, Unit unit, Reporter& reporter)
         : source_(source), unit_(unit), reporter_(reporter) {}
 
+    [[nodiscard]] Reporter& reporter() { return reporter_; }
     void set_unit(Unit unit) { unit_ = unit; }
     // Where outlines that are files are read from; must outlive this.
     void set_files(PictureFiles& files) { files_ = &files; }
