@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     const auto still = [&] {
         Diagnostics diagnostics;
         OutputOptions options;
-        options.still.size = PictureSize{560, 372};
+        options.still.size = PictureSize{500, 333};
         return std::get<StillWriter>(find_format(".view.png")->write)({&card, 1}, options, diagnostics)
             ->size();
     };

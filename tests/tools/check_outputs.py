@@ -315,7 +315,7 @@ def compile_sample(program, sample, profile, formats, dpi, folder, jobs, environ
 
 
 def sheet_number(file):
-    match = re.fullmatch(r"a(?:-(\d+))?\.\w+", file)
+    match = re.fullmatch(r"a(?:-(\d+))?(?:\.book)?\.\w+", file)
     return int(match.group(1) or 1)
 
 
@@ -362,7 +362,7 @@ def check_book(run, file, findings):
     for piece in {row["piece"] for row in run.report["layout"]["placements"]}:
         if "".join(piece.split()) not in said:
             yield f"it does not name the piece {piece}"
-    steps = [int(number) for number in re.findall(r"^ *Step (\d+):", text, re.MULTILINE)]
+    steps = [int(number) for number in re.findall(r"^[ \f]*Step (\d+):", text, re.MULTILINE)]
     if steps != list(range(1, len(steps) + 1)):
         yield f"its steps are {steps}"
     status, fonts = tool("pdffonts", run.folder / file)

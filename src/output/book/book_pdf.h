@@ -10,8 +10,8 @@ namespace popup {
 
 // A PDF of A4 or letter pages, upright: cover, what is needed, the sheets, the steps, and how the card must
 // open (output/book/book.h). Fonts are embedded; texts can be searched; the document's outline has chapters
-// and steps. A step is not broken over pages where a page has room for it. Pictures are JPEG of 300 dots an
-// inch less a half. The same bytes with the same versions of Cairo, FreeType and libjpeg.
+// and steps. A step is not broken over pages where a page has room for it. Pictures are JPEG of some 150 dots
+// an inch. The same bytes with the same versions of Cairo, FreeType and libjpeg.
 //
 // Errors: `font-missing`, `pdf-failed`, `picture-failed`, `locks`. Precondition: as of book::make_book().
 // Cost: that of make_book(), and two pictures a step.

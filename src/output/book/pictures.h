@@ -10,9 +10,9 @@
 
 namespace popup::book {
 
-inline constexpr PictureSize kCoverPicture{840, 580};
-inline constexpr PictureSize kStepPicture{560, 372};
-inline constexpr PictureSize kSmallPicture{360, 270};
+inline constexpr PictureSize kCoverPicture{720, 498};
+inline constexpr PictureSize kStepPicture{500, 333};
+inline constexpr PictureSize kSmallPicture{300, 225};
 
 struct ShownPicture {
     Picture picture;
