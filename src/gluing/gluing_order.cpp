@@ -192,9 +192,11 @@ class Finder {
             for (const int other : soft->second) among.wants[one].insert(other);
         }
         std::vector<std::pair<Rank, int>> ranked;
+        ranked.reserve(group.size());
         for (const int one : group) ranked.emplace_back(rank(one), one);
         std::sort(ranked.begin(), ranked.end());
         std::vector<int> by_rank;
+        by_rank.reserve(group.size());
         for (const auto& [of, one] : ranked) by_rank.push_back(one);
         return ordered(by_rank, among);
     }

@@ -87,6 +87,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
         if (papers[name]++ == 0) order.push_back(name);
     }
     std::vector<std::string> sheets;
+    sheets.reserve(order.size());
     for (const std::string& name : order)
         sheets.push_back(fmt::format("{} of {}", counted(papers[name], "sheet", "sheets"), name));
     book.needs.emplace_back("Paper", listed(sheets) + ", stiff: 160 to 240 g/m²");

@@ -38,7 +38,7 @@ Surface surface_of(const Pixels& pixels, const std::string& jpeg) {
 }  // namespace
 
 Paper::Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain, cairo_font_face_t* bold,
-             bool letter, std::string footer)
+             bool letter, const std::string& footer)
     : surface_(surface),
       cairo_(context),
       plain_(plain),

@@ -24,7 +24,7 @@ inline constexpr double kSmallCapMm = 1.9;
 class Paper {
  public:
     Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain, cairo_font_face_t* bold,
-          bool letter, std::string footer);
+          bool letter, const std::string& footer);
 
     [[nodiscard]] double width() const { return right_ - left_; }
     // What is left of the page, and all that there is.

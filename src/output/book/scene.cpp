@@ -323,7 +323,7 @@ std::vector<PictureMark> Illustrator::marks_of(const Scene& scene, const Stage& 
         mark.y = std::clamp(mark.y, 0.04, 0.96);
         const auto is_taken = [&](const PictureMark& other) {
             const double wide =
-                kLetterWide * (0.5 * static_cast<double>(text.size() + other.text.size()) + 0.6);
+                kLetterWide * (0.5 * static_cast<double>(mark.text.size() + other.text.size()) + 0.6);
             return std::abs(other.x - mark.x) < wide && std::abs(other.y - mark.y) < kMarkHigh;
         };
         const double down = mark.y > 0.5 ? -kMarkHigh : kMarkHigh;

@@ -187,16 +187,17 @@ class CardSteps {
                             std::abs(to) > 179.5 ? std::string("right over")
                                                  : "to " + number_text(std::round(std::abs(to)), 0) + "°");
             const Hinge& hinge = nth(in_.hinges, fold.hinges[i]);
-            std::string where = fmt::format("{} | {}", panel(hinge.a), panel(hinge.b));
+            const std::string where = fmt::format("{} | {}", panel(hinge.a), panel(hinge.b));
             const auto same = std::find_if(alike.begin(), alike.end(),
                                            [&how](const auto& one) { return one.first == how; });
             if (same != alike.end()) {
-                same->second.push_back(std::move(where));
+                same->second.push_back(where);
             } else {
-                alike.push_back({std::move(how), {std::move(where)}});
+                alike.push_back({how, {where}});
             }
         }
         std::vector<std::string> said;
+        said.reserve(alike.size());
         for (const auto& [how, where] : alike)
             said.push_back(fmt::format("{}: between {}.", how, listed(where, kMostNames)));
         return said;
@@ -389,6 +390,7 @@ class CardSteps {
         const std::vector<int>& borne = nth(borne_, one.piece);
         if (!borne.empty()) {
             std::vector<std::string> names;
+            names.reserve(borne.size());
             for (const int piece : borne) names.push_back(words_.piece(piece));
             step.notes.push_back(
                 fmt::format("It comes with what is glued on it: {}.", listed(names, kMostNames)));

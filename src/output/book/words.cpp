@@ -166,6 +166,7 @@ std::string Words::fold_count(int piece) const {
 
 std::string Words::labels(const std::vector<Bond>& bonds) const {
     std::vector<std::string> all;
+    all.reserve(bonds.size());
     for (const Bond& bond : bonds) all.push_back(label(bond));
     return listed(all, bonds.size());
 }
