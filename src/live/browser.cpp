@@ -39,6 +39,7 @@ std::vector<std::string> words_of(const std::string& command, const std::string&
 
 bool start(const std::vector<std::string>& words) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     posix_spawn_file_actions_t files{};

@@ -1,6 +1,6 @@
 
-// The live view: asks the server of the page for what is new, and puts it in place of what is shown. What the reader has
-// set stays: viewpoint, opening, tab and switches.
+// The live view: asks the server of the page for what is new, and puts it in place of what is shown. What the reader
+// has set stays: viewpoint, opening, tab and switches.
 
 const kHiddenPause = 60000;  // ms between two questions of a page that nobody sees
 const kMostFailures = 4;
@@ -176,7 +176,8 @@ async function showNewSheets(sheets) {
   next.innerHTML = `<h2>Sheets</h2>${sheets.html}`;
   if (panelShown === 'sheets') {
     for (const picture of next.content.querySelectorAll('img')) {
-      picture.src = `data:image/svg+xml,${encodeURIComponent(await unpacked(sheets.packed[Number(picture.dataset.sheet)]))}`;
+      const drawing = await unpacked(sheets.packed[Number(picture.dataset.sheet)]);
+      picture.src = `data:image/svg+xml,${encodeURIComponent(drawing)}`;
       await picture.decode().catch(() => {});
     }
   }
@@ -228,7 +229,8 @@ document.addEventListener('visibilitychange', () => {
 // What is newer than what is shown: `next` waits for it, `now` does not. Null: nothing.
 async function ask(word) {
   leave = new AbortController();
-  const reply = await fetch(`${word}?after=${version}`, { cache: 'no-store', credentials: 'omit', signal: leave.signal });
+  const { signal } = leave;
+  const reply = await fetch(`${word}?after=${version}`, { cache: 'no-store', credentials: 'omit', signal });
   if (!reply.ok) throw new Error(`status ${reply.status}`);
   return reply.status === 204 ? null : reply.json();
 }

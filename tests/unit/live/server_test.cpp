@@ -49,6 +49,13 @@ class LiveServer : public testing::Test {
         return answer ? answer->status : 0;
     }
 
+    // More than the system takes of an answer that nobody reads.
+    static std::string large() {
+        std::string text = "\"";
+        text.resize(50'000'000, 'x');
+        return text + "\"";
+    }
+
     std::atomic<bool> forsaken{false};
     std::unique_ptr<Server> server;
     HttpPlace place;
@@ -189,7 +196,7 @@ TEST_F(LiveServer, CutsOffWhoTakesTooLongToAsk) {
 
 TEST_F(LiveServer, CutsOffWhoDoesNotTakeAnswers) {
     start({.connections = 1, .answer = milliseconds(300)});
-    server->put({.model = "\"" + std::string(50'000'000, 'x') + "\""});
+    server->put({.model = large()});
     Wire lazy(place.port);
     ASSERT_TRUE(lazy.send(get_request(place, "now?after=0")));
     // The only connection is free again some time.
@@ -200,6 +207,7 @@ TEST_F(LiveServer, CutsOffWhoDoesNotTakeAnswers) {
 TEST_F(LiveServer, HoldsAStatedNumberOfConnections) {
     start({.connections = 16, .request = milliseconds(500)});
     std::vector<std::unique_ptr<Wire>> silent;
+    silent.reserve(200);
     for (int i = 0; i < 200; ++i) silent.push_back(std::make_unique<Wire>(place.port));
     const auto descriptors = [] {
         return std::distance(std::filesystem::directory_iterator("/proc/self/fd"),
@@ -235,7 +243,7 @@ TEST_F(LiveServer, ForgetsWhoHasGone) {
 
 TEST_F(LiveServer, EndsAtOnceWhateverIsOpen) {
     start({.request = kNever, .wait = kNever, .answer = kNever});
-    server->put({.model = "\"" + std::string(50'000'000, 'x') + "\""});
+    server->put({.model = large()});
     Wire silent(place.port);
     Wire lazy(place.port);
     ASSERT_TRUE(lazy.send(get_request(place, "now?after=0")));

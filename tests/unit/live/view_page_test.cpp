@@ -97,11 +97,12 @@ TEST_F(LivePage, ErrorsStandOverTheLastPictureUntilTheyAreMended) {
     const std::string trouble =
         "({hidden: byId('trouble').hidden, text: byId('trouble').innerText, stale: "
         "document.documentElement.classList.contains('stale'), plates: popupc.names().length})";
+    const std::string place =
+        "(({top, bottom}) => [top > 0, bottom < byId('panel').getBoundingClientRect().top])("
+        "byId('trouble').getBoundingClientRect())";
     const nlohmann::json values =
         look({trouble, save("wrong"), "until(() => !byId('trouble').hidden)", trouble, "document.title",
-              "(({top, bottom}) => [top > 0, bottom < byId('panel').getBoundingClientRect().top])("
-              "byId('trouble').getBoundingClientRect())",
-              "byId('tab-findings').click(); byId('findings-panel').innerText.includes('card.xml:2')",
+              place, "byId('tab-findings').click(); byId('findings-panel').innerText.includes('card.xml:2')",
               "$ rm " + (view.scratch / "card.xml").string(),
               "until(() => byId('trouble').innerText.includes('cannot be read'))", save("castle"),
               "until(() => byId('trouble').hidden)", trouble, "document.title"});
