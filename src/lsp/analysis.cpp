@@ -26,7 +26,7 @@ std::vector<TextEdit> edits_of(const std::vector<xml::PatchEdit>& patch) {
 // Fixes of findings on a document.
 class Fixer {
  public:
-    Fixer(const CompiledDesign& one, const Design& design, const Standing& standing)
+    Fixer(const CompiledDesign& one, const Design& design, const StandingFolds& standing)
         : one_(one), design_(design), standing_(standing) {
         if (one.checked) repairs_ = edits_of(xml::patch_edits(one.source, one.checked->design()));
     }
@@ -81,7 +81,7 @@ class Fixer {
     const CompiledDesign& one_;
     const Design& design_;
     std::vector<TextEdit> repairs_;
-    const Standing& standing_;
+    const StandingFolds& standing_;
 };
 
 }  // namespace

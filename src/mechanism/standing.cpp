@@ -49,7 +49,7 @@ class Finder {
  public:
     explicit Finder(const Design& design) : design_(design) {}
 
-    Standing run() {
+    StandingFolds run() {
         const double half = design_.height_mm / 2;
         const Segment gutter{{0, -half}, {0, half}};
         add({-1, "gutter", {0, 0, gutter, gutter, false, 0}});
@@ -130,7 +130,7 @@ class Finder {
     }
 
     const Design& design_;
-    Standing out_;
+    StandingFolds out_;
     std::map<int, std::vector<Image>> on_page_;
     std::map<int, int> owner_of_page_;
     int pages_ = 0;
@@ -143,7 +143,7 @@ Vec2 direction(const Segment& line, bool reversed) {
 
 }  // namespace
 
-Standing standing_of(const Design& design) { return Finder(design).run(); }
+StandingFolds standing_of(const Design& design) { return Finder(design).run(); }
 
 Vec2 along_left(const StandingFold& fold, bool reversed) {
     return direction(reversed ? fold.at.on_right : fold.at.on_left, reversed);

@@ -1,7 +1,7 @@
 // What stands on what in a design as it is written, before anything is checked: for who shows designs, or
 // changes them.
 //
-//     const Standing standing = standing_of(design);
+//     const StandingFolds standing = standing_of(design);
 //     const int fold = standing.ground[3].fold;  // that of the fourth structure stands on
 //     if (fold >= 0) fmt::print("{} of {}", standing.folds[fold].name, standing.folds[fold].owner);
 #pragma once
@@ -30,7 +30,7 @@ struct Ground {
     int owner = -1;
 };
 
-struct Standing {
+struct StandingFolds {
     std::vector<StandingFold> folds;  // the gutter first, then in build order
     std::vector<Ground> ground;       // of each structure
 };
@@ -38,7 +38,7 @@ struct Standing {
 // Folds are found by their lines, to 0.5 mm; of several the youngest. A structure whose fold is not found,
 // whose type is not known, or that has another number of points than its row, makes no folds. Cost: linear in
 // structures, and in those that share a page.
-Standing standing_of(const Design& design);
+StandingFolds standing_of(const Design& design);
 
 // The direction, of length 1, in which a structure on that fold would move along it on its left and its right
 // page, seen as the structure names the fold.

@@ -19,7 +19,7 @@ struct Shift {
 
 class Mover {
  public:
-    Mover(Design& design, const Standing& standing)
+    Mover(Design& design, const StandingFolds& standing)
         : design_(design), standing_(standing), shifts_(design.structures.size()) {}
 
     void run(std::size_t first, Shift shift) {
@@ -96,7 +96,7 @@ class Mover {
     }
 
     Design& design_;
-    const Standing& standing_;
+    const StandingFolds& standing_;
     std::vector<Shift> shifts_;
 };
 
@@ -104,7 +104,7 @@ class Mover {
 
 double moved_mm(const FreeingMove& move) { return std::ceil(length(move.by) * 100.0 - 1e-6) / 100.0; }
 
-bool move_element(Design& design, const Standing& standing, const FreeingMove& move) {
+bool move_element(Design& design, const StandingFolds& standing, const FreeingMove& move) {
     const auto& all = design.structures;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Structure& s) { return s.id == move.element; });

@@ -6,7 +6,7 @@
 
 namespace popup {
 
-struct Standing;  // mechanism/standing.h
+struct StandingFolds;  // mechanism/standing.h
 
 // How far the move goes as it is written: rounded up to a hundredth of a millimetre.
 double moved_mm(const FreeingMove& move);
@@ -19,6 +19,6 @@ double moved_mm(const FreeingMove& move);
 //     Design design = *compiled.design;
 //     if (move_element(design, standing_of(design), motion.moves.front()))
 //         text = language.patch(source, design);
-bool move_element(Design& design, const Standing& standing, const FreeingMove& move);
+bool move_element(Design& design, const StandingFolds& standing, const FreeingMove& move);
 
 }  // namespace popup
