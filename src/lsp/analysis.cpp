@@ -26,7 +26,7 @@ std::vector<TextEdit> edits_of(const std::vector<xml::PatchEdit>& patch) {
 // Fixes of findings on a document.
 class Fixer {
  public:
-    Fixer(const CompiledDesign& one, const Design& design, const StandingFolds& standing)
+    Fixer(const CompiledDesign& one, const Design& design, const Footings& standing)
         : one_(one), design_(design), standing_(standing) {
         if (one.checked) repairs_ = edits_of(xml::patch_edits(one.source, one.checked->design()));
     }
@@ -81,7 +81,7 @@ class Fixer {
     const CompiledDesign& one_;
     const Design& design_;
     std::vector<TextEdit> repairs_;
-    const StandingFolds& standing_;
+    const Footings& standing_;
 };
 
 }  // namespace
@@ -115,7 +115,7 @@ Analysis analyse(const Source& source, const AnalysisOptions& options, Depth dep
     std::optional<Fixer> fixer;
     const bool document = options.language->name == "xml";
     if (document && one.design) {
-        made.standing = standing_of(*one.design);
+        made.standing = footings_of(*one.design);
         fixer.emplace(one, *one.design, made.standing);
     }
     for (Diagnostic& diagnostic : one.diagnostics.sorted()) {

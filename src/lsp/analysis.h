@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lsp/text.h"
-#include "mechanism/standing.h"
+#include "mechanism/footings.h"
 #include "popup/compile.h"
 
 namespace popup::lsp {
@@ -44,7 +44,7 @@ struct Analysis {
     std::shared_ptr<const Text> text;  // that was looked at
     Depth depth = Depth::check;
     std::vector<Finding> findings;   // worst first, then by place
-    StandingFolds standing;          // of the design of a document
+    Footings standing;               // of the design of a document
     std::optional<Design> design;    // as it was read, where it could be
     std::vector<std::string> files;  // others that were read or looked for in vain
 };

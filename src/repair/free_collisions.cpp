@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "mechanism/standing.h"
+#include "mechanism/footings.h"
 
 namespace popup {
 namespace {
@@ -78,7 +78,7 @@ class Freer {
         std::stable_sort(moves.begin(), moves.end(), [](const FreeingMove& a, const FreeingMove& b) {
             return length(a.by) < length(b.by);
         });
-        const StandingFolds standing = standing_of(*now.design.design);
+        const Footings standing = footings_of(*now.design.design);
         for (const FreeingMove& move : moves) {
             Design moved = *now.design.design;
             if (!move_element(moved, standing, move)) continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mechanism/arguments.h"
-#include "mechanism/standing.h"
+#include "mechanism/footings.h"
 
 namespace popup {
 namespace {
@@ -19,7 +19,7 @@ struct Shift {
 
 class Mover {
  public:
-    Mover(Design& design, const StandingFolds& standing)
+    Mover(Design& design, const Footings& standing)
         : design_(design), standing_(standing), shifts_(design.structures.size()) {}
 
     void run(std::size_t first, Shift shift) {
@@ -52,6 +52,8 @@ class Mover {
         if (ground.reversed) std::swap(shift.left, shift.right);
         if (shift.none()) return;
         shifts_[number] = shift;
+        // What names its fold follows by itself.
+        if (structure.named().given()) return;
         move_points(number, shift);
         const Vec2 by = is_right(number, structure.fold.page) ? shift.right : shift.left;
         move(structure.fold.begin, by);
@@ -96,7 +98,7 @@ class Mover {
     }
 
     Design& design_;
-    const StandingFolds& standing_;
+    const Footings& standing_;
     std::vector<Shift> shifts_;
 };
 
@@ -104,7 +106,7 @@ class Mover {
 
 double moved_mm(const FreeingMove& move) { return std::ceil(length(move.by) * 100.0 - 1e-6) / 100.0; }
 
-bool move_element(Design& design, const StandingFolds& standing, const FreeingMove& move) {
+bool move_element(Design& design, const Footings& standing, const FreeingMove& move) {
     const auto& all = design.structures;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Structure& s) { return s.id == move.element; });
@@ -114,11 +116,14 @@ bool move_element(Design& design, const StandingFolds& standing, const FreeingMo
     const Vec2 by = (moved_mm(move) / mm) * move.by;
     Shift shift{by, by};
     const Ground& ground = standing.ground[number];
+    if (found->plate && found->plate->on.given()) return false;
     if (!found->plate && !found->finds_ground) {
         if (ground.fold < 0) return false;
         const StandingFold& fold = standing.folds[static_cast<std::size_t>(ground.fold)];
         const Vec2 left = along_left(fold, ground.reversed);
         shift.right = dot(by, left) * along_right(fold, ground.reversed);
+        // Beside a fold that is named, y runs along it.
+        if (found->fold.on.given()) shift.left = shift.right = {0.0, dot(by, left)};
     }
     Mover(design, standing).run(number, shift);
     return true;

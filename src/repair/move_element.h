@@ -6,7 +6,7 @@
 
 namespace popup {
 
-struct StandingFolds;  // mechanism/standing.h
+struct Footings;  // mechanism/footings.h
 
 // How far the move goes as it is written: rounded up to a hundredth of a millimetre.
 double moved_mm(const FreeingMove& move);
@@ -17,8 +17,8 @@ double moved_mm(const FreeingMove& move);
 // there is no such element, or the fold that it stands on is not known. Cost: linear in structures.
 //
 //     Design design = *compiled.design;
-//     if (move_element(design, standing_of(design), motion.moves.front()))
+//     if (move_element(design, footings_of(design), motion.moves.front()))
 //         text = language.patch(source, design);
-bool move_element(Design& design, const StandingFolds& standing, const FreeingMove& move);
+bool move_element(Design& design, const Footings& standing, const FreeingMove& move);
 
 }  // namespace popup

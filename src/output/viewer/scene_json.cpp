@@ -129,7 +129,7 @@ class SceneText {
         }
         find_folds(*card.assembly);
         if (moves(*card.assembly)) add_moving(card, tree, track, row);
-        Json standing = standing_of(card);
+        Json standing = footings_of(card);
         if (!standing.empty()) row["standing"] = std::move(standing);
         return row;
     }
@@ -368,7 +368,7 @@ class SceneText {
     }
 
     // A row a piece of what stands still, with the lines it was drawn with; then one for each other trace.
-    Json standing_of(const SceneCard& card) {
+    Json footings_of(const SceneCard& card) {
         const Assembly& assembly = *card.assembly;
         Json rows = Json::array();
         auto trace = assembly.traces.begin();

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "mechanism/standing.h"
+#include "mechanism/footings.h"
 #include "output/xml.h"
 #include "support/brute_force.h"
 #include "support/designs.h"
@@ -132,7 +132,7 @@ TEST(MoveElement, TakesAlongWhatStandsOnIt) {
     test::add(design, "step", {{-20, -10}, {-20, 10}, {20, -10}, {20, 10}}).id = "floor";
     // On the step's left fold: all of it is on the page, and moves.
     test::add(design, "step", {{-25, -5}, {-25, 5}, {-15, -5}, {-15, 5}}, {-20, -10}, {-20, 10}).id = "box";
-    const StandingFolds standing = standing_of(design);
+    const Footings standing = footings_of(design);
     EXPECT_EQ(standing.ground[1].owner, 0);
     FreeingMove move;
     move.element = "floor";
@@ -147,14 +147,14 @@ TEST(MoveElement, TakesAlongWhatStandsOnIt) {
     EXPECT_FALSE(move_element(design, standing, move));
 }
 
-TEST(Standing, FindsWhatStandsOnWhat) {
+TEST(Footings, FindsWhatStandsOnWhat) {
     Design design = test::card(200, 200);
     test::add(design, "tent",
               {{-20, -20}, {-20, 20}, {20, -20}, {20, 20}, {-25, -20}, {-25, 20}, {25, -20}, {25, 20}})
         .id = "tent";
     test::add(design, "inverted-beak", {{0, 10}, {-8, 2}, {8, 2}}, {0, -20}, {0, 20}, 1).id = "flag";
     test::add(design, "beak", {{0, 10}, {-8, 2}, {8, 2}}, {0, 20}, {0, -20}, 7).id = "lost";
-    const StandingFolds standing = standing_of(design);
+    const Footings standing = footings_of(design);
     ASSERT_EQ(standing.ground.size(), 3U);
     EXPECT_EQ(standing.folds[static_cast<std::size_t>(standing.ground[0].fold)].name, "gutter");
     EXPECT_EQ(standing.ground[0].extra_page, 1);

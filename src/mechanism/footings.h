@@ -1,9 +1,9 @@
 // What stands on what in a design as it is written, before anything is checked: for who shows designs, or
 // changes them.
 //
-//     const StandingFolds standing = standing_of(design);
-//     const int fold = standing.ground[3].fold;  // that of the fourth structure stands on
-//     if (fold >= 0) fmt::print("{} of {}", standing.folds[fold].name, standing.folds[fold].owner);
+//     const Footings footings = footings_of(design);
+//     const int fold = footings.ground[3].fold;  // that of the fourth structure stands on
+//     if (fold >= 0) fmt::print("{} of {}", footings.folds[fold].name, footings.folds[fold].owner);
 #pragma once
 
 #include <string_view>
@@ -30,15 +30,16 @@ struct Ground {
     int owner = -1;
 };
 
-struct StandingFolds {
+struct Footings {
     std::vector<StandingFold> folds;  // the gutter first, then in build order
     std::vector<Ground> ground;       // of each structure
 };
 
-// Folds are found by their lines, to 0.5 mm; of several the youngest. A structure whose fold is not found,
-// whose type is not known, or that has another number of points than its row, makes no folds. Cost: linear in
-// structures, and in those that share a page.
-StandingFolds standing_of(const Design& design);
+// Folds are found by their names or by their lines, to 0.5 mm; of several the youngest. A structure whose
+// fold is not found, whose type is not known, that has another number of points than its row, or whose points
+// lie beside a named fold other than the gutter, makes no folds. Cost: linear in structures, and in those
+// that share a page.
+Footings footings_of(const Design& design);
 
 // The direction, of length 1, in which a structure on that fold would move along it on its left and its right
 // page, seen as the structure names the fold.

@@ -1,4 +1,4 @@
-#include "mechanism/standing.h"
+#include "mechanism/footings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ class Finder {
  public:
     explicit Finder(const Design& design) : design_(design) {}
 
-    StandingFolds run() {
+    Footings run() {
         const double half = design_.height_mm / 2;
         const Segment gutter{{0, -half}, {0, half}};
         add({-1, "gutter", {0, 0, gutter, gutter, false, 0}});
@@ -93,6 +93,16 @@ class Finder {
         return low > high || (low < fold.size + kSnapMm && high > -kSnapMm);
     }
 
+    // The number of a fold of that owner; -1: it is not known where it is.
+    [[nodiscard]] int fold_named(int owner, std::size_t which) const {
+        if (owner < 0) return 0;
+        const auto first = std::find_if(out_.folds.begin(), out_.folds.end(),
+                                        [owner](const StandingFold& fold) { return fold.owner == owner; });
+        return first == out_.folds.end()
+                   ? -1
+                   : static_cast<int>(first - out_.folds.begin()) + static_cast<int>(which);
+    }
+
     void find(int number) {
         const Structure& structure = design_.structures[static_cast<std::size_t>(number)];
         Ground& ground = out_.ground.emplace_back();
@@ -103,7 +113,17 @@ class Finder {
             owner_of_page_[ground.extra_page] = number;
         }
         PageFold parent;
-        if (structure.plate) {
+        if (const NamedGround& named = structure.named(); named.given()) {
+            ground.owner = named.owner ? static_cast<int>(*named.owner) : -1;
+            if (structure.plate) {
+                ground.plate_owner = ground.owner;
+                return;
+            }
+            ground.fold = fold_named(ground.owner, named.which);
+            // Its points are those of a page only beside the gutter.
+            if (ground.fold != 0) return;
+            parent = out_.folds.front().at;
+        } else if (structure.plate) {
             const auto owner = owner_of_page_.find(structure.plate->page);
             if (owner != owner_of_page_.end()) ground.plate_owner = owner->second;
             ground.owner = ground.plate_owner;
@@ -130,7 +150,7 @@ class Finder {
     }
 
     const Design& design_;
-    StandingFolds out_;
+    Footings out_;
     std::map<int, std::vector<Image>> on_page_;
     std::map<int, int> owner_of_page_;
     int pages_ = 0;
@@ -143,7 +163,7 @@ Vec2 direction(const Segment& line, bool reversed) {
 
 }  // namespace
 
-StandingFolds standing_of(const Design& design) { return Finder(design).run(); }
+Footings footings_of(const Design& design) { return Finder(design).run(); }
 
 Vec2 along_left(const StandingFold& fold, bool reversed) {
     return direction(reversed ? fold.at.on_right : fold.at.on_left, reversed);
