@@ -98,39 +98,6 @@ std::optional<std::string> mended(const Options& options, CompiledDesign& one) {
     return std::nullopt;
 }
 
-// The findings without the collisions of pairs that were moved apart, and with the moves.
-Diagnostics with_moves(const Diagnostics& found, const CompiledDesign& one, const FreedDocument& freed) {
-    Diagnostics made(found.file(), found.policy());
-    const auto is_freed = [&](const Diagnostic& finding) {
-        return finding.code == "collision" &&
-               std::any_of(freed.moves.begin(), freed.moves.end(), [&](const MadeMove& made_move) {
-                   const FreeingMove& move = made_move.move;
-                   const std::string other =
-                       fmt::format("\"{}\"", finding.element == move.element ? move.other : move.element);
-                   return (finding.element == move.element || finding.element == move.other) &&
-                          !finding.related.empty() && finding.related.front().text == other;
-               });
-    };
-    for (const Diagnostic& finding : found.sorted()) {
-        if (is_freed(finding)) continue;
-        made.add(finding.severity, finding.code, finding.place, finding.message) = finding;
-    }
-    for (const MadeMove& made_move : freed.moves) {
-        const FreeingMove& move = made_move.move;
-        // Where it stands in the document as it was given: repairs may have moved it in its line.
-        Place place = move.place;
-        for (const Structure& structure : one.design->structures) {
-            if (structure.id == move.element) place = structure.place;
-        }
-        made.warning("moved-clear", place,
-                     fmt::format("\"{}\" went through \"{}\"; it was moved {:.2f} mm along its {}",
-                                 move.element, move.other, moved_mm(move), move.along))
-            .about(move.element)
-            .changed(made_move.before, made_move.after);
-    }
-    return made;
-}
-
 // The document with what collides moved apart; adds to `left` how many pairs are not.
 std::string freed(const Options& options, CompiledDesign& one, std::string text, std::size_t& left) {
     const Language* language = &language_of(options.inputs, one.source);
@@ -138,7 +105,7 @@ std::string freed(const Options& options, CompiledDesign& one, std::string text,
     const FreedDocument made =
         free_collisions({one.source.name, std::move(text)}, *language, options.compile, options.policy);
     left += made.left.size();
-    one.diagnostics = with_moves(one.diagnostics, one, made);
+    one.diagnostics = with_moves(one.diagnostics, *one.design, made);
     return made.text;
 }
 

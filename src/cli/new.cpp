@@ -56,12 +56,16 @@ CLI::App* add_new(CLI::App& app, Options& options) {
         ->type_name("");
     value(*verb, "--size", "SIZE",
           "width and height of the open card, such as 8x6in (default 200x140mm, or the template's)", "Card",
-          [&made](std::string_view text) { made.size = card_size(text); });
+          [&made](std::string_view text) { made.size = card_size(text); })
+        // A size in a configuration is that of pictures.
+        ->configurable(false);
     CLI::Option* with = value(*verb, "--with", "TYPES", "elements along the gutter, such as v-fold,tent",
-                              "Card", [&made](std::string_view text) { made.with = words(text); });
+                              "Card", [&made](std::string_view text) { made.with = words(text); })
+                            ->configurable(false);
     CLI::Option* pattern =
         value(*verb, "--template", "NAME", "a card that is worth printing as it comes; popupc list templates",
-              "Card", [&made](std::string_view text) {
+              "Card",
+              [&made](std::string_view text) {
                   std::vector<std::string_view> names;
                   for (const CardTemplate& one : card_templates()) names.push_back(one.name);
                   if (std::find(names.begin(), names.end(), text) == names.end()) {
@@ -69,7 +73,8 @@ CLI::App* add_new(CLI::App& app, Options& options) {
                                        {fmt::format("templates: {}", fmt::join(names, " "))}, names);
                   }
                   made.pattern = text;
-              });
+              })
+            ->configurable(false);
     with->excludes(pattern);
     verb->add_flag("--force", made.force, "write over a file that is there")
         ->configurable(false)

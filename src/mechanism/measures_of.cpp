@@ -15,7 +15,7 @@ bool finite(const Element& e) {
            std::all_of(e.extra.begin(), e.extra.end(), [](Vec2 p) { return finite(p); });
 }
 
-std::optional<std::vector<double>> measured(const Element& e) {
+std::optional<std::vector<double>> sound_measures(const Element& e) {
     std::vector<double> made = element_row(*e.info).measured(e);
     POPUP_INVARIANT(made.size() == e.info->measures.size());
     if (!std::all_of(made.begin(), made.end(), [](double v) { return std::isfinite(v); }))
@@ -39,7 +39,7 @@ std::optional<std::vector<double>> measures_of(const ElementInfo& info, const Pa
                                                int extra_page, std::span<const Vec2> points,
                                                std::span<const Argument> arguments) {
     if (info.measures.empty()) return std::vector<double>();
-    return measured(element_on(info, parent, extra_page, points, arguments));
+    return sound_measures(element_on(info, parent, extra_page, points, arguments));
 }
 
 std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, int extra_page,
@@ -51,7 +51,7 @@ std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, in
     if (fresh) {
         for (SitePoint& p : e.on) p = {};
     }
-    const auto before = fresh ? std::nullopt : measured(e);
+    const auto before = fresh ? std::nullopt : sound_measures(e);
     std::optional<Element> off;
     if (before) off = strays(e, *before);
     if (!info.measures.empty()) element_row(info).shape(e, measures);

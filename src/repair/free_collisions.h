@@ -33,4 +33,8 @@ struct FreedDocument {
 FreedDocument free_collisions(const Source& source, const Language& language, const CompileOptions& options,
                               const DiagnosticPolicy& policy);
 
+// The findings on a design, without the collisions of pairs that were moved apart, and with the moves.
+// Warning: `moved-clear`, at the element, with what changed.
+Diagnostics with_moves(const Diagnostics& found, const Design& design, const FreedDocument& freed);
+
 }  // namespace popup

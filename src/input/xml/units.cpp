@@ -49,11 +49,11 @@ const Unit* unit_behind_number(std::string_view text) {
 }
 
 const Unit* likely_unit(double longer) {
-    constexpr double kLeastMm = 60.0;
-    constexpr double kMostMm = 700.0;
+    constexpr double kLeastHeldMm = 60.0;
+    constexpr double kMostHeldMm = 700.0;
     for (const UnitRow& row : kUnits) {
         const double mm = longer * row.unit.mm;
-        if (mm >= kLeastMm && mm <= kMostMm) return &row.unit;
+        if (mm >= kLeastHeldMm && mm <= kMostHeldMm) return &row.unit;
     }
     return nullptr;
 }

@@ -9,7 +9,7 @@
 
 #include "base/diagnostics/render_diagnostics.h"
 #include "output/book/book.h"
-#include "output/book/paper.h"
+#include "output/book/book_pages.h"
 #include "output/book/pictures.h"
 #include "output/font_file.h"
 #include "output/page_texts.h"
@@ -28,7 +28,7 @@ constexpr double kBulletMm = 5.0;
 
 class Writer {
  public:
-    Writer(Paper& paper, const Book& book, Pictures& pictures)
+    Writer(BookPages& paper, const Book& book, Pictures& pictures)
         : paper_(paper), book_(book), pictures_(pictures) {}
 
     bool write() {
@@ -76,7 +76,7 @@ class Writer {
     void bullets(const std::vector<std::string>& texts, bool numbered) {
         for (std::size_t i = 0; i < texts.size(); ++i) {
             const std::size_t lines = paper_.wrap(texts[i], kBodyCapMm, paper_.width() - kBulletMm).size();
-            paper_.need(std::min(Paper::height(lines, kBodyCapMm), paper_.whole()));
+            paper_.need(std::min(BookPages::height(lines, kBodyCapMm), paper_.whole()));
             paper_.line_at(numbered ? fmt::format("{}.", i + 1) : "•", kBodyCapMm, paper_.left(),
                            paper_.y() + kBodyCapMm);
             paper_.text(texts[i], kBodyCapMm, paper_.left() + kBulletMm, paper_.width() - kBulletMm);
@@ -116,7 +116,7 @@ class Writer {
         constexpr double kNeedMm = 24.0;
         for (const auto& [name, value] : book_.needs) {
             const std::size_t lines = paper_.wrap(value, kBodyCapMm, paper_.width() - kNeedMm).size();
-            paper_.need(Paper::height(lines, kBodyCapMm));
+            paper_.need(BookPages::height(lines, kBodyCapMm));
             paper_.line_at(name, kBodyCapMm, paper_.left(), paper_.y() + kBodyCapMm, true);
             paper_.text(value, kBodyCapMm, paper_.left() + kNeedMm, paper_.width() - kNeedMm);
             paper_.skip(0.8);
@@ -129,7 +129,7 @@ class Writer {
         if (book_.sheets.empty()) return;
         chapter("The sheets", 60.0, CAIRO_PDF_OUTLINE_ROOT);
         for (const SheetPart& sheet : book_.sheets) {
-            const double scale = Paper::figure_scale(sheet.figure, paper_.width(), kSheetHighMm);
+            const double scale = BookPages::figure_scale(sheet.figure, paper_.width(), kSheetHighMm);
             paper_.need(scale * sheet.figure.height_mm + 8.0);
             paper_.text(sheet.title, kBodyCapMm, paper_.left(), paper_.width());
             const double high =
@@ -148,13 +148,13 @@ class Writer {
             lines.at(i) = paper_.wrap(cells.at(i), kSmallCapMm, (end - columns.at(i)) * wide - 2.0, head);
             most = std::max(most, lines.at(i).size());
         }
-        const double high = Paper::height(most, kSmallCapMm);
+        const double high = BookPages::height(most, kSmallCapMm);
         paper_.need(high + 1.0);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             double y = paper_.y() + kSmallCapMm;
             for (const std::string& line : lines.at(i)) {
                 paper_.line_at(line, kSmallCapMm, paper_.left() + columns.at(i) * wide, y, head);
-                y += Paper::height(1, kSmallCapMm);
+                y += BookPages::height(1, kSmallCapMm);
             }
         }
         paper_.skip(high);
@@ -211,7 +211,7 @@ class Writer {
         return high;
     }
     [[nodiscard]] double lines_height(const std::string& text, double wide) {
-        return Paper::height(paper_.wrap(text, kBodyCapMm, wide).size(), kBodyCapMm);
+        return BookPages::height(paper_.wrap(text, kBodyCapMm, wide).size(), kBodyCapMm);
     }
     [[nodiscard]] double figure_width() const { return kFigureShare * paper_.width(); }
     [[nodiscard]] double scenes_height(const Step& step) const {
@@ -221,7 +221,7 @@ class Writer {
         if (has_beside(step) || step.figures.empty()) return 0.0;
         if (is_one_large(step)) {
             const Figure& figure = step.figures.front();
-            return Paper::figure_scale(figure, paper_.width(), kLargeHighMm) * figure.height_mm + 3.0;
+            return BookPages::figure_scale(figure, paper_.width(), kLargeHighMm) * figure.height_mm + 3.0;
         }
         double high = 0.0;
         for (std::size_t i = 0; i < step.figures.size(); i += 3) high += row_height(step, i) + 3.0;
@@ -233,7 +233,8 @@ class Writer {
         double high = 0.0;
         for (std::size_t k = first; k < std::min(first + 3, step.figures.size()); ++k) {
             const Figure& figure = step.figures[k];
-            high = std::max(high, Paper::figure_scale(figure, row_width(), kRowHighMm) * figure.height_mm);
+            high =
+                std::max(high, BookPages::figure_scale(figure, row_width(), kRowHighMm) * figure.height_mm);
         }
         return high;
     }
@@ -241,8 +242,8 @@ class Writer {
         double beside = texts_height(step);
         if (has_beside(step)) {
             const Figure& figure = step.figures.front();
-            beside = std::max(beside,
-                              Paper::figure_scale(figure, figure_width(), kFigureHighMm) * figure.height_mm);
+            beside = std::max(
+                beside, BookPages::figure_scale(figure, figure_width(), kFigureHighMm) * figure.height_mm);
         }
         return 2.4 * kStepCapMm + scenes_height(step) + rows_height(step) + beside + 5.0;
     }
@@ -295,7 +296,7 @@ class Writer {
             paper_.skip(1.0);
         }
         for (std::size_t i = 0; i < step.actions.size(); ++i) {
-            paper_.need(Paper::height(1, kBodyCapMm));
+            paper_.need(BookPages::height(1, kBodyCapMm));
             const double y = paper_.y() + kBodyCapMm;
             paper_.line_at(fmt::format("{}", static_cast<char>('a' + static_cast<int>(i % 26))), kBodyCapMm,
                            x, y, true, 0.35);
@@ -303,7 +304,7 @@ class Writer {
             paper_.skip(0.8);
         }
         for (const std::string& note : step.notes) {
-            paper_.need(Paper::height(1, kBodyCapMm));
+            paper_.need(BookPages::height(1, kBodyCapMm));
             paper_.line_at("!", kBodyCapMm, x + 0.5, paper_.y() + kBodyCapMm, true, 0.35);
             paper_.text(note, kBodyCapMm, x + kBulletMm, wide - kBulletMm, false, 0.3);
             paper_.skip(0.8);
@@ -346,7 +347,7 @@ class Writer {
     }
 
     static constexpr double kRowHighMm = 30.0;
-    Paper& paper_;
+    BookPages& paper_;
     const Book& book_;
     Pictures& pictures_;
     int chapter_ = CAIRO_PDF_OUTLINE_ROOT;
@@ -372,7 +373,7 @@ std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptio
     const cairo_status_t status = draw_document(
         visible(book.title) + ": assembly book", size, plain.get(),
         [&](cairo_surface_t* surface, cairo_t* context) {
-            book::Paper paper(surface, context, plain.get(), bold.get(), book.letter, book.title);
+            book::BookPages paper(surface, context, plain.get(), bold.get(), book.letter, book.title);
             drawn = book::Writer(paper, book, pictures).write();
             paper.finish();
         },

@@ -1,4 +1,4 @@
-#include "output/book/paper.h"
+#include "output/book/book_pages.h"
 
 #include <cairo-pdf.h>
 #include <fmt/format.h>
@@ -37,8 +37,8 @@ Surface surface_of(const Pixels& pixels, const std::string& jpeg) {
 
 }  // namespace
 
-Paper::Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain, cairo_font_face_t* bold,
-             bool letter, const std::string& footer)
+BookPages::BookPages(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain,
+                     cairo_font_face_t* bold, bool letter, const std::string& footer)
     : surface_(surface),
       cairo_(context),
       plain_(plain),
@@ -54,13 +54,13 @@ Paper::Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plai
     cairo_pdf_surface_set_size(surface, page_width_ * kPointsPerMm, page_height_ * kPointsPerMm);
 }
 
-void Paper::set_bold(bool bold) {
+void BookPages::set_bold(bool bold) {
     if (bold == is_bold_) return;
     is_bold_ = bold;
     set_font(cairo_, bold ? bold_ : plain_);
 }
 
-void Paper::next_page() {
+void BookPages::next_page() {
     if (!used_ && y_ <= top_) return;
     finish();
     ++page_;
@@ -68,7 +68,7 @@ void Paper::next_page() {
     used_ = false;
 }
 
-void Paper::finish() {
+void BookPages::finish() {
     set_bold(false);
     grey(cairo_, 0.45);
     const double base = page_height_ - 9.0;
@@ -78,35 +78,35 @@ void Paper::finish() {
     cairo_show_page(cairo_);
 }
 
-int Paper::outline(const std::string& title, int parent) {
+int BookPages::outline(const std::string& title, int parent) {
     const std::string where = fmt::format("page={} pos=[{:.1f} {:.1f}]", page_, left_ * kPointsPerMm,
                                           std::max(0.0, y_ - 4.0) * kPointsPerMm);
     return cairo_pdf_surface_add_outline(surface_, parent, visible(title).c_str(), where.c_str(),
                                          static_cast<cairo_pdf_outline_flags_t>(0));
 }
 
-std::vector<std::string> Paper::wrap(std::string_view text, double cap, double wide, bool bold) {
+std::vector<std::string> BookPages::wrap(std::string_view text, double cap, double wide, bool bold) {
     set_bold(bold);
     return wrapped(cairo_, visible(text), cap, wide);
 }
 
-double Paper::height(std::size_t lines, double cap) {
+double BookPages::height(std::size_t lines, double cap) {
     return static_cast<double>(lines) * kLeadingCaps * cap;
 }
 
-double Paper::length(std::string_view text, double cap, bool bold) {
+double BookPages::length(std::string_view text, double cap, bool bold) {
     set_bold(bold);
     return text_length(cairo_, visible(text), cap);
 }
 
-void Paper::line_at(std::string_view text, double cap, double x, double y, bool bold, double white) {
+void BookPages::line_at(std::string_view text, double cap, double x, double y, bool bold, double white) {
     set_bold(bold);
     grey(cairo_, white);
     write_from(cairo_, visible(text), {x, y}, cap);
     used_ = true;
 }
 
-void Paper::text(std::string_view text, double cap, double x, double wide, bool bold, double white) {
+void BookPages::text(std::string_view text, double cap, double x, double wide, bool bold, double white) {
     for (const std::string& line : wrap(text, cap, wide, bold)) {
         need(kLeadingCaps * cap);
         line_at(line, cap, x, y_ + cap, bold, white);
@@ -114,7 +114,7 @@ void Paper::text(std::string_view text, double cap, double x, double wide, bool 
     }
 }
 
-void Paper::rule(double y, double white) {
+void BookPages::rule(double y, double white) {
     grey(cairo_, white);
     cairo_set_dash(cairo_, nullptr, 0, 0.0);
     cairo_set_line_width(cairo_, 0.25);
@@ -124,11 +124,11 @@ void Paper::rule(double y, double white) {
     used_ = true;
 }
 
-double Paper::figure_scale(const Figure& figure, double wide, double high) {
+double BookPages::figure_scale(const Figure& figure, double wide, double high) {
     return std::min({1.0, wide / figure.width_mm, high / figure.height_mm});
 }
 
-double Paper::figure(const Figure& figure, double x, double y, double wide, double high) {
+double BookPages::figure(const Figure& figure, double x, double y, double wide, double high) {
     const double scale = figure_scale(figure, wide, high);
     const double from = x + 0.5 * (wide - scale * figure.width_mm);
     const auto at = [&](Vec2 p) { return Vec2{from + scale * p.x, y + scale * p.y}; };
@@ -166,7 +166,7 @@ double Paper::figure(const Figure& figure, double x, double y, double wide, doub
 }
 
 // On a white plate, because anything may be below.
-void Paper::badge(std::string_view name, Vec2 at, double cap) {
+void BookPages::badge(std::string_view name, Vec2 at, double cap) {
     const std::string text = visible(name);
     set_bold(true);
     const double half = 0.5 * text_length(cairo_, text, cap) + 0.45 * cap;
@@ -177,7 +177,7 @@ void Paper::badge(std::string_view name, Vec2 at, double cap) {
     write(cairo_, text, at, cap);
 }
 
-void Paper::picture(const Picture& picture, const std::string& jpeg, double x, double y, double wide) {
+void BookPages::picture(const Picture& picture, const std::string& jpeg, double x, double y, double wide) {
     const Surface surface = surface_of(picture.pixels, jpeg);
     if (surface == nullptr) return;
     const double scale = wide / picture.pixels.width;

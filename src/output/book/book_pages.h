@@ -21,10 +21,10 @@ inline constexpr double kStepCapMm = 3.1;
 inline constexpr double kBodyCapMm = 2.35;
 inline constexpr double kSmallCapMm = 1.9;
 
-class Paper {
+class BookPages {
  public:
-    Paper(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain, cairo_font_face_t* bold,
-          bool letter, const std::string& footer);
+    BookPages(cairo_surface_t* surface, cairo_t* context, cairo_font_face_t* plain, cairo_font_face_t* bold,
+              bool letter, const std::string& footer);
 
     [[nodiscard]] double width() const { return right_ - left_; }
     // What is left of the page, and all that there is.
