@@ -150,9 +150,8 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     verb->add_flag("--drop", options.compile.check.drop,
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");
-    verb->add_flag(
-            "--collisions", fix.collisions,
-            "move elements along what they stand on, as little as keeps them from going through others")
+    verb->add_flag("--collisions", fix.collisions,
+                   "move elements as little as keeps them from going through others")
         ->group("Output");
     add_message_options(*verb, options);
     add_config_options(*verb, options);
@@ -165,9 +164,8 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
         "  popupc fix --collisions --diff castle.xml\n"
         "  popupc fix --as card drawing.svg -o card.xml\n"
         "\nExit status 0 when what was written is right; 1 when something could not be repaired (nothing is\n"
-        "written), when --collisions leaves some that no comment allows (what helps is written), or, with "
-        "--diff,\n"
-        "when there is something to change.");
+        "written), when --collisions leaves some that no comment allows (what helps is written), or,\n"
+        "with --diff, when there is something to change.");
     return verb;
 }
 

@@ -181,8 +181,8 @@ const Listing& listing_named(std::string_view name) {
 }  // namespace
 
 CLI::App* add_list(CLI::App& app, Options& options) {
-    CLI::App* verb = app.add_subcommand(
-        "list", "What there is: formats, languages, elements, profiles, sheets, templates, codes");
+    CLI::App* verb =
+        app.add_subcommand("list", "What there is: formats, languages, elements, profiles, sheets, ...");
     verb->add_option_function<std::string>(
             "WHAT", [&options](const std::string& text) { options.list.what = listing_named(text).name; },
             "formats, languages, elements, profiles, sheets, templates or codes")

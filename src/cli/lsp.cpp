@@ -9,8 +9,7 @@
 namespace popup::cli {
 
 CLI::App* add_lsp(CLI::App& app, Options& options) {
-    CLI::App* verb = app.add_subcommand(
-        "lsp", "Serve editors: findings as you type, repairs, completion (Language Server Protocol)");
+    CLI::App* verb = app.add_subcommand("lsp", "Serve editors by the Language Server Protocol, as you type");
     // Many clients say how they talk to a server; there is only this way.
     verb->add_flag_callback(
             "--stdio", [] {}, "standard input and output, which is the only way; clients may say so")
