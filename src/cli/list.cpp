@@ -182,7 +182,7 @@ const Listing& listing_named(std::string_view name) {
 
 CLI::App* add_list(CLI::App& app, Options& options) {
     CLI::App* verb =
-        app.add_subcommand("list", "What there is: formats, languages, elements, profiles, sheets, ...");
+        app.add_subcommand("list", "What there is: formats, languages, elements, profiles, sheets and more");
     verb->add_option_function<std::string>(
             "WHAT", [&options](const std::string& text) { options.list.what = listing_named(text).name; },
             "formats, languages, elements, profiles, sheets, templates or codes")

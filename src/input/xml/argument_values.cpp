@@ -18,10 +18,11 @@ std::optional<Argument> Values::argument(const Field& field, const ParameterInfo
     if (field.node) made.tag_text = field.node.start_tag();
     switch (parameter.kind) {
         case ParameterKind::colour: {
-            const std::optional<Color> value = color(&field);
+            const std::optional<Text> text = value_of(field, reporter_);
+            const std::optional<Color> value = text ? color(*text, field.word()) : std::nullopt;
             if (!value) return std::nullopt;
             made.value = *value;
-            if (const std::optional<Text> text = value_of(field, reporter_)) made.text = tight(*text);
+            made.text = tight(*text);
             return made;
         }
         case ParameterKind::length:

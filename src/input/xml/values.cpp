@@ -84,13 +84,16 @@ std::optional<double> Values::number(const Field& field) {
 std::optional<Color> Values::color(const Field* field) {
     if (!field) return std::nullopt;
     const std::optional<Text> text = value_of(*field, reporter_);
-    if (!text) return std::nullopt;
-    const std::optional<Color> color = parse_color(text->decoded);
+    return text ? color(*text, field->word()) : std::nullopt;
+}
+
+std::optional<Color> Values::color(const Text& text, std::string_view what) {
+    const std::optional<Color> color = parse_color(text.decoded);
     if (color) return color;
-    Diagnostic& error = reporter_.error(
-        "bad-color", text->place,
-        fmt::format("{} is '{}', which is not a colour", field->word(), shown(trimmed(text->decoded))));
-    const std::string near = nearest_color_name(text->decoded);
+    Diagnostic& error =
+        reporter_.error("bad-color", text.place,
+                        fmt::format("{} is '{}', which is not a colour", what, shown(trimmed(text.decoded))));
+    const std::string near = nearest_color_name(text.decoded);
     error.hint(near.empty() ? "write #rrggbb, r,g,b or a CSS colour name"
                             : fmt::format("perhaps '{}' is meant", near));
     return std::nullopt;

@@ -31,6 +31,7 @@ class Values {
     // A plain number.
     std::optional<double> number(const Field& field);
     std::optional<Color> color(const Field* field);
+    std::optional<Color> color(const Text& text, std::string_view what);
     // A whole number from 0 to kPageLimit; `range` (if given) is where it stands.
     std::optional<int> page(const Field* field, TextRange* range = nullptr);
     // The value of a parameter, of the kind and in the limits that its row gives.

@@ -15,9 +15,9 @@ TEST(Formats, HaveTheRowsThatArePromisedEachWithAWordAboutIt) {
         EXPECT_FALSE(row.about.empty()) << row.suffix;
         std::visit([&row](auto write) { EXPECT_NE(write, nullptr) << row.suffix; }, row.write);
     }
-    EXPECT_EQ(suffixes, (std::vector<std::string>{".svg", ".pdf", ".dxf", ".lbrn2", ".plt", ".view.png",
-                                                  ".png", ".jpg", ".webp", ".gif", ".glb", ".gltf", ".html",
-                                                  ".fold", ".xml", ".json"}));
+    EXPECT_EQ(suffixes, (std::vector<std::string>{".svg", ".book.pdf", ".book.html", ".pdf", ".dxf", ".lbrn2",
+                                                  ".plt", ".view.png", ".png", ".jpg", ".webp", ".gif",
+                                                  ".glb", ".gltf", ".html", ".fold", ".xml", ".json"}));
 }
 
 TEST(Formats, AreFoundBySuffixOrNameWhateverTheCase) {
