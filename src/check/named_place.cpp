@@ -28,7 +28,7 @@ Vec2 image_of(const Placed& m, Vec2 p) {
 
 NamedPlace::NamedPlace(const Structure& structure, const ElementInfo& info, const PageFold& fold,
                        const PageTurns& turns)
-    : info_(&info), turns_(turns), fold_(fold), points_(structure.points), arguments_(structure.arguments) {
+    : info_(&info), fold_(fold), points_(structure.points), arguments_(structure.arguments) {
     const auto side = [&](const Segment& line, int page) {
         return Side{page, lerp(line.a, line.b, 0.5), unit(line.b - line.a), is_set(turns.mirrored, page),
                     is_set(turns.redrawn, page)};

@@ -11,8 +11,8 @@ namespace popup {
 //     NamedPlace place(structure, info, fold, turns);
 //     place.lay(structure);      // points are on pages now, as a document would give them
 //     ...                        // it is checked, and perhaps mended
-//     place.take_up(structure);  // points lie beside the fold again; those that stayed have the digits they
-//     had
+//     place.take_up(structure);  // points lie beside the fold again, with the digits that they had if they
+//     stayed
 struct NamedPlace {
     NamedPlace(const Structure& structure, const ElementInfo& info, const PageFold& fold,
                const PageTurns& turns);
@@ -30,7 +30,6 @@ struct NamedPlace {
     };
     [[nodiscard]] const Side& side_of(std::size_t point) const;
     const ElementInfo* info_;
-    PageTurns turns_;
     PageFold fold_;
     Side left_, right_;
     std::vector<DesignPoint> points_;  // as they were

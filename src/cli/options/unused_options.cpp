@@ -10,14 +10,10 @@ namespace popup::cli {
 namespace {
 
 constexpr std::pair<std::string_view, bool OptionUses::*> kRegarded[] = {
-    {"view", &OptionUses::view},
-    {"at", &OptionUses::openings},
-    {"size", &OptionUses::size},
-    {"fps", &OptionUses::rate},
-    {"duration", &OptionUses::rate},
-    {"dpi", &OptionUses::dpi},
-    {"speed", &OptionUses::speeds},
-    {"fold-dialect", &OptionUses::fold_dialect},
+    {"view", &OptionUses::view},     {"at", &OptionUses::openings},
+    {"size", &OptionUses::size},     {"fps", &OptionUses::rate},
+    {"duration", &OptionUses::rate}, {"dpi", &OptionUses::dpi},
+    {"speed", &OptionUses::speeds},  {"fold-dialect", &OptionUses::fold_dialect},
 };
 
 // ".webp or .gif"
