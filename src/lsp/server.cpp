@@ -12,7 +12,7 @@
 namespace popup::lsp {
 namespace {
 
-bool is_id(const Json& id) { return id.is_string() || id.is_number() || id.is_null(); }
+bool is_request_id(const Json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void Server::handle(const Json& message) {
     const Json* id = member_if_any(message, "id");
     const Json* method = member_if_any(message, "method");
     if (!message.is_object()) return refuse(nullptr, ErrorCode::invalid_request, "a message is an object");
-    if (id != nullptr && !is_id(*id))
+    if (id != nullptr && !is_request_id(*id))
         return refuse(nullptr, ErrorCode::invalid_request, "an id is a number or a text");
     if (method == nullptr) {
         // An answer of the client's: nothing was asked that its answer matters for.
