@@ -68,21 +68,7 @@ CLI::App* add_edit(CLI::App& app, Options& options) {
         ->type_name("FILE")
         ->configurable(false)
         ->group("Input");
-    CLI::Option* diff =
-        verb->add_flag("--diff", edit.output.diff, "print what would change as a unified diff; write nothing")
-            ->configurable(false)
-            ->group("Output");
-    CLI::Option* in_place =
-        verb->add_flag("--in-place", edit.output.in_place, "write the document over its input")
-            ->configurable(false)
-            ->group("Output");
-    CLI::Option* output = verb->add_option("-o,--output", edit.output.output,
-                                           "write the document here (default: standard output)")
-                              ->type_name("FILE")
-                              ->configurable(false)
-                              ->group("Output");
-    diff->excludes(in_place)->excludes(output);
-    in_place->excludes(output);
+    add_document_output_options(*verb, edit.output, "write the document over its input");
     verb->add_flag("--force", edit.force, "carry it out also where the card has a new error then")
         ->configurable(false)
         ->group("Output");

@@ -133,20 +133,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
     FixOptions& fix = options.fix;
     add_input_options(*verb, options);
     add_tree_options(*verb, options);
-    CLI::Option* diff =
-        verb->add_flag("--diff", fix.diff, "print what would change as a unified diff; write nothing")
-            ->configurable(false)
-            ->group("Output");
-    CLI::Option* in_place = verb->add_flag("--in-place", fix.in_place, "write each document over its input")
-                                ->configurable(false)
-                                ->group("Output");
-    CLI::Option* output =
-        verb->add_option("-o,--output", fix.output, "write the document here (default: standard output)")
-            ->type_name("FILE")
-            ->configurable(false)
-            ->group("Output");
-    diff->excludes(in_place)->excludes(output);
-    in_place->excludes(output);
+    add_document_output_options(*verb, fix, "write each document over its input");
     verb->add_flag("--drop", options.compile.check.drop,
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");

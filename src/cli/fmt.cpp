@@ -39,21 +39,7 @@ CLI::App* add_fmt(CLI::App& app, Options& options) {
         ->required()
         ->configurable(false)
         ->type_name("");
-    CLI::Option* diff =
-        verb->add_flag("--diff", fmt.output.diff, "print what would change as a unified diff; write nothing")
-            ->configurable(false)
-            ->group("Output");
-    CLI::Option* in_place =
-        verb->add_flag("--in-place", fmt.output.in_place, "write each document over its input")
-            ->configurable(false)
-            ->group("Output");
-    CLI::Option* output = verb->add_option("-o,--output", fmt.output.output,
-                                           "write the document here (default: standard output)")
-                              ->type_name("FILE")
-                              ->configurable(false)
-                              ->group("Output");
-    diff->excludes(in_place)->excludes(output);
-    in_place->excludes(output);
+    add_document_output_options(*verb, fmt.output, "write each document over its input");
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);
