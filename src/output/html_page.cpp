@@ -1,5 +1,7 @@
 #include "output/html_page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -27,6 +29,17 @@ void append_page_lines(std::string& text, std::string_view source) {
 }
 
 std::string policy_source(std::string_view text) { return "'sha256-" + base64(sha256_bytes(text)) + "'"; }
+
+std::string page_head(std::string_view policy, std::string_view title, std::string_view style) {
+    return fmt::format(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n"
+        "<meta name=\"generator\" content=\"popupc {}\">\n<link rel=\"icon\" href=\"data:,\">\n"
+        "<title>{}</title>\n<style>{}</style>\n</head>\n",
+        policy, POPUP_VERSION, title, style);
+}
 
 std::string filled_page(std::string_view page,
                         std::span<const std::pair<std::string_view, std::string>> values) {

@@ -22,6 +22,10 @@ void append_page_lines(std::string& text, std::string_view source);
 // What stands in a content security policy for exactly this style or script: "'sha256-…'".
 std::string policy_source(std::string_view text);
 
+// A page up to its body: "<!doctype html>" to "</head>" and a line end. `policy` is its content security
+// policy, `title` is markup, and `style` stands as it is.
+std::string page_head(std::string_view policy, std::string_view title, std::string_view style);
+
 // The template with "{{name}}" replaced; what is put in is not looked at again. Precondition: every name in
 // it has a value.
 std::string filled_page(std::string_view page,

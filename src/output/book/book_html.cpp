@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
-#include "base/system/digest.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
 #include "output/book/book.h"
 #include "output/book/page_files.h"
 #include "output/book/pictures.h"
+#include "output/html_page.h"
 #include "output/markup.h"
 #include "output/sheet_drawing.h"
 
@@ -248,17 +248,11 @@ std::optional<std::string> write_book_html(const RunPage& page, const OutputOpti
     book::Pictures pictures(page.cards, diagnostics);
     book::Page made(book, pictures);
     if (!made.write()) return std::nullopt;
-    const std::string style = "\n" + std::string(book::book_files().front().text);
-    std::string html = fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-        "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
-        "data:; "
-        "base-uri 'none'; form-action 'none'\">\n<meta name=\"viewport\" content=\"width=device-width, "
-        "initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"generator\" "
-        "content=\"{}\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{}: assembly "
-        "book</title>\n<style>{}</style>\n"
-        "</head>\n<body>\n",
-        base64(sha256_bytes(style)), generator(), book::told(book.title), style);
+    const std::string style = "\n" + std::string(page_file(book::book_files(), "book.css"));
+    const std::string policy =
+        fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'",
+                    policy_source(style));
+    std::string html = page_head(policy, book::told(book.title) + ": assembly book", style) + "<body>\n";
     html += made.header() + made.contents() + made.body();
     html += fmt::format("<footer>{}</footer>\n</body>\n</html>\n", generator());
     if (html.size() <= book::kMostBookBytes) return html;

@@ -2,14 +2,11 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "output/html_page.h"
 
 namespace popup::book {
 
-struct BookFile {
-    std::string_view name;  // "book.css"
-    std::string_view text;
-};
-std::span<const BookFile> book_files();
+std::span<const PageFile> book_files();
 
 }  // namespace popup::book

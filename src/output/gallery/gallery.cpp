@@ -208,15 +208,13 @@ std::string write_gallery(const std::string& title, std::span<const GalleryTile>
     }
     const std::string look = style();
     const std::string code = script();
-    const std::array<std::pair<std::string_view, std::string>, 9> values{{
-        {"policy",
-         fmt::format(
-             "default-src 'none'; script-src {}; style-src {}; img-src 'self' file: data:; base-uri 'none'; "
-             "form-action 'none'",
-             policy_source(code), policy_source(look))},
-        {"version", POPUP_VERSION},
+    const std::string policy = fmt::format(
+        "default-src 'none'; script-src {}; style-src {}; img-src 'self' file: data:; base-uri 'none'; "
+        "form-action 'none'",
+        policy_source(code), policy_source(look));
+    const std::array<std::pair<std::string_view, std::string>, 7> values{{
+        {"head", page_head(policy, shown(title), look)},
         {"title", shown(title)},
-        {"style", look},
         {"summary", summary_of(tiles)},
         {"elements", choices(elements)},
         {"codes", choices(codes)},
@@ -238,14 +236,12 @@ std::optional<std::string> write_plain_page(const GalleryTile& tile, const std::
     body += "<h2>Findings</h2>\n" + viewer_findings(findings);
     std::string facts = line_of("file", tile.file) + line_of("facts", facts_text(tile));
     const std::string look = style();
-    const std::array<std::pair<std::string_view, std::string>, 7> values{{
-        {"policy",
-         fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action "
-                     "'none'",
-                     policy_source(look))},
-        {"version", POPUP_VERSION},
+    const std::string policy =
+        fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'",
+                    policy_source(look));
+    const std::array<std::pair<std::string_view, std::string>, 5> values{{
+        {"head", page_head(policy, shown(tile.title), look)},
         {"title", shown(tile.title)},
-        {"style", look},
         {"gallery", gallery},
         {"facts", std::move(facts)},
         {"body", std::move(body)},

@@ -51,11 +51,9 @@ LivePage live_page() {
     const std::string script = viewer_script(names);
     LivePage page;
     page.policy = viewer_policy(script, style, "; connect-src 'self'");
-    const std::array<std::pair<std::string_view, std::string>, 13> values{{
-        {"policy", page.policy},
-        {"version", POPUP_VERSION},
+    const std::array<std::pair<std::string_view, std::string>, 11> values{{
+        {"head", page_head(page.policy, "popupc view", style)},
         {"title", "popupc view"},
-        {"style", style},
         {"live", "\n" + std::string(page_file(viewer_files(), "live.html"))},
         {"still", "alt=\"\" hidden"},
         {"no_script", "The live view is drawn by a script, and scripts are switched off here."},

@@ -33,11 +33,10 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     if (!scene) return std::nullopt;
     const std::string style = viewer_style(std::array<std::string_view, 1>{"viewer.css"});
     const std::string script = viewer_script(kViewerScripts);
-    const std::array<std::pair<std::string_view, std::string>, 13> values{{
-        {"policy", viewer_policy(script, style)},
-        {"version", POPUP_VERSION},
-        {"title", as_markup(viewer_title(cards))},
-        {"style", style},
+    const std::string title = as_markup(viewer_title(cards));
+    const std::array<std::pair<std::string_view, std::string>, 11> values{{
+        {"head", page_head(viewer_policy(script, style), title, style)},
+        {"title", title},
         {"live", ""},
         {"still",
          fmt::format("alt=\"{}\" src=\"data:image/webp;base64,{}\"", still->text, base64(still->webp))},
