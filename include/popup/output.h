@@ -126,7 +126,7 @@ enum class Stills {
     all,     // whatever stands somewhere
 };
 
-// Output options that only some formats regard. Who gives one to a run without such a format is told so.
+// Output options that only some formats use. A run that gets one and has no such format says so.
 struct OptionUses {
     bool view = false, size = false;         // StillOptions::views and size
     bool openings = false;                   // StillOptions::openings_deg

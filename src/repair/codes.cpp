@@ -7,12 +7,12 @@ namespace {
 
 constexpr std::array kRepairCodes = std::to_array<CodeInfo>({
     {"moved-clear", Severity::warning, "an element was moved so that it no longer goes through another",
-     "Two elements went through each other on the way from the closed to the open card. The shortest move of "
-     "one of them along what it stands on was tried, after which they touch at no angle; \"popupc fix "
-     "--collisions\" has written it into the document, with what stands on the element. The document was "
-     "examined again: this pair is clear, no other collides that did not before, and nothing else became "
-     "wrong. What is printed on the page where the element stood is where it was. If the two are meant to "
-     "touch, take the change back and write <!-- popupc: allow collision --> before one of them."},
+     "Two elements went through each other as the card opened. \"popupc fix --collisions\" moved one of "
+     "them along its fold or plate by the shortest distance that was tried and works, together with "
+     "everything that stands on it. popupc examined the new document: these two no longer meet, no "
+     "other pair collides that did not before, and there is no other new warning. Prints on the page "
+     "did not move. If the two are meant to touch, take the change back and write <!-- popupc: allow "
+     "collision --> before one of them."},
 });
 
 }  // namespace

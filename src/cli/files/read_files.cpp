@@ -29,9 +29,8 @@ void spare_own_names(const std::string& output, std::string_view by) {
     const std::string file = std::filesystem::path(output).filename();
     for (const std::string_view own : {kIgnoreFile, kConfigName}) {
         if (file != own) continue;
-        throw UsageError(
-            fmt::format("{} would write {}, and popupc reads files of that name by itself", by, output),
-            {"name another file"});
+        throw UsageError(fmt::format("{} would write {}, which popupc would read in later runs", by, output),
+                         {"name another file"});
     }
 }
 

@@ -23,8 +23,8 @@ class ReadFiles {
  public:
     // `as` says what it is read as: "an input". Of several names of a file the first is told.
     void add(const std::string& name, std::string_view as);
-    // UsageError when writing `output` would replace one of them, or make a file of a name that popupc looks
-    // for by itself; `by` is the option that asks for it, or what is written. Cost: one look at the disk.
+    // UsageError when writing `output` would replace one of them, or make a file that later runs would
+    // read; `by` is the option that asks for it, or what is written. Cost: one look at the disk.
     void spare(const std::string& output, std::string_view by) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace popup::cli {
 
-// Remark: `option-unused`, for each option of the command line that only some formats regard, when the run
-// writes none of these. What a configuration or the environment sets for every run is not asked.
+// Remark: `option-unused`, for each option of the command line that only some formats use, if the run
+// writes none of these formats. Settings of a configuration or the environment are not reported.
 void tell_unused_options(const Options& options, const OutputPlan& plan, Diagnostics& diagnostics);
 
 }  // namespace popup::cli

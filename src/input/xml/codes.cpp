@@ -65,11 +65,10 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "begins with the byte order mark of UTF-16 or UTF-32, or holds bytes that are no UTF-8. Save it as "
      "UTF-8, and let its first line say encoding=\"UTF-8\" or nothing at all."},
     {"ground-not-yet", Severity::error, "a structure names a fold or plate of one that comes later",
-     "The list of structures is in build order: what carries others comes before them, and nothing carries "
-     "itself. This structure names a fold or plate of itself, or of a structure that is listed after it. "
-     "Move "
-     "the one that carries further up in the list. The page of a piece has the number of its glued element "
-     "in the list, so move glued elements together with what is drawn on their pages."},
+     "The list of structures is in build order: a structure comes before those that stand on it, and "
+     "no structure stands on itself. This one names a fold or plate of itself, or of a structure that "
+     "comes later. Move the other structure further up in the list. Pages are numbered by the order of "
+     "glued elements, so when you move a glued element, check the page numbers too."},
     {"missing-value", Severity::error, "a value that must be given",
      "A structure needs its type, its outer points and a parentfold with a begin and an end; a point needs "
      "x and y; and a field that is written must not be empty. What is optional (ids, colours, the base "
@@ -84,21 +83,19 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "units=\"mm\" is a page of seven metres. Correct the size or the unit; without either the page has 11 "
      "by 8.5 inches."},
     {"page-size-unlikely", Severity::warning, "a card as large as a table, or as small as a stamp",
-     "The open card is longer than 1.2 m or shorter than 30 mm. Most often the document does not name its "
-     "unit, so that its numbers are read as inches, or names another than was meant. The attribute units of "
-     "<popup> names the unit of all numbers; the hint has the one that gives a card of a usual size. Where "
-     "the size is meant, allow this warning."},
+     "The open card is longer than 1.2 m or shorter than 30 mm. Most often the document names no unit, "
+     "so that its numbers are read as inches, or it names the wrong unit. The attribute units of "
+     "<popup> sets the unit of all numbers; the hint names the unit that gives a card of a usual size. "
+     "If the card is meant to have this size, allow this warning."},
     {"point-count", Severity::error, "too few or too many points",
      "Every type of structure has a fixed number of outer points in a fixed order, called by the letters "
      "in the message; the corners that follow from them are computed. A drawn line has at least two "
      "points. Add the missing points or take the doubled ones out; `popupc list elements` shows what each "
      "type takes."},
-    {"unknown-ground", Severity::error, "the name of a fold or plate that there is not",
-     "What a structure stands on can be named: gutter, or the id of an earlier structure, a full stop and "
-     "the "
-     "name of one of its folds, such as bird.centre; of a plate, page.left or bird.left. The message says "
-     "whether there is no such structure, or none of its folds is called so. `popupc show` lists the names "
-     "that a card has."},
+    {"unknown-ground", Severity::error, "a name that no fold or plate has",
+     "A structure can name what it stands on: gutter, or the id of an earlier structure, a full stop "
+     "and one of its folds, such as bird.centre; for a plate, page.left or bird.left. The message says "
+     "whether the structure or its fold does not exist. `popupc show` lists the names of a card."},
     {"unknown-markup", Severity::warning, "an element, attribute or text that has no meaning",
      "The document holds markup that the reader does not know in that place, and disregards with all that "
      "is in it. Often it is a slip in a name, and then something that you meant is missing from the "

@@ -63,8 +63,7 @@ void Reporter::unknown_name(Name context, std::string_view name, Place place, bo
                            fmt::format("the {} '{}' is not known in '{}'",
                                        attribute ? "attribute" : "element", shown(name), canonical(context)));
     if (const Name home = home_of(context, name); home != Name::unknown) {
-        made.hint(
-            fmt::format("nothing is made of it here; '{}' stands in '{}'", shown(name), canonical(home)));
+        made.hint(fmt::format("popupc ignores it here; '{}' belongs in '{}'", shown(name), canonical(home)));
         return;
     }
     const std::vector<std::string> near = nearest(lower(name), names_in(context), 1);
