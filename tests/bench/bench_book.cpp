@@ -29,6 +29,11 @@ class Keeper : public benchmark::ConsoleReporter {
     std::map<std::string, double> cpu_ms;
 };
 
+Compilation compiled() {
+    const CompileOptions options;
+    return compile({village()}, options, {});
+}
+
 std::string written(const RunPage& page, const char* format) {
     Diagnostics diagnostics;
     return *std::get<PageWriter>(find_format(format)->write)(page, {}, diagnostics);
@@ -41,7 +46,7 @@ int main(int argc, char** argv) {
     using namespace popup;
     using namespace popup::test;
     benchmark::Initialize(&argc, argv);
-    const Compilation run = compile({village()}, {}, {});
+    const Compilation run = compiled();
     const CompiledDesign& one = run.designs.front();
     const SceneCard card{&*one.assembly, &*one.motion, "", nullptr, &*one.pattern};
     const RunPage page{{&card, 1}, &*run.layout, {}, false};
@@ -50,7 +55,7 @@ int main(int argc, char** argv) {
             for (auto _ : state) benchmark::DoNotOptimize(work());
         })->Unit(benchmark::kMillisecond);
     };
-    const auto whole = [] { return compile({village()}, {}, {}).layout.has_value(); };
+    const auto whole = [] { return compiled().layout.has_value(); };
     const auto order = [&] { return gluing_order(*one.assembly).steps.size(); };
     const auto still = [&] {
         Diagnostics diagnostics;
