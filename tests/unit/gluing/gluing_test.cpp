@@ -16,6 +16,7 @@
 #include "popup/compile.h"
 #include "popup/motion.h"
 #include "support/designs.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -331,7 +332,7 @@ TEST(Gluing, OrdersOfGeneratedCardsWork) {
     std::size_t steps = 0;
     std::size_t wants = 0;
     std::size_t loose = 0;
-    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(120); ++seed) {
         const test::Built built =
             test::build(seed % 3 == 0 ? test::generate(seed, 16) : test::generate_any(seed, 18));
         ASSERT_TRUE(built.assembly) << seed;
@@ -343,13 +344,13 @@ TEST(Gluing, OrdersOfGeneratedCardsWork) {
         for (const GluingStep& step : order.steps) loose += step.lie == Lie::loose ? 1U : 0U;
     }
     // They are worth looking at.
-    EXPECT_GT(steps, 500U);
-    EXPECT_GT(wants, 100U);
-    EXPECT_GT(loose, 50U);
+    EXPECT_GT(steps, test::sanitized_count(500U));
+    EXPECT_GT(wants, test::sanitized_count(100U));
+    EXPECT_GT(loose, test::sanitized_count(50U));
 }
 
 TEST(Gluing, OrdersOfTowersWork) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(20); ++seed) {
         const test::Built built = test::build(test::generate_tower(seed, 9));
         ASSERT_TRUE(built.assembly) << seed;
         EXPECT_EQ(text_of(Look(*built.assembly, gluing_order(*built.assembly)).faults()), "")
