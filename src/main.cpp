@@ -46,6 +46,7 @@ int run(std::vector<std::string> arguments) {
 int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
     using namespace popup::cli;
     settle_process();
+    std::set_new_handler(end_out_of_memory);
     try {
         return run({argv + std::min(argc, 1), argv + argc});
     } catch (const UsageError& error) {

@@ -45,7 +45,9 @@ struct PendingFile {
 // all are safely there are they renamed into place. On failure an `unwritable-output` error is added, no old
 // file has changed, and no temporary file is left. Signals that end the process also leave no litter. Devices
 // and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
-// With `keep_identical`, a file that already holds these bytes is left alone, modification time included.
+// Where the file system cannot exchange two names, old files have a second name, or a copy, until all new
+// ones are in place. Should the disk refuse to bring an old file back, the error says where it is. With
+// `keep_identical`, a file that already holds these bytes is left alone, modification time included.
 bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics);
 
 // A file written piece by piece, which replaces the old one when it is complete, and never before.

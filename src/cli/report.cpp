@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -194,6 +195,12 @@ void report_usage(const UsageError& error) {
 bool reader_has_gone() {
     pollfd out{STDOUT_FILENO, POLLOUT, 0};
     return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+void end_out_of_memory() {
+    constexpr std::string_view kSays = "popupc: error: there is not enough memory\n";
+    [[maybe_unused]] const ssize_t put = ::write(STDERR_FILENO, kSays.data(), kSays.size());
+    end_with(exit_unusable);
 }
 
 }  // namespace popup::cli

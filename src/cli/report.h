@@ -58,4 +58,8 @@ void report_usage(const UsageError& error);
 // True when standard output is a pipe that nobody reads any more.
 bool reader_has_gone();
 
+// For std::set_new_handler(): says that memory has run out, and ends the run as a signal would. Libraries
+// catch whatever is thrown in them, and some then go on with less than they should have made.
+[[noreturn]] void end_out_of_memory();
+
 }  // namespace popup::cli

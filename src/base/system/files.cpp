@@ -182,7 +182,8 @@ struct Target {
     bool exists = false;
     struct stat old {};
     bool renamed = false;
-    bool exchanged = false;  // `temporary` holds the old file
+    // Holds the old file once the new one is in place: the temporary one where names can be exchanged.
+    std::string saved;
 };
 
 // Follows symbolic links of the last path component by hand, because the last one may lead to a file that
@@ -237,6 +238,7 @@ std::string prepare(Target& target) {
     // Renaming would replace a read-only file without asking; its owner meant something else.
     if (target.exists && ::access(target.path.c_str(), W_OK) != 0) return reason(errno);
     target.temporary = beside(target.path, temporary_name());
+    if (target.exists) target.saved = beside(target.path, temporary_name());
     return {};
 }
 
@@ -283,26 +285,48 @@ int write_stream(const Target& target) {
     return out.close() == 0 ? 0 : errno;
 }
 
-// Moves the new file into place. Where the file system can, old and new change places in one step, so that a
-// failure further on can still be undone. Returns 0 or errno.
-int move_into_place(Target& target) {
+// Keeps the old file under a second name, or a copy of it where a file can have but one. Returns 0 or errno.
+int save_old(const Target& target) {
+    if (::link(target.path.c_str(), target.saved.c_str()) == 0) return 0;
+    const Descriptor in(::open(target.path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!in.open()) return errno;
+    std::string text;
+    if (const int error = read_all(in.get(), std::string().max_size() - 1,
+                                   static_cast<std::size_t>(target.old.st_size), text);
+        error != 0) {
+        return error;
+    }
+    Descriptor out(::open(target.saved.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    if (!out.open()) return errno;
+    if (const int error = write_fully(out.get(), text); error != 0) return error;
+    if (::fchmod(out.get(), target.old.st_mode & 07777U) != 0) return errno;
+    return out.close() == 0 ? 0 : errno;
+}
+
+// Moves the new file into place. Where the file system can, old and new change places in one step; elsewhere
+// the old one is saved first where a failure of others, `among_others`, may have to bring it back. Returns 0
+// or errno.
+int move_into_place(Target& target, bool among_others) {
     if (target.exists && ::renameat2(AT_FDCWD, target.temporary.c_str(), AT_FDCWD, target.path.c_str(),
                                      RENAME_EXCHANGE) == 0) {
-        target.renamed = target.exchanged = true;
+        target.renamed = true;
+        target.saved = target.temporary;
         return 0;
+    }
+    if (target.exists && among_others) {
+        if (const int error = save_old(target); error != 0) return error;
     }
     if (::rename(target.temporary.c_str(), target.path.c_str()) != 0) return errno;
     target.renamed = true;
     return 0;
 }
 
-void undo(Target& target) {
-    if (!target.renamed) return;
-    if (target.exchanged) {
-        ::rename(target.temporary.c_str(), target.path.c_str());
-    } else if (!target.exists) {
-        ::unlink(target.path.c_str());
-    }
+// Brings the old file back, or takes the new one away where there was none. Returns 0 or errno.
+int undo(const Target& target) {
+    if (!target.renamed) return 0;
+    const int result =
+        target.exists ? ::rename(target.saved.c_str(), target.path.c_str()) : ::unlink(target.path.c_str());
+    return result == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -381,9 +405,14 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     if (!good) return false;
 
     std::vector<const char*> litter;
+    std::vector<std::string> saved;
     for (const Target& target : targets) {
-        if (!target.stream && !target.unchanged) litter.push_back(target.temporary.c_str());
+        if (target.stream || target.unchanged) continue;
+        litter.push_back(target.temporary.c_str());
+        if (target.exists) saved.push_back(target.saved);
     }
+    for (const std::string& name : saved) litter.push_back(name.c_str());
+    const bool among_others = litter.size() - saved.size() > 1;
     const SignalCleanup guard(remove_litter, &litter);
     for (const Target& target : targets) {
         if (target.stream || target.unchanged) continue;
@@ -402,10 +431,19 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     for (Target& target : targets) {
         if (!good) break;
         if (target.stream || target.unchanged) continue;
-        if (const int error = move_into_place(target); error != 0) fail(target, reason(error));
+        if (const int error = move_into_place(target, among_others); error != 0) fail(target, reason(error));
     }
     if (!good) {
-        for (Target& target : targets) undo(target);
+        for (const Target& target : targets) {
+            const int error = undo(target);
+            if (error == 0) continue;
+            fail(target, "the old version cannot be brought back, either: " + reason(error) +
+                             (target.exists ? "; it is in " + target.saved : std::string()));
+            // Nobody may take it away. A signal may look at the names now.
+            for (const char*& name : litter) {
+                if (target.exists && name == target.saved) name = "";
+            }
+        }
     }
     for (const char* name : litter) ::unlink(name);
     return good;
