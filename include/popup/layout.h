@@ -83,7 +83,8 @@ struct LayoutOptions {
     std::vector<PieceRule> rules;
     double scale = 1.0;  // of all pieces, > 0
     int copies = 1;      // of all inputs, ≥ 1
-    NestEffort nesting;
+    // As long as popupc looks where nobody says how long.
+    NestEffort nesting{.shortening = kQuickShortening};
 };
 
 // One design's share of a production run.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -65,8 +66,12 @@ struct NestProgress {
 inline constexpr double kFastNesting = 3e6;
 inline constexpr double kNormalNesting = 3e7;
 inline constexpr double kBestNesting = 3e8;
+// The default of a run for NestEffort::shortening: some 20 ms.
+inline constexpr double kQuickShortening = 2e6;
 struct NestEffort {
     double work = kFastNesting;  // units an item, ≥ 0; beyond 64 each adds an 8th, beyond 1024 a 128th
+    // Units in all, beyond which no shorter last sheet is looked for. Fewer sheets are looked for as ever.
+    double shortening = HUGE_VAL;
     std::uint64_t seed = 0;
     int threads = 1;  // ≥ 1
     // Asked, once for each thread beside the caller's that the search can use, whether it may be started; it
@@ -74,11 +79,11 @@ struct NestEffort {
     // search is over.
     std::function<bool()> may_start_thread = {};
     std::function<void()> thread_ended = {};
-    std::optional<double> seconds;  // look for this long instead: the layout then depends on the clock
+    std::optional<double> seconds = {};  // look for this long instead: the layout then depends on the clock
     // Ends the search as soon as it is set: the best layout so far is the result. May be null.
     const std::atomic<bool>* stop = nullptr;
     // Called now and then, from the calling thread; may be empty.
-    std::function<void(const NestProgress&)> progress;
+    std::function<void(const NestProgress&)> progress = {};
 };
 struct NestPlan {
     std::vector<NestSpot> spots;  // of each item

@@ -1,7 +1,6 @@
 #include "nest/convex_parts.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -46,34 +45,67 @@ GridRing hull_of(std::vector<GridPoint> points) {
     return hull;
 }
 
-// Joins parts of a partition: each part a ring, neighbours found by their common edges.
+// Joins triangles of a partition to convex parts. Each edge of each triangle has a number; parts are rings of
+// such numbers. Cost: n log n.
 class Joiner {
  public:
-    explicit Joiner(std::vector<GridRing> parts) : parts_(std::move(parts)) {}
+    // Precondition: the triangles run counter-clockwise and do not overlap.
+    explicit Joiner(const std::vector<GridRing>& triangles) {
+        const std::size_t n = triangles.size() * 3;
+        edges_.reserve(n);
+        for (const GridRing& triangle : triangles) {
+            const auto first = static_cast<int>(edges_.size());
+            for (int k = 0; k < 3; ++k)
+                edges_.push_back({triangle[index(k)], first + (k + 1) % 3, first + (k + 2) % 3});
+        }
+        part_of_.resize(triangles.size());
+        std::iota(part_of_.begin(), part_of_.end(), 0);
+        for (std::size_t t = 0; t < triangles.size(); ++t) starts_.push_back(static_cast<int>(3 * t));
+    }
 
     std::vector<GridRing> run() {
         struct Shared {
             double length;
             GridPoint a, b;
+            int forth, back;  // the edges from a to b and from b to a
         };
-        std::map<std::pair<GridPoint, GridPoint>, int> seen;
+        struct Seen {
+            GridPoint a, b;
+            int edge;
+        };
+        std::vector<Seen> seen;
+        seen.reserve(edges_.size());
+        for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+            const GridPoint a = from(e);
+            const GridPoint b = to(e);
+            seen.push_back({std::min(a, b), std::max(a, b), e});
+        }
+        std::sort(seen.begin(), seen.end(), [](const Seen& s, const Seen& t) {
+            return std::tie(s.a, s.b, s.edge) < std::tie(t.a, t.b, t.edge);
+        });
         std::vector<Shared> shared;
-        for (const GridRing& part : parts_) {
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                const GridPoint a = part[i];
-                const GridPoint b = part[(i + 1) % part.size()];
-                if (++seen[std::minmax(a, b)] == 2) {
-                    const auto [low, high] = std::minmax(a, b);
-                    shared.push_back({squared(b - a), low, high});
-                }
-            }
+        for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
+            const Seen& s = seen[i];
+            const Seen& t = seen[i + 1];
+            if (s.a != t.a || s.b != t.b || from(s.edge) == from(t.edge)) continue;
+            const bool forth = from(s.edge) == s.a;
+            shared.push_back(
+                {squared(s.b - s.a), s.a, s.b, forth ? s.edge : t.edge, forth ? t.edge : s.edge});
+            ++i;
         }
         std::sort(shared.begin(), shared.end(), [](const Shared& s, const Shared& t) {
             return std::tie(t.length, s.a, s.b) < std::tie(s.length, t.a, t.b);
         });
-        for (const Shared& edge : shared) join(edge.a, edge.b);
+        for (const Shared& edge : shared) join(edge.forth, edge.back);
         std::vector<GridRing> result;
-        for (GridRing& part : parts_) {
+        for (const int start : starts_) {
+            if (start < 0) continue;
+            GridRing part;
+            int e = start;
+            do {
+                part.push_back(from(e));
+                e = edges_[index(e)].next;
+            } while (e != start);
             drop_straight_corners(part);
             if (part.size() >= 3) result.push_back(std::move(part));
         }
@@ -81,155 +113,52 @@ class Joiner {
     }
 
  private:
-    // The part that has the edge from a to b, and where; -1: none.
-    [[nodiscard]] std::pair<int, std::size_t> find(GridPoint a, GridPoint b) const {
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            const GridRing& part = parts_[k];
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                if (part[i] == a && part[(i + 1) % part.size()] == b) return {static_cast<int>(k), i};
-            }
-        }
-        return {-1, 0};
-    }
-
-    void join(GridPoint a, GridPoint b) {
-        const auto [left, at_left] = find(a, b);
-        const auto [right, at_right] = find(b, a);
-        if (left < 0 || right < 0 || left == right) return;
-        GridRing& one = nth(parts_, left);
-        GridRing& other = nth(parts_, right);
-        // Round `one` from b to a, then round `other` from a to b, ends left out.
-        GridRing joined;
-        for (std::size_t i = 0; i < one.size(); ++i) joined.push_back(one[(at_left + 1 + i) % one.size()]);
-        for (std::size_t i = 2; i < other.size(); ++i) joined.push_back(other[(at_right + i) % other.size()]);
-        for (std::size_t i = 0; i < joined.size(); ++i) {
-            const GridPoint p = joined[(i + joined.size() - 1) % joined.size()];
-            if (side(p, joined[i], joined[(i + 1) % joined.size()]) < 0) return;
-        }
-        one = std::move(joined);
-        other.clear();
-    }
-
-    std::vector<GridRing> parts_;
-};
-
-// One ring being made coarser, the inside on its left.
-class Coarsener {
- public:
-    Coarsener(std::vector<GridRing>& rings, double furthest) : rings_(rings), furthest_(furthest) {}
-
-    // A step is looked at again only when the corners that make it have changed, and once more before it is
-    // taken: an area that was empty may have got a corner.
-    void run(double budget) {
-        for (std::size_t r = 0; r < rings_.size(); ++r) {
-            std::vector<Step>& own = steps_.emplace_back();
-            for (std::size_t i = 0; i < rings_[r].size(); ++i) own.push_back(best_at(r, i));
-        }
-        for (;;) {
-            Step* best = nullptr;
-            std::size_t ring = 0;
-            std::size_t at = 0;
-            for (std::size_t r = 0; r < steps_.size(); ++r) {
-                for (std::size_t i = 0; i < steps_[r].size(); ++i) {
-                    Step& step = steps_[r][i];
-                    if (!step.possible || (best != nullptr && step.added >= best->added)) continue;
-                    best = &step;
-                    ring = r;
-                    at = i;
-                }
-            }
-            if (best == nullptr || best->added > budget) return;
-            const Step now = best_at(ring, at);
-            if (!now.possible || now.added > best->added) {
-                *best = now;
-                continue;
-            }
-            budget -= now.added;
-            apply(now, ring, at);
-        }
-    }
-
- private:
-    struct Step {
-        bool possible = false;
-        bool edge = false;  // a corner instead of the edge that begins here; else this corner is dropped
-        GridPoint corner;
-        double added = 0.0;
+    struct Edge {
+        GridPoint from;
+        int next, before;
     };
-
-    [[nodiscard]] Step best_at(std::size_t r, std::size_t i) const {
-        const Step drop = notch(r, i);
-        const Step meet = short_edge(r, i);
-        if (!drop.possible) return meet;
-        return meet.possible && meet.added < drop.added ? meet : drop;
-    }
-
-    [[nodiscard]] GridPoint at(std::size_t ring, std::size_t i) const {
-        return rings_[ring][i % rings_[ring].size()];
-    }
-
-    // Whether any corner but these lies in the triangle, edges included.
-    [[nodiscard]] bool is_empty(GridPoint a, GridPoint b, GridPoint c) const {
-        for (const GridRing& ring : rings_) {
-            for (const GridPoint p : ring) {
-                if (p == a || p == b || p == c) continue;
-                if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0) return false;
-            }
+    [[nodiscard]] GridPoint from(int e) const { return edges_[index(e)].from; }
+    [[nodiscard]] GridPoint to(int e) const { return from(edges_[index(e)].next); }
+    // The part that the edge's triangle belongs to now.
+    int part(int e) {
+        int p = e / 3;
+        while (part_of_[index(p)] != p) {
+            part_of_[index(p)] = part_of_[index(part_of_[index(p)])];
+            p = part_of_[index(p)];
         }
-        return true;
+        return p;
     }
 
-    [[nodiscard]] Step notch(std::size_t r, std::size_t i) const {
-        const std::size_t n = rings_[r].size();
-        if (n <= 3) return {};
-        const GridPoint a = at(r, i + n - 1);
-        const GridPoint b = at(r, i);
-        const GridPoint c = at(r, i + 1);
-        const double twice = -static_cast<double>(cross(b - a, c - b));
-        if (twice < 0.0) return {};
-        if (twice > 0.0 && !is_empty(a, c, b)) return {};
-        return {true, false, {}, 0.5 * twice};
-    }
-
-    [[nodiscard]] Step short_edge(std::size_t r, std::size_t i) const {
-        const std::size_t n = rings_[r].size();
-        if (n <= 4) return {};
-        const GridPoint a = at(r, i + n - 1);
-        const GridPoint b = at(r, i);
-        const GridPoint c = at(r, i + 1);
-        const GridPoint d = at(r, i + 2);
-        if (side(a, b, c) <= 0 || side(b, c, d) <= 0) return {};
-        const auto turn = static_cast<double>(cross(b - a, d - c));
-        if (turn <= 0.0) return {};  // the neighbours do not meet beyond the edge
-        const double along = static_cast<double>(cross(c - b, d - c)) / turn;
-        const GridPoint corner{b.x + std::llround(along * static_cast<double>(b.x - a.x)),
-                               b.y + std::llround(along * static_cast<double>(b.y - a.y))};
-        const double twice = static_cast<double>(cross(c - b, corner - b)) * -1.0;
-        if (twice < 0.0 || twice * twice > furthest_ * furthest_ * squared(c - b)) return {};
-        if (squared(corner - b) > 16.0 * furthest_ * furthest_) return {};
-        if (!is_empty(b, corner, c)) return {};
-        return {true, true, corner, 0.5 * twice};
-    }
-
-    void apply(const Step& step, std::size_t r, std::size_t i) {
-        GridRing& ring = rings_[r];
-        std::vector<Step>& own = steps_[r];
-        const std::size_t gone = step.edge ? (i + 1) % ring.size() : i;
-        if (step.edge) ring[i] = step.corner;
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(gone));
-        own.erase(own.begin() + static_cast<std::ptrdiff_t>(gone));
-        // Steps see up to two corners ahead and one behind.
-        const std::size_t n = ring.size();
-        const std::size_t middle = (gone <= i ? i + n - 1 : i) % n;
-        for (std::size_t k = 0; k < std::min<std::size_t>(n, 7); ++k) {
-            const std::size_t at = (middle + n - 3 % n + k) % n;
-            own[at] = best_at(r, at);
+    // Takes out the edge between two parts, if what they make up is convex: parts are, so only the corners
+    // where they meet matter.
+    void join(int forth, int back) {
+        const int left = part(forth);
+        const int right = part(back);
+        if (left == right) return;
+        const Edge& one = edges_[index(forth)];
+        const Edge& other = edges_[index(back)];
+        const int after_b = one.next;
+        const int before_a = one.before;
+        const int after_a = other.next;
+        const int before_b = other.before;
+        if (side(from(before_a), from(after_a), to(after_a)) < 0 ||
+            side(from(before_b), from(after_b), to(after_b)) < 0) {
+            return;
         }
+        link(before_a, after_a);
+        link(before_b, after_b);
+        starts_[index(left)] = after_b;
+        starts_[index(right)] = -1;
+        part_of_[index(right)] = left;
+    }
+    void link(int e, int next) {
+        edges_[index(e)].next = next;
+        edges_[index(next)].before = e;
     }
 
-    std::vector<std::vector<Step>> steps_;  // a ring: at each of its corners the cheapest
-    std::vector<GridRing>& rings_;
-    double furthest_;
+    std::vector<Edge> edges_;
+    std::vector<int> part_of_;  // a triangle: one that is in the same part; itself: it stands for the part
+    std::vector<int> starts_;   // a part: its first edge; -1: it is part of another
 };
 
 }  // namespace
@@ -250,7 +179,7 @@ std::vector<GridRing> convex_parts(const GridRegion& region) {
         }
         if (side(part[0], part[1], part[2]) > 0) parts.push_back(std::move(part));
     }
-    return Joiner(std::move(parts)).run();
+    return Joiner(parts).run();
 }
 
 GridRing widened(const GridRing& part, GridLength by) {
@@ -285,17 +214,6 @@ GridRing widened(const GridRing& part, GridLength by) {
         meet(way, after);
     }
     return hull_of(std::move(points));
-}
-
-GridRegion coarser(const GridRegion& region, double most_added, double furthest) {
-    std::vector<GridRing> rings{region.outer};
-    rings.insert(rings.end(), region.holes.begin(), region.holes.end());
-    Coarsener(rings, furthest).run(most_added);
-    GridRegion result{std::move(rings[0]), {}};
-    for (std::size_t i = 1; i < rings.size(); ++i) {
-        if (rings[i].size() >= 3) result.holes.push_back(std::move(rings[i]));
-    }
-    return result;
 }
 
 }  // namespace popup

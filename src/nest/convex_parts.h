@@ -22,11 +22,4 @@ std::vector<GridRing> convex_parts(const GridRegion& region);
 // square; a convex ring again. Level and upright edges move by exactly `by`, others to within a step.
 GridRing widened(const GridRing& part, GridLength by);
 
-// The region with corners taken away so that it only grows: notches filled, and short edges replaced by the
-// corner in which their neighbours meet, the least area first, until `most_added` (in steps squared) would be
-// exceeded. No new corner lies further than `furthest` steps from an old edge. New corners are rounded to the
-// grid, so an edge may end up one step inside of where it was. What grows may grow over itself. Cost:
-// quadratic in corners.
-GridRegion coarser(const GridRegion& region, double most_added, double furthest);
-
 }  // namespace popup

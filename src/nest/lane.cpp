@@ -9,9 +9,8 @@
 namespace popup {
 namespace {
 
-// Steps by which the last sheet gets shorter, as shares of its length: the first, the least while searching,
-// and the first and the least of the compression at the end.
-constexpr double kFirstStep = 0.01;
+// Steps by which the last sheet gets shorter, as shares of its length: the least while searching, and the
+// first and the least of the compression at the end.
 constexpr double kSmallStep = 0.0005;
 constexpr double kCompressStep = 0.0005;
 constexpr double kLeastStep = 0.00001;
@@ -27,8 +26,8 @@ constexpr double kLargeShare = 0.75;  // of the items, those that are worth exch
 
 }  // namespace
 
-Lane::Lane(NestTask& task, std::uint64_t seed)
-    : task_(task), board_(task.set, task.first_table(), task.kinds, {}), dice_(seed) {
+Lane::Lane(NestTask& task, std::uint64_t seed, Pace pace)
+    : task_(task), pace_(pace), board_(task.set, task.first_table(), task.kinds, {}), dice_(seed) {
     for (int item = 0; item < static_cast<int>(task.kinds.size()); ++item) {
         if (!task.is_locked(item)) by_size_.push_back(item);
     }
@@ -45,7 +44,7 @@ void Lane::begin(const Arrangement& from, Aim aim) {
     done_ = false;
     if (!goes_on || aim == Aim::compress) current_ = from;
     if (!goes_on) {
-        step_ = aim == Aim::compress ? kCompressStep : kFirstStep;
+        step_ = aim == Aim::compress ? kCompressStep : pace_.first_step;
         upsetting_ = false;
     }
     if (separator_ && !(goes_on && useful())) separator_.reset();
@@ -150,6 +149,7 @@ void Lane::attempt() {
 }
 
 void Lane::set_off(Persistence persistence) {
+    if (shortens()) persistence.patience = static_cast<int>(persistence.patience * pace_.patience);
     freedom_ = freedom_of(task_, board_.stands());
     separator_ = std::make_unique<Separator>(board_, freedom_, dice_, persistence);
 }
@@ -260,7 +260,8 @@ void Lane::succeed() {
     separator_.reset();
     Arrangement found{board_.stands(), rows_};
     if (shortens()) {
-        if (aim_ == Aim::shorter) step_ = upsetting_ ? kFirstStep : std::min(kFirstStep, 2.0 * step_);
+        if (aim_ == Aim::shorter)
+            step_ = upsetting_ ? pace_.first_step : std::min(pace_.first_step, 2.0 * step_);
         upsetting_ = false;
         current_ = found;
         if (!found.better_than(best_, task_)) return;

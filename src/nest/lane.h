@@ -17,11 +17,18 @@ enum class Aim {
     compress,  // a shorter last sheet, by small steps from the best
 };
 
+// With little work to spend, larger steps and less patience come further.
+struct Pace {
+    double first_step = 0.01;  // by which the last sheet is shortened at first, as a share of its length
+    double patience = 1.0;     // as a share of what the search for a shorter sheet has
+};
+inline constexpr Pace kHasty{0.03, 0.5};
+
 // Works in slices of work, so that lanes can be compared, and run side by side, without a clock.
 class Lane {
  public:
     // Precondition: the task outlives the lane.
-    Lane(NestTask& task, std::uint64_t seed);
+    Lane(NestTask& task, std::uint64_t seed, Pace pace);
 
     // Goes on from this layout, which holds (except under `fit`). As long as aim and sheets stay, what the
     // lane is about is gone on with if it may still come to something better.
@@ -65,6 +72,7 @@ class Lane {
     bool move_lot(int item, int sheet);
 
     NestTask& task_;
+    Pace pace_;
     Board board_;
     Dice dice_;
     Aim aim_ = Aim::shorter;

@@ -60,6 +60,28 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
     result.y1 = y1;
 }
 
+bool covers(const NoFit& fit, const NoFitBox& box, int cuts) {
+    constexpr int kMostCuts = 10;
+    const auto has = [&](const NoFitPart& part, const NoFitBox& all) {
+        const HalfPlane* plane = fit.planes.data() + part.first;
+        return std::all_of(plane, plane + part.count, [&](const HalfPlane& p) {
+            return p.nx * (p.nx > 0.0 ? all.x1 : all.x0) + p.ny * (p.ny > 0.0 ? all.y1 : all.y0) < p.c;
+        });
+    };
+    const auto covered = [&](const NoFitBox& all) {
+        return std::any_of(fit.parts.begin(), fit.parts.end(),
+                           [&](const NoFitPart& part) { return has(part, all); });
+    };
+    if (covered(box)) return true;
+    const double x = 0.5 * (box.x0 + box.x1);
+    const double y = 0.5 * (box.y0 + box.y1);
+    if (cuts == kMostCuts || !covered({x, y, x, y})) return false;
+    const bool wide = box.x1 - box.x0 > box.y1 - box.y0;
+    const NoFitBox low{box.x0, box.y0, wide ? x : box.x1, wide ? box.y1 : y};
+    const NoFitBox high{wide ? x : box.x0, wide ? box.y0 : y, box.x1, box.y1};
+    return covers(fit, low, cuts + 1) && covers(fit, high, cuts + 1);
+}
+
 namespace {
 
 // What the no-fit polygons of all pairs take: a part for each pair of parts, with the edges of both.

@@ -36,6 +36,13 @@ struct NoFit {
 // `slack` steps: room for the rounding of places, where touching need not be exact.
 void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result);
 
+// Whether all places of a box overlap, its edges too. A no may be wrong where many small parts make it up.
+// Cost: a few looks at all parts where it is plain, some thousand at the most.
+struct NoFitBox {
+    double x0, y0, x1, y1;
+};
+bool covers(const NoFit& fit, const NoFitBox& box, int cuts = 0);
+
 // The no-fit polygons of all pairs of shapes, each made when first asked for. They are kept if all would take
 // no more than `kMostBytes`; else they are made each time. May be used by several threads at once.
 class NoFitTable {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <system_error>
 #include <thread>
@@ -22,6 +23,11 @@ constexpr double kFewerShare = 0.6;
 constexpr double kShorterShare = 0.8;
 // The share of the effort beyond which no further first layout is made.
 constexpr double kBuildShare = 0.1;
+// The same of a hasty search, and how many there may be.
+constexpr double kHastyBuildShare = 0.3;
+constexpr int kHastyOrders = 16;
+// Of more pieces no two are looked at that cannot share a sheet.
+constexpr std::size_t kFewToPart = 200;
 // How often in a stage the lanes are compared.
 constexpr double kMeetings = 24.0;
 constexpr double kLeastSlice = 2e4;
@@ -49,15 +55,20 @@ class Nester {
         if (auto refusal = find_refusal()) return {{}, std::move(refusal)};
         for (int i = 0; i < kLanes; ++i) {
             lanes_.push_back(std::make_unique<Lane>(
-                task_, effort_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(i) + 1U));
+                task_, effort_.seed * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(i) + 1U,
+                is_hasty() ? kHasty : Pace{}));
         }
         if (auto refusal = first_layout()) return {{}, std::move(refusal)};
         fewer_sheets();
         smaller_sheets();
         emptiest_last();
+        if (is_hasty()) {
+            spent_before_ = work_;
+            total_ = effort_.shortening;
+            shortens_hastily_ = true;
+        }
         stage(Aim::shorter, kShorterShare);
         stage(Aim::compress, 1.0);
-        work_ = total_;
         finished_ = true;
         tell();
         POPUP_INVARIANT(best_.holds(task_));
@@ -126,15 +137,17 @@ class Nester {
     }
 
     Refusal first_layout() {
-        // Several orders while that is cheap.
-        const int tries = job_.items.size() <= 200 ? kLanes : 1;
+        // Several orders while that is cheap. In haste they gain more than searching does.
+        const int tries = job_.items.size() > 200 ? 1 : is_hasty() ? kHastyOrders : kLanes;
+        const double most = is_hasty() ? kHastyBuildShare * effort_.shortening : kBuildShare * total_;
         double built = 0.0;
         Construction best;
         for (int i = 0; i < tries; ++i) {
-            if (i > 0 && (stopped() || built > kBuildShare * total_ || spent() > kFewerShare)) break;
+            if (i > 0 && (stopped() || built > most || spent() > kFewerShare)) break;
             const int lines =
                 std::max(kFewLines, kLines * 100 / std::max(100, static_cast<int>(job_.items.size())));
-            Construction next = construct(task_, lanes_[index(i)]->dice(), lines, i == 0 ? 0.0 : kShake);
+            Construction next =
+                construct(task_, lanes_[index(i % kLanes)]->dice(), lines, i == 0 ? 0.0 : kShake);
             built += next.work;
             const bool better = i == 0 || next.left_out.size() < best.left_out.size() ||
                                 (next.left_out.size() == best.left_out.size() && !next.hopeless &&
@@ -153,17 +166,71 @@ class Nester {
             std::move(best.left_out)};
     }
 
-    // Fewer sheets cannot hold the area of the pieces.
-    [[nodiscard]] bool could_be_fewer() const {
+    // What a piece takes at the least, in mm²: what lies within half the spacing of it is no other piece's.
+    // Brunn and Minkowski say how much that is, whatever its outline.
+    [[nodiscard]] double area_with_spacing(int item) const {
+        const double area = task_.set.areas[index(task_.kinds[index(item)])];
+        const double side = std::sqrt(area) + 0.5 * std::sqrt(std::numbers::pi) * job_.spacing;
+        return side * side;
+    }
+
+    // Whether the sheets but one could hold the area of the pieces and of the spacing between them, which
+    // sticks out of the sheet by half, and there are not as many pieces as sheets that must part.
+    [[nodiscard]] bool could_be_fewer() {
         if (best_.rows.size() < 2) return false;
-        double area = 0.0;
-        for (const int kind : task_.kinds) area += task_.set.areas[index(kind)];
         std::vector<double> sizes;
-        for (const int row : best_.rows)
-            sizes.push_back(task_.rooms[index(row)].width * task_.rooms[index(row)].height);
+        for (const int row : best_.rows) {
+            const NestStock& stock = job_.stock[index(row)];
+            sizes.push_back((stock.width + job_.spacing) * (stock.height + job_.spacing) * (1.0 + 1e-9));
+        }
+        double area = 0.0;
+        for (int item = 0; item < static_cast<int>(job_.items.size()); ++item)
+            area += area_with_spacing(item);
         const double all = std::accumulate(sizes.begin(), sizes.end(), 0.0);
         const double least = *std::min_element(sizes.begin(), sizes.end());
-        return area * kGridSteps * kGridSteps <= (all - least) * (1.0 + 1e-9);
+        return area <= all - least && !too_many_part();
+    }
+
+    // Whether, wherever they stand on a sheet of the stock, a part of one shape overlaps one of the other.
+    [[nodiscard]] bool must_part(int a, int b) {
+        for (const int row : task_.largest_first) {
+            for (const int one : task_.set.of_kind[index(a)]) {
+                for (const int other : task_.set.of_kind[index(b)]) {
+                    if (task_.fits(one, row) && task_.fits(other, row) && !always_overlap(one, other, row))
+                        return false;
+                }
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] bool always_overlap(int a, int b, int row) {
+        const GridBox& one = task_.set.shapes[index(a)].bounds;
+        const GridBox& other = task_.set.shapes[index(b)].bounds;
+        const Room& room = task_.rooms[index(row)];
+        // Where a may be, seen from b.
+        const auto x0 = static_cast<double>(other.x1 - one.x0) - room.width;
+        const auto y0 = static_cast<double>(other.y1 - one.y0) - room.height;
+        const auto x1 = static_cast<double>(other.x0 - one.x1) + room.width;
+        const auto y1 = static_cast<double>(other.y0 - one.y1) + room.height;
+        NoFit made;
+        if (!task_.loose.keeps()) task_.loose.make(a, b, made);
+        const NoFit& fit = task_.loose.keeps() ? task_.loose.of(a, b) : made;
+        return covers(fit, {x0, y0, x1, y1}, 0);
+    }
+
+    // Pieces, the largest first, of which no two share a sheet: as many as there are sheets.
+    [[nodiscard]] bool too_many_part() {
+        if (job_.items.size() > kFewToPart) return false;
+        std::vector<int> kinds = task_.kinds;
+        std::stable_sort(kinds.begin(), kinds.end(),
+                         [&](int a, int b) { return task_.set.areas[index(a)] > task_.set.areas[index(b)]; });
+        std::vector<int> parted;
+        for (const int kind : kinds) {
+            if (std::all_of(parted.begin(), parted.end(), [&](int other) { return must_part(kind, other); }))
+                parted.push_back(kind);
+            if (parted.size() >= best_.rows.size()) return true;
+        }
+        return false;
     }
 
     void fewer_sheets() {
@@ -322,9 +389,14 @@ class Nester {
         return threads_;
     }
 
+    // Whether little is to be spent on a shorter last sheet.
+    [[nodiscard]] bool is_hasty() const {
+        return shortens_hastily_ || (!effort_.seconds && effort_.shortening < total_);
+    }
+
     [[nodiscard]] double spent() const {
         if (finished_) return 1.0;
-        if (!effort_.seconds) return total_ > 0.0 ? work_ / total_ : 1.0;
+        if (!effort_.seconds) return total_ > 0.0 ? (work_ - spent_before_) / total_ : 1.0;
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
         return passed.count() / *effort_.seconds;
     }
@@ -345,7 +417,8 @@ class Nester {
         double area = 0.0;
         for (const int kind : task_.kinds) area += task_.set.areas[index(kind)];
         progress.utilisation = room > 0.0 ? area * kGridSteps * kGridSteps / room : 0.0;
-        progress.done = std::min(1.0, spent());
+        const double done = std::min(1.0, spent());
+        progress.done = shortens_hastily_ ? kFewerShare + (1.0 - kFewerShare) * done : done;
         effort_.progress(progress);
     }
 
@@ -371,6 +444,8 @@ class Nester {
     std::chrono::steady_clock::time_point start_;
     double total_;
     double work_ = 0.0;
+    double spent_before_ = 0.0;      // of work_, what total_ does not count
+    bool shortens_hastily_ = false;  // total_ is what a hasty search for a shorter sheet has
     bool finished_ = false;
     int threads_ = 0;  // that may be used, this one among them; 0: nobody has been asked
     std::vector<std::unique_ptr<Lane>> lanes_;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/geometry/regions.h"
+#include "nest/coarser.h"
 #include "nest/partition.h"
 
 namespace popup {
@@ -16,6 +17,10 @@ constexpr std::size_t kFewParts = 6;
 // What coarser shapes may gain: a share of their area, and no corner further out than a share of their size.
 constexpr double kMostGain = 1e-3;
 constexpr double kFurthest = 2e-3;
+// An outline of more corners is enclosed by one of few, for all that follows. What that may gain, of the
+// above.
+constexpr std::size_t kManyCorners = 2000;
+constexpr double kEnclosingShare = 0.25;
 // Steps by which an outline is widened of which nothing could be proved.
 constexpr GridLength kWidening = 4;
 
@@ -83,7 +88,7 @@ bool rough_parts(const std::vector<GridRegion>& regions, double size, std::vecto
             double twice = twice_area(region.outer);
             for (const GridRing& hole : region.holes) twice += twice_area(hole);
             // What grew over itself cannot be taken apart, and is not taken.
-            auto fewer = partition({coarser(region, 0.5 * kMostGain * twice, kFurthest * size)});
+            auto fewer = partition({coarser(region, {0.5 * kMostGain * twice, kFurthest * size})});
             if (fewer && fewer->size() < parts.size()) {
                 parts = std::move(*fewer);
                 same = false;
@@ -92,6 +97,31 @@ bool rough_parts(const std::vector<GridRegion>& regions, double size, std::vecto
         result.insert(result.end(), parts.begin(), parts.end());
     }
     return same;
+}
+
+std::size_t corners_of(const GridRegion& region) {
+    std::size_t corners = region.outer.size();
+    for (const GridRing& hole : region.holes) corners += hole.size();
+    return corners;
+}
+
+// A region with few corners that is proved to hold the outline of very many; nullopt when the outline has
+// few, or several regions, or there is no proof. Bays that nothing gets into are filled: between two corners
+// that are g apart, another piece comes nearer to the outline by g² / 8 spacing than to the line between
+// them.
+std::optional<GridRegion> enclosing(const std::vector<GridRegion>& outline, double size, double spacing) {
+    if (outline.size() != 1 || corners_of(outline[0]) <= kManyCorners) return std::nullopt;
+    const GridRegion& fine = outline[0];
+    double twice = twice_area(fine.outer);
+    for (const GridRing& hole : fine.holes) twice += twice_area(hole);
+    Coarsening how;
+    how.most_added = kEnclosingShare * 0.5 * kMostGain * twice;
+    how.furthest = kFurthest * size;
+    how.encloses = true;
+    how.narrow = std::max(how.furthest, std::min(spacing, std::sqrt(8.0 * spacing * how.furthest)));
+    GridRegion coarse = coarser(fine, how);
+    if (!is_inside(fine, coarse)) return std::nullopt;
+    return coarse;
 }
 
 // The direction of (dx, dy) as a number from 0 to 4: exact for the four quarters, and in order between them.
@@ -175,8 +205,15 @@ ShapeSet make_shapes(const NestJob& job) {
         }
     }
     for (TurnedShape& shape : set.shapes) {
-        if (const auto proved = provable(shape, job.use_holes, shape.exact)) {
-            const double size = static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
+        const double size = static_cast<double>(std::max(shape.bounds.width(), shape.bounds.height()));
+        const std::vector<GridRegion> solid = job.use_holes ? shape.outline : without_holes(shape.outline);
+        const auto coarse = enclosing(solid, size, static_cast<double>(spacing));
+        auto parts = coarse ? partition({*coarse}) : std::nullopt;
+        if (parts) {
+            shape.exact = std::move(*parts);
+            rough_parts(without_useless_holes({*coarse}, set.shapes), size, shape.parts);
+            set.exact = false;
+        } else if (const auto proved = provable(shape, job.use_holes, shape.exact)) {
             if (!rough_parts(without_useless_holes(*proved, set.shapes), size, shape.parts))
                 set.exact = false;
         } else {

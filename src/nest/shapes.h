@@ -28,8 +28,9 @@ struct TurnedShape {
     int kind = 0;
     Angle angle;
     std::vector<GridRegion> outline;  // as it is cut: turned and rounded to the grid
-    // Convex parts that make up the outline, its holes filled where they may not be used. Where that could
-    // not be proved, those of the outline widened by some steps, more than rounding can have taken from it.
+    // Convex parts that make up the outline, its holes filled where they may not be used; of an outline of
+    // thousands of corners, one of few that holds it. Where that could not be proved, those of the outline
+    // widened by some steps, more than rounding can have taken from it.
     std::vector<GridRing> exact;
     GridBox bounds;                // of the outline; what must lie on the sheet
     std::vector<GridRing> parts;   // convex, covering the outline, each widened by half the spacing
@@ -45,7 +46,8 @@ struct ShapeSet {
     bool exact = false;  // the parts are the outlines themselves, not wider and not coarser
 };
 
-// Precondition: the job is well formed (see popup/nest.h). Cost: quadratic in corners a shape.
+// Precondition: the job is well formed (see popup/nest.h). Cost: near linear in corners, with a turn at a
+// time.
 ShapeSet make_shapes(const NestJob& job);
 
 // The outline turned, each polygon by itself, on the grid.

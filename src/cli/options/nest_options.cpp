@@ -61,9 +61,10 @@ void add_freedom_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
 
 void add_effort_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
     NestEffort& effort = layout.nesting;
-    value(verb, "--nest-effort", "EFFORT", "fast (default), normal, best, or a number, fast being 1", kGroup,
-          [&effort, &given](std::string_view text) {
-              if (text == "fast") {
+    value(verb, "--nest-effort", "EFFORT", "quick (default), fast, normal, best, or a number, fast being 1",
+          kGroup, [&effort, &given](std::string_view text) {
+              effort.shortening = text == "quick" ? kQuickShortening : HUGE_VAL;
+              if (text == "quick" || text == "fast") {
                   effort.work = kFastNesting;
               } else if (text == "normal") {
                   effort.work = kNormalNesting;
@@ -72,8 +73,8 @@ void add_effort_options(CLI::App& verb, LayoutOptions& layout, bool& given) {
               } else {
                   const std::optional<double> times = parse_number(text);
                   if (!times || *times < 0.0 || *times > 1e6)
-                      refuse("--nest-effort", "fast, normal, best, or a number from 0 to 1000000", text, {},
-                             {"fast", "normal", "best"});
+                      refuse("--nest-effort", "quick, fast, normal, best, or a number from 0 to 1000000",
+                             text, {}, {"quick", "fast", "normal", "best"});
                   effort.work = *times * kFastNesting;
               }
               given = true;

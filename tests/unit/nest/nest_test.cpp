@@ -188,6 +188,46 @@ TEST_F(Nest, MoreEffortIsNeverLongerOnAJobOfOneSheet) {
     EXPECT_LT(much_sum, 0.97 * little_sum) << "the search gains something";
 }
 
+TEST_F(Nest, HasteCostsNoSheet) {
+    std::mt19937 random(12);
+    for (int round = 0; round < 8; ++round) {
+        NestJob job = random_job(random, 7);
+        job.stock = {{120, 90, -1}};
+        NestEffort effort;
+        effort.work = 1e5;
+        const NestResult patient = nest(job, effort);
+        effort.shortening = 2e4;
+        const NestResult hasty = nest(job, effort);
+        expect_sound(job, hasty);
+        EXPECT_LE(hasty.plan->sheets.size(), patient.plan->sheets.size()) << round;
+    }
+}
+
+TEST(NestNoFit, WhatCoversABoxOverlapsAllOverIt) {
+    std::mt19937 random(13);
+    int covered = 0;
+    for (int round = 0; round < 300; ++round) {
+        NestJob job;
+        for (int k = 0; k < 2; ++k) job.kinds.push_back({{random_outline(random, 30, k == 1)}, turns({0})});
+        const ShapeSet set = make_shapes(job);
+        if (!set.exact) continue;
+        const ExactShapes exact(set.shapes);
+        NoFit fit;
+        make_no_fit(set.shapes[0], set.shapes[1], 0.0, fit);
+        const double x = number(random, fit.x0, fit.x1);
+        const double y = number(random, fit.y0, fit.y1);
+        const double size = number(random, 1.0, 2e7);
+        if (!covers(fit, {x, y, x + size, y + size})) continue;
+        ++covered;
+        for (int i = 0; i < 50; ++i) {
+            const GridPoint at{std::llround(x + size * number(random, 0, 1)),
+                               std::llround(y + size * number(random, 0, 1))};
+            EXPECT_FALSE(exact.apart(0, at, 1, {}, 0));
+        }
+    }
+    EXPECT_GT(covered, 40);
+}
+
 // A rectangle cut by slanted lines between whole points of its edges: pieces that fill it only without a gap.
 TEST_F(Nest, JigsawsThatFitOnlyWithoutAGapAreSolved) {
     const std::vector<std::vector<Ring>> jigsaws{
@@ -253,6 +293,56 @@ TEST_F(Nest, ThousandsOfPiecesArePlacedInBatches) {
     NestEffort effort;
     effort.work = 1e3;
     expect_sound(job, nest(job, effort));
+}
+
+// How many sheets of a plan differ: in what kinds lie where.
+std::size_t different_sheets(const NestJob& job, const NestPlan& plan) {
+    std::vector<std::vector<std::array<double, 4>>> sheets(plan.sheets.size());
+    for (std::size_t i = 0; i < plan.spots.size(); ++i) {
+        const NestSpot& spot = plan.spots[i];
+        sheets[static_cast<std::size_t>(spot.sheet)].push_back(
+            {static_cast<double>(job.items[i].kind), spot.offset.x, spot.offset.y, spot.angle.deg});
+    }
+    for (auto& sheet : sheets) std::sort(sheet.begin(), sheet.end());
+    std::sort(sheets.begin(), sheets.end());
+    return static_cast<std::size_t>(std::unique(sheets.begin(), sheets.end()) - sheets.begin());
+}
+
+// Many copies: their sheets are those of a few, again and again, and all copies are there.
+TEST_F(Nest, SheetsOfManyCopiesAreThoseOfAFewRepeated) {
+    std::mt19937 random(14);
+    for (const bool grouped : {false, true}) {
+        NestJob job;
+        for (int k = 0; k < 4; ++k)
+            job.kinds.push_back({{random_outline(random, 30, k == 3)}, turns({0, 90}), k == 1});
+        job.stock = {{240, 200, -1}};
+        job.spacing = 1.0;
+        const auto sheets_of = [&](int copies, std::size_t& different) {
+            job.items.clear();
+            for (int i = 0; i < 4 * copies; ++i) job.items.push_back({i % 4, grouped ? i / 4 : -1, {}});
+            const NestResult result = nest(job, little());
+            expect_sound(job, result);
+            different = different_sheets(job, *result.plan);
+            return result.plan->sheets.size();
+        };
+        std::size_t few = 0;
+        std::size_t many = 0;
+        const std::size_t sheets_of_few = sheets_of(12, few);
+        const std::size_t sheets_of_many = sheets_of(600, many);
+        EXPECT_LE(sheets_of_many, 51 * sheets_of_few);
+        EXPECT_LT(many, 4 * few) << "of " << sheets_of_many;
+    }
+}
+
+TEST_F(Nest, RepeatedSheetsAreNoMoreThanTheStockHas) {
+    NestJob job;
+    job.kinds = {{{{rectangle(60, 40), {}}}, turns({0, 90})}, {{{rectangle(30, 20), {}}}, turns({0, 90})}};
+    job.stock = {{130, 90, 20}, {100, 90, -1}};
+    for (int i = 0; i < 400; ++i) job.items.push_back({i % 2, -1, {}});
+    const NestResult result = nest(job, little());
+    expect_sound(job, result);
+    const auto& sheets = result.plan->sheets;
+    EXPECT_EQ(std::count(sheets.begin(), sheets.end(), 0), 20);
 }
 
 TEST_F(Nest, WhatStandsInTheWayIsNamed) {
@@ -435,34 +525,6 @@ TEST(NestParts, WidenedPartsAreConvexAndHoldEveryPointWithinTheWidth) {
                     }
                 }
             }
-        }
-    }
-}
-
-// Coarser shapes hold the fine ones: no corner of the fine one is outside by more than rounding.
-TEST(NestParts, CoarserRegionsOnlyGrow) {
-    std::mt19937 random(9);
-    for (int round = 0; round < 60; ++round) {
-        Polygon polygon;
-        const int corners = 40 + round;
-        for (int i = 0; i < corners; ++i) {
-            const double angle = 2 * std::numbers::pi * i / corners;
-            polygon.outer.push_back((40 + 8 * std::sin(5 * angle) + number(random, -0.2, 0.2)) *
-                                    Vec2{std::cos(angle), std::sin(angle)});
-        }
-        const GridRegion fine = turned_outline({polygon}, {})[0];
-        const double most = 1e-3 * area(polygon) * 1e12;
-        const GridRegion rough = coarser(fine, most, 0.2e6);
-        EXPECT_LT(rough.outer.size(), fine.outer.size());
-        Polygon grown;
-        for (const GridPoint p : rough.outer) grown.outer.push_back({from_grid(p.x), from_grid(p.y)});
-        EXPECT_LE(area(grown), area(polygon) * 1.0011);
-        for (const Vec2 p : polygon.outer) {
-            double away = HUGE_VAL;
-            for (std::size_t i = 0; i < grown.outer.size(); ++i)
-                away = std::min(
-                    away, distance(p, Segment{grown.outer[i], grown.outer[(i + 1) % grown.outer.size()]}));
-            EXPECT_TRUE(contains(grown, p) || away <= 2e-6) << away;
         }
     }
 }
