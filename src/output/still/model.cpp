@@ -136,8 +136,6 @@ Modeller::Modeller(std::span<const SceneCard> cards, double paper_mm) : paper_mm
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
             plane.parts = plate_mesh(plate, assembly.pieces[index(plate.piece)].prints);
-            for (const MeshPart& part : plane.parts)
-                plane.textures.push_back(part.image != nullptr ? texture_of(*part.image) : nullptr);
         }
         if (!moves(assembly)) card.lifts = layer_lifts(assembly);
         cards_.push_back(std::move(card));
@@ -160,6 +158,17 @@ std::vector<bool> Modeller::stands_up() const {
     return each;
 }
 
+void Modeller::decode_pictures() {
+    for (Card& card : cards_) {
+        for (Plane& plane : card.plates) {
+            for (std::size_t i = plane.textures.size(); i < plane.parts.size(); ++i) {
+                const Image* image = plane.parts[i].image;
+                plane.textures.push_back(image != nullptr ? texture_of(*image) : nullptr);
+            }
+        }
+    }
+}
+
 const Texture* Modeller::texture_of(const Image& image) {
     const auto [known, fresh] = textures_.try_emplace(image.bytes.get());
     if (!fresh) return &known->second;
@@ -173,6 +182,7 @@ const Texture* Modeller::texture_of(const Image& image) {
 }
 
 std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) {
+    decode_pictures();
     Model model;
     double left = 0.0;
     for (Card& card : cards_) {
@@ -204,7 +214,8 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
     return model;
 }
 
-Model Modeller::staged(std::size_t card, const Staging& staging) const {
+Model Modeller::staged(std::size_t card, const Staging& staging) {
+    decode_pictures();
     Model model;
     add(cards_.at(card), staging, {}, model);
     return model;

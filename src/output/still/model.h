@@ -55,7 +55,8 @@ struct Model {
     int plates = 0;
 };
 
-// Makes models of the same cards at several openings: plates are triangulated, and pictures decoded, once.
+// Makes models of the same cards at several openings: plates are triangulated once, and pictures decoded
+// once, when the first model is made.
 class Modeller {
  public:
     // Paper is shown `paper_mm` thick; 0: as thin as a line.
@@ -64,6 +65,10 @@ class Modeller {
     [[nodiscard]] double best_deg() const { return best_deg_; }
     // Of each card, whether it is seen best with one page for a back wall, and is shown so.
     [[nodiscard]] std::vector<bool> stands_up() const;
+    // The plate as triangles; none of one that is not shown.
+    [[nodiscard]] const std::vector<MeshPart>& mesh(std::size_t card, std::size_t plate) const {
+        return cards_[card].plates[plate].parts;
+    }
     // At this opening, or as far as a card opens. nullopt: `locks` was told.
     std::optional<Model> at(double opening_deg, Diagnostics& diagnostics);
 
@@ -72,12 +77,12 @@ class Modeller {
         std::span<const Frame> frames;  // of each plate
         std::span<const float> fades;   // likewise: how far it is washed out; below 0: it is not there
     };
-    [[nodiscard]] Model staged(std::size_t card, const Staging& staging) const;
+    [[nodiscard]] Model staged(std::size_t card, const Staging& staging);
 
  private:
     struct Plane {
         std::vector<MeshPart> parts;
-        std::vector<const Texture*> textures;  // of each part; null: none
+        std::vector<const Texture*> textures;  // of each part; null: none; before the first model no entries
     };
     struct Card {
         const SceneCard* scene;
@@ -86,6 +91,7 @@ class Modeller {
         std::vector<Vec3> lifts;  // of what stands still
         bool stands_up = false;
     };
+    void decode_pictures();
     const Texture* texture_of(const Image& image);
     void add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const;
     static void add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model);

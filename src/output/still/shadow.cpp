@@ -8,81 +8,116 @@
 namespace popup::still {
 namespace {
 
+constexpr int kSide = 512;         // texels across the model, of the coarsest map
+constexpr int kSmallPixels = 400;  // pictures of more have a map that is twice as fine
+constexpr int kMaxFiner = 2;
+constexpr double kFilled = 0.96;
 constexpr double kBiasTexels = 2.0;
-constexpr int kTaps = 5;             // a side of the square that is looked at
 constexpr double kFlatSlope = 0.05;  // of light that grazes a surface
-
-Vec3 unit_of(Vec3 v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
-
+// Texels of the coarsest map from tap to tap.
+constexpr double kSoftPaper = 1.0;
+constexpr double kSoftGround = 2.5;
+constexpr int kReach = Sun::kTaps / 2;
+// Taps around a place that is as far from what is covered as any tap reaches, and half a texel of rounding.
+constexpr int kBorder = 2 * kReach * static_cast<int>(kMaxFiner * kSoftGround) + 1;
 }  // namespace
 
-Sun::Sun(Vec3 towards, const Model& model, Vec3 centre, double radius_mm)
-    : back_(unit_of(towards)), centre_(centre) {
-    right_ = unit_of(cross(std::abs(back_.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, back_));
+Sun::Sun(Vec3 towards, const Model& model, Vec3 centre, double radius_mm, int pixels)
+    : back_(unit(towards)), centre_(centre), finer_(pixels > kSmallPixels ? kMaxFiner : 1) {
+    right_ = unit(cross(std::abs(back_.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, back_));
     up_ = cross(back_, right_);
-    scale_ = 0.48 * kSide / radius_mm;
+    scale_ = 0.5 * kFilled * kSide * finer_ / radius_mm;
     bias_mm_ = kBiasTexels / scale_;
-    nearest_.assign(static_cast<std::size_t>(kSide) * kSide, -HUGE_VALF);
+    Box covered;
+    for (const Face& face : model.faces) {
+        if (!face.paper) continue;
+        for (const Vec3 p : face.points) {
+            const Vec3 at = turned(p - centre_);
+            covered.extend({at.x, at.y});
+        }
+    }
+    if (covered.empty()) return;
+    first_x_ = std::floor(covered.min.x) - kBorder;
+    first_y_ = std::floor(covered.min.y) - kBorder;
+    columns_ = static_cast<int>(covered.max.x - first_x_) + kBorder + 1;
+    rows_ = static_cast<int>(covered.max.y - first_y_) + kBorder + 1;
+    nearest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -HUGE_VALF);
+    const auto seen = [this](Vec3 p) {
+        const Vec3 at = place(p);
+        return Seen{at.x, at.y, at.z};
+    };
     for (const Face& face : model.faces) {
         if (!face.paper) continue;
         for (std::size_t i = 0; i + 2 < face.indices.size(); i += 3) {
-            const std::array<Seen, 3> corners{see(face.points[face.indices[i]]),
-                                              see(face.points[face.indices[i + 1]]),
-                                              see(face.points[face.indices[i + 2]])};
-            each_row(corners, kSide, 0, kSide, [this](int y, int first, int last, double near, double step) {
-                float* texel = nearest_.data() + static_cast<std::ptrdiff_t>(y) * kSide;
-                for (int x = first; x <= last; ++x, near += step)
-                    texel[x] = std::max(texel[x], static_cast<float>(near));
-                first_x_ = std::min(first_x_, first);
-                last_x_ = std::max(last_x_, last);
-                first_y_ = std::min(first_y_, y);
-                last_y_ = std::max(last_y_, y);
-            });
+            const std::array<Seen, 3> corners{seen(face.points[face.indices[i]]),
+                                              seen(face.points[face.indices[i + 1]]),
+                                              seen(face.points[face.indices[i + 2]])};
+            each_row(corners, columns_, 0, rows_,
+                     [this](int y, int first, int last, double near, double step) {
+                         float* texel = nearest_.data() + static_cast<std::ptrdiff_t>(y) * columns_ + first;
+                         const auto from = static_cast<float>(near);
+                         const auto by = static_cast<float>(step);
+                         for (int i = 0; i <= last - first; ++i) {
+                             const float one = from + static_cast<float>(i) * by;
+                             texel[i] = one > texel[i] ? one : texel[i];
+                         }
+                     });
         }
     }
 }
 
-Seen Sun::see(Vec3 p) const {
-    const Vec3 d = p - centre_;
-    return {0.5 * kSide + scale_ * dot(d, right_), 0.5 * kSide - scale_ * dot(d, up_), dot(d, back_)};
+Sun::Surface Sun::surface(Vec3 normal, Softness softness) const {
+    Surface surface;
+    surface.slope = std::max(0.0, dot(normal, back_));
+    surface.soft =
+        std::max(1, static_cast<int>(finer_ * (softness == Softness::paper ? kSoftPaper : kSoftGround)));
+    surface.shift = turned(bias_mm_ * normal);
+    surface.shift.z += bias_mm_;
+    // The surface itself comes nearer to one side of the point.
+    const double steep = std::max(surface.slope, kFlatSlope);
+    for (int i = 0; i < kTaps; ++i) {
+        const double away = (i - kReach) * surface.soft / (steep * scale_);
+        surface.by_column.at(static_cast<std::size_t>(i)) = static_cast<float>(-dot(normal, right_) * away);
+        surface.by_row.at(static_cast<std::size_t>(i)) = static_cast<float>(dot(normal, up_) * away);
+    }
+    return surface;
 }
 
-double Sun::reaches(Vec3 p, Vec3 normal, int soft) const {
-    const double slope = dot(normal, back_);
-    if (slope <= 0.0) return 0.0;
-    const Seen at = see(p + bias_mm_ * normal);
-    // The surface itself comes nearer to one side of the point.
-    const double steep = std::max(slope, kFlatSlope);
-    const double by_x = -dot(normal, right_) / (steep * scale_);
-    const double by_y = dot(normal, up_) / (steep * scale_);
+std::array<Vec3, 2> Sun::shaded(const Surface& surface) const {
+    const int edge = kBorder - kReach * surface.soft;
+    return {Vec3{static_cast<double>(edge), static_cast<double>(edge), 0},
+            Vec3{static_cast<double>(columns_ - edge), static_cast<double>(rows_ - edge), 0}};
+}
+
+Vec3 Sun::meets(Vec3 place, Vec3 on, Vec3 normal) const {
+    const Vec3 p = centre_ + ((place.x + first_x_) / scale_) * right_ - ((place.y + first_y_) / scale_) * up_;
+    return p + (dot(normal, on - p) / dot(normal, back_)) * back_;
+}
+
+int Sun::lit(const Surface& surface, Vec3 place) const {
+    const double x = place.x + surface.shift.x;
+    const double y = place.y + surface.shift.y;
     // Beyond what the model covers there is nothing to ask.
-    const int reach = kTaps / 2 * soft;
-    const double x = std::floor(at.x);
-    const double y = std::floor(at.y);
-    if (x + reach < first_x_ || x - reach > last_x_ || y + reach < first_y_ || y - reach > last_y_)
-        return slope;
-    const int column = static_cast<int>(x);
-    const int row = static_cast<int>(y);
-    const auto lit = [&](int i, int k) {
-        const int dx = (i - kTaps / 2) * soft;
-        const int dy = (k - kTaps / 2) * soft;
-        const int tx = column + dx;
-        const int ty = row + dy;
-        if (tx < 0 || ty < 0 || tx >= kSide || ty >= kSide) return 1;
-        const double near = at.near + by_x * dx + by_y * dy + bias_mm_;
-        return near >= static_cast<double>(
-                           nearest_[static_cast<std::size_t>(ty) * kSide + static_cast<std::size_t>(tx)])
-                   ? 1
-                   : 0;
+    const int edge = kBorder - kReach * surface.soft;
+    if (!(x >= edge && y >= edge && x < columns_ - edge && y < rows_ - edge)) return kRays;
+    const auto near = static_cast<float>(place.z + surface.shift.z);
+    const float* middle = nearest_.data() + static_cast<std::ptrdiff_t>(y) * columns_ + static_cast<int>(x);
+    const auto reaches = [&](int i, int k) {
+        const std::ptrdiff_t down = static_cast<std::ptrdiff_t>(k - kReach) * surface.soft * columns_;
+        const float surface_near = near + (surface.by_column[static_cast<std::size_t>(i)] +
+                                           surface.by_row[static_cast<std::size_t>(k)]);
+        return surface_near >= middle[down + static_cast<std::ptrdiff_t>(i - kReach) * surface.soft] ? 1 : 0;
     };
     // Where corners and middle agree, so does the rest, but for what is thinner than the softness.
-    const int few = lit(0, 0) + lit(kTaps - 1, 0) + lit(0, kTaps - 1) + lit(kTaps - 1, kTaps - 1) + lit(2, 2);
-    if (few == 0 || few == 5) return few == 0 ? 0.0 : slope;
+    constexpr int last = kTaps - 1;
+    const int few =
+        reaches(0, 0) + reaches(last, 0) + reaches(0, last) + reaches(last, last) + reaches(kReach, kReach);
+    if (few == 0 || few == 5) return few == 0 ? 0 : kRays;
     int all = 0;
-    for (int i = 0; i < kTaps; ++i) {
-        for (int k = 0; k < kTaps; ++k) all += lit(i, k);
+    for (int k = 0; k < kTaps; ++k) {
+        for (int i = 0; i < kTaps; ++i) all += reaches(i, k);
     }
-    return slope * all / (kTaps * kTaps);
+    return all;
 }
 
 }  // namespace popup::still
