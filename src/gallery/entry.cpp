@@ -74,7 +74,7 @@ bool show(const GalleryDesign& design, const Compilation& run, const OutputOptio
             &*one.assembly, one.motion ? &*one.motion : nullptr, {}, one.creases ? &*one.creases : nullptr};
         auto made = make_viewer({{&card, 1}, &*run.layout, entry.row.findings}, options, diagnostics);
         if (!made) return false;
-        tile.picture = file_named(design, ".webp");
+        tile.picture = file_named(design, ".jpg");
         add(tile.page, std::move(made->page));
         add(tile.picture, std::move(made->still));
         return true;

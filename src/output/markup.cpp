@@ -1,5 +1,7 @@
 #include "output/markup.h"
 
+#include "base/diagnostics/render_diagnostics.h"
+
 namespace popup {
 
 std::string as_markup(std::string_view text) {
@@ -24,5 +26,7 @@ std::string as_markup(std::string_view text) {
     }
     return result;
 }
+
+std::string told_html(std::string_view text) { return as_markup(visible(text)); }
 
 }  // namespace popup

@@ -10,4 +10,7 @@ namespace popup {
 // there.
 std::string as_markup(std::string_view text);
 
+// The same of text that may come from a document: what cannot be seen is made visible.
+std::string told_html(std::string_view text);
+
 }  // namespace popup

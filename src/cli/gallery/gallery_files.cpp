@@ -27,7 +27,7 @@ bool is_there(const std::string& path) {
 // The names that a design's files can have.
 std::vector<std::string> files_of(const GalleryDesign& design) {
     std::vector<std::string> files;
-    for (const std::string_view suffix : {".html", ".webp", ".png"})
+    for (const std::string_view suffix : {".html", ".jpg", ".png"})
         files.push_back(fmt::format("{}/{}{}", kGalleryFolder, design.name, suffix));
     return files;
 }

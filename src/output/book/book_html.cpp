@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/diagnostics/render_diagnostics.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
 #include "output/book/book.h"
@@ -25,8 +24,6 @@ constexpr std::size_t kMostBookBytes = 400'000'000;
 constexpr int kFigureDecimals = 2;
 constexpr double kShownMm = 76.0;  // how wide and how high most drawings are shown at most
 
-std::string told(std::string_view text) { return as_markup(visible(text)); }
-
 class Page {
  public:
     Page(const Book& book, Pictures& pictures) : book_(book), pictures_(pictures) {}
@@ -36,7 +33,7 @@ class Page {
         begin("What is needed");
         add("<dl>\n");
         for (const auto& [name, value] : book_.needs)
-            add("<dt>{}</dt><dd>{}</dd>\n", told(name), told(value));
+            add("<dt>{}</dt><dd>{}</dd>\n", told_html(name), told_html(value));
         add("</dl>\n");
         begin("Before you begin");
         list("ul", book_.first);
@@ -52,7 +49,7 @@ class Page {
     [[nodiscard]] std::string contents() const {
         std::string html = "<nav aria-label=\"Contents\">\n<ol>\n";
         for (std::size_t i = 0; i < chapters_.size(); ++i)
-            html += fmt::format("<li><a href=\"#c{}\">{}</a></li>\n", i + 1, told(chapters_[i]));
+            html += fmt::format("<li><a href=\"#c{}\">{}</a></li>\n", i + 1, told_html(chapters_[i]));
         return html + "</ol>\n</nav>\n";
     }
 
@@ -64,13 +61,13 @@ class Page {
 
     void begin(const std::string& title) {
         chapters_.push_back(title);
-        add("<h2 id=\"c{}\">{}</h2>\n", chapters_.size(), told(title));
+        add("<h2 id=\"c{}\">{}</h2>\n", chapters_.size(), told_html(title));
     }
 
     void list(std::string_view kind, const std::vector<std::string>& texts) {
         if (texts.empty()) return;
         add("<{}>\n", kind);
-        for (const std::string& text : texts) add("<li>{}</li>\n", told(text));
+        for (const std::string& text : texts) add("<li>{}</li>\n", told_html(text));
         add("</{}>\n", kind);
     }
 
@@ -90,7 +87,7 @@ class Page {
             "font-weight=\"700\" "
             "font-size=\"{}\" fill=\"#111\">{}</text>",
             number(x - 0.5 * wide), number(y - 0.95 * cap), number(wide), number(1.9 * cap),
-            number(0.3 * cap), number(x), number(y + 0.5 * cap), number(1.37 * cap), told(text));
+            number(0.3 * cap), number(x), number(y + 0.5 * cap), number(1.37 * cap), told_html(text));
     }
 
     static std::string drawing(const Figure& figure, double shown_mm) {
@@ -99,7 +96,7 @@ class Page {
         std::string svg =
             fmt::format("<svg width=\"{}mm\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                         number(figure.width_mm / coarse), number(figure.width_mm), number(figure.height_mm),
-                        told(figure.alt));
+                        told_html(figure.alt));
         for (const Figure::Shape& shape : figure.shapes) {
             std::string path;
             for (const std::vector<Vec2>& line : shape.lines) {
@@ -141,20 +138,22 @@ class Page {
             html += fmt::format(
                 "<figure><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\"><image width=\"{0}\" "
                 "height=\"{1}\" href=\"data:image/jpeg;base64,{3}\"/>",
-                picture.pixels.width, picture.pixels.height, told(scenes[i].alt), base64((*shown)[i].jpeg));
+                picture.pixels.width, picture.pixels.height, told_html(scenes[i].alt),
+                base64((*shown)[i].jpeg));
             for (const PictureMark& mark : picture.marks)
                 html += badge(mark.text, mark.x * picture.pixels.width, mark.y * picture.pixels.height,
                               0.022 * picture.pixels.width);
             html += "</svg>";
-            if (i < captions.size()) html += fmt::format("<figcaption>{}</figcaption>", told(captions[i]));
+            if (i < captions.size())
+                html += fmt::format("<figcaption>{}</figcaption>", told_html(captions[i]));
             html += "</figure>\n";
         }
         return true;
     }
 
     bool cover() {
-        header_ = fmt::format("<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n", told(book_.title),
-                              told(book_.subtitle));
+        header_ = fmt::format("<header>\n<h1>{}</h1>\n<p class=\"subtitle\">{}</p>\n", told_html(book_.title),
+                              told_html(book_.subtitle));
         if (!book_.cover.empty()) header_ += "<div class=\"pictures cover\">\n";
         for (const Scene& one : book_.cover) {
             if (!show({&one, 1}, {}, kCoverPicture, header_)) return false;
@@ -169,7 +168,7 @@ class Page {
         begin("The sheets");
         for (const SheetPart& sheet : book_.sheets)
             add("<figure class=\"sheet\">{}<figcaption>{}</figcaption></figure>\n",
-                drawing(sheet.figure, 190.0), told(sheet.title));
+                drawing(sheet.figure, 190.0), told_html(sheet.title));
     }
 
     bool card(const CardPart& part) {
@@ -180,12 +179,13 @@ class Page {
             "scope=\"col\">Folds</th><th scope=\"col\">Tabs</th></tr></thead>\n<tbody>\n");
         for (const PartRow& row : part.parts)
             add("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                told(row.number), told(row.name), told(row.sheets), told(row.folds), told(row.tabs));
+                told_html(row.number), told_html(row.name), told_html(row.sheets), told_html(row.folds),
+                told_html(row.tabs));
         add("</tbody>\n</table>\n");
         for (const Chapter& chapter : part.chapters) {
             if (chapter.steps.empty()) continue;
             begin(of + chapter.title);
-            if (!chapter.intro.empty()) add("<p>{}</p>\n", told(chapter.intro));
+            if (!chapter.intro.empty()) add("<p>{}</p>\n", told_html(chapter.intro));
             for (const Step& one : chapter.steps) {
                 if (!step(one)) return false;
             }
@@ -194,7 +194,7 @@ class Page {
     }
 
     bool step(const Step& step) {
-        add("<article>\n<h3>{}</h3>\n", told(step.title));
+        add("<article>\n<h3>{}</h3>\n", told_html(step.title));
         if (!step.scenes.empty()) {
             add("<div class=\"pictures\">\n");
             if (!show(step.scenes, step.captions, kStepPicture, body_)) return false;
@@ -207,9 +207,9 @@ class Page {
                 add("<figure>{}</figure>\n", drawing(figure, large ? 2.0 * kShownMm : kShownMm));
             add("</div>\n");
         }
-        if (!step.lies.empty()) add("<p class=\"lies\">{}</p>\n", told(step.lies));
+        if (!step.lies.empty()) add("<p class=\"lies\">{}</p>\n", told_html(step.lies));
         list("ol", step.actions);
-        for (const std::string& note : step.notes) add("<p class=\"note\">{}</p>\n", told(note));
+        for (const std::string& note : step.notes) add("<p class=\"note\">{}</p>\n", told_html(note));
         add("</article>\n");
         return true;
     }
@@ -225,7 +225,7 @@ class Page {
             }
             add("</div>\n");
         }
-        for (const std::string& text : part.opens) add("<p>{}</p>\n", told(text));
+        for (const std::string& text : part.opens) add("<p>{}</p>\n", told_html(text));
         if (!part.trouble.empty()) add("<h3>When it does not</h3>\n");
         list("ul", part.trouble);
         if (!part.found.empty()) add("<h3>What popupc found</h3>\n");
@@ -252,7 +252,7 @@ std::optional<std::string> write_book_html(const RunPage& page, const OutputOpti
     const std::string policy =
         fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'",
                     policy_source(style));
-    std::string html = page_head(policy, book::told(book.title) + ": assembly book", style) + "<body>\n";
+    std::string html = page_head(policy, told_html(book.title) + ": assembly book", style) + "<body>\n";
     html += made.header() + made.contents() + made.body();
     html += fmt::format("<footer>{}</footer>\n</body>\n</html>\n", generator());
     if (html.size() <= book::kMostBookBytes) return html;

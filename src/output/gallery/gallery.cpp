@@ -7,7 +7,6 @@
 #include <map>
 #include <string_view>
 
-#include "base/diagnostics/render_diagnostics.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
 #include "base/text/utf8.h"
@@ -24,8 +23,6 @@ namespace {
 constexpr int kDecimals = 1;
 constexpr std::size_t kLongestMessage = 160;  // characters of an error that a tile has
 constexpr double kInch = 25.4;
-
-std::string shown(std::string_view text) { return as_markup(visible(text)); }
 
 // The text, or what of it is not longer than `most` characters.
 std::string cut(std::string_view text, std::size_t most) {
@@ -89,13 +86,13 @@ std::string facts_text(const GalleryTile& tile) {
 
 std::string line_of(std::string_view kind, const std::string& text) {
     if (text.empty()) return {};
-    return fmt::format("<p class=\"{}\">{}</p>", kind, shown(text));
+    return fmt::format("<p class=\"{}\">{}</p>", kind, told_html(text));
 }
 
 std::string words_of(std::string_view name, const std::vector<std::string>& words) {
     if (words.empty()) return {};
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + shown(word);
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + told_html(word);
     return fmt::format(" data-{}=\"{}\"", name, text);
 }
 
@@ -107,7 +104,7 @@ std::string picture_html(const GalleryTile& tile) {
     }
     std::string html = "<div class=\"told\">";
     for (const std::string& message : tile.errors) {
-        html += fmt::format("<p>{}</p>", shown(cut(message, kLongestMessage)));
+        html += fmt::format("<p>{}</p>", told_html(cut(message, kLongestMessage)));
     }
     const std::size_t errors = count_of(tile, Severity::error);
     if (errors > tile.errors.size()) html += fmt::format("<p>and {} more</p>", errors - tile.errors.size());
@@ -128,8 +125,8 @@ std::string tile_html(const GalleryTile& tile) {
             fmt::format(" data-side=\"{}\"", number_text(std::max(tile.width_mm, tile.height_mm), kDecimals));
     }
     if (tile.pieces > 0) html += fmt::format(" data-pieces=\"{}\"", tile.pieces);
-    html +=
-        fmt::format(">{}<h2><a href=\"{}\">{}</a></h2>", picture_html(tile), tile.page, shown(tile.title));
+    html += fmt::format(">{}<h2><a href=\"{}\">{}</a></h2>", picture_html(tile), tile.page,
+                        told_html(tile.title));
     html += line_of("file", tile.file) + line_of("elements", elements_text(tile)) +
             line_of("facts", facts_text(tile));
     const bool remarks = !failed && count_of(tile, Severity::warning) == 0;
@@ -141,7 +138,7 @@ std::string tile_html(const GalleryTile& tile) {
 std::string choices(const std::map<std::string, std::size_t>& counts) {
     std::string html;
     for (const auto& [word, count] : counts) {
-        html += fmt::format("<option value=\"{0}\">{0} ({1})</option>", shown(word), count);
+        html += fmt::format("<option value=\"{0}\">{0} ({1})</option>", told_html(word), count);
     }
     return html;
 }
@@ -213,8 +210,8 @@ std::string write_gallery(const std::string& title, std::span<const GalleryTile>
         "form-action 'none'",
         policy_source(code), policy_source(look));
     const std::array<std::pair<std::string_view, std::string>, 7> values{{
-        {"head", page_head(policy, shown(title), look)},
-        {"title", shown(title)},
+        {"head", page_head(policy, told_html(title), look)},
+        {"title", told_html(title)},
         {"summary", summary_of(tiles)},
         {"elements", choices(elements)},
         {"codes", choices(codes)},
@@ -240,8 +237,8 @@ std::optional<std::string> write_plain_page(const GalleryTile& tile, const std::
         fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'",
                     policy_source(look));
     const std::array<std::pair<std::string_view, std::string>, 5> values{{
-        {"head", page_head(policy, shown(tile.title), look)},
-        {"title", shown(tile.title)},
+        {"head", page_head(policy, told_html(tile.title), look)},
+        {"title", told_html(tile.title)},
         {"gallery", gallery},
         {"facts", std::move(facts)},
         {"body", std::move(body)},

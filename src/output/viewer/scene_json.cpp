@@ -21,6 +21,7 @@
 #include "output/poses.h"
 #include "output/space_mesh.h"
 #include "output/still/camera.h"
+#include "output/still/model.h"
 #include "popup/image.h"
 
 namespace popup {
@@ -121,7 +122,11 @@ std::string root_name(const SceneCard& card) {
 
 class SceneText {
  public:
-    Json add_card(const SceneCard& card, const HingeTree& tree, const Track& track, bool stands_up) {
+    explicit SceneText(const still::Modeller& modeller) : modeller_(modeller) {}
+
+    Json add_card(const SceneCard& card, std::size_t number, const HingeTree& tree, const Track& track,
+                  bool stands_up) {
+        number_ = number;
         Json row{{"name", root_name(card)}};
         if (stands_up) {
             const int ground = card.assembly->covers.back();
@@ -238,7 +243,6 @@ class SceneText {
         for (const int which : tree.order) {
             const auto i = static_cast<std::size_t>(which);
             const Plate& plate = assembly.plates[i];
-            const Piece& piece = assembly.pieces.at(static_cast<std::size_t>(plate.piece));
             Json one{{"name", valid_utf8(card.prefix + plate.name)}};
             if (plate.parent >= 0) one["parent"] = number[static_cast<std::size_t>(plate.parent)];
             const Vec3 offset = tree.offset[i];
@@ -251,7 +255,7 @@ class SceneText {
                 one["above"] = plate.lying == Lying::on_front ? above : -above;
             }
             Json meshes = Json::array();
-            for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
+            for (const MeshPart& part : modeller_.mesh(number_, i)) {
                 meshes.push_back(mesh(part, plate.pivot));
             }
             one["meshes"] = std::move(meshes);
@@ -393,7 +397,9 @@ class SceneText {
         return rows;
     }
 
-    std::vector<std::vector<Segment>> folds_;  // of the card in hand, by plate
+    const still::Modeller& modeller_;
+    std::size_t number_ = 0;                   // of the card in hand
+    std::vector<std::vector<Segment>> folds_;  // of its plates
     std::map<std::string_view, std::size_t> numbers_;
     Json pictures_ = Json::array();
     std::map<std::string, std::size_t> list_numbers_;
@@ -402,13 +408,13 @@ class SceneText {
 
 }  // namespace
 
-Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const ViewerStart& start,
+Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const still::Modeller& modeller,
                   const OutputOptions& options) {
     Json scene = Json::object();
     if (!keys.angles_deg.empty()) {
         scene["opening"] = {{"from_deg", keys.range.from_deg},
                             {"to_deg", keys.range.to_deg},
-                            {"rest_deg", rounded(start.opening_deg, 9)},
+                            {"rest_deg", rounded(modeller.best_deg(), 9)},
                             {"seconds", options.duration_s}};
         Json angles = Json::array();
         for (const double angle : keys.angles_deg) angles.push_back(rounded(angle, 9));
@@ -419,10 +425,11 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const View
         const Vec3 eye = still::eye_of(static_cast<View>(i));
         scene["views"][std::string(kViewNames.at(i))] = lengths({eye.x, eye.y, eye.z});
     }
-    SceneText text;
+    SceneText text(modeller);
+    const std::vector<bool> stands_up = modeller.stands_up();
     Json rows = Json::array();
     for (std::size_t i = 0; i < cards.size(); ++i) {
-        rows.push_back(text.add_card(cards[i], keys.trees[i], keys.tracks[i], start.stands_up.at(i)));
+        rows.push_back(text.add_card(cards[i], i, keys.trees[i], keys.tracks[i], stands_up.at(i)));
     }
     Json pictures = text.take_pictures();
     if (!pictures.empty()) scene["pictures"] = std::move(pictures);

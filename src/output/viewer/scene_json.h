@@ -12,11 +12,9 @@
 
 namespace popup {
 
-// How a page begins.
-struct ViewerStart {
-    double opening_deg = 90.0;
-    std::vector<bool> stands_up;  // of each card, whether it is shown with a page for a back wall
-};
+namespace still {
+class Modeller;
+}
 
 // {opening: {from_deg, to_deg, rest_deg, seconds} and angles: [deg of each key], where something moves;
 //  paper_mm: its thickness, where it is known;
@@ -42,9 +40,9 @@ struct ViewerStart {
 // (triangles), 2, 3 or 4 places before, of turns that of these differences, in units of 0.01 mm, 5e-6 of a
 // turn or 1e-6 of a picture, as digits of five bits, lowest first, from "A" to "/" as in base 64, 32 added to
 // all digits but a number's last; the lowest bit of a number is its sign. What is false, 0 or empty is left
-// out. Cost: that of all meshes, and plates × keys.
+// out. `modeller` is one of the cards; the page begins as its stills show them. Cost: plates × keys.
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
-                                    const ViewerStart& start, const OutputOptions& options);
+                                    const still::Modeller& modeller, const OutputOptions& options);
 
 // The scene as text. `model-too-large` and nullopt: it has more than 400 MB, which browsers do not take.
 std::optional<std::string> viewer_scene_text(const nlohmann::ordered_json& scene, Diagnostics& diagnostics);

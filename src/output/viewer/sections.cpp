@@ -4,12 +4,11 @@
 
 #include <utility>
 
-#include "base/diagnostics/render_diagnostics.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
+#include "output/jpeg.h"
 #include "output/markup.h"
 #include "output/sheet_drawing.h"
-#include "output/still/film.h"
 #include "output/still/model.h"
 #include "output/still/render.h"
 #include "output/svg.h"
@@ -19,6 +18,8 @@ namespace popup {
 namespace {
 
 constexpr PictureSize kSize{480, 360};
+constexpr int kQuality = 80;  // of 1 to 100
+constexpr double kDpi = 96.0;
 constexpr int kDecimals = 2;
 
 std::string finding_html(const Diagnostic& one) {
@@ -40,8 +41,6 @@ std::string finding_html(const Diagnostic& one) {
 
 }  // namespace
 
-std::string told_html(std::string_view text) { return as_markup(visible(text)); }
-
 std::string place_html(const std::string& file, Place place) {
     std::string text = file.empty() ? "popupc" : file.substr(file.rfind('/') + 1);
     if (place.line > 0) text += fmt::format(":{}", place.line);
@@ -49,29 +48,20 @@ std::string place_html(const std::string& file, Place place) {
     return told_html(text);
 }
 
-ViewerStart viewer_start(std::span<const SceneCard> cards, const OutputOptions& options) {
-    const still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
-    return {modeller.best_deg(), modeller.stands_up()};
-}
-
-std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, still::Modeller& modeller,
                                         Diagnostics& diagnostics) {
-    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
-    const ViewerStart start{modeller.best_deg(), modeller.stands_up()};
-    const std::optional<still::Model> model = modeller.at(start.opening_deg, diagnostics);
+    const double opening_deg = modeller.best_deg();
+    const std::optional<still::Model> model = modeller.at(opening_deg, diagnostics);
     if (!model) return std::nullopt;
-    still::Film film{kSize.width, kSize.height, {}, {{0, 1}}};
-    const still::Framing framing = still::framing_of(*model, View::iso, film.width, film.height);
-    film.pictures.push_back(still::render(*model, framing, film.width, film.height));
-    std::string bytes;
-    if (!still::to_webp(film, bytes)) {
+    const still::Framing framing = still::framing_of(*model, View::iso, kSize.width, kSize.height);
+    ViewerStill still{{}, "A picture of the model"};
+    if (!to_jpeg(still::render(*model, framing, kSize.width, kSize.height), kQuality, kDpi, still.jpeg)) {
         diagnostics.error("picture-failed", {},
                           "the page's picture could not be made: there is no memory for it");
         return std::nullopt;
     }
-    ViewerStill still{std::move(bytes), "A picture of the model", start};
     if (moves(*cards.front().assembly))
-        still.text += fmt::format(", open at {} degrees", number_text(start.opening_deg, 1));
+        still.text += fmt::format(", open at {} degrees", number_text(opening_deg, 1));
     return still;
 }
 

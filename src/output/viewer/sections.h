@@ -14,16 +14,14 @@ namespace popup {
 
 // The model before, or instead of, what the browser draws: 480 × 360 pixels.
 struct ViewerStill {
-    std::string webp;   // its file
-    std::string text;   // for those who cannot see it
-    ViewerStart start;  // how the page begins, so that it shows the same
+    std::string jpeg;  // its file
+    std::string text;  // for those who cannot see it
 };
 
-// How a page of these cards begins: where they are seen best.
-ViewerStart viewer_start(std::span<const SceneCard> cards, const OutputOptions& options);
-
-// The picture of the cards at the opening where they are seen best. Errors: `locks`, `picture-failed`.
-std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, const OutputOptions& options,
+// The picture of the cards, which `modeller` is one of, at the opening where they are seen best. A JPEG: a
+// WebP is a third smaller and takes ten times as long, as long as all the rest of a page. Errors: `locks`,
+// `picture-failed`.
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, still::Modeller& modeller,
                                         Diagnostics& diagnostics);
 
 struct ViewerSheets {
@@ -41,7 +39,5 @@ std::string viewer_findings(std::span<const Diagnostic> findings);
 
 // "castle.xml:4:5", by name only: pages are mailed. As markup.
 std::string place_html(const std::string& file, Place place);
-// Text that may come from a document, as markup: what cannot be seen is made visible.
-std::string told_html(std::string_view text);
 
 }  // namespace popup

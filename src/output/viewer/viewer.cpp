@@ -10,6 +10,7 @@
 #include "base/text/base64.h"
 #include "output/html_page.h"
 #include "output/markup.h"
+#include "output/still/model.h"
 #include "output/viewer/page_files.h"
 #include "output/viewer/page_parts.h"
 #include "output/viewer/scene_json.h"
@@ -22,12 +23,13 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    auto still = viewer_still(cards, options, diagnostics);
+    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    auto still = viewer_still(cards, modeller, diagnostics);
     if (!still) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);
     if (!sheets) return std::nullopt;
     const std::string findings = viewer_findings(page.findings);
-    nlohmann::ordered_json data = viewer_scene(cards, *keys, still->start, options);
+    nlohmann::ordered_json data = viewer_scene(cards, *keys, modeller, options);
     data["sheets"] = sheets->packed;
     const auto scene = viewer_scene_text(data, diagnostics);
     if (!scene) return std::nullopt;
@@ -39,7 +41,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
         {"title", title},
         {"live", ""},
         {"still",
-         fmt::format("alt=\"{}\" src=\"data:image/webp;base64,{}\"", still->text, base64(still->webp))},
+         fmt::format("alt=\"{}\" src=\"data:image/jpeg;base64,{}\"", still->text, base64(still->jpeg))},
         {"no_script",
          "The model moves by a script, and scripts are switched off here. This is a picture of it."},
         {"sheet_count", std::to_string(sheets->packed.size())},
@@ -49,7 +51,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
         {"scene", json_in_page(*scene)},
         {"script", script},
     }};
-    return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still->webp)};
+    return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still->jpeg)};
 }
 
 std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,

@@ -34,7 +34,7 @@ namespace popup {
 std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,
                                         Diagnostics& diagnostics);
 
-// The same, with the still as a file of its own beside it: WebP, 480 × 360 pixels.
+// The same, with the still as a file of its own beside it: JPEG, 480 × 360 pixels.
 struct ViewerFiles {
     std::string page;
     std::string still;

@@ -104,11 +104,11 @@ TEST_F(Gallery, HasATileAPageAndAPictureOfEachDesign) {
     EXPECT_EQ(summary_of(made), "popupc: gallery/index.html: 2 designs; 2 made");
     EXPECT_EQ(made.out, "");
     EXPECT_EQ(names_of(files()),
-              (std::set<std::string>{".popupc-gallery.jsonl", "designs/a.html", "designs/a.webp",
-                                     "designs/b.html", "designs/b.webp", "index.html"}));
+              (std::set<std::string>{".popupc-gallery.jsonl", "designs/a.html", "designs/a.jpg",
+                                     "designs/b.html", "designs/b.jpg", "index.html"}));
     const std::string page = index();
     EXPECT_NE(page.find("<h2><a href=\"designs/a.html\">a</a></h2>"), std::string::npos);
-    EXPECT_NE(page.find("<img src=\"designs/b.webp\" alt=\"\" width=\"480\" height=\"360\" loading=\"lazy\""),
+    EXPECT_NE(page.find("<img src=\"designs/b.jpg\" alt=\"\" width=\"480\" height=\"360\" loading=\"lazy\""),
               std::string::npos);
     EXPECT_NE(page.find("200\u00a0×\u00a0140\u00a0mm, 1\u00a0piece, 1\u00a0sheet"), std::string::npos);
     EXPECT_NE(page.find("<h1>designs</h1>"), std::string::npos);
@@ -135,9 +135,9 @@ TEST_F(Gallery, MakesWhatHasChangedAndNothingElse) {
     EXPECT_NE(files()["designs/a.html"], before.at("designs/a.html"));
     EXPECT_EQ(files()["designs/b.html"], before.at("designs/b.html"));
     // What is lost is made again.
-    fs::remove(scratch_ / "gallery/designs/b.webp");
+    fs::remove(scratch_ / "gallery/designs/b.jpg");
     EXPECT_EQ(summary_of(make()), "popupc: gallery/index.html: 2 designs; 1 made; 1 as they were");
-    EXPECT_EQ(files()["designs/b.webp"], before.at("designs/b.webp"));
+    EXPECT_EQ(files()["designs/b.jpg"], before.at("designs/b.jpg"));
 }
 
 TEST_F(Gallery, OptionsThatChangePagesMakeThemAgainAndOthersDoNot) {
@@ -191,7 +191,7 @@ TEST_F(Gallery, DesignsThatAreGoneLoseTheirFiles) {
     EXPECT_EQ(summary_of(make()),
               "popupc: gallery/index.html: 1 design; 1 as they were; 2 old files taken away");
     EXPECT_EQ(names_of(files()),
-              (std::set<std::string>{".popupc-gallery.jsonl", "designs/b.html", "designs/b.webp",
+              (std::set<std::string>{".popupc-gallery.jsonl", "designs/b.html", "designs/b.jpg",
                                      "designs/c.html", "index.html", "notes.txt"}));
     EXPECT_EQ(index().find("designs/a.html"), std::string::npos);
     // A page that was changed by hand is somebody's.
@@ -204,7 +204,7 @@ TEST_F(Gallery, DesignsThatAreGoneLoseTheirFiles) {
         std::string::npos)
         << kept.err;
     EXPECT_EQ(files()["designs/b.html"], "mine");
-    EXPECT_EQ(names_of(files()).count("designs/b.webp"), 0U);
+    EXPECT_EQ(names_of(files()).count("designs/b.jpg"), 0U);
 }
 
 TEST_F(Gallery, DesignsWithErrorsShowThem) {
@@ -213,7 +213,7 @@ TEST_F(Gallery, DesignsWithErrorsShowThem) {
     EXPECT_EQ(made.exit, 1);
     EXPECT_EQ(count_of(made.err, "designs/c.xml:1:"), 1U) << made.err;
     EXPECT_EQ(summary_of(made), "popupc: gallery/index.html: 3 designs, 1 with errors; 3 made");
-    EXPECT_EQ(names_of(files()).count("designs/c.webp"), 0U);
+    EXPECT_EQ(names_of(files()).count("designs/c.jpg"), 0U);
     EXPECT_NE(index().find("<div class=\"told\"><p>"), std::string::npos);
     EXPECT_NE(index().find("<h2><a href=\"designs/c.html\">c</a></h2>"), std::string::npos);
     EXPECT_NE(files()["designs/c.html"].find("<span class=\"error\">error</span>"), std::string::npos);
@@ -225,10 +225,10 @@ TEST_F(Gallery, DesignsWithErrorsShowThem) {
     EXPECT_EQ(summary_of(again), "popupc: gallery/index.html: 3 designs, 1 with errors; 3 as they were");
     write("c.xml", card(24));
     EXPECT_EQ(make().exit, 0);
-    EXPECT_EQ(names_of(files()).count("designs/c.webp"), 1U);
+    EXPECT_EQ(names_of(files()).count("designs/c.jpg"), 1U);
     write("c.xml", kWrongCard);
     EXPECT_EQ(make().exit, 1);
-    EXPECT_EQ(names_of(files()).count("designs/c.webp"), 0U) << "its picture is of another card";
+    EXPECT_EQ(names_of(files()).count("designs/c.jpg"), 0U) << "its picture is of another card";
 }
 
 TEST_F(Gallery, WarningsAreToldOnceAndToMachinesAlways) {
@@ -278,11 +278,11 @@ TEST_F(Gallery, NothingOfAnybodysIsOverwritten) {
               "popupc: error: gallery/index.html is there, and no gallery of popupc's has written it\n"
               "  hint: move the file away, or name another directory\n");
     fs::remove(scratch_ / "gallery/index.html");
-    write_file(scratch_ / "gallery/designs/b.webp", "mine");
+    write_file(scratch_ / "gallery/designs/b.jpg", "mine");
     refused = make();
     EXPECT_EQ(refused.exit, 2);
-    EXPECT_EQ(files(), (Files{{"designs/b.webp", "mine"}}));
-    fs::remove(scratch_ / "gallery/designs/b.webp");
+    EXPECT_EQ(files(), (Files{{"designs/b.jpg", "mine"}}));
+    fs::remove(scratch_ / "gallery/designs/b.jpg");
     write_file(scratch_ / "gallery/.popupc-gallery.jsonl", "mine\n");
     refused = make();
     EXPECT_EQ(refused.exit, 2);

@@ -76,7 +76,7 @@ TEST(GalleryRecord, TheLastLineCountsAndAllFilesAreKnown) {
     const ScratchDirectory scratch;
     GalleryRow first = row_of("x.xml");
     GalleryRow second = row_of("x.xml");
-    second.result.outputs = {{"designs/x.html", 4, "cc"}, {"designs/x.webp", 4, "dd"}};
+    second.result.outputs = {{"designs/x.html", 4, "cc"}, {"designs/x.jpg", 4, "dd"}};
     write_file(scratch / "record",
                to_line(first) + "torn{\n" + to_line(second) + to_line(second).substr(0, 40));
     GalleryRecord record;
@@ -86,8 +86,8 @@ TEST(GalleryRecord, TheLastLineCountsAndAllFilesAreKnown) {
     EXPECT_EQ(record.find("x.xml")->result.outputs, second.result.outputs);
     EXPECT_TRUE(record.has_written({"designs/x.html", 3, "bb"}));
     EXPECT_TRUE(record.has_written({"designs/x.html", 4, "cc"}));
-    EXPECT_FALSE(record.has_written({"designs/x.webp", 4, "cc"}));
-    EXPECT_FALSE(record.has_written({"designs/y.webp", 4, "dd"}));
+    EXPECT_FALSE(record.has_written({"designs/x.jpg", 4, "cc"}));
+    EXPECT_FALSE(record.has_written({"designs/y.jpg", 4, "dd"}));
     EXPECT_TRUE(record.read(scratch / "none", trouble));
     EXPECT_FALSE(record.read(scratch.path(), trouble));
     EXPECT_TRUE(trouble.has_errors());

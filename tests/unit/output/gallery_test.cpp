@@ -20,7 +20,7 @@ GalleryTile tile(const std::string& title) {
     one.title = title;
     one.file = "spring/" + title + ".xml";
     one.page = "designs/x.html";
-    one.picture = "designs/x.webp";
+    one.picture = "designs/x.jpg";
     one.elements = {{"beak", 1}, {"v-fold", 3}};
     one.width_mm = 254.04;
     one.height_mm = 203.2;
@@ -45,7 +45,7 @@ TEST(GalleryPage, SaysWhatATileHas) {
         tile_of(write_gallery("Cards", std::vector{one})),
         "<li data-elements=\"beak v-fold\" data-codes=\"collision protrusion undecided\" "
         "data-worst=\"warning\" "
-        "data-side=\"254\" data-pieces=\"4\"><img src=\"designs/x.webp\" alt=\"\" width=\"480\" "
+        "data-side=\"254\" data-pieces=\"4\"><img src=\"designs/x.jpg\" alt=\"\" width=\"480\" "
         "height=\"360\" "
         "loading=\"lazy\" decoding=\"async\"><h2><a href=\"designs/x.html\">castle</a></h2><p class=\"file\">"
         "spring/castle.xml</p><p class=\"elements\">beak, 3\u00a0×\u00a0v-fold</p><p class=\"facts\">"

@@ -126,7 +126,7 @@ TEST(Viewer, IsOneFileWhosePolicyAllowsItsOwnScriptAndStyleOnly) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
     EXPECT_EQ(count_of(page, " src="), 1U);
-    EXPECT_EQ(count_of(page, " src=\"data:image/webp;base64,"), 1U);
+    EXPECT_EQ(count_of(page, " src=\"data:image/jpeg;base64,"), 1U);
     EXPECT_EQ(count_of(page, "<script"), 2U);
     EXPECT_EQ(count_of(page, "</script"), 2U);
 }
