@@ -4,6 +4,7 @@
 // (Hendrix 5.4.4): a point at distance c from the gutter goes to x = ±c sin(θ/2), z = c cos(θ/2).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,41 @@ enum class Solver {
                   // cross-check
 };
 
+// What an examination has found, for the next one of the same design, of which a little has changed since: a
+// pair of plates that are as they were has the findings that it had. Results are those of an examination
+// without one, but for Examination::pairs and poses, which count what was looked at for them at any time.
+//
+//     ExaminationMemory memory;
+//     MotionOptions options;
+//     options.memory = &memory;
+//     simulate(assembly, options, diagnostics);          // looks at everything
+//     simulate(changed, options, more);                  // looks at what has changed
+//     fmt::print("{} of {} pairs", memory.share().examined_pairs, memory.share().pairs);
+//
+// Another design, other options, or a fold that moves by a law, cost a whole examination. Memory: some
+// kilobytes a plate. Movable; one caller at a time.
+class ExaminationMemory {
+ public:
+    ExaminationMemory();
+    ~ExaminationMemory();
+    ExaminationMemory(ExaminationMemory&&) noexcept;
+    ExaminationMemory& operator=(ExaminationMemory&&) noexcept;
+
+    // How much the last examination looked at.
+    struct Share {
+        std::size_t plates = 0, changed_plates = 0;   // changed: they move otherwise, or have another outline
+        std::size_t pairs = 0, examined_pairs = 0;    // pairs of plates that come near each other
+        std::size_t layers = 0, examined_layers = 0;  // pairs of plates over one another in the closed card
+    };
+    [[nodiscard]] const Share& share() const { return share_; }
+
+ private:
+    friend class Recall;
+    struct Kept;
+    std::unique_ptr<Kept> kept_;
+    Share share_;
+};
+
 struct MotionOptions {
     std::vector<Angle> angles;  // empty: 0, 5, … 180. Each in [0°, 180°], ascending
     Solver solver = Solver::closed_form;
@@ -27,6 +63,9 @@ struct MotionOptions {
     std::optional<double> clearance_mm;  // > 0: also name the pairs that come closer than this
     std::optional<double> paper_mm;  // > 0: thickness of the paper; gives the thickness of the closed card
     Tolerances tolerances;
+    // Of earlier examinations of the design, looked up and renewed. Null: there is none. Not used where folds
+    // are put in an order. It must outlive the call.
+    ExaminationMemory* memory = nullptr;
 };
 
 // Two plates that cross, from the first to the last angle of one contact (each to 0.001°).

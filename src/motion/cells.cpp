@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <limits>
+
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
@@ -15,25 +16,50 @@ using TreeBox = bg::model::box<TreePoint>;
 constexpr double kWidestDeg = 10.5;
 constexpr double kHalvedBelowDeg = 12.0;
 
-// Each turn's line in the world, and how far it goes to either end of the cell.
-std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
-    const auto turns = linkage.turns();
+// A turn's line in the world, and how far it goes to either end of the cell.
+Arm world_arm(const Cell& cell, const Linkage& linkage, std::size_t turn) {
     const auto before = [&](int n) {
         return Bends{cell.first[static_cast<std::size_t>(n)], cell.middle[static_cast<std::size_t>(n)]};
     };
     const auto after = [&](int n) {
         return Bends{cell.middle[static_cast<std::size_t>(n)], cell.last[static_cast<std::size_t>(n)]};
     };
+    const Turn& t = linkage.turns()[turn];
+    const Frame& frame = cell.frames[static_cast<std::size_t>(t.plate)];
+    return {frame.point(t.at), frame.direction(t.dir),
+            travel_from_middle(linkage, static_cast<int>(turn), cell.from, cell.to, before, after)};
+}
+
+std::vector<Arm> world_arms(const Cell& cell, const Linkage& linkage) {
     std::vector<Arm> arms;
-    arms.reserve(turns.size());
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        const Turn& t = turns[i];
-        const int n = static_cast<int>(i);
-        const Frame& frame = cell.frames[static_cast<std::size_t>(t.plate)];
-        arms.push_back({frame.point(t.at), frame.direction(t.dir),
-                        travel_from_middle(linkage, n, cell.from, cell.to, before, after)});
-    }
+    arms.reserve(linkage.turns().size());
+    for (std::size_t i = 0; i < linkage.turns().size(); ++i) arms.push_back(world_arm(cell, linkage, i));
     return arms;
+}
+
+// Round all that corners of a plate's page can reach. `arm`: of a turn.
+template <typename ArmOf>
+SpaceBox box_round(const Cell& cell, const Linkage& linkage, int plate, std::span<const Vec2> corners,
+                   double distance_mm, const ArmOf& arm, const std::optional<Drift>& drift) {
+    const auto turns = linkage.turns();
+    SpaceBox box;
+    for (const Vec2 corner : corners) {
+        const Vec3 p = cell.frames[static_cast<std::size_t>(plate)].point(corner);
+        double reach = 0.0;
+        for (int at = plate; at >= 0;) {
+            const int turn = linkage.drive_turn(at);
+            const Arm& by = arm(turn);
+            reach += by.turn * (length(cross(p - by.at, by.dir)) + reach);
+            at = turns[static_cast<std::size_t>(turn)].other;
+        }
+        if (drift) reach = std::min(reach, drift->of(p));
+        reach += 0.5 * distance_mm;
+        box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach),
+                   std::min(box.low.z, p.z - reach)};
+        box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach),
+                    std::max(box.high.z, p.z + reach)};
+    }
+    return box;
 }
 
 // By turn: how what it drives moves against the world, where all turns up to there have laws.
@@ -111,35 +137,53 @@ bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, do
     return take(from, cell.first) && take(to, cell.last) && take(0.5 * (from + to), cell.middle);
 }
 
-std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& linkage,
-                                            std::span<const PlateShape> shapes, double distance_mm,
-                                            std::size_t most) {
+bool fill_cell(const Assembly& assembly, const Linkage& linkage, std::span<const std::size_t> joints,
+               double from, double to, Cell& cell) {
+    cell.from = from;
+    cell.to = to;
+    cell.frames.resize(assembly.plates.size());
+    const auto take = [&](double deg, std::vector<double>& bends) {
+        bends.resize(linkage.turns().size());
+        for (const std::size_t joint : joints) {
+            if (!place_plates(assembly.joints[joint], Angle::degrees(deg), cell.frames)) return false;
+        }
+        for (const std::size_t joint : joints) {
+            const auto [first, end] = linkage.turns_of_joint(joint);
+            for (std::size_t i = first; i < end; ++i)
+                bends[i] = linkage.bend(static_cast<int>(i), cell.frames);
+        }
+        return true;
+    };
+    return take(from, cell.first) && take(to, cell.last) && take(0.5 * (from + to), cell.middle);
+}
+
+std::vector<SpaceBox> reach_boxes(const Cell& cell, const Linkage& linkage,
+                                  std::span<const PlateShape> shapes, double distance_mm) {
     const std::vector<Arm> arms = world_arms(cell, linkage);
     const std::vector<std::optional<Drift>> drifts = world_drifts(cell, linkage, arms);
-    const auto turns = linkage.turns();
-    std::vector<std::pair<TreeBox, int>> boxes;
+    const auto arm = [&](int turn) -> const Arm& { return arms[static_cast<std::size_t>(turn)]; };
+    std::vector<SpaceBox> boxes;
     boxes.reserve(shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const double inf = std::numeric_limits<double>::infinity();
-        Vec3 low{inf, inf, inf};
-        Vec3 high{-inf, -inf, -inf};
-        const std::optional<Drift>& drift =
-            drifts[static_cast<std::size_t>(linkage.drive_turn(static_cast<int>(i)))];
-        for (const Vec2 corner : shapes[i].hull) {
-            const Vec3 p = cell.frames[i].point(corner);
-            double reach = 0.0;
-            for (int plate = static_cast<int>(i); plate >= 0;) {
-                const auto turn = static_cast<std::size_t>(linkage.drive_turn(plate));
-                reach += arms[turn].turn * (length(cross(p - arms[turn].at, arms[turn].dir)) + reach);
-                plate = turns[turn].other;
-            }
-            if (drift) reach = std::min(reach, drift->of(p));
-            reach += 0.5 * distance_mm;
-            low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach), std::min(low.z, p.z - reach)};
-            high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach),
-                    std::max(high.z, p.z + reach)};
-        }
-        boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, static_cast<int>(i));
+        const int plate = static_cast<int>(i);
+        boxes.push_back(box_round(cell, linkage, plate, shapes[i].hull, distance_mm, arm,
+                                  drifts[static_cast<std::size_t>(linkage.drive_turn(plate))]));
+    }
+    return boxes;
+}
+
+SpaceBox reach_box(const Cell& cell, const Linkage& linkage, int plate, std::span<const Vec2> corners,
+                   double distance_mm) {
+    const auto arm = [&](int turn) { return world_arm(cell, linkage, static_cast<std::size_t>(turn)); };
+    return box_round(cell, linkage, plate, corners, distance_mm, arm, std::nullopt);
+}
+
+std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> reached, std::size_t most) {
+    std::vector<std::pair<TreeBox, int>> boxes;
+    boxes.reserve(reached.size());
+    for (const auto& [low, high] : reached) {
+        boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}},
+                           static_cast<int>(boxes.size()));
     }
     const bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree(boxes.begin(), boxes.end());
     std::vector<std::pair<int, int>> pairs;

@@ -1,6 +1,8 @@
 // The opening cut into ranges of angles, and which plates come near each other in each.
 #pragma once
 
+#include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,11 +19,35 @@ std::vector<double> cell_ends(const Sweep& sweep, std::span<const double> range_
 // Places everything; false when a linkage does not reach one of the three angles.
 bool fill_cell(const Assembly& assembly, const Linkage& linkage, double from, double to, Cell& cell);
 
-// Pairs (a, b), a < b, in order, whose plates may come within `distance_mm` of each other in the cell: boxes
-// round all that their corners can reach touch. Ends early after more than `most`. Cost: plates × depth of
-// their mechanism, n log n, pairs.
-std::vector<std::pair<int, int>> near_pairs(const Cell& cell, const Linkage& linkage,
-                                            std::span<const PlateShape> shapes, double distance_mm,
-                                            std::size_t most);
+// The same for some joints, with all that they stand on, in order, and the turns of these. What the cell says
+// of others means nothing.
+bool fill_cell(const Assembly& assembly, const Linkage& linkage, std::span<const std::size_t> joints,
+               double from, double to, Cell& cell);
+
+struct SpaceBox {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    [[nodiscard]] bool meets(const SpaceBox& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
+    }
+    [[nodiscard]] SpaceBox grown(double mm) const {
+        return {{low.x - mm, low.y - mm, low.z - mm}, {high.x + mm, high.y + mm, high.z + mm}};
+    }
+};
+
+// By plate: boxes round all that its corners can reach in the cell, and half of `distance_mm` beyond it.
+// Cost: plates × depth of their mechanism.
+std::vector<SpaceBox> reach_boxes(const Cell& cell, const Linkage& linkage,
+                                  std::span<const PlateShape> shapes, double distance_mm);
+// The same of some corners of the page of one plate, whose joint the cell is filled for; if no turn has a
+// law.
+SpaceBox reach_box(const Cell& cell, const Linkage& linkage, int plate, std::span<const Vec2> corners,
+                   double distance_mm);
+
+// Pairs (a, b), a < b, in order, whose boxes touch: those plates may come near each other. Ends early after
+// more than `most`. Cost: n log n, pairs.
+std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> boxes, std::size_t most);
 
 }  // namespace popup

@@ -57,6 +57,7 @@ void Linkage::add(std::size_t number, std::map<std::pair<int, int>, int>& betwee
     const Joint& joint = assembly_.joints[number];
     const JointTurns own = turns_of(joint);
     const int first = static_cast<int>(turns_.size());
+    turns_begin_.push_back(turns_.size());
     int parent = -1;
     if (own.stands_on[0] >= 0) {
         const auto fold = between.find(ordered(own.stands_on[0], own.stands_on[1]));

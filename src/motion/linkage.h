@@ -53,6 +53,11 @@ class Linkage {
     explicit Linkage(const Assembly& assembly);
 
     [[nodiscard]] std::span<const Turn> turns() const { return turns_; }
+    // Those of one joint: numbers from the first of the two up to the second.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> turns_of_joint(std::size_t joint) const {
+        return {turns_begin_[joint],
+                joint + 1 < turns_begin_.size() ? turns_begin_[joint + 1] : turns_.size()};
+    }
     // Openings at which a law has another polynomial, ascending, each once: ranges that rate() is asked of
     // end there.
     [[nodiscard]] std::span<const double> range_ends() const { return range_ends_; }
@@ -98,6 +103,7 @@ class Linkage {
 
     const Assembly& assembly_;
     std::vector<Turn> turns_;
+    std::vector<std::size_t> turns_begin_;  // by joint
     std::vector<TurnLaw> laws_;
     bool is_lawful_ = true;
     std::vector<double> range_ends_;

@@ -143,8 +143,11 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
     if (is_driven(judge.linkage)) motion.not_forced = free_plates(assembly);
     report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
     if (!options.examine || assembly.sweep.bends) return motion;
-    const std::vector<PlateShape> shapes = plate_shapes(assembly);
-    motion.examination = examine(assembly, judge.linkage, shapes, options);
+    std::optional<Recall> recall;
+    if (options.memory != nullptr && sheet == nullptr)
+        recall.emplace(*options.memory, assembly, judge.linkage, options);
+    std::vector<PlateShape> shapes = recall ? recall->take_shapes() : plate_shapes(assembly);
+    motion.examination = examine(assembly, judge.linkage, shapes, options, recall ? &*recall : nullptr);
     if (sheet != nullptr) {
         const Sweep& sweep = assembly.sweep;
         const bool whole = sweep.from_deg == 0.0 && sweep.to_deg == kFullOpeningDeg;
@@ -153,6 +156,7 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
     }
     motion.moves =
         report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
+    if (recall) recall->keep(std::move(shapes));
     add_witnesses(motion);
     return motion;
 }

@@ -43,6 +43,18 @@ Structure& add(Design& design, const std::string& type, const std::vector<Vec2>&
     return add(design, type, points, {0, -0.5 * design.height_mm}, {0, 0.5 * design.height_mm});
 }
 
+Structure& add_tent(Design& design, double at, double half, double out, double wide) {
+    return add(design, "tent",
+               {{-out, at - half},
+                {-out, at + half},
+                {out, at - half},
+                {out, at + half},
+                {-wide, -half},
+                {-wide, half},
+                {wide, -half},
+                {wide, half}});
+}
+
 std::string findings(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& d : diagnostics.sorted()) {
@@ -98,7 +110,7 @@ Argument path_argument(const std::string& text) {
     return path_argument(path);
 }
 
-Design row(int elements) {
+Design row(int elements, double scale) {
     const double pitch = 60.0;
     const int groups = std::max(1, elements / 5);
     // The v-fold's V opens by 90°, its piece by 120°.
@@ -131,6 +143,14 @@ Design row(int elements) {
             lo, hi);
         add(design, "v-fold", {{-6, 14}, {0, 8}, {6, 14}, g, e, h, h + Vec2{0, 12}, g + Vec2{0, 12}}, {0, 0},
             {0, 25}, page);
+    }
+    if (scale == 1.0) return design;
+    design.width_mm *= scale;
+    design.height_mm *= scale;
+    for (Structure& one : design.structures) {
+        for (DesignPoint& point : one.points) point.at = scale * point.at;
+        one.fold.begin.at = scale * one.fold.begin.at;
+        one.fold.end.at = scale * one.fold.end.at;
     }
     return design;
 }

@@ -20,6 +20,9 @@ Structure& add(Design& design, const std::string& type, const std::vector<Vec2>&
                int page = 0);
 // The same on the gutter.
 Structure& add(Design& design, const std::string& type, const std::vector<Vec2>& points);
+// A tent on the gutter of a card, over it from at - half to at + half, its seams `out` to either side and its
+// sides `wide` high.
+Structure& add_tent(Design& design, double at, double half, double out, double wide);
 
 // Checks and assembles; fails the running test, with all findings in its message, when that is not possible.
 struct Built {
@@ -68,7 +71,8 @@ Design generate_tower(std::uint64_t seed, int depth);
 
 // A long card, to see what size costs: groups of five along the gutter, a step, a smaller one on its side
 // fold, one on its centre fold, a tent beside it, and a v-fold on the tent's centre fold. Nothing collides.
-// At least five elements.
-Design row(int elements);
+// At least five elements. `scale` makes all of it smaller: a page is 10 m long at most, and so long are 830
+// elements of their own size.
+Design row(int elements, double scale = 1.0);
 
 }  // namespace popup::test

@@ -51,15 +51,7 @@ Design crowd(std::uint64_t seed) {
         Structure* made = nullptr;
         if (random.below(2) == 0) {
             const double wide = out + 10 * random.unit();
-            made = &test::add(design, "tent",
-                              {{-out, at - half},
-                               {-out, at + half},
-                               {out, at - half},
-                               {out, at + half},
-                               {-wide, -half},
-                               {-wide, half},
-                               {wide, -half},
-                               {wide, half}});
+            made = &test::add_tent(design, at, half, out, wide);
         } else {
             const double far = 10 + 15 * random.unit();
             made = &test::add(design, "v-fold",
