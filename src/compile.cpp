@@ -1,19 +1,20 @@
 #include "popup/compile.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "fabrication/kerf.h"
 #include "run/crew.h"
+#include "run/unique_stems.h"
 #include "run/unused_allowances.h"
 
 namespace popup {
 namespace {
 
-// The stages of one design, in order. What is read as an assembly enters there.
-void run_stages(CompiledDesign& one, const CompileOptions& options) {
+// The stages of one design, in order, up to its check. What is read as an assembly enters there. False: they
+// end here.
+bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     Reading reading = read_source_text(one.source, options.read, one.diagnostics);
     one.printed = std::move(reading.printed);
     one.further_files = std::move(reading.files);
@@ -28,11 +29,15 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
         one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
     } else if (one.design) {
         one.design->stem = one.stem;
-        if (options.until == Stage::design) return;
+        if (options.until == Stage::design) return false;
         one.checked = check(*one.design, options.check, one.diagnostics);
-        if (!one.checked || options.until == Stage::check) return;
-        one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
+        if (!one.checked || options.until == Stage::check) return false;
     }
+    return true;
+}
+
+void run_last_stages(CompiledDesign& one, const CompileOptions& options) {
+    if (one.checked) one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
     if (one.assembly) one.assembly->stem = one.stem;
     if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics)) return;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
@@ -48,8 +53,8 @@ void run_stages(CompiledDesign& one, const CompileOptions& options) {
     one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
 }
 
-void compile_one(CompiledDesign& one, const CompileOptions& options) {
-    run_stages(one, options);
+// What is said once no further stage will say anything.
+void conclude(CompiledDesign& one, const CompileOptions& options) {
     one.diagnostics.apply_allowances();
     // What has not been looked for cannot be missed.
     if (!one.pattern || (one.motion && !one.motion->examination) || one.diagnostics.has_errors()) return;
@@ -58,21 +63,9 @@ void compile_one(CompiledDesign& one, const CompileOptions& options) {
     tell_unused_allowances(one.diagnostics, unasked);
 }
 
-// Equal stems become "castle", "castle~2"; a stem that somebody really has is never given to another.
-void name_stems(std::vector<CompiledDesign>& designs) {
-    std::set<std::string> taken;
-    for (CompiledDesign& one : designs) {
-        one.stem = one.source.stem();
-        taken.insert(one.stem);
-    }
-    std::map<std::string, int> used;  // stem as given → the last number given out for it
-    for (CompiledDesign& one : designs) {
-        int& last = used[one.stem];
-        if (++last == 1) continue;
-        std::string name = one.stem + "~" + std::to_string(last);
-        while (!taken.insert(name).second) name = one.stem + "~" + std::to_string(++last);
-        one.stem = std::move(name);
-    }
+void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    if (run_first_stages(one, options)) run_last_stages(one, options);
+    conclude(one, options);
 }
 
 // Designs share nothing, so any thread takes the next one.
@@ -106,12 +99,19 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
         run.designs[i].source = std::move(sources[i]);
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
     }
-    name_stems(run.designs);
+    std::vector<std::string> stems;
+    for (const CompiledDesign& one : run.designs) stems.push_back(one.source.stem());
+    stems = unique_stems(std::move(stems));
+    for (std::size_t i = 0; i < stems.size(); ++i) run.designs[i].stem = std::move(stems[i]);
     share_work(run.designs.size(), crew_of(options),
                [&](std::size_t i) { compile_one(run.designs[i], options); });
-
     if (options.until == Stage::layout) lay_out_run(run, options);
     return run;
+}
+
+void compile_further(CompiledDesign& one, const CompileOptions& options) {
+    if (one.checked && options.until > Stage::check) run_last_stages(one, options);
+    conclude(one, options);
 }
 
 void lay_out_run(Compilation& run, const CompileOptions& options) {

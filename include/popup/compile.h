@@ -83,6 +83,10 @@ struct Compilation {
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy);
 
+// Goes on with a design whose stages ended where they were asked to end: as compile() would have, but with
+// nothing done twice. Its source and the options, but for `until`, are those that it was compiled with.
+void compile_further(CompiledDesign& one, const CompileOptions& options);
+
 // The last stage alone, of designs that were compiled as far as their patterns with the same options: lays
 // them all out together. Does nothing where a design has errors, or there are no patterns; what it finds is
 // the run's. compile() is that and this.

@@ -2,11 +2,32 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <system_error>
 
 #include "cli/verbs.h"
+#include "live/browser.h"
 #include "lsp/session.h"
 
 namespace popup::cli {
+
+namespace {
+
+// A view that nobody looks at ends soon: editors may ask for many.
+constexpr const char* kIdle = "5m";
+
+std::string open_view(const std::string& path) {
+    std::error_code trouble;
+    if (!std::filesystem::exists(path, trouble)) return "there is no file yet: save the document first";
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe", trouble);
+    if (!live::start_by_itself({program.empty() ? "popupc" : program, "view", "--idle", kIdle, path}))
+        return "popupc view cannot be started";
+    return {};
+}
+
+}  // namespace
 
 CLI::App* add_lsp(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("lsp", "Serve editors by the Language Server Protocol, as you type");
@@ -39,6 +60,9 @@ int run_lsp(const Options& options) {
     lsp::ServerOptions server;
     server.compile = options.compile;
     server.policy = options.policy;
+    server.open_view = open_view;
+    // A request that asks too much is refused, and the next one answered.
+    std::set_new_handler(nullptr);
     const int code = lsp::serve(STDIN_FILENO, STDOUT_FILENO, server);
     // Nothing is kept in this process that would have to be written, and an examination may take seconds
     // more.

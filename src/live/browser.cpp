@@ -37,7 +37,9 @@ std::vector<std::string> words_of(const std::string& command, const std::string&
     return words;
 }
 
-bool start(const std::vector<std::string>& words) {
+}  // namespace
+
+bool start_by_itself(const std::vector<std::string>& words) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
@@ -71,8 +73,6 @@ bool start(const std::vector<std::string>& words) {
     return failed == 0;
 }
 
-}  // namespace
-
 bool open_browser(const std::string& address) {
     const char* wanted = std::getenv("BROWSER");
     std::vector<std::string> commands = split(wanted == nullptr ? "" : wanted, ':');
@@ -80,7 +80,7 @@ bool open_browser(const std::string& address) {
     return std::any_of(commands.begin(), commands.end(), [&address](const std::string& command) {
         const std::vector<std::string> words = words_of(command, address);
         // A command of blanks alone has the address for its only word.
-        return words.front() != address && start(words);
+        return words.front() != address && start_by_itself(words);
     });
 }
 

@@ -100,7 +100,7 @@ Span underlined(const Text& text, std::size_t at) {
     return {at, end};
 }
 
-Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth) {
+Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth, const Stages& stages) {
     Analysis made;
     made.depth = depth;
     auto text = std::make_shared<const Text>(source.text);
@@ -110,10 +110,18 @@ Analysis analyse(const Source& source, const AnalysisOptions& options, Depth dep
     compile_options.until = depth == Depth::check ? Stage::check : Stage::pattern;
     compile_options.threads = 1;
     compile_options.progress = {};
-    Compilation run = compile({source}, compile_options, options.policy);
-    CompiledDesign& one = run.designs.front();
+    CompiledDesign one;
+    if (stages && depth == Depth::whole) {
+        one = *stages;
+        compile_further(one, compile_options);
+    } else {
+        one = std::move(compile({source}, compile_options, options.policy).designs.front());
+    }
     std::optional<Fixer> fixer;
     const bool document = options.language->name == "xml";
+    if (depth == Depth::check && document && one.checked) made.stages = std::make_shared<CompiledDesign>(one);
+    const ExaminationMemory* memory = compile_options.motion.memory;
+    if (memory != nullptr && one.motion && one.motion->examination) made.examined = memory->share();
     if (document && one.design) {
         made.standing = footings_of(*one.design);
         fixer.emplace(one, *one.design, made.standing);

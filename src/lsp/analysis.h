@@ -40,6 +40,9 @@ struct Finding {
     bool late = false;       // as mark_late() found
 };
 
+// What a check has left for whoever looks at the motion of the same text: its stages, done once.
+using Stages = std::shared_ptr<const CompiledDesign>;
+
 struct Analysis {
     std::shared_ptr<const Text> text;  // that was looked at
     Depth depth = Depth::check;
@@ -47,6 +50,9 @@ struct Analysis {
     Footings standing;               // of the design of a document
     std::optional<Design> design;    // as it was read, where it could be
     std::vector<std::string> files;  // others that were read or looked for in vain
+    Stages stages;                   // of a check of a document that has no errors
+    // How much of the motion was examined; nullopt: nothing was, or without a memory.
+    std::optional<ExaminationMemory::Share> examined;
 };
 
 struct AnalysisOptions {
@@ -55,8 +61,11 @@ struct AnalysisOptions {
     const Language* language = nullptr;  // never null
 };
 
-// Never throws for bad input. Cost: that of compile(), up to `depth`.
-Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth);
+// Never throws for bad input. `stages`: of a check of this very text with these options, with which the whole
+// goes on; null: it begins at the beginning. Cost: that of compile(), up to `depth`; where the options have a
+// memory of the motion, that of what has changed.
+Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth,
+                 const Stages& stages = nullptr);
 
 // All repairs of a document, until nothing is left to repair, as one fix; nullopt: there are none, or it has
 // errors.

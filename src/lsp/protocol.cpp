@@ -104,19 +104,26 @@ ClientAbilities abilities_of(const Json& params) {
     return client;
 }
 
-Json capabilities(const ClientAbilities& client) {
-    return {{"capabilities",
-             {{"positionEncoding", to_string(client.encoding)},
-              {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
-              {"hoverProvider", true},
-              {"completionProvider", {{"triggerCharacters", {"<", "\"", "'", " ", ".", "/"}}}},
-              {"documentSymbolProvider", true},
-              {"definitionProvider", true},
-              {"referencesProvider", true},
-              {"renameProvider", {{"prepareProvider", true}}},
-              {"colorProvider", true},
-              {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix", "source.fixAll"})}}}}},
-            {"serverInfo", {{"name", "popupc"}, {"version", version()}}}};
+Json capabilities(const ClientAbilities& client, bool has_view) {
+    Json made{
+        {"capabilities",
+         {{"positionEncoding", to_string(client.encoding)},
+          {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+          {"hoverProvider", true},
+          {"completionProvider", {{"triggerCharacters", {"<", "\"", "'", " ", ".", "/"}}}},
+          {"documentSymbolProvider", true},
+          {"definitionProvider", true},
+          {"referencesProvider", true},
+          {"renameProvider", {{"prepareProvider", true}}},
+          {"colorProvider", true},
+          {"documentFormattingProvider", true},
+          {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix", "source.fixAll"})}}}}},
+        {"serverInfo", {{"name", "popupc"}, {"version", version()}}}};
+    if (has_view) {
+        made["capabilities"]["codeLensProvider"] = Json::object();
+        made["capabilities"]["executeCommandProvider"] = {{"commands", Json::array({kOpenView})}};
+    }
+    return made;
 }
 
 const Json& member(const Json& object, std::string_view name) { return object.at(std::string(name)); }

@@ -38,7 +38,11 @@ struct ClientAbilities {
 // Of the params of `initialize`; whatever is not as it should be is taken as not there.
 ClientAbilities abilities_of(const Json& params);
 // The answer to `initialize`.
-Json capabilities(const ClientAbilities& client);
+Json capabilities(const ClientAbilities& client, bool has_view);
+
+// The command that opens the live view: of the document of a URI, its one argument; without one of the
+// document that was opened or changed last.
+inline constexpr std::string_view kOpenView = "popupc.openView";
 
 // A member of an object; an out_of_range or type_error of the library where there is none.
 const Json& member(const Json& object, std::string_view name);

@@ -12,11 +12,18 @@
 namespace popup::lsp {
 namespace {
 
+// Who has found out so quickly what is the matter need not wait until nobody types.
+constexpr std::chrono::milliseconds kAtOnce{100};
+
 bool is_request_id(const Json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
 }  // namespace
 
-Analysis run(const Work& work) { return analyse(work.source, work.options, work.depth); }
+Analysis run(const Work& work) {
+    AnalysisOptions options = work.options;
+    if (work.depth == Depth::whole) options.compile.motion.memory = work.memory.get();
+    return analyse(work.source, options, work.depth, work.stages);
+}
 
 void Server::receive(const std::string& body, Clock::time_point now) {
     if (const std::string why = refusal_of(body); !why.empty())
@@ -115,6 +122,9 @@ void Server::handle_request(const std::string& method, const Json& id, const Jso
         {"textDocument/codeAction", &Server::code_actions},
         {"textDocument/documentColor", &Server::colors},
         {"textDocument/colorPresentation", &Server::color_presentations},
+        {"textDocument/formatting", &Server::format},
+        {"textDocument/codeLens", &Server::lenses},
+        {"workspace/executeCommand", &Server::execute},
     });
     const bool greeting = method == "initialize";
     if (!initialized_ && !greeting)
@@ -149,6 +159,7 @@ void Server::handle_notification(const std::string& method, const Json& params) 
         {"textDocument/didSave", &Server::saved},
         {"textDocument/didClose", &Server::closed},
         {"workspace/didChangeWatchedFiles", &Server::files_changed},
+        {"$/setTrace", &Server::set_trace},
     });
     if (method == "exit") {
         ended_ = true;
@@ -167,8 +178,10 @@ void Server::handle_notification(const std::string& method, const Json& params) 
 
 Json Server::initialize(const Json& params) {
     client_ = abilities_of(params);
+    const Json* trace = member_if_any(params, "trace");
+    traces_ = trace != nullptr && trace->is_string() && *trace != "off";
     initialized_ = true;
-    return capabilities(client_);
+    return capabilities(client_, static_cast<bool>(options_.open_view));
 }
 
 Json Server::shutdown(const Json& /*params*/) {
@@ -261,6 +274,8 @@ void Server::files_changed(const Json& params) {
     }
 }
 
+void Server::set_trace(const Json& params) { traces_ = member(params, "value") != "off"; }
+
 void Server::touch(Document& document) {
     document.revision = ++revisions_;
     document.changed = now_;
@@ -303,9 +318,8 @@ std::optional<Work> Server::next_work(Depth depth, Clock::time_point now) {
     if (shut_down_) return std::nullopt;
     Document* best = nullptr;
     for (auto& [uri, document] : documents_) {
-        const bool due = depth == Depth::check
-                             ? document.check_due
-                             : document.whole_due && document.changed + options_.pause <= now;
+        const bool due =
+            depth == Depth::check ? document.check_due : document.whole_due && whole_due_at(document) <= now;
         if (due && (best == nullptr || best->revision < document.revision)) best = &document;
     }
     if (best == nullptr) return std::nullopt;
@@ -316,20 +330,32 @@ std::optional<Work> Server::next_work(Depth depth, Clock::time_point now) {
         best->good.reset();
         return next_work(depth, now);
     }
-    return Work{best->uri, best->revision, {best->path, best->text.bytes()}, options_of(*best), depth};
+    const bool whole = depth == Depth::whole;
+    const bool is_checked = best->checked && best->latest_revision == best->revision;
+    return Work{best->uri,
+                best->revision,
+                {best->path, best->text.bytes()},
+                options_of(*best),
+                depth,
+                whole && is_checked ? best->checked->stages : nullptr,
+                whole ? best->memory : nullptr};
+}
+
+Clock::time_point Server::whole_due_at(const Document& document) const {
+    const bool at_once = document.whole_took && *document.whole_took <= kAtOnce;
+    return at_once ? document.changed : document.changed + options_.pause;
 }
 
 std::optional<Clock::time_point> Server::next_due() const {
     std::optional<Clock::time_point> due;
     for (const auto& [uri, document] : documents_) {
         if (document.check_due) return Clock::time_point{};
-        if (document.whole_due && (!due || document.changed + options_.pause < *due))
-            due = document.changed + options_.pause;
+        if (document.whole_due && (!due || whole_due_at(document) < *due)) due = whole_due_at(document);
     }
     return due;
 }
 
-void Server::finish(const Work& work, Analysis analysis) {
+void Server::finish(const Work& work, Analysis analysis, Clock::duration took) {
     const auto found = documents_.find(work.uri);
     if (found == documents_.end() || found->second.revision != work.revision) return;
     Document& document = found->second;
@@ -344,12 +370,33 @@ void Server::finish(const Work& work, Analysis analysis) {
     } else if (document.checked) {
         mark_late(analysis, *document.checked);
     }
+    if (work.depth == Depth::whole) document.whole_took = took;
+    trace(document, analysis, took);
     auto shared = std::make_shared<const Analysis>(std::move(analysis));
     document.latest = shared;
     document.latest_revision = work.revision;
     if (work.depth == Depth::whole) document.whole = shared;
     if (shared->design) document.good = shared;
     publish(document, *shared);
+}
+
+// How much of it was looked at, for who asks for a trace.
+void Server::trace(const Document& document, const Analysis& analysis, Clock::duration took) {
+    if (!traces_) return;
+    const double ms = std::chrono::duration<double, std::milli>(took).count();
+    std::string text = fmt::format("{}: {} in {:.0f} ms", document.path,
+                                   analysis.depth == Depth::check ? "checked" : "examined", ms);
+    if (analysis.examined) {
+        const ExaminationMemory::Share& share = *analysis.examined;
+        text += fmt::format(
+            ", {} of {} plates changed, {} of {} pairs of plates that come near each other examined ({:.1f} "
+            "%), {} of {} pairs of layers",
+            share.changed_plates, share.plates, share.examined_pairs, share.pairs,
+            100.0 * static_cast<double>(share.examined_pairs) /
+                static_cast<double>(std::max<std::size_t>(share.pairs, 1)),
+            share.examined_layers, share.layers);
+    }
+    notify("$/logTrace", {{"message", std::move(text)}});
 }
 
 void Server::publish(const Document& document, const Analysis& analysis) {

@@ -34,6 +34,8 @@ struct Work {
     Source source;
     AnalysisOptions options;
     Depth depth = Depth::check;
+    Stages stages;                              // of the check, where the motion is to be looked at
+    std::shared_ptr<ExaminationMemory> memory;  // of the document's motion, for one thread at a time
 };
 Analysis run(const Work& work);
 
@@ -58,13 +60,15 @@ class Server {
     std::vector<std::string> take_sent();
 
     // What is to be looked at next; nullopt: nothing that is due. Of several documents the one that was
-    // changed last. The motion is examined when nothing has been typed for a while, and where there are no
-    // errors.
+    // changed last. The motion is examined where there are no errors, and when nothing has been typed for a
+    // while; at once where the last examination took so little time that nobody would notice it.
+    // Works of one depth are done one after the other.
     std::optional<Work> next_work(Depth depth, Clock::time_point now);
     // When something will be due that is not yet; nullopt: nothing will.
     [[nodiscard]] std::optional<Clock::time_point> next_due() const;
     // Publishes what was found, unless the document has changed since or is closed: then the next run tells.
-    void finish(const Work& work, Analysis analysis);
+    // `took`: how long the run did.
+    void finish(const Work& work, Analysis analysis, Clock::duration took = {});
 
     // After `exit`: nothing more is to be done.
     [[nodiscard]] bool ended() const { return ended_; }
@@ -87,6 +91,8 @@ class Server {
         std::shared_ptr<const Analysis> whole;    // the last that was complete
         std::shared_ptr<const Analysis> checked;  // of the same state, as far as its check
         std::shared_ptr<const Analysis> good;     // the last with a design
+        std::shared_ptr<ExaminationMemory> memory = std::make_shared<ExaminationMemory>();
+        std::optional<Clock::duration> whole_took;  // the last time; nullopt: that is not known
     };
     struct Waiting {
         Json message;
@@ -116,12 +122,16 @@ class Server {
     Json code_actions(const Json& params);
     Json colors(const Json& params);
     Json color_presentations(const Json& params);
+    Json format(const Json& params);
+    Json lenses(const Json& params);
+    Json execute(const Json& params);
     void initialized(const Json& params);
     void opened(const Json& params);
     void changed(const Json& params);
     void saved(const Json& params);
     void closed(const Json& params);
     void files_changed(const Json& params);
+    void set_trace(const Json& params);
 
     // The document that params name; null: it is not open, or nothing is said of it.
     Document* find(const Json& params);
@@ -130,6 +140,8 @@ class Server {
     // What was found in the text as it is now: looked for on the spot where no run has ended yet.
     std::shared_ptr<const Analysis> current(Document& document);
     void touch(Document& document);
+    [[nodiscard]] Clock::time_point whole_due_at(const Document& document) const;
+    void trace(const Document& document, const Analysis& analysis, Clock::duration took);
     // Those that read a file of that path are looked at again.
     void touch_readers(const std::string& path);
     void publish(const Document& document, const Analysis& analysis);
@@ -151,6 +163,7 @@ class Server {
     std::vector<std::string> sent_;
     std::uint64_t revisions_ = 0;
     Clock::time_point now_;  // when the message came that is handled
+    bool traces_ = false;
     bool initialized_ = false, shut_down_ = false, ended_ = false;
 };
 

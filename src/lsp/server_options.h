@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <string>
 
 #include "popup/compile.h"
 
@@ -12,6 +14,9 @@ struct ServerOptions {
     DiagnosticPolicy policy;
     // How long nothing must have been typed before the motion is examined.
     std::chrono::milliseconds pause{150};
+    // Opens the live view of a file, beside the server; why not, as a sentence without its full stop, or
+    // empty. Empty: there is no view to be opened, and none is offered.
+    std::function<std::string(const std::string& path)> open_view = {};
 };
 
 }  // namespace popup::lsp

@@ -6,6 +6,7 @@
 
 #include "lsp/server.h"
 #include "lsp/uri.h"
+#include "popup/edit.h"
 
 namespace popup::lsp {
 namespace {
@@ -167,7 +168,9 @@ std::shared_ptr<const Analysis> Server::current(Document& document) {
                     document.revision,
                     {document.path, document.text.bytes()},
                     options_of(document),
-                    Depth::check};
+                    Depth::check,
+                    nullptr,
+                    nullptr};
     finish(work, run(work));
     document.check_due = false;
     return document.latest;
@@ -233,6 +236,56 @@ Json Server::colors(const Json& params) {
                           {"alpha", 1.0}}}});
     }
     return list;
+}
+
+// As popupc fmt does.
+Json Server::format(const Json& params) {
+    const Document* document = find(params);
+    if (document == nullptr || document->language->name != "xml" ||
+        !document->service->is_ours(document->text.bytes()))
+        return nullptr;
+    Diagnostics trouble(document->path);
+    const auto text = format_document({document->path, document->text.bytes()}, trouble);
+    if (!text) {
+        const std::vector<Diagnostic> said = trouble.sorted();
+        throw Refusal{said.empty() ? std::string("it is no document that can be formatted")
+                                   : fmt::format("it is left as it is: {}", said.front().message)};
+    }
+    return edits_json(differences(document->text.bytes(), *text), document->text, client_.encoding);
+}
+
+// One lens, at the root of a document or the first line of a program.
+Json Server::lenses(const Json& params) {
+    const Document* document = find(params);
+    if (document == nullptr || !options_.open_view || !document->service->is_ours(document->text.bytes()))
+        return Json::array();
+    const std::string& bytes = document->text.bytes();
+    const std::size_t root = document->language->name == "xml" ? bytes.find("<popup") : 0;
+    const Span at = underlined(document->text, root == std::string::npos ? 0 : root);
+    return Json::array(
+        {{{"range", range_json(document->text, at, client_.encoding)},
+          {"command",
+           {{"title", "Open view"}, {"command", kOpenView}, {"arguments", Json::array({document->uri})}}}}});
+}
+
+Json Server::execute(const Json& params) {
+    if (member(params, "command") != kOpenView || !options_.open_view)
+        throw Refusal{fmt::format("there is no command {}", member(params, "command").dump().substr(0, 100))};
+    const Json* arguments = member_if_any(params, "arguments");
+    const Document* document = nullptr;
+    if (arguments != nullptr && arguments->is_array() && !arguments->empty()) {
+        const auto found = documents_.find(arguments->front().get<std::string>());
+        if (found != documents_.end()) document = &found->second;
+    } else {
+        for (const auto& [uri, one] : documents_) {
+            if (one.service != nullptr && (document == nullptr || document->revision < one.revision))
+                document = &one;
+        }
+    }
+    if (document == nullptr || document->service == nullptr) throw Refusal{"no such document is open"};
+    if (!path_of(document->uri)) throw Refusal{"the view shows files: save the document first"};
+    if (const std::string why = options_.open_view(document->path); !why.empty()) throw Refusal{why};
+    return nullptr;
 }
 
 Json Server::color_presentations(const Json& params) {

@@ -83,10 +83,12 @@ class Session : public std::enable_shared_from_this<Session> {
                 continue;
             }
             lock.unlock();
+            const Clock::time_point begin = Clock::now();
             Analysis found = lsp::run(*next);
+            const Clock::duration took = Clock::now() - begin;
             lock.lock();
             if (over_) return;
-            server_.finish(*next, std::move(found));
+            server_.finish(*next, std::move(found), took);
             send();
             changed_.notify_all();
         }

@@ -11,27 +11,50 @@ namespace popup::lsp {
 namespace {
 
 constexpr int kElements = 1000;
+constexpr double kScale = 0.8;  // so that they fit on a page
 
 AnalysisOptions options() { return {{}, {}, find_language({}, "xml")}; }
 
 // The findings of reading and checking, which come with each keystroke.
 void BM_Check(benchmark::State& state) {
-    const Source source{"card.xml", write_document(test::row(kElements))};
+    const Source source{"card.xml", write_document(test::row(kElements, kScale))};
     for (auto _ : state) benchmark::DoNotOptimize(analyse(source, options(), Depth::check));
 }
 BENCHMARK(BM_Check)->Unit(benchmark::kMillisecond);
 
 // The same with the motion, which is examined when nothing has been typed for a while.
 void BM_Whole(benchmark::State& state) {
-    const Source source{"card.xml", write_document(test::row(kElements))};
+    const Source source{"card.xml", write_document(test::row(kElements, kScale))};
     for (auto _ : state) benchmark::DoNotOptimize(analyse(source, options(), Depth::whole));
 }
 BENCHMARK(BM_Whole)->Unit(benchmark::kMillisecond);
 
+// A keystroke in a document whose motion has been examined before: the check, and what has changed of the
+// motion.
+void BM_Keystroke(benchmark::State& state) {
+    Source source{"card.xml", write_document(test::row(kElements, kScale))};
+    ExaminationMemory memory;
+    AnalysisOptions whole = options();
+    whole.compile.motion.memory = &memory;
+    analyse(source, whole, Depth::whole);
+    // The last digit of a point in the middle, up and down.
+    const std::size_t at =
+        source.text.find("\"", source.text.find("<point x=", source.text.size() / 2) + 12) - 1;
+    bool up = false;
+    for (auto _ : state) {
+        source.text[at] = (up = !up) ? '1' : '2';
+        const Analysis checked = analyse(source, options(), Depth::check);
+        benchmark::DoNotOptimize(analyse(source, whole, Depth::whole, checked.stages));
+    }
+    state.counters["pairs"] = static_cast<double>(memory.share().pairs);
+    state.counters["examined"] = static_cast<double>(memory.share().examined_pairs);
+}
+BENCHMARK(BM_Keystroke)->Unit(benchmark::kMillisecond);
+
 // Answers in the middle of typing, from the text as it is.
 template <typename Ask>
 void ask(benchmark::State& state, const Ask& question) {
-    const Source source{"card.xml", write_document(test::row(kElements))};
+    const Source source{"card.xml", write_document(test::row(kElements, kScale))};
     const Analysis analysis = analyse(source, options(), Depth::check);
     const Text text(source.text);
     const View view{text, source.name, &analysis, &analysis};

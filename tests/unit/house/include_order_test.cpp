@@ -85,7 +85,7 @@ std::string last_stage(const std::string& room, const std::string& file) {
     if (room == "mechanism" || room == "check") return "check";
     if (room == "fabrication") return "profile";
     if (room == "output" && file != "report.cpp" && file != "report.h") return "output";
-    if (room == "cli" || room == "edit") return "edit";
+    if (room == "cli" || room == "edit" || room == "lsp") return "edit";
     if (room == "motion" || room == "gluing" || room == "nest" || room == "pattern" || room == "layout")
         return room;
     return "write";

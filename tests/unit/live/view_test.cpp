@@ -160,6 +160,19 @@ TEST_F(View, ProgramsAndWhatTheyLoadAreWatched) {
     EXPECT_TRUE(says("second"));
 }
 
+TEST_F(View, FlatPartsOfProgramsAreShownToo) {
+    fs::copy(kSource / "samples/flatlang/gear.fl", view.scratch / "gear.fl");
+    view.start({"gear.fl"});
+    view.until([](const nlohmann::json& news) { return news.contains("sheets"); });
+    const nlohmann::json& scene = view.shown.at("model").at("scene");
+    EXPECT_FALSE(scene.contains("opening"));
+    const nlohmann::json& standing = scene.at("cards").at(0).at("standing");
+    ASSERT_EQ(standing.size(), 1U);
+    EXPECT_EQ(standing.at(0).at("name"), "gear");
+    EXPECT_FALSE(standing.at(0).at("meshes").empty());
+    EXPECT_EQ(view.shown.at("errors"), 0);
+}
+
 TEST_F(View, SheetsFollowTheModel) {
     view.start();
     view.until([](const nlohmann::json& news) { return news.contains("sheets"); });

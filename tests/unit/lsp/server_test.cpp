@@ -1,121 +1,22 @@
 // The server: messages in, messages out, without threads and clocks.
 #include "lsp/server.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "support/random.h"
+#include "output/xml.h"
+#include "popup/edit.h"
+#include "support/designs.h"
+#include "support/lsp_client.h"
 #include "support/run_program.h"
 
 namespace popup::lsp {
 namespace {
 
-const std::string kUri = "file:///cards/camp.xml";
-
-// A client in the test's own thread: what the server has to say is handed over at once.
-class Client {
- public:
-    explicit Client(Json abilities = Json::object()) : server_({}) {
-        if (abilities.is_null()) return;
-        const Json answer = ask("initialize", {{"capabilities", std::move(abilities)}});
-        greeting = answer["result"];
-        notify("initialized", Json::object());
-    }
-
-    // All that comes in answer to a body.
-    std::vector<Json> send(const std::string& body) {
-        server_.receive(body);
-        return handle();
-    }
-    std::vector<Json> handle() {
-        while (server_.step()) {
-        }
-        std::vector<Json> all;
-        for (const std::string& one : server_.take_sent()) all.push_back(Json::parse(one));
-        return all;
-    }
-    Json ask(const std::string& method, Json params) {
-        const int id = ++id_;
-        for (Json& one :
-             send(Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}}
-                      .dump())) {
-            if (one.contains("id") && one["id"] == id && !one.contains("method")) return one;
-        }
-        ADD_FAILURE() << method << " was not answered";
-        return nullptr;
-    }
-    std::vector<Json> notify(const std::string& method, Json params) {
-        return send(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}.dump());
-    }
-    void open(const std::string& text, const std::string& uri = kUri) {
-        notify("textDocument/didOpen",
-               {{"textDocument", {{"uri", uri}, {"languageId", "x"}, {"version", 1}, {"text", text}}}});
-    }
-    void change(Json changes, int version, const std::string& uri = kUri) {
-        notify("textDocument/didChange", {{"textDocument", {{"uri", uri}, {"version", version}}},
-                                          {"contentChanges", std::move(changes)}});
-    }
-    // Does what is due of that depth, and returns the diagnostics that were published last.
-    Json look(Depth depth, const std::string& uri = {}) {
-        Json found;
-        while (const auto work = server_.next_work(depth, Clock::now())) server_.finish(*work, run(*work));
-        for (Json& one : handle()) {
-            if (one.value("method", "") != "textDocument/publishDiagnostics") continue;
-            if (uri.empty() || one["params"]["uri"] == uri) found = one["params"];
-        }
-        return found;
-    }
-    Server& server() { return server_; }
-    Json greeting;
-
- private:
-    Server server_;
-    int id_ = 0;
-};
-
-Json at(int line, int character, const std::string& uri = kUri) {
-    return {{"textDocument", {{"uri", uri}}}, {"position", {{"line", line}, {"character", character}}}};
-}
-
-Json with(Json params, const std::string& name, Json value) {
-    params[name] = std::move(value);
-    return params;
-}
-
-const Json kAbilities{{"textDocument",
-                       {{"hover", {{"contentFormat", Json::array({"markdown"})}}},
-                        {"completion", {{"completionItem", {{"snippetSupport", true}}}}},
-                        {"documentSymbol", {{"hierarchicalDocumentSymbolSupport", true}}},
-                        {"codeAction", {{"codeActionLiteralSupport", Json::object()}}}}}};
-
-const std::string kCamp = R"(<popup version="2.0" units="mm">
-  <mainpage width="200" height="140"/>
-  <structurelist>
-    <structure type="tent" id="tent">
-      <outerpoints>
-        <point x="-25" y="0"/>   <point x="-25" y="40"/>
-        <point x="25" y="0"/>    <point x="25" y="40"/>
-        <point x="-22" y="-20"/> <point x="-22" y="20"/>
-        <point x="22" y="-20"/>  <point x="22" y="20"/>
-      </outerpoints>
-      <parentfold>
-        <begin x="0" y="-70"/> <end x="0" y="70"/>
-      </parentfold>
-    </structure>
-    <structure type="inverted-beak" id="flag">
-      <outerpoints>
-        <point x="0" y="15"/> <point x="-8" y="5"/> <point x="8" y="5"/>
-      </outerpoints>
-      <leftcolor>gold</leftcolor>
-      <parentfold page="1">
-        <begin x="0" y="-20"/> <end x="0" y="20"/>
-      </parentfold>
-    </structure>
-  </structurelist>
-</popup>
-)";
+using namespace test_client;
 
 std::string edited(const std::string& text, const Json& edits) {
     const Text before(text);
@@ -137,7 +38,8 @@ TEST(Server, TellsWhatItCanDo) {
     EXPECT_EQ(plain.greeting["capabilities"]["positionEncoding"], "utf-16");
     EXPECT_EQ(plain.greeting["capabilities"]["textDocumentSync"]["change"], 2);
     EXPECT_EQ(plain.greeting["serverInfo"]["name"], "popupc");
-    EXPECT_FALSE(plain.greeting["capabilities"].contains("documentFormattingProvider"));
+    EXPECT_EQ(plain.greeting["capabilities"]["documentFormattingProvider"], true);
+    EXPECT_FALSE(plain.greeting["capabilities"].contains("codeLensProvider")) << "there is no view to open";
     const Client bytes(Json{{"general", {{"positionEncodings", {"klingon", 3, "utf-8", "utf-16"}}}}});
     EXPECT_EQ(bytes.greeting["capabilities"]["positionEncoding"], "utf-8");
 }
@@ -237,6 +139,102 @@ TEST(Server, OffersTheMoveOfACollision) {
 }
 
 // While the motion is examined anew, what was found before stays, where its element is now.
+// A keystroke costs what it changes, and finds what a run of everything finds.
+TEST(Server, ExaminesWhatHasChangedAndSaysHowMuch) {
+    std::string text = write_document(test::row(100));
+    Client client(kAbilities);
+    client.notify("$/setTrace", {{"value", "messages"}});
+    client.open(text);
+    client.look(Depth::check);
+    client.look(Depth::whole);
+    // The last digit of a point's x: a few tenths of a millimetre.
+    const std::size_t at = text.find('"', text.find("<point x=\"", text.size() / 2) + 10) - 1;
+    text[at] = text[at] == '5' ? '4' : '5';
+    client.change({{{"text", text}}}, 2);
+    client.look(Depth::check);
+    const auto work = client.server().next_work(Depth::whole, Clock::now());
+    ASSERT_TRUE(work);
+    const Analysis again = run(*work);
+    const Analysis fresh = analyse(work->source, work->options, Depth::whole);
+    ASSERT_EQ(again.findings.size(), fresh.findings.size());
+    for (std::size_t i = 0; i < fresh.findings.size(); ++i) {
+        EXPECT_EQ(again.findings[i].diagnostic.message, fresh.findings[i].diagnostic.message);
+        EXPECT_EQ(again.findings[i].at.begin, fresh.findings[i].at.begin);
+    }
+    ASSERT_TRUE(again.examined);
+    EXPECT_LT(10 * again.examined->examined_pairs, again.examined->pairs);
+    EXPECT_FALSE(fresh.examined);
+    client.server().finish(*work, again, std::chrono::milliseconds(12));
+    const std::vector<Json> told = client.handle();
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told[0]["method"], "$/logTrace");
+    EXPECT_EQ(told[0]["params"]["message"],
+              fmt::format("/cards/camp.xml: examined in 12 ms, {} of {} plates changed, {} of {} pairs of "
+                          "plates that come near each other examined ({:.1f} %), {} of {} pairs of layers",
+                          again.examined->changed_plates, again.examined->plates,
+                          again.examined->examined_pairs, again.examined->pairs,
+                          100.0 * static_cast<double>(again.examined->examined_pairs) /
+                              static_cast<double>(again.examined->pairs),
+                          again.examined->examined_layers, again.examined->layers));
+    // What took so little is done at once the next time.
+    client.change({{{"text", text + "\n"}}}, 3);
+    client.look(Depth::check);
+    EXPECT_TRUE(client.server().next_work(Depth::whole, Clock::time_point{}));
+}
+
+TEST(Server, Formats) {
+    Client client(kAbilities);
+    client.open(kCamp);
+    const Json ask{{"textDocument", {{"uri", kUri}}}, {"options", {{"tabSize", 8}, {"insertSpaces", false}}}};
+    const Json edits = client.ask("textDocument/formatting", ask)["result"];
+    ASSERT_FALSE(edits.empty());
+    Diagnostics trouble;
+    const auto formatted = format_document({"camp.xml", kCamp}, trouble);
+    ASSERT_TRUE(formatted);
+    EXPECT_EQ(edited(kCamp, edits), *formatted);
+    client.change({{{"text", *formatted}}}, 2);
+    EXPECT_EQ(client.ask("textDocument/formatting", ask)["result"], Json::array());
+    client.change({{{"text", "<popup><mainpage wid"}}}, 3);
+    EXPECT_NE(client.ask("textDocument/formatting", ask)["error"]["message"].get<std::string>().find(
+                  "it is left as it is"),
+              std::string::npos);
+    client.change({{{"text", "<html/>"}}}, 4);
+    EXPECT_TRUE(client.ask("textDocument/formatting", ask)["result"].is_null());
+}
+
+TEST(Server, OpensTheView) {
+    std::vector<std::string> opened;
+    ServerOptions options;
+    options.open_view = [&opened](const std::string& path) {
+        opened.push_back(path);
+        return std::string(path == "/cards/gone.xml" ? "there is no file yet" : "");
+    };
+    Client client(kAbilities, options);
+    EXPECT_EQ(client.greeting["capabilities"]["executeCommandProvider"]["commands"],
+              Json::array({"popupc.openView"}));
+    client.open("<!-- mine -->\n" + kCamp);
+    const Json lenses = client.ask("textDocument/codeLens", {{"textDocument", {{"uri", kUri}}}})["result"];
+    ASSERT_EQ(lenses.size(), 1U);
+    EXPECT_EQ(lenses[0]["range"]["start"], (Json{{"line", 1}, {"character", 0}}));
+    EXPECT_EQ(lenses[0]["command"]["title"], "Open view");
+    Json command{{"command", lenses[0]["command"]["command"]},
+                 {"arguments", lenses[0]["command"]["arguments"]}};
+    EXPECT_TRUE(client.ask("workspace/executeCommand", command)["result"].is_null());
+    EXPECT_EQ(opened, std::vector<std::string>{"/cards/camp.xml"});
+    // Clients that have no lenses run it by its name, of the document in hand.
+    client.open(kCamp, "file:///cards/gone.xml");
+    command.erase("arguments");
+    EXPECT_EQ(client.ask("workspace/executeCommand", command)["error"]["message"], "there is no file yet");
+    EXPECT_EQ(opened.back(), "/cards/gone.xml");
+    client.open(kCamp, "untitled:camp");
+    command["arguments"] = Json::array({"untitled:camp"});
+    EXPECT_EQ(client.ask("workspace/executeCommand", command)["error"]["message"],
+              "no such document is open");
+    command["command"] = "rm";
+    EXPECT_NE(client.ask("workspace/executeCommand", command)["error"], Json());
+    EXPECT_EQ(opened.size(), 2U);
+}
+
 TEST(Server, KeepsFindingsOfTheMotionUntilTheNextExamination) {
     const std::string text =
         test::read_file(std::string(POPUP_SOURCE_DIR) + "/tests/cases/found/collide.xml");
@@ -369,7 +367,7 @@ TEST(Server, AnswersInTheMiddleOfTyping) {
 
 TEST(Server, SpeaksBytesAndCrLf) {
     Client client(
-        {{"general", {{"positionEncodings", {"utf-8"}}}}, {"textDocument", kAbilities["textDocument"]}});
+        Json{{"general", {{"positionEncodings", {"utf-8"}}}}, {"textDocument", kAbilities["textDocument"]}});
     client.open("<popup>\r\n  <!-- 🎪 --> <strange/>\r\n</popup>\r\n");
     const Json found = client.look(Depth::check);
     ASSERT_EQ(codes(found), std::vector<std::string>{"unknown-markup"});
@@ -390,17 +388,6 @@ TEST(Server, DocumentsOfOthersAreLeftAlone) {
     EXPECT_FALSE(client.server().next_work(Depth::check, Clock::now()));
     EXPECT_TRUE(client.ask("textDocument/hover", at(0, 0, "file:///cards/table.csv"))["result"].is_null());
 }
-
-const std::string kProgram = R"(load("lib.fl")
-; draws a star with so many points
-define star(points, size)
-  repeat (points) forward(size) right(360 / points) done
-done
-card = popup(8, 6)
-size = 2
-star(5, size)
-sta
-)";
 
 TEST(Server, KnowsPrograms) {
     const std::string uri = "file:///cards/star.fl";
@@ -458,130 +445,6 @@ TEST(Server, TextsInMemoryWinOverTheDisk) {
     EXPECT_FALSE(codes(client.look(Depth::check, main)).empty());
     client.open("popup(8, 6)\n", folder + "/new.fl");
     EXPECT_EQ(codes(client.look(Depth::check, main)), std::vector<std::string>{});
-}
-
-std::vector<int> errors(const std::vector<Json>& answers) {
-    std::vector<int> all;
-    for (const Json& one : answers)
-        all.push_back(one.contains("error") ? one["error"]["code"].get<int>() : 0);
-    return all;
-}
-
-TEST(Server, AnswersWhatIsNoMessage) {
-    Client client(kAbilities);
-    const std::vector<std::pair<std::string, std::vector<int>>> cases{
-        {"", {-32700}},
-        {"{", {-32700}},
-        {"\xff\xfe", {-32700}},
-        {R"({"jsonrpc": "2.0", "id": 1, "method": "\ud800"})", {-32700}},
-        {std::string(1000, '['), {-32700}},
-        {"[" + std::string(5'000'000, ',') + "]", {-32700}},
-        {"[]", {-32600}},
-        {"null", {-32600}},
-        {R"({"id": 1})", {-32600}},
-        {R"({"id": {"a": 1}, "method": "shutdown"})", {-32600}},
-        {R"({"id": 1, "method": 7})", {-32600}},
-        {R"({"id": 1, "method": "initialize", "params": {}})", {-32600}},
-        {R"({"id": 1, "method": "no/such"})", {-32601}},
-        {R"({"method": "no/such"})", {}},
-        {R"({"id": 1, "result": null})", {}},
-        {R"({"id": 1, "error": {}})", {}},
-        {R"({"id": 1, "method": "textDocument/hover"})", {-32602}},
-        {R"({"id": 1, "method": "textDocument/hover", "params": [1]})", {-32602}},
-        {R"({"id": 1, "method": "textDocument/hover", "params": {"textDocument": {"uri": 4}}})", {-32602}},
-        {R"({"id": 1, "method": "textDocument/hover", "params": {"textDocument": {"uri": "file:///none"}}})",
-         {0}},
-        {R"({"id": 1.5, "method": "textDocument/hover", "params": null})", {-32602}},
-    };
-    for (const auto& [body, expected] : cases)
-        EXPECT_EQ(errors(client.send(body)), expected) << body.substr(0, 80);
-    // Positions that no text has.
-    client.open(kCamp);
-    for (const char* number : {"-1", "4294967296", "1e300", "99999999999999999999", "0.5"}) {
-        const std::string body =
-            R"({"id": 2, "method": "textDocument/hover", "params": {"textDocument": {"uri": ")" + kUri +
-            R"("}, "position": {"line": )" + number + R"(, "character": )" + number + "}}}";
-        EXPECT_EQ(client.send(body).size(), 1U) << number;
-    }
-}
-
-TEST(Server, KeepsTheOrderOfALife) {
-    Client client(Json(nullptr));  // not greeted
-    EXPECT_EQ(errors(client.send(R"({"id": 1, "method": "textDocument/hover"})")), std::vector<int>{-32002});
-    EXPECT_EQ(errors(client.send(R"({"id": 1, "method": "shutdown"})")), std::vector<int>{-32002});
-    EXPECT_TRUE(client.notify("textDocument/didOpen", Json::object()).empty());
-    EXPECT_EQ(errors(client.send(R"({"id": "a", "method": "initialize"})")), std::vector<int>{0});
-    EXPECT_EQ(errors(client.send(R"({"id": "a", "method": "shutdown"})")), std::vector<int>{0});
-    EXPECT_EQ(errors(client.send(R"({"id": "a", "method": "textDocument/hover"})")),
-              std::vector<int>{-32600});
-    EXPECT_FALSE(client.server().ended());
-    client.notify("exit", Json::object());
-    EXPECT_TRUE(client.server().ended());
-    EXPECT_EQ(client.server().exit_code(), 0);
-    Client rude(kAbilities);
-    rude.notify("exit", Json::object());
-    EXPECT_EQ(rude.server().exit_code(), 1);
-}
-
-TEST(Server, DoesNotDoWhatWasCancelledWhileItWaited) {
-    Client client(kAbilities);
-    client.server().receive(R"({"id": 7, "method": "no/such"})");
-    client.server().receive(R"({"id": 8, "method": "no/such"})");
-    client.server().receive(R"({"id": 7, "method": "no/such"})");  // an id that is in use already
-    client.server().receive(R"({"method": "$/cancelRequest", "params": {"id": 8}})");
-    client.server().receive(R"({"method": "$/cancelRequest", "params": {"id": 99}})");
-    client.server().receive(R"({"method": "$/cancelRequest", "params": 3})");
-    EXPECT_EQ(errors(client.handle()), (std::vector<int>{-32601, -32800, -32601}));
-}
-
-// A half of a change that makes no sense is not made.
-TEST(Server, ChangesAreMadeWholeOrNotAtAll) {
-    Client client(kAbilities);
-    client.open("<popup/>");
-    client.change({{{"text", "<popup><structurelist/></popup>"}}, {{"range", 3}, {"text", "x"}}}, 2);
-    client.change({{{"text", 5}}}, 3);
-    const auto work = client.server().next_work(Depth::check, Clock::now());
-    ASSERT_TRUE(work);
-    EXPECT_EQ(work->source.text, "<popup/>");
-}
-
-// Messages damaged in any way, to documents damaged in any way: the server answers, and goes on answering.
-TEST(Server, GoesOnWhateverComes) {
-    const std::vector<std::string> methods{"hover",         "completion",     "definition", "references",
-                                           "prepareRename", "documentSymbol", "codeAction", "documentColor"};
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        test::Random random(seed);
-        Client client(kAbilities);
-        const std::string uri = seed % 2 == 0 ? kUri : "file:///cards/star.fl";
-        std::string text = seed % 2 == 0 ? kCamp : kProgram;
-        for (std::size_t i = 0; i < random.below(12); ++i) {
-            const std::size_t at = random.below(text.size());
-            static const std::vector<std::string> kWith{"",        "<",    ">", "\"", "</", "<!--",
-                                                        "-->",     "'",    "=", "\n", "𝄞",  "<structure ",
-                                                        "define ", "done", "(", "["};
-            text.replace(at, random.below(8), kWith[random.below(kWith.size())]);
-        }
-        // What is cut may have left half a character.
-        client.send(Json{{"method", "textDocument/didOpen"},
-                         {"params", {{"textDocument", {{"uri", uri}, {"text", text}, {"version", 1}}}}}}
-                        .dump(-1, ' ', false, Json::error_handler_t::replace));
-        client.look(Depth::check);
-        for (int i = 0; i < 30; ++i) {
-            const int line = static_cast<int>(random.below(30));
-            Json params = at(line, static_cast<int>(random.below(60)), uri);
-            params["range"] = {{"start", params["position"]},
-                               {"end", {{"line", line + 1}, {"character", 0}}}};
-            std::string body = Json{
-                {"id", i},
-                {"method", "textDocument/" + methods[random.below(methods.size())]},
-                {"params", params}}.dump();
-            if (random.below(3) == 0) body[random.below(body.size())] = static_cast<char>(random.below(256));
-            EXPECT_LE(client.send(body).size(), 2U);
-        }
-        EXPECT_EQ(
-            client.ask("textDocument/documentColor", {{"textDocument", {{"uri", uri}}}}).count("result"), 1U)
-            << "seed " << seed;
-    }
 }
 
 }  // namespace

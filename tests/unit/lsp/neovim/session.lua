@@ -28,6 +28,13 @@ local ok, why = pcall(function()
   vim.api.nvim_win_set_cursor(0, { 6, 32 })
   vim.lsp.buf.rename('marquee')
   wait('the new id', function() return vim.api.nvim_buf_get_lines(0, 5, 6, false)[1]:find('marquee') ~= nil end)
+  -- The same client formats, and knows the lens.
+  vim.api.nvim_buf_set_lines(0, 4, 5, false, { '      <structurelist>   ' })
+  local format = vim.lsp.buf.format or function() vim.lsp.buf.formatting_sync(nil, 30000) end
+  format({ timeout_ms = 30000 })
+  wait('the canonical spelling', function() return vim.api.nvim_buf_get_lines(0, 4, 5, false)[1] == '  <structurelist>' end)
+  local lenses = vim.lsp.buf_request_sync(0, 'textDocument/codeLens', { textDocument = vim.lsp.util.make_text_document_params() }, 30000)
+  say(lenses[client_id].result[1].command.title)
   vim.cmd('write')
 end)
 if not ok then say(tostring(why)) end
