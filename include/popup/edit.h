@@ -49,9 +49,9 @@ struct Edited {
 // All edits, in their order, or none. Each sees what those before it made. Then the document is read and
 // checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
 // `of_edits`, and the errors in `of_document`, unless it is forced. What else the checks newly find is in
-// `of_document` too. The two may be one object. nullopt: there is no such document. Cost: two readings and
-// checks of the document, and one of what stands on what; edits that change what a later one stands on cost
-// one more.
+// `of_document` too. The two may be one object. nullopt: there is no such document. Cost: two readings of
+// the document, a check of what it becomes and, where that finds anything, of what it was, and one look at
+// what stands on what; edits that change what a later one stands on cost one more.
 std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
                                     const EditOptions& options, Diagnostics& of_edits,
                                     Diagnostics& of_document);

@@ -37,6 +37,32 @@ bool give_measures(Session& session, std::size_t n, const std::vector<double>& v
     return session.write(n, *made);
 }
 
+// Moves an element so far along the fold that it stands on, towards the fold's end. Its shape stays as it is
+// to the last digit, which its measures may not tell: they know nothing of a piece that has been pulled
+// askew.
+bool shift_along(Session& session, std::size_t n, double mm) {
+    const Structure& structure = session.design.structures[n];
+    const ElementInfo& info = Session::info_of(structure);
+    const PageFold on = session.standing(n).seen;
+    const auto by = [mm, &on, ground = structure.ground_page()](std::optional<int> page) {
+        const Segment& fold = page.value_or(ground) == on.left_page ? on.on_left : on.on_right;
+        return (mm / distance(fold.a, fold.b)) * (fold.b - fold.a);
+    };
+    Shaped moved{Session::points_of(structure), structure.arguments};
+    for (std::size_t i = 0; i < moved.points.size(); ++i) {
+        if (info.points[i].page == PointPage::fold)
+            moved.points[i] = moved.points[i] + by(structure.points[i].page);
+    }
+    for (std::size_t i = 0; i < moved.arguments.size(); ++i) {
+        Argument& argument = moved.arguments[i];
+        if (info.parameters[i].page != PointPage::fold || !is_drawn(argument)) continue;
+        const Vec2 d = by(argument.page);
+        move_argument(argument, {1, 0, 0, 1, d.x, d.y});
+        argument.changed = true;
+    }
+    return session.write(n, moved);
+}
+
 // The place in its measures of the first that it has of these.
 std::optional<std::size_t> first_of(const ElementInfo& info, std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
@@ -104,6 +130,8 @@ bool move(Session& session, const Command& command) {
     auto values = measures(session, *n);
     if (!values) return false;
     bool any = false;
+    bool measured = false;
+    double along = 0.0;
     for (const Shift& shift : kShifts) {
         const std::string* text = command.find(shift.option);
         if (text == nullptr) continue;
@@ -120,13 +148,19 @@ bool move(Session& session, const Command& command) {
         const auto by = shift.turns ? session.angle("--turn", *text)
                                     : session.length(fmt::format("--{}", shift.option), *text);
         if (!by) return false;
-        (*values)[*measure] = shift.to ? *by : (*values)[*measure] + *by;
         any = true;
+        if (info.measures[*measure].name == "at") {
+            along += shift.to ? *by - (*values)[*measure] : *by;
+        } else {
+            (*values)[*measure] += *by;
+            measured = true;
+        }
     }
     if (!any)
         return session.fail("bad-edit", "nothing says where it is to be moved",
                             "such as --along 12 or --to 0; on a plate --x 5 --y -3");
-    if (!give_measures(session, *n, *values)) return false;
+    if (measured && !give_measures(session, *n, *values)) return false;
+    if (along != 0.0 && !shift_along(session, *n, along)) return false;
     if (followers) followers->follow(session);
     return true;
 }

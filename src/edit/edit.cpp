@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
@@ -19,7 +20,8 @@ namespace edit {
 
 std::span<const Row> rows() {
     static const std::array<Row, 8> kRows{
-        {{{"set", "ID --NAME VALUE...", "change measures, sizes and colours; the others stay"},
+        {{{"set", "ID --NAME VALUE...",
+           "change measures, sizes and colours; the others stay; none takes a value out"},
           {"follow"},
           {},
           1,
@@ -44,9 +46,9 @@ std::span<const Row> rows() {
           1,
           1000,
           add},
-         {{"copy", "ID [--times N] [--step LENGTH] [--on FOLD] [--mirror] [--ids PATTERN]",
+         {{"copy", "ID [--times N] [--step LENGTH] [--on FOLD] [--mirror | --with-children] [--ids PATTERN]",
            "copy an element along its fold, or to another"},
-          {"mirror"},
+          {"mirror", "with-children"},
           {"times", "step", "on", "ids"},
           1,
           1,
@@ -135,28 +137,46 @@ bool run(Session& session, const EditLine& line) {
         ->run(session, *command);
 }
 
-// Reads, checks and closes a document: everything that can be an error of it.
-Diagnostics findings_of(const Source& source, const EditOptions& options) {
-    Diagnostics found(source.name);
+// How far a document is looked at.
+enum class Until { reading, check, motion };
+
+std::optional<Design> read_document(const Source& source, const EditOptions& options, Diagnostics& found) {
     ReadOptions read = options.read;
     read.language = "xml";
-    const Reading reading = read_source_text(source, read, found);
-    if (!reading.design) return found;
-    const auto checked = check(*reading.design, options.check, found);
-    if (!checked) return found;
-    const auto assembly = assemble(*checked, {}, found);
-    if (!assembly) return found;
-    MotionOptions motion;
-    motion.examine = false;
-    simulate(*assembly, motion, found);
-    return found;
+    return read_source_text(source, read, found).design;
 }
 
-using Counts = std::map<std::pair<std::string, std::string>, int>;
+// Checks and closes a design: with what its reading says, everything that can be an error of it. How far it
+// was when the last finding came: looking no further finds the same codes.
+Until look_at(const Design& design, Until until, const EditOptions& options, Diagnostics& found) {
+    Until last = Until::reading;
+    std::size_t count = found.sorted().size();
+    const auto now = [&](Until stage) {
+        if (const std::size_t more = found.sorted().size(); more > count) {
+            count = more;
+            last = stage;
+        }
+    };
+    if (until == Until::reading) return last;
+    const auto checked = check(design, options.check, found);
+    now(Until::check);
+    if (!checked || until == Until::check) return last;
+    const auto assembly = assemble(*checked, {}, found);
+    if (assembly) {
+        MotionOptions motion;
+        motion.examine = false;
+        simulate(*assembly, motion, found);
+    }
+    now(Until::motion);
+    return last;
+}
+
+// By severity too: a repair that has become impossible is an error of the same code.
+using Counts = std::map<std::tuple<Severity, std::string, std::string>, int>;
 
 Counts counted(const Diagnostics& found) {
     Counts counts;
-    for (const Diagnostic& one : found.sorted()) ++counts[{one.code, one.element}];
+    for (const Diagnostic& one : found.sorted()) ++counts[{one.severity, one.code, one.element}];
     return counts;
 }
 
@@ -208,6 +228,7 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
         }
         return std::nullopt;
     }
+    const Design before_edits = *reading.design;
     edit::Session session(std::move(*reading.design), source.name, of_edits);
     for (const EditLine& line : edits) {
         if (!edit::run(session, line)) return std::nullopt;
@@ -216,14 +237,20 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     made.text = xml::patch(source, session.design, session.gone);
     if (made.text == source.text) return made;
 
-    const Diagnostics after = edit::findings_of({source.name, made.text}, options);
+    Diagnostics after(source.name);
+    edit::Until last = edit::Until::reading;
+    if (const auto design = edit::read_document({source.name, made.text}, options, after))
+        last = edit::look_at(*design, edit::Until::motion, options, after);
     const std::vector<Diagnostic> found = after.sorted();
-    // What was found before is asked only where there is something to compare it with.
+    // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before;
-    if (!found.empty()) before = edit::counted(edit::findings_of(source, options));
+    if (!found.empty()) {
+        edit::look_at(before_edits, last, options, reading_errors);
+        before = edit::counted(reading_errors);
+    }
     bool broken = false;
     for (const Diagnostic& one : found) {
-        int& known = before[{one.code, one.element}];
+        int& known = before[{one.severity, one.code, one.element}];
         if (known > 0) {
             --known;
             continue;

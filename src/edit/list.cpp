@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/text/nearest.h"
 #include "edit/session.h"
@@ -266,6 +267,85 @@ std::string numbered(const std::string& pattern, int number) {
 
 }  // namespace
 
+namespace {
+
+// Gives a structure other ground, by its name, on which it has these measures: from one fold to the other, as
+// they are seen from their middles. The ground, as its points see it.
+std::optional<PageFold> stand_on(Session& session, Structure& made, const ElementInfo& info,
+                                 const std::string& name, const std::vector<double>& measures) {
+    Structure there;
+    there.type = made.type;
+    const auto ground = stand(session, there, info, {"copy", {}, {{"on", name}}});
+    if (!ground) return std::nullopt;
+    const auto placed =
+        shaped(info, *ground, 1, std::vector<Vec2>(made.points.size()), made.arguments, measures);
+    if (!placed) {
+        session.fail("bad-edit", fmt::format("\"{}\" cannot be copied to {}", made.id, name));
+        return std::nullopt;
+    }
+    for (std::size_t k = 0; k < made.points.size(); ++k) {
+        made.points[k].at = placed->points[k];
+        made.points[k].page.reset();
+        if (info.points[k].side == 'R' && info.points[k].page == PointPage::fold && !there.named().given() &&
+            !there.plate && ground->right_page != ground->left_page)
+            made.points[k].page = ground->right_page;
+    }
+    made.arguments = placed->arguments;
+    made.fold = there.fold;
+    made.plate = there.plate;
+    made.finds_ground = there.finds_ground;
+    return ground;
+}
+
+// What stands on an element, itself or by way of others.
+struct Child {
+    Structure original;
+    std::string owner;  // the id of what it stands on
+    std::string which;  // of its folds or plates: ".centre"
+    std::vector<double> measures;
+};
+
+// In build order; nullopt after an error.
+std::optional<std::vector<Child>> children_of(Session& session, std::size_t n) {
+    std::vector<Child> all;
+    std::vector<bool> carried(session.design.structures.size(), false);
+    carried[n] = true;
+    for (std::size_t i = n + 1; i < carried.size(); ++i) {
+        const Standing standing = session.standing(i);
+        if (!standing.owner || !carried[*standing.owner]) continue;
+        carried[i] = true;
+        const Structure& one = session.design.structures[i];
+        const std::string& owner = session.design.structures[*standing.owner].id;
+        const auto values =
+            measures_of(Session::info_of(one), standing.seen, 1, Session::points_of(one), one.arguments);
+        if (!values || !standing.on.starts_with(owner + ".")) {
+            session.fail("bad-edit", fmt::format("\"{}\" cannot be copied with what carries it", one.id));
+            return std::nullopt;
+        }
+        all.push_back({one, owner, standing.on.substr(owner.size()), *values});
+    }
+    return all;
+}
+
+// Each on the copy of what it stands on, with ids "flag-2" or, where that is taken, another number.
+bool copy_children(Session& session, const std::vector<Child>& children, const std::string& owner,
+                   int number) {
+    std::map<std::string, std::string> copies;  // ids
+    for (const Child& child : children) {
+        Structure made = child.original;
+        made.id = free_id(session.design, fmt::format("{}-{}", child.original.id, number + 1));
+        made.id_given = true;
+        const auto copied = copies.find(child.owner);
+        const std::string on = (copied == copies.end() ? owner : copied->second) + child.which;
+        if (!stand_on(session, made, Session::info_of(made), on, child.measures)) return false;
+        copies[child.original.id] = made.id;
+        append(session, std::move(made));
+    }
+    return true;
+}
+
+}  // namespace
+
 bool copy(Session& session, const Command& command) {
     const auto n = session.find(command.words.front());
     if (!n) return false;
@@ -291,6 +371,15 @@ bool copy(Session& session, const Command& command) {
     if (!values || standing.on.empty() || !along)
         return session.fail("bad-edit",
                             fmt::format("\"{}\" cannot be copied: it stands on nothing", original.id));
+    std::vector<Child> children;
+    if (command.has("with-children")) {
+        if (command.has("mirror"))
+            return session.fail("bad-edit", "what an element carries is not mirrored with it",
+                                "copy the element with --mirror, and what it carries with --on");
+        auto found = children_of(session, *n);
+        if (!found) return false;
+        children = std::move(*found);
+    }
     for (int i = 1; i <= *times; ++i) {
         Structure made = original;
         made.id = ids != nullptr ? numbered(*ids, i)
@@ -304,25 +393,9 @@ bool copy(Session& session, const Command& command) {
             const auto mirrored = measures_of(info, seen, 1, Session::points_of(made), made.arguments);
             if (mirrored) measures = *mirrored;
         }
-        if (command.has("on")) {
-            Structure there;
-            there.type = made.type;
-            const auto ground = stand(session, there, info, command);
+        if (const std::string* on = command.find("on")) {
+            const auto ground = stand_on(session, made, info, *on, measures);
             if (!ground) return false;
-            // From one fold to the other, as they are seen from their middles.
-            const auto placed =
-                shaped(info, *ground, 1, std::vector<Vec2>(made.points.size()), made.arguments, measures);
-            if (!placed) return session.fail("bad-edit", "it cannot be copied there");
-            for (std::size_t k = 0; k < made.points.size(); ++k) {
-                made.points[k].at = placed->points[k];
-                made.points[k].page.reset();
-                if (info.points[k].side == 'R' && info.points[k].page == PointPage::fold &&
-                    !there.named().given() && !there.plate && ground->right_page != ground->left_page)
-                    made.points[k].page = ground->right_page;
-            }
-            made.fold = there.fold;
-            made.plate = there.plate;
-            made.finds_ground = there.finds_ground;
             seen = *ground;
         }
         measures[*along] += *step * i;
@@ -330,7 +403,9 @@ bool copy(Session& session, const Command& command) {
         if (!placed) return session.fail("bad-edit", "it cannot be copied there");
         for (std::size_t k = 0; k < made.points.size(); ++k) made.points[k].at = placed->points[k];
         made.arguments = placed->arguments;
+        const std::string id = made.id;
         append(session, std::move(made));
+        if (!copy_children(session, children, id, i)) return false;
     }
     return true;
 }

@@ -153,6 +153,10 @@ class Patch {
         for (std::size_t i = 0; i < structure.arguments.size(); ++i) {
             const Argument& argument = structure.arguments[i];
             if (!argument.changed) continue;
+            if (!argument.given()) {
+                take_out(argument);
+                continue;
+            }
             const ParameterInfo& parameter = info->parameters[i];
             if (argument.page && argument.page_text.present()) number(argument.page_text, *argument.page);
             if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
@@ -181,6 +185,23 @@ class Patch {
               const std::string& text) {
         if (argument.text.present()) return replace(argument.text, text);
         attribute(structure.start_tag, parameter.name, text);
+    }
+
+    // An element of its own, or an attribute with the blanks before it.
+    void take_out(const Argument& argument) {
+        if (argument.tag_text.present()) {
+            std::size_t end = argument.tag_text.offset + argument.tag_text.length;
+            if (!text_.substr(0, end).ends_with("/>"))
+                end = std::min(text_.find('>', text_.find("</", end)), text_.size() - 1) + 1;
+            return remove({argument.tag_text.offset, end - argument.tag_text.offset});
+        }
+        if (!argument.text.present()) return;
+        std::size_t begin = text_.rfind('=', argument.text.offset);
+        while (begin > 0 && is_blank(text_[begin - 1])) --begin;
+        while (begin > 0 && !is_blank(text_[begin - 1])) --begin;
+        while (begin > 0 && is_blank(text_[begin - 1])) --begin;
+        // Behind the value stands its quote.
+        edits_.push_back({begin, argument.text.offset + argument.text.length + 1, std::string()});
     }
 
     void replace(TextRange at, std::string text) {
