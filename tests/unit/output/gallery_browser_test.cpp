@@ -107,7 +107,10 @@ TEST_F(GalleryInABrowser, ClearShowsAllAndTilesLeadToTheirPages) {
         ask({"document.querySelector('button[type=reset]').click(); new Promise((done) => "
              "setTimeout(done, 50)).then(() => " +
                  kShown + ")",
-             "location.hash", "[...document.images].map((one) => one.complete && one.naturalWidth)",
+             "location.hash",
+             // Those that lie further down would wait until they are looked at.
+             "Promise.all([...document.images].map((one) => { one.loading = 'eager'; "
+             "return one.decode().then(() => one.naturalWidth); }))",
              "document.querySelector('#none').hidden",
              "(() => { const picture = document.querySelector('img[src*=castle]'); picture.scrollIntoView(); "
              "const "
