@@ -131,22 +131,14 @@ function(popup_batches out name most)
   set(${out} "${sources}" PARENT_SCOPE)
 endfunction()
 
-# Optimized, g++ 12 warns of what it sees in headers that are compiled ahead, whatever warnings are off: they are only
-# where nothing is an error, under the sanitizers.
-if(POPUP_BATCHES AND POPUP_SANITIZE)
-  set(POPUP_PRECOMPILE ON)
-else()
-  set(POPUP_PRECOMPILE OFF)
-endif()
-
-# popup_precompile(TARGET HEADER...): compiles ahead what most files of TARGET include of the C++ library and fmt, and
-# the headers given, where POPUP_PRECOMPILE is on: a batch has half a second, or two with the headers of tests, less to
-# read. It may hide a missing include, as batches do.
+# popup_precompile(TARGET): in batches, compiles ahead what most files of TARGET include of the C++ library and fmt: a
+# batch has half a second less to read. It may hide a missing include, as batches do. Not for what has warnings:
+# optimized, g++ 12 warns of what it sees in headers that are compiled ahead, whatever warnings are off.
 function(popup_precompile target)
-  if(POPUP_PRECOMPILE)
+  if(POPUP_BATCHES)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>
                               <functional> <iterator> <limits> <map> <memory> <numbers> <numeric> <optional> <set>
                               <span> <string> <string_view> <system_error> <tuple> <unordered_map> <utility> <variant>
-                              <vector> <fmt/format.h> ${ARGN})
+                              <vector> <fmt/format.h>)
   endif()
 endfunction()

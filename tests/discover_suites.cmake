@@ -1,6 +1,7 @@
 # Writes for ctest one test a suite of a program made with GoogleTest; suites whose name begins with "Long" have the
 # label `long`. Those that take longest begin first, so that none runs on alone at the end.
-# cmake -D PROGRAM=… -D FILE=… -P discover_suites.cmake
+# cmake -D PROGRAM=… -D FILE=… [-D PREFIX=…] [-D EXCEPT=…] -P discover_suites.cmake
+# PREFIX: what the names of the tests begin with; EXCEPT: a pattern of suites that are left out.
 cmake_minimum_required(VERSION 3.25)
 # What suites take under the sanitizers, in seconds of CPU, or in Release those that run there alone; others take less
 # than five.
@@ -27,6 +28,9 @@ if(NOT suites)
 endif()
 set(tests "")
 foreach(suite IN LISTS suites)
+  if(EXCEPT AND "${suite}" MATCHES "${EXCEPT}")
+    continue()
+  endif()
   set(cost 1)
   if("${seconds}" MATCHES "(^|;)${suite}=([0-9]+)")
     set(cost ${CMAKE_MATCH_2})
@@ -37,7 +41,7 @@ foreach(suite IN LISTS suites)
   else()
     string(APPEND properties " TIMEOUT 900")
   endif()
-  string(APPEND tests "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n"
-                      "set_tests_properties([=[${suite}]=] PROPERTIES ${properties})\n")
+  string(APPEND tests "add_test([=[${PREFIX}${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])\n"
+                      "set_tests_properties([=[${PREFIX}${suite}]=] PROPERTIES ${properties})\n")
 endforeach()
 file(WRITE ${FILE} "${tests}")

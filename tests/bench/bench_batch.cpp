@@ -31,7 +31,7 @@ struct Cost {
 };
 
 Cost measured(const fs::path& directory, std::vector<std::string> words) {
-    words.insert(words.begin(), POPUPC_BINARY);
+    words.insert(words.begin(), kPopupc);
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);

@@ -56,7 +56,7 @@ class Runner {
  public:
     Runner(const fs::path& page, DocRun& result) : page_(page.filename()), result_(result) {
         options_.directory = scratch_.path();
-        options_.environment["PATH"] = fs::path(POPUPC_BINARY).parent_path().string() + ":/usr/bin:/bin";
+        options_.environment["PATH"] = fs::path(kPopupc).parent_path().string() + ":/usr/bin:/bin";
         options_.environment["LC_ALL"] = "C";
         options_.environment["NO_COLOR"] = "1";
         options_.environment["SOURCE"] = POPUP_SOURCE_DIR;

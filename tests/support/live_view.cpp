@@ -8,7 +8,7 @@
 namespace popup::test {
 
 void LiveView::start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {POPUPC_BINARY, "view", "--no-browser"});
+    arguments.insert(arguments.begin(), {kPopupc, "view", "--no-browser"});
     options.environment.try_emplace("POPUPC_NO_CONFIG", "1");
     program = std::make_unique<Background>(arguments, options);
     EXPECT_TRUE(eventually([this] { return program->out().ends_with('\n') || !program->running(); }));

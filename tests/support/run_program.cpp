@@ -69,7 +69,7 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
 }
 
 RunResult popupc(std::vector<std::string> arguments, const RunOptions& options) {
-    arguments.insert(arguments.begin(), POPUPC_BINARY);
+    arguments.insert(arguments.begin(), kPopupc);
     return run(arguments, options);
 }
 

@@ -28,6 +28,9 @@ struct RunOptions {
 // none. Standard output and error go through files, so that no amount of output blocks.
 RunResult run(const std::vector<std::string>& words, const RunOptions& options = {});
 
+// Where the popupc is that tests start. Set before anything that is initialized at run time.
+extern const char* const kPopupc;
+
 // Runs popupc with these arguments.
 RunResult popupc(std::vector<std::string> arguments, const RunOptions& options = {});
 

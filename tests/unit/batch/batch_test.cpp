@@ -476,7 +476,7 @@ class Running : public Background {
 
  private:
     static std::vector<std::string> words(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {POPUPC_BINARY, "batch"});
+        arguments.insert(arguments.begin(), {kPopupc, "batch"});
         return arguments;
     }
     static RunOptions in(const fs::path& directory) {
@@ -486,8 +486,8 @@ class Running : public Background {
     }
 };
 
-constexpr int kDesigns = sanitized_count(1000, 16);
-constexpr int kKills = sanitized_count(220);
+const int kDesigns = sanitized_count(1000, 16);
+const int kKills = sanitized_count(220);
 
 // Workers, the first process, or all of them are killed at random moments, the batch begun again each time;
 // in between finished files are taken away, so that there is always something to do.

@@ -13,7 +13,7 @@
 namespace popup::test {
 namespace {
 
-constexpr auto kSeeds = sanitized_count<std::uint64_t>(40, 8);
+const auto kSeeds = sanitized_count<std::uint64_t>(40, 8);
 
 // Seen from the middle of a line: x to its right, y along it.
 Vec2 beside(const Segment& line, Vec2 p) {

@@ -449,15 +449,15 @@ TEST_F(Cli, AReaderThatGoesAwayIsTwoAndQuiet) {
         run({"bash", "-c",
              std::string("\"$0\" build card.xml --emit motion --angles 0:180:0.1 | head -c 10 >/dev/null; "
                          "echo ${PIPESTATUS[0]}"),
-             POPUPC_BINARY},
+             kPopupc},
             options);
     EXPECT_EQ(result.out, "2\n");
     EXPECT_EQ(result.err, "");
 }
 
 TEST_F(Cli, AClosedStandardOutputIsTwoAndHurtsNoFile) {
-    const RunResult result = run(
-        {"bash", "-c", "\"$0\" build card.xml -o x.svg --emit design >&-; echo $?", POPUPC_BINARY}, options);
+    const RunResult result =
+        run({"bash", "-c", "\"$0\" build card.xml -o x.svg --emit design >&-; echo $?", kPopupc}, options);
     EXPECT_EQ(result.out, "2\n");
     EXPECT_EQ(scratch.names(), std::vector<std::string>{"card.xml"});
 }

@@ -431,7 +431,7 @@ TEST_F(Gallery, AKilledRunLeavesAGalleryThatWorks) {
     ASSERT_EQ(popupc({"gallery", "designs", "-o", "other"}, options).exit, 0);
     const Files wanted = files_below(scratch_ / "other");
     for (const int signal : {SIGKILL, SIGTERM, SIGINT, SIGKILL}) {
-        Background running({POPUPC_BINARY, "gallery", scratch_ / "designs", "-o", scratch_ / "gallery"});
+        Background running({kPopupc, "gallery", scratch_ / "designs", "-o", scratch_ / "gallery"});
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         running.send(signal);
         running.wait();

@@ -87,7 +87,7 @@ class Server {
 
 // A check of so many designs that there is time to look.
 std::vector<std::string> long_check(int designs, const std::string& option = "-q") {
-    std::vector<std::string> words{POPUPC_BINARY, "check", option, "--solver", "iterative"};
+    std::vector<std::string> words{kPopupc, "check", option, "--solver", "iterative"};
     for (int i = 0; i < designs; ++i) words.push_back(kSource / "samples/castle.xml");
     return words;
 }
@@ -158,7 +158,7 @@ TEST_P(JobserverOf, ABatchHasAProcessForEachToken) {
         const Server server(GetParam(), "ab");
         RunOptions options = server.options();
         options.directory = scratch.path();
-        Background batch({POPUPC_BINARY, "batch", "jobs.jsonl", "-q"}, options);
+        Background batch({kPopupc, "batch", "jobs.jsonl", "-q"}, options);
         const std::string id = std::to_string(batch.pid());
         std::vector<pid_t> workers;
         ASSERT_TRUE(eventually([&] {
@@ -185,8 +185,8 @@ TEST_P(JobserverOf, ASearchThatIsStoppedGivesItsTokenBack) {
         const Server server(GetParam(), "abc");
         RunOptions options = server.options();
         options.directory = scratch.path();
-        Background build({POPUPC_BINARY, "build", "-q", "--nest-time", "600", "--sheet", "a1", "--copies",
-                          "5", kSource / "samples/castle.xml", "-o", "a.svg"},
+        Background build({kPopupc, "build", "-q", "--nest-time", "600", "--sheet", "a1", "--copies", "5",
+                          kSource / "samples/castle.xml", "-o", "a.svg"},
                          options);
         ASSERT_TRUE(eventually([&] { return server.there() < 3; }));
         EXPECT_EQ(server.there(), 2) << "there is work for two";
@@ -334,7 +334,7 @@ TEST(Jobserver, RealMakeLosesNoToken) {
     RunOptions options;
     options.environment["MAKEFLAGS"] = "";
     const RunResult result =
-        run({"make", "-C", scratch.path(), "-j8", std::string("POPUPC=") + POPUPC_BINARY, designs}, options);
+        run({"make", "-C", scratch.path(), "-j8", std::string("POPUPC=") + kPopupc, designs}, options);
     EXPECT_EQ(result.exit, 0) << result.err;
     EXPECT_EQ(result.err, "");
     for (int i = 1; i <= 6; ++i) {

@@ -39,7 +39,7 @@ class SampleBuild : public testing::Test {
             fs::copy_file(kSamples / name, scratch / name);
         }
         options.directory = scratch.path();
-        options.environment["PATH"] = fs::path(POPUPC_BINARY).parent_path().string() + ":/usr/bin:/bin";
+        options.environment["PATH"] = fs::path(kPopupc).parent_path().string() + ":/usr/bin:/bin";
         options.environment["MAKEFLAGS"] = "";
     }
     // What the tool built. It must have succeeded.

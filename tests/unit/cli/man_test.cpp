@@ -451,7 +451,7 @@ TEST(VerbManuals, AreSetByManOnATerminal) {
     RunOptions options;
     options.environment = {{"MANPAGER", "cat"}, {"TERM", "dumb"}};
     const RunResult shown =
-        run({"script", "-qec", std::string(POPUPC_BINARY) + " manual list", "/dev/null"}, options);
+        run({"script", "-qec", std::string(kPopupc) + " manual list", "/dev/null"}, options);
     EXPECT_EQ(shown.exit, 0);
     EXPECT_NE(shown.out.find("POPUPC-LIST(1)"), std::string::npos) << shown.out;
     EXPECT_EQ(shown.out.find(".Sh"), std::string::npos) << shown.out;

@@ -90,8 +90,8 @@ TEST_F(Mistakes, WhatAKilledRunLeft) {
     if (child == 0) {
         ::chdir(scratch.path().c_str());
         // It waits at the pipe, after the files beside it have been written.
-        ::execl(POPUPC_BINARY, "popupc", "build", "bird.xml", "-q", "-o", "a.svg", "-o", "a.pdf", "--to",
-                "svg", "-o", "pipe", nullptr);
+        ::execl(kPopupc, "popupc", "build", "bird.xml", "-q", "-o", "a.svg", "-o", "a.pdf", "--to", "svg",
+                "-o", "pipe", nullptr);
         ::_exit(127);
     }
     const auto litter = [this] {

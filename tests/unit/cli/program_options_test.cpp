@@ -349,7 +349,7 @@ TEST_F(LoadedFiles, JobsOfABatchPrintToFilesOfTheirOwn) {
 }
 
 TEST_F(LoadedFiles, AreWatched) {
-    Background watching({POPUPC_BINARY, "build", "--watch", "-q", "part.fl", "-I", "lib", "-o", "part.json"},
+    Background watching({kPopupc, "build", "--watch", "-q", "part.fl", "-I", "lib", "-o", "part.json"},
                         options);
     const auto comes = [&](double wanted) {
         return eventually(

@@ -48,7 +48,7 @@ std::string on_terminal(std::vector<std::string> words, unsigned short columns) 
     size.ws_col = columns;
     size.ws_row = 24;
     int terminal = -1;
-    words.insert(words.begin(), POPUPC_BINARY);
+    words.insert(words.begin(), test::kPopupc);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
@@ -79,7 +79,7 @@ void make_designs(const std::filesystem::path& where, int count, const std::stri
 TEST(Progress, OnATerminalThereIsABarThatFitsAndIsTakenAway) {
     const test::ScratchDirectory designs;
     // Its examination takes long enough for a bar to be drawn at least once.
-    constexpr int kCount = test::sanitized_count(4, 2);
+    const int kCount = test::sanitized_count(4, 2);
     const std::string all = std::to_string(kCount);
     make_designs(designs.path(), kCount, "/tests/cases/found/collide.xml");
     for (const unsigned short columns : {40, 100}) {

@@ -55,7 +55,7 @@ class Watch : public testing::Test {
         return read_file(apart / "card.glb");
     }
     void start(std::vector<std::string> arguments = {"card.xml", "-o", "card.glb"}) {
-        arguments.insert(arguments.begin(), {POPUPC_BINARY, "build", "--watch"});
+        arguments.insert(arguments.begin(), {kPopupc, "build", "--watch"});
         watching = std::make_unique<Background>(arguments, options);
     }
     bool comes(const std::string& bytes, const std::string& name = "card.glb") {
@@ -350,7 +350,7 @@ TEST_F(Watch, ALimitOfInotifyIsNamed) {
                                          std::pair("max_inotify_watches", "fs.inotify.max_user_watches")}) {
         const RunResult result = run({"unshare", "--user", "--map-root-user", "sh", "-c",
                                       std::string("echo 0 > /proc/sys/user/") + limit + " || exit 77; exec " +
-                                          POPUPC_BINARY + " build --watch card.xml -o card.glb"},
+                                          kPopupc + " build --watch card.xml -o card.glb"},
                                      options);
         if (result.exit != 2) GTEST_SKIP() << "no name space can be had here: " << result.err;
         EXPECT_NE(result.err.find(std::string("the limit ") + setting + " is reached"), std::string::npos)

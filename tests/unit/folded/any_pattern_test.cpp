@@ -17,7 +17,7 @@
 namespace popup {
 namespace {
 
-constexpr int kPatterns = test::sanitized_count(200, 20);
+const int kPatterns = test::sanitized_count(200, 20);
 constexpr int kMany = 10'000;
 // Of so many patterns one is put in an order.
 constexpr int kOrdered = 8;

@@ -19,8 +19,8 @@
 namespace popup {
 namespace {
 
-constexpr auto kSeeds = test::sanitized_count<std::uint64_t>(12, 6);
-constexpr int kLeast = test::sanitized_count(120, 6);
+const auto kSeeds = test::sanitized_count<std::uint64_t>(12, 6);
+const int kLeast = test::sanitized_count(120, 6);
 
 // The pattern that is written of a card, read and folded again.
 std::optional<Assembly> folded_back(const Assembly& card, std::string& told) {

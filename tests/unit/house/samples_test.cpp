@@ -312,7 +312,7 @@ TEST(Samples, MakefileBuildsAllOfThemAndThenNothing) {
     const ScratchDirectory out;
     fs::copy(kSamples, out / "samples", fs::copy_options::recursive);
     const std::vector<std::string> make{"make", "-C", out / "samples", "-j2",
-                                        std::string("POPUPC=") + POPUPC_BINARY};
+                                        std::string("POPUPC=") + kPopupc};
     const RunResult first = run(make);
     ASSERT_EQ(first.exit, 0) << first.out << first.err;
     for (const std::string& sample : sample_names()) {

@@ -265,7 +265,7 @@ TEST_F(View, OpensABrowser) {
     write_file(view.scratch / "see", "#!/bin/sh\necho \"$1\" > " + (view.scratch / "seen").string() + "\n");
     fs::permissions(view.scratch / "see", fs::perms::owner_all);
     view.options.environment["BROWSER"] = (view.scratch / "see").string();
-    Background program({POPUPC_BINARY, "view", "card.xml"}, view.options);
+    Background program({kPopupc, "view", "card.xml"}, view.options);
     ASSERT_TRUE(eventually([&] { return read_file(view.scratch / "seen").ends_with('\n'); }))
         << program.err();
     EXPECT_EQ(read_file(view.scratch / "seen"), program.out());
@@ -273,7 +273,7 @@ TEST_F(View, OpensABrowser) {
     EXPECT_EQ(program.wait(), 0);
     view.options.environment["BROWSER"] = "no-such-browser";
     view.options.environment["PATH"] = view.scratch.path().string();
-    Background without({POPUPC_BINARY, "view", "card.xml"}, view.options);
+    Background without({kPopupc, "view", "card.xml"}, view.options);
     ASSERT_TRUE(eventually([&] { return !without.err().empty(); }));
     EXPECT_EQ(without.err(), "popupc: no browser could be started: open the address above in one\n");
     without.send(SIGINT);
@@ -290,7 +290,7 @@ TEST_F(View, APortThatIsTakenOrNotAllowedIsNamed) {
                              ": another program has this port\n"
                              "  hint: without --port one is taken that is free\n");
     const RunResult low = run({"setpriv", "--reuid", "65534", "--bounding-set", "-all", "--inh-caps", "-all",
-                               POPUPC_BINARY, "view", "card.xml", "--no-browser", "--port", "1"},
+                               kPopupc, "view", "card.xml", "--no-browser", "--port", "1"},
                               view.options);
     if (low.exit != 2 || low.err.find("--port 1: ") == std::string::npos)
         GTEST_SKIP() << "as another user: " << low.err;
@@ -326,7 +326,7 @@ TEST_F(View, StreamsThatCannotBeReadAgainAreRefused) {
     EXPECT_NE(pipe.err.find("pipe.xml can be read only once"), std::string::npos) << pipe.err;
     // Nobody reads the address.
     const RunResult gone =
-        run({"sh", "-c", std::string(POPUPC_BINARY) + " view card.xml --no-browser >&-"}, view.options);
+        run({"sh", "-c", std::string(kPopupc) + " view card.xml --no-browser >&-"}, view.options);
     EXPECT_EQ(gone.exit, 2);
 }
 

@@ -78,10 +78,12 @@ TEST(LspProgram, NeovimSeesAFindingAppliesItsRepairAndRenames) {
     write_file(scratch / "card.xml", read_file(source / "tests/unit/lsp/neovim/card.xml"));
     RunOptions options;
     options.directory = scratch.path();
-    options.environment = {
-        {"XDG_CONFIG_HOME", scratch.path()}, {"XDG_DATA_HOME", scratch.path()},
-        {"XDG_STATE_HOME", scratch.path()},  {"XDG_CACHE_HOME", scratch.path()},
-        {"POPUPC", POPUPC_BINARY},           {"POPUP_EDITORS", source / "samples/editors"}};
+    options.environment = {{"XDG_CONFIG_HOME", scratch.path()},
+                           {"XDG_DATA_HOME", scratch.path()},
+                           {"XDG_STATE_HOME", scratch.path()},
+                           {"XDG_CACHE_HOME", scratch.path()},
+                           {"POPUPC", kPopupc},
+                           {"POPUP_EDITORS", source / "samples/editors"}};
     const std::string script = source / "tests/unit/lsp/neovim/session.lua";
     const RunResult result =
         run({"timeout", "120", "nvim", "--headless", "-u", "NONE", "-n", "-c", "luafile " + script}, options);

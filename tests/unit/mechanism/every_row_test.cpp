@@ -15,9 +15,9 @@
 namespace popup::test {
 namespace {
 
-constexpr auto kSeeds = sanitized_count<std::uint64_t>(5);
+const auto kSeeds = sanitized_count<std::uint64_t>(5);
 // A prime number: whatever the number of rows, each of them comes to stand on some other.
-constexpr std::size_t kOneInPairs = kSanitized ? 11 : 1;
+const std::size_t kOneInPairs = kSanitized ? 11 : 1;
 
 // It needs no repair, its seams are closed at every degree, and it closes flat.
 void expect_folds(const Design& design) {
@@ -87,7 +87,7 @@ TEST(EveryRow, StandsOnEveryOther) {
 // One on another, eight times: what carries is always what was made last.
 TEST(EveryRow, ComposesToDepthEight) {
     constexpr int kDepth = 8;
-    constexpr int kTowers = sanitized_count(8, 4);
+    const auto kTowers = sanitized_count<std::uint64_t>(8, 4);
     std::set<std::string_view> top;
     int reached = 0;
     for (std::uint64_t seed = 1; seed <= kTowers; ++seed) {

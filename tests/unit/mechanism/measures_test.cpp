@@ -143,7 +143,7 @@ std::vector<Standing> elements_of(const ElementInfo& info, std::uint64_t seed) {
     return made;
 }
 
-constexpr auto kSeeds = sanitized_count<std::uint64_t>(24, 6);
+const auto kSeeds = sanitized_count<std::uint64_t>(24, 6);
 
 // Points to measures to points, and by way of other measures back; and put on another element of the same
 // kind.

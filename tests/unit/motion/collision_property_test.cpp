@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using PlatePair = std::pair<int, int>;
 
-constexpr int kDesigns = test::sanitized_count(200);
+const int kDesigns = test::sanitized_count(200);
 constexpr int kLongDesigns = 3000;
 constexpr double kEndDeg = 0.02;         // so near the end of a contact either answer will do
 constexpr double kSlackMm = 2e-5;        // the same, for contacts that end slowly

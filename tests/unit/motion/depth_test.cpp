@@ -15,7 +15,7 @@
 namespace popup::test {
 namespace {
 
-constexpr int kContacts = sanitized_count(200);
+const int kContacts = sanitized_count(200);
 constexpr int kLongContacts = 2000;
 constexpr double kSlackMm = 0.05;
 constexpr int kSteps = 12;  // at which a shorter way out is looked for, each way

@@ -17,7 +17,7 @@
 namespace popup::test {
 namespace {
 
-constexpr int kRounds = sanitized_count(10);
+const int kRounds = sanitized_count(10);
 
 PixelMask mask_from(int width, int height, std::vector<std::uint8_t> inside) {
     PixelMask mask;

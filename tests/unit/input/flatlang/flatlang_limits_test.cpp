@@ -9,6 +9,7 @@
 
 #include "input/flatlang/read.h"
 #include "support/flatlang_run.h"
+#include "support/sanitized.h"
 
 namespace popup::flatlang {
 namespace {
@@ -45,14 +46,9 @@ TEST(FlatLangLimits, LimitsEndProgramsWithAnErrorThatNamesTheOption) {
     EXPECT_EQ(run("while (true) done").result.steps, 10'000'000U);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kSlower = 10;
+const std::uint64_t kSlower = popup::test::kSanitized ? 10 : 1;
 // AddressSanitizer takes an exception that leaves more than 64 MB of stack for a fault.
-constexpr std::uint64_t kDeepest = 3'000;
-#else
-constexpr std::uint64_t kSlower = 1;
-constexpr std::uint64_t kDeepest = 100'000;
-#endif
+const std::uint64_t kDeepest = popup::test::kSanitized ? 3'000 : 100'000;
 
 TEST(FlatLangLimits, CallsMayStandAHundredThousandDeep) {
     ReadOptions options = with_files({});
