@@ -10,6 +10,10 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
      "The edit has an unknown verb, names a measure or value that the element does not have, gives a "
      "length that is not one, or asks for a shape that the element cannot have. The message says "
      "which, and what is possible. Nothing is written: popupc carries out all edits or none."},
+    {"drawing-cut", Severity::remark, "a drawn silhouette that was cut off at its lower end",
+     "`popupc edit card.xml outline ID --from FILE` stands a drawing on the seams of the piece. One "
+     "with a straight lower edge stands on that. Of a round one the lowest part is cut off, at the first "
+     "level that is half as wide as the drawing. A straight edge along its lower end keeps all of it."},
     {"edit-refused", Severity::error, "an edit that would break the card",
      "popupc checks the document that the edits make. It would have an error that it does not have now; "
      "another message names that error. Nothing is written. Often "

@@ -1,9 +1,11 @@
 // A drawn silhouette for a piece.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "edit/session.h"
+#include "edit/stand_drawing.h"
 #include "input/text.h"
 #include "input/xml/outline_file.h"
 #include "popup/files.h"
@@ -28,25 +30,67 @@ Box place_of(const Structure& structure, const ElementInfo& info, std::size_t ou
     return box;
 }
 
-// Its lower left corner stays where that of the box is; in the middle of it where it is wider or narrower.
-std::optional<Path> fitted(Session& session, const Path& drawn, const Box& place, std::string_view fit) {
+constexpr std::array<std::pair<std::string_view, DrawingFit>, 5> kFits{{{"seams", DrawingFit::seams},
+                                                                        {"width", DrawingFit::width},
+                                                                        {"height", DrawingFit::height},
+                                                                        {"both", DrawingFit::both},
+                                                                        {"none", DrawingFit::none}}};
+
+std::optional<DrawingFit> fit_of(Session& session, const Command& command) {
+    const std::string* given = command.find("fit");
+    if (given == nullptr) return DrawingFit::seams;
+    for (const auto& [name, fit] : kFits) {
+        if (name == *given) return fit;
+    }
+    session.fail("bad-edit",
+                 fmt::format("--fit is one of seams, width, height, both and none, not '{}'", shown(*given)));
+    return std::nullopt;
+}
+
+// On a piece without seams: the middle of its lower end stays where that of the box is.
+Path fitted(const Path& drawn, const Box& place, DrawingFit fit) {
     Box box;
     for (const Subpath& line : drawn.subpaths()) {
         box.extend(line.start);
         for (const PathStep& step : line.steps) box.extend(step.to);
     }
-    double scale = 1.0;
-    if (fit == "width" && box.width() > 0.0) {
-        scale = place.width() / box.width();
-    } else if (fit == "height" && box.height() > 0.0) {
-        scale = place.height() / box.height();
-    } else if (fit != "none") {
-        session.fail("bad-edit", fmt::format("--fit is one of width, height and none, not '{}'", fit));
-        return std::nullopt;
+    Vec2 scale{1.0, 1.0};
+    const bool has_size = box.width() > 0.0 && box.height() > 0.0 && !place.empty();
+    if (has_size && place.width() > 0.0 && fit != DrawingFit::none && fit != DrawingFit::height)
+        scale.x = scale.y = place.width() / box.width();
+    if (has_size && place.height() > 0.0 && (fit == DrawingFit::height || fit == DrawingFit::both)) {
+        scale.y = place.height() / box.height();
+        if (fit == DrawingFit::height) scale.x = scale.y;
     }
     const Vec2 from{box.centre().x, box.min.y};
     const Vec2 to = place.empty() ? Vec2{} : Vec2{place.centre().x, place.min.y};
-    return drawn.mapped([&](Vec2 p) { return to + scale * (p - from); });
+    return drawn.mapped([&](Vec2 p) {
+        const Vec2 d = p - from;
+        return to + Vec2{scale.x * d.x, scale.y * d.y};
+    });
+}
+
+// The drawing on the piece, on its seams where it has any.
+std::optional<Path> placed(Session& session, std::size_t n, const xml::OutlineDrawing& drawing,
+                           const std::string& from, const Box& place, DrawingFit fit) {
+    const Structure& structure = session.design.structures[n];
+    const ElementInfo& info = Session::info_of(structure);
+    const std::vector<GlueChain> chains = glue_chains(structure.id, info, folds_on_pages(session, n));
+    if (chains.empty() || chains.size() > 2) return fitted(drawing.path, place, fit);
+    StoodDrawing stood = stand_drawing(drawing.path, chains, fit, place);
+    if (!stood.refusal.what.empty()) {
+        session.fail("bad-edit", fmt::format("the drawing in {} {}", from, stood.refusal.what),
+                     stood.refusal.hint);
+        return std::nullopt;
+    }
+    if (stood.cut_mm > 0.05) {
+        session.remark("drawing-cut",
+                       fmt::format("the drawing in {} has no straight edge to stand on; its lowest {:.1f} mm "
+                                   "were cut off where it is wide enough for {}",
+                                   from, stood.cut_mm, chains.front().name),
+                       "draw a straight edge along its lower end to keep all of it");
+    }
+    return std::move(stood.path);
 }
 
 }  // namespace
@@ -70,9 +114,9 @@ bool outline(Session& session, const Command& command) {
     xml::OutlineDrawing drawing;
     if (const std::string refusal = xml::read_outline_drawing(*from, file->text, drawing); !refusal.empty())
         return session.fail("bad-edit", fmt::format("{} has no outline: {}", *from, refusal));
-    const std::string* fit = command.find("fit");
-    const auto path = fitted(session, drawing.path, place_of(structure, info, *parameter),
-                             fit != nullptr ? std::string_view(*fit) : "width");
+    const auto fit = fit_of(session, command);
+    if (!fit) return false;
+    const auto path = placed(session, *n, drawing, *from, place_of(structure, info, *parameter), *fit);
     if (!path) return false;
     DrawnPath made;
     made.path = *path;

@@ -68,6 +68,10 @@ bool Session::fail(std::string_view code, std::string what, std::string hint) {
     return false;
 }
 
+void Session::remark(std::string_view code, std::string what, std::string hint) {
+    said_.remark(code, place, std::move(what)).hint(std::move(hint));
+}
+
 std::optional<std::size_t> Session::find(std::string_view id) {
     std::vector<std::string_view> ids;
     for (std::size_t n = 0; n < design.structures.size(); ++n) {

@@ -36,6 +36,7 @@ class Session {
 
     // An error; always false.
     bool fail(std::string_view code, std::string what, std::string hint = {});
+    void remark(std::string_view code, std::string what, std::string hint);
     // The structure of that id; an error, with the id that is most like it, when there is none.
     std::optional<std::size_t> find(std::string_view id);
     // What the n-th structure stands on, as the design is now. Precondition: there is one.
