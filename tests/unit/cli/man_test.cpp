@@ -230,6 +230,76 @@ TEST(Manual, HasEveryElementTypeWithItsPointsInOrder) {
     EXPECT_EQ(in_manual, real);
 }
 
+// ".Li at , width ;" and so on, as many as are said of the same kind.
+std::string measures_said(const ElementInfo& info, Said said) {
+    std::string line;
+    for (const MeasureInfo& measure : info.measures) {
+        if (measure.said == said) line += (line.empty() ? ".Li " : " , ") + std::string(measure.name);
+    }
+    return line;
+}
+
+// The lists of the section MEASURES, of the rows of the elements: types with the same measures together, then
+// each measure, with its meanings where it has several.
+std::string measures_for_manual() {
+    std::vector<std::pair<std::string, std::string>> types;  // what is said, and of which
+    std::vector<std::string> names;
+    std::map<std::string, std::vector<std::pair<std::string, std::string>>> abouts;
+    const auto add = [](auto& list, const std::string& what, std::string_view type) {
+        for (auto& [known, its_types] : list) {
+            if (known != what) continue;
+            its_types += " , " + std::string(type);
+            return;
+        }
+        list.emplace_back(what, type);
+    };
+    for (const ElementInfo& info : element_table()) {
+        std::string said = measures_said(info, Said::always) + "\n";
+        if (const std::string more = measures_said(info, Said::unless_zero); !more.empty())
+            said += "and, of 0 where nothing else is said,\n" + more + "\n";
+        if (const std::string more = measures_said(info, Said::drawing); !more.empty())
+            said += "and, seldom needed,\n" + more + "\n";
+        add(types, said, info.name);
+        for (const MeasureInfo& measure : info.measures) {
+            const std::string name(measure.name);
+            if (!abouts.contains(name)) names.push_back(name);
+            std::string about(measure.about);
+            about[0] =
+                static_cast<char>(about[0] >= 'a' && about[0] <= 'z' ? about[0] - 'a' + 'A' : about[0]);
+            if (measure.kind == MeasureKind::angle) about += ", in degrees";
+            for (std::size_t i = 0; i < measure.words.size(); ++i)
+                about += (i == 0 ? ": " : " or ") + std::string(measure.words[i]);
+            if (measure.relative) about += "; by how much more than it has";
+            add(abouts[name], about, info.name);
+        }
+    }
+    std::string page = ".Bl -tag -width version\n";
+    for (const auto& [said, its_types] : types) page += ".It Sy " + its_types + "\n" + said;
+    page += ".El\n.Pp\nThey say:\n.Bl -tag -width version\n";
+    for (const std::string& name : names) {
+        page += ".It Li " + name + "\n";
+        for (const auto& [about, its_types] : abouts[name]) {
+            page += about + ".\n";
+            if (abouts[name].size() > 1) page += ".Pq " + its_types + "\n";
+        }
+    }
+    return page + ".El\n";
+}
+
+TEST(Manual, HasEveryMeasureOfEveryElement) {
+    const std::filesystem::path page = kSource / "man/popup.5";
+    const std::string text = read_file(page);
+    const std::string begin = ".\\\" What follows is made of the tables: POPUP_UPDATE=1 writes it anew.\n";
+    const std::string end = ".\\\" What was made of the tables ends here.\n";
+    const std::size_t from = text.find(begin);
+    const std::size_t to = text.find(end);
+    ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to);
+    const std::string made = text.substr(0, from + begin.size()) + measures_for_manual() + text.substr(to);
+    const char* update = std::getenv("POPUP_UPDATE");
+    if (update != nullptr && std::string(update) == "1") write_file(page, made);
+    EXPECT_EQ(read_file(page), made) << page << " is out of date: POPUP_UPDATE=1 writes it anew";
+}
+
 TEST(Manual, HasEveryElementAndAttributeOfTheSchema) {
     std::set<std::string> elements;
     std::set<std::string> attributes;
