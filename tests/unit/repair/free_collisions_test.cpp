@@ -2,17 +2,24 @@
 // force.
 #include "repair/free_collisions.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mechanism/footings.h"
 #include "output/xml.h"
+#include "popup/edit.h"
 #include "support/brute_force.h"
 #include "support/designs.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -38,85 +45,143 @@ Pairs colliding(const CompiledDesign& design) {
     return pairs;
 }
 
-// Tents and v-folds at random places of the gutter, and a tent on the first one's centre fold: most of them
-// collide.
-Design crowd(std::uint64_t seed) {
-    test::Random random(seed);
-    Design design = test::card(240, 300);
+// Tents and v-folds close behind one another on the gutter, and high ones that lean on what is behind them:
+// most of them collide. Folds by two points, or by name, with v-folds on the tents' centre folds.
+std::string crowd(std::uint64_t seed, bool named) {
+    test::Random random(seed * 2 + (named ? 1 : 0));
+    const auto within = [&random](double least, double most) {
+        return least + (most - least) * random.unit();
+    };
+    NewCard card;
+    card.width_mm = 260;
+    card.height_mm = 360;
+    Diagnostics trouble("card.xml");
+    std::string text = new_document(card, trouble).value();
+    std::vector<EditLine> edits;
+    double at = -110;
     const std::size_t count = 2 + random.below(3);
     for (std::size_t i = 0; i < count; ++i) {
-        const double at = -90 + 180 * random.unit();
-        const double half = 8 + 14 * random.unit();
-        const double out = 12 + 20 * random.unit();
-        Structure* made = nullptr;
-        if (random.below(2) == 0) {
-            const double wide = out + 10 * random.unit();
-            made = &test::add_tent(design, at, half, out, wide);
+        const std::string id = fmt::format("m{}", i);
+        const bool tent = random.below(2) == 0;
+        const double length = within(16, 44);
+        const double middle = tent ? at + length / 2 : at;
+        const double width = within(24, 60);
+        edits.push_back({{"add", tent ? "tent" : "v-fold", "--id", id, "--on", "gutter", "--at",
+                          fmt::format("{:.2f}", middle), "--width", fmt::format("{:.2f}", width), "--height",
+                          fmt::format("{:.2f}", tent ? within(20, 40) : within(45, 90))},
+                         {}});
+        std::vector<std::string>& words = edits.back().words;
+        if (tent) {
+            words.insert(words.end(), {"--length", fmt::format("{:.2f}", length)});
+            if (random.below(3) != 0) {
+                edits.push_back({{"add", "v-fold", "--id", id + "-flag", "--on", id + ".centre", "--at",
+                                  fmt::format("{:.2f}", within(-0.3, 0.3) * length), "--width", "10",
+                                  "--height", fmt::format("{:.2f}", within(25, 60)), "--angle", "100",
+                                  "--lean", fmt::format("{:.2f}", within(20, 80))},
+                                 {}});
+            }
+            at += length + within(0.5, 3);
         } else {
-            const double far = 10 + 15 * random.unit();
-            made = &test::add(design, "v-fold",
-                              {{-far, at + far},
-                               {0, at},
-                               {far, at + far},
-                               {-far - 6, 10},
-                               {0, 0},
-                               {far + 6, 10},
-                               {-far, 10 + out},
-                               {far, 10 + out}});
+            const double angle = within(70, 140);
+            words.insert(words.end(), {"--angle", fmt::format("{:.2f}", angle), "--lean",
+                                       fmt::format("{:.2f}", within(40, 100))});
+            at += 0.5 * width / std::tan(angle * std::numbers::pi / 360.0) + within(0.5, 3);
         }
-        made->id = "m" + std::to_string(i);
-        made->id_given = true;
     }
-    return design;
+    Diagnostics of_document("card.xml");
+    const auto edited = edit_document({"card.xml", text}, edits, {}, trouble, of_document);
+    if (!edited || edited->refused) return {};
+    text = edited->text;
+    if (named) return text;
+    // The same on the gutter by two points: what its reading makes of the name.
+    const std::string on = R"(<parentfold on="gutter"/>)";
+    for (std::size_t found = 0; (found = text.find(on)) != std::string::npos;)
+        text.replace(found, on.size(),
+                     R"(<parentfold><begin x="0" y="-180"/><end x="0" y="180"/></parentfold>)");
+    return text;
 }
 
-TEST(FreeCollisions, KeepsItsPromises) {
-    const Language* xml = find_language({}, "xml");
-    int collided = 0;
-    int moved = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        const std::string text = write_document(crowd(seed));
-        const CompiledDesign before = compiled(text);
-        if (!before.motion || !before.diagnostics.repairs().empty()) continue;
-        const Pairs had = colliding(before);
-        collided += had.empty() ? 0 : 1;
-        const FreedDocument freed = free_collisions({"card.xml", text}, *xml, {}, {});
-        if (freed.moves.empty()) {
-            EXPECT_EQ(freed.text, text) << "seed " << seed << ": nothing moved, and the text is another";
-            continue;
-        }
-        ++moved;
-        const CompiledDesign after = compiled(freed.text);
-        ASSERT_FALSE(after.diagnostics.has_errors()) << "seed " << seed << "\n"
-                                                     << test::findings(after.diagnostics);
-        EXPECT_TRUE(after.diagnostics.repairs().empty()) << "seed " << seed;
-        const Pairs has = colliding(after);
-        EXPECT_LT(has.size(), had.size()) << "seed " << seed;
-        EXPECT_TRUE(std::includes(had.begin(), had.end(), has.begin(), has.end())) << "seed " << seed;
-        EXPECT_EQ(freed.left.size(), has.size()) << "seed " << seed;
-        Pairs gone;
-        for (const MadeMove& one : freed.moves) {
-            gone.insert(std::minmax(one.move.element, one.move.other));
-            EXPECT_NE(one.before, one.after);
-        }
-        for (const auto& pair : gone)
-            EXPECT_FALSE(has.contains(pair)) << "seed " << seed << ": " << pair.first;
-        if (!test::BruteForce::available()) continue;
-        // What is said to be clear is clear of what looks at triangles alone, angle by angle.
-        const test::BruteForce brute(*after.assembly);
-        for (double deg = 1.0; deg <= 180.0; deg += 3.7) {
-            for (const test::BruteContact& one : brute.crossing_at(deg)) {
-                const auto pair = std::minmax(owner(*after.assembly, one.a), owner(*after.assembly, one.b));
-                EXPECT_FALSE(gone.contains(pair)) << "seed " << seed << ": at " << deg << "°";
-            }
-        }
-        // A second time finds nothing more to do.
-        EXPECT_EQ(free_collisions({"card.xml", freed.text}, *xml, {}, {}).text, freed.text)
-            << "seed " << seed;
+// The pairs that cross at one of many angles, by brute force: triangle against triangle.
+Pairs brute_pairs(const Assembly& assembly) {
+    Pairs pairs;
+    const test::BruteForce brute(assembly);
+    for (double deg = 1.0; deg <= 180.0; deg += 7.3) {
+        for (const test::BruteContact& one : brute.crossing_at(deg))
+            pairs.insert(std::minmax(owner(assembly, one.a), owner(assembly, one.b)));
     }
-    EXPECT_GT(collided, 3);
-    EXPECT_GT(moved, 1);
+    return pairs;
 }
+
+struct CrowdTally {
+    int cards = 0, collided = 0, moved = 0, cleared = 0;
+};
+
+void free_one(std::uint64_t seed, bool named, CrowdTally& tally) {
+    const Language* xml = find_language({}, "xml");
+    const std::string text = crowd(seed, named);
+    if (text.empty()) return;
+    const CompiledDesign before = compiled(text);
+    if (!before.motion || !before.diagnostics.repairs().empty()) return;
+    ++tally.cards;
+    const Pairs had = colliding(before);
+    tally.collided += had.empty() ? 0 : 1;
+    const FreedDocument freed = free_collisions({"card.xml", text}, *xml, {}, {});
+    if (freed.moves.empty()) {
+        EXPECT_EQ(freed.text, text) << "nothing moved, and the text is another";
+        return;
+    }
+    ++tally.moved;
+    const CompiledDesign after = compiled(freed.text);
+    ASSERT_FALSE(after.diagnostics.has_errors()) << test::findings(after.diagnostics);
+    EXPECT_TRUE(after.diagnostics.repairs().empty());
+    const Pairs has = colliding(after);
+    tally.cleared += has.empty() ? 1 : 0;
+    EXPECT_LT(has.size(), had.size());
+    EXPECT_TRUE(std::includes(had.begin(), had.end(), has.begin(), has.end()));
+    EXPECT_EQ(freed.left.size(), has.size());
+    Pairs gone;
+    for (const MadeMove& one : freed.moves) {
+        gone.insert(std::minmax(one.move.element, one.move.other));
+        EXPECT_NE(one.before, one.after);
+    }
+    for (const auto& pair : gone) EXPECT_FALSE(has.contains(pair)) << pair.first;
+    // What stands by name stands on the same fold as before.
+    EXPECT_EQ(std::count(text.begin(), text.end(), '<'),
+              std::count(freed.text.begin(), freed.text.end(), '<'));
+    if (test::BruteForce::available()) {
+        // What is said to be clear is clear of what looks at triangles alone, angle by angle; and no pair
+        // has come that did not cross before.
+        const Pairs cross_now = brute_pairs(*after.assembly);
+        for (const auto& pair : cross_now) {
+            EXPECT_FALSE(gone.contains(pair)) << pair.first << " and " << pair.second;
+            EXPECT_TRUE(had.contains(pair)) << pair.first << " and " << pair.second;
+        }
+        const Pairs crossed = brute_pairs(*before.assembly);
+        EXPECT_TRUE(std::includes(had.begin(), had.end(), crossed.begin(), crossed.end()));
+    }
+    // A second time finds nothing more to do.
+    EXPECT_EQ(free_collisions({"card.xml", freed.text}, *xml, {}, {}).text, freed.text);
+}
+
+void expect_freed(bool named) {
+    CrowdTally tally;
+    const std::uint64_t seeds = test::sanitized_count<std::uint64_t>(30, 6);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        free_one(seed, named, tally);
+    }
+    ::testing::Test::RecordProperty("cards", tally.cards);
+    ::testing::Test::RecordProperty("collided", tally.collided);
+    ::testing::Test::RecordProperty("moved", tally.moved);
+    ::testing::Test::RecordProperty("cleared", tally.cleared);
+    EXPECT_GT(tally.collided, tally.cards / 2) << "of " << tally.cards;
+    EXPECT_GT(2 * tally.cards, static_cast<int>(seeds));
+    EXPECT_GT(tally.moved, tally.collided / 4);
+}
+
+TEST(FreeCollisions, KeepsItsPromises) { expect_freed(false); }
+
+TEST(FreeCollisions, KeepsThemOnNamedFolds) { expect_freed(true); }
 
 // What stands on an element goes with it where its paper does, and stays on its own piece.
 TEST(MoveElement, TakesAlongWhatStandsOnIt) {
