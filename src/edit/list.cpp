@@ -310,8 +310,9 @@ std::optional<std::vector<Child>> children_of(Session& session, std::size_t n) {
     std::vector<Child> all;
     std::vector<bool> carried(session.design.structures.size(), false);
     carried[n] = true;
+    const CardFolds& card = session.card();
     for (std::size_t i = n + 1; i < carried.size(); ++i) {
-        const Standing standing = session.standing(i);
+        const Standing& standing = card.standing[i];
         if (!standing.owner || !carried[*standing.owner]) continue;
         carried[i] = true;
         const Structure& one = session.design.structures[i];

@@ -86,7 +86,7 @@ std::optional<std::size_t> Session::find(std::string_view id) {
 }
 
 const CardFolds& Session::card() {
-    if (!card_ || !touched_.empty()) {
+    if (!card_ || !touched_.empty() || card_->standing.size() < design.structures.size()) {
         card_ = folds_of_card(design);
         touched_.clear();
     }
@@ -99,10 +99,17 @@ const Standing& Session::standing(std::size_t n) {
         at = *card_->standing[at].owner;
         stale = touched_.contains(at);
     }
-    if (stale) {
+    if (!stale) return card_->standing[n];
+    if (card_) {
         card_ = folds_of_card(design);
-        touched_.clear();
+    } else {
+        // What comes behind it in the list has no part in what it stands on; one edit asks no more.
+        Design until = design;
+        until.structures.erase(until.structures.begin() + static_cast<std::ptrdiff_t>(n) + 1,
+                               until.structures.end());
+        card_ = folds_of_card(until);
     }
+    touched_.clear();
     return card_->standing[n];
 }
 

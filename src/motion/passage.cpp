@@ -127,7 +127,8 @@ void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diag
         .about(joint.name);
 }
 
-bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics) {
+bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics,
+                      const std::function<void(double, std::span<const Frame>)>& seen) {
     Walk walk{assembly, linkage, diagnostics, std::vector<Frame>(assembly.plates.size())};
     Pose here;
     const double least = least_opening(assembly.sweep);
@@ -135,6 +136,7 @@ bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnost
         walk.locks(-1.0, least);
         return false;
     }
+    seen(least, walk.frames);
     Pose next;
     for (int step = 1; step <= kSteps; ++step) {
         const double deg =
@@ -143,6 +145,7 @@ bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnost
             walk.locks(here.deg, deg);
             return false;
         }
+        seen(deg, walk.frames);
         if (!walk.pass(std::move(here), next)) return false;
         here = std::move(next);
     }

@@ -1,6 +1,9 @@
 // Whether the linkages pass the whole way from closed to open.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "motion/linkage.h"
 #include "popup/motion.h"
 
@@ -9,8 +12,10 @@ namespace popup {
 // Looks at every angle above the least opening, not only at some: between two angles no plate turns further
 // than the bends of its linkage say. False, with an error that names the element and the angle, when a
 // linkage cannot reach an angle (`locks`), or a plate is elsewhere within a millionth of a degree (`jumps`).
-// Cost: plates × (angles 5° of any plate's turning apart).
-bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics);
+// `seen` is given the frames of all plates at the least opening, and at each 72nd part of the sweep after it,
+// one after the other. Cost: plates × (angles 5° of any plate's turning apart).
+bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics,
+                      const std::function<void(double deg, std::span<const Frame> frames)>& seen);
 
 // The error of a linkage that gets to `reached` and not to `missed`. `reached` < 0: it gets nowhere.
 void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diagnostics& diagnostics);

@@ -89,6 +89,8 @@ struct Judge {
     }
 };
 
+bool by_degrees(Angle a, Angle b) { return a.deg < b.deg; }
+
 bool is_driven(const Linkage& linkage) {
     return std::any_of(linkage.turns().begin(), linkage.turns().end(),
                        [](const Turn& turn) { return turn.other < 0 && !turn.still; });
@@ -100,7 +102,7 @@ void add_witnesses(Motion& motion) {
         motion.angles.push_back(Angle::degrees(contact.from_deg));
         motion.angles.push_back(Angle::degrees(contact.to_deg));
     }
-    std::sort(motion.angles.begin(), motion.angles.end(), [](Angle a, Angle b) { return a.deg < b.deg; });
+    std::sort(motion.angles.begin(), motion.angles.end(), by_degrees);
     motion.angles.erase(std::unique(motion.angles.begin(), motion.angles.end()), motion.angles.end());
 }
 
@@ -131,8 +133,19 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
         return std::nullopt;
     }
     if (assembly.sweep.closed_flat && !judge.is_flat(motion)) return std::nullopt;
-    if (!passes_whole_way(assembly, judge.linkage, diagnostics)) return std::nullopt;
+    // Most of the angles that are asked for lie on the way.
+    std::vector<double> closed_at;
+    const auto seen = [&](double deg, std::span<const Frame> frames) {
+        const bool asked =
+            std::binary_search(motion.angles.begin(), motion.angles.end(), Angle::degrees(deg), by_degrees);
+        const double open = asked ? closure_error(assembly, frames) : HUGE_VAL;
+        if (open > options.tolerances.closure_mm) return;
+        closed_at.push_back(deg);
+        motion.max_closure_mm = std::max(motion.max_closure_mm, open);
+    };
+    if (!passes_whole_way(assembly, judge.linkage, diagnostics, seen)) return std::nullopt;
     for (const Angle at : motion.angles) {
+        if (std::binary_search(closed_at.begin(), closed_at.end(), at.deg)) continue;
         if (!place(assembly, at, judge.here, &stuck)) {
             report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, at.deg, diagnostics);
             return std::nullopt;

@@ -25,7 +25,7 @@ TreeBox box_of(const Segment& s) {
 }  // namespace
 
 struct EdgeIndex::Tree {
-    bg::index::rtree<Entry, bg::index::quadratic<16>> entries;
+    bg::index::rtree<Entry, bg::index::linear<8>> entries;
 };
 
 EdgeIndex::EdgeIndex(std::vector<Segment> boundary, std::span<const Segment> lines)

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <utility>
 
 #include "popup/mechanism.h"
 
@@ -167,14 +168,26 @@ std::vector<Spelling> all_spellings() {
             rest.remove_prefix(std::min(blank + 1, rest.size()));
         }
     }
-    std::sort(all.begin(), all.end(), [](const Spelling& a, const Spelling& b) { return a.text < b.text; });
+    // By their first letters, shorter ones first.
+    std::stable_sort(all.begin(), all.end(), [](const Spelling& a, const Spelling& b) {
+        return std::pair(a.text.front(), a.text.size()) < std::pair(b.text.front(), b.text.size());
+    });
     return all;
 }
 
+// The rows of all names, by their numbers.
+std::array<const Row*, 256> all_rows() {
+    std::array<const Row*, 256> rows{};
+    for (const Row& row : kRows) {
+        const Row*& first = rows[static_cast<std::uint8_t>(row.name)];
+        if (first == nullptr) first = &row;
+    }
+    return rows;
+}
+
 const Row* row_of(Name name) {
-    const auto* row = std::find_if(kRows.begin(), kRows.end(),
-                                   [&](const Row& candidate) { return candidate.name == name; });
-    return row == kRows.end() ? nullptr : &*row;
+    static const std::array<const Row*, 256> kByName = all_rows();
+    return kByName[static_cast<std::uint8_t>(name)];
 }
 
 // A name as the table has it; empty when it is longer than all of them.
@@ -206,10 +219,13 @@ Name find_name(Name context, std::string_view spelling) {
     static const std::vector<Spelling> kAll = all_spellings();
     const Word plain(spelling);
     const std::string_view word = plain.text();
-    auto found = std::lower_bound(kAll.begin(), kAll.end(), word,
-                                  [](const Spelling& a, std::string_view b) { return a.text < b; });
-    for (; found != kAll.end() && found->text == word; ++found) {
-        if (found->row->contexts & in({context})) return found->row->name;
+    if (word.empty()) return Name::unknown;
+    const auto before = [](const Spelling& a, std::string_view b) {
+        return a.text.front() != b.front() ? a.text.front() < b.front() : a.text.size() < b.size();
+    };
+    auto found = std::lower_bound(kAll.begin(), kAll.end(), word, before);
+    for (; found != kAll.end() && !before({word, nullptr}, found->text); ++found) {
+        if (found->text == word && (found->row->contexts & in({context})) != 0) return found->row->name;
     }
     return Name::unknown;
 }

@@ -27,9 +27,9 @@ TextRange Values::tight(const Text& text) const {
 
 std::optional<double> Values::number(std::string_view text, std::string_view what, Place place) {
     const ParsedNumber parsed = parse_number(text);
-    const std::string value = shown(trimmed(text));
     const auto wrong = [&](std::string_view why) -> Diagnostic& {
-        return reporter_.error("bad-number", place, fmt::format("{} is '{}', which {}", what, value, why));
+        return reporter_.error("bad-number", place,
+                               fmt::format("{} is '{}', which {}", what, shown(trimmed(text)), why));
     };
     switch (parsed.fault) {
         case NumberFault::none:
