@@ -99,6 +99,13 @@ int run_edit(const Options& options) {
     } else {
         readable = false;
     }
+    // A drawing that an edit reads is not what comes out of it.
+    for (const EditLine& line : edits) {
+        for (std::size_t i = 0; i + 1 < line.words.size(); ++i) {
+            if (line.words[i] == "--from") read.add(line.words[i + 1], "a drawing");
+        }
+    }
+    read.spare(verb.output.output, "-o");
     Diagnostics of_document(verb.document, options.policy);
     std::optional<Edited> edited;
     EditOptions edit;
