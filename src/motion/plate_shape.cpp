@@ -19,6 +19,41 @@ void append(const Polygon& polygon, std::vector<Triangle2>& triangles) {
     }
 }
 
+// Outlines of more corners are narrowed strip by strip: the library joins the parts of one as often as it has
+// notches, and looks at all of its corners each time.
+constexpr std::size_t kManyCorners = 2000;
+constexpr std::size_t kCornersPerStrip = 100;
+constexpr double kOverlapMm = 1.0;  // of strips; far more than what is taken away
+static_assert(kOverlapMm > 10.0 * kTouchMm);
+
+// What of a region is at least kTouchMm inside it, in parts that may share edges. At notches the arcs of what
+// is taken away are chords, so that too little is taken and not too much.
+std::vector<Polygon> core_of(const Polygon& region, const Box& box) {
+    std::size_t corners = region.outer.size();
+    for (const Ring& hole : region.holes) corners += hole.size();
+    if (corners <= kManyCorners) return offset({region}, -kTouchMm, Corners::rounded);
+    const bool upright = box.height() > box.width();
+    const double from = upright ? box.min.y : box.min.x;
+    const double to = upright ? box.max.y : box.max.x;
+    const std::size_t count = corners / kCornersPerStrip;
+    const auto end_of = [&](std::size_t strip) {
+        return from + (to - from) * static_cast<double>(strip) / static_cast<double>(count);
+    };
+    const auto between = [&](double a, double b) {
+        return upright ? Polygon{{{box.min.x, a}, {box.max.x, a}, {box.max.x, b}, {box.min.x, b}}, {}}
+                       : Polygon{{{a, box.min.y}, {b, box.min.y}, {b, box.max.y}, {a, box.max.y}}, {}};
+    };
+    std::vector<Polygon> core;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double a = end_of(i);
+        const double b = end_of(i + 1);
+        const std::vector<Polygon> near = intersect({region}, {between(a - kOverlapMm, b + kOverlapMm)});
+        for (Polygon& part : intersect(offset(near, -kTouchMm, Corners::rounded), {between(a, b)}))
+            core.push_back(std::move(part));
+    }
+    return core;
+}
+
 }  // namespace
 
 Patches::Patches(std::vector<Triangle2> triangles) : triangles_(std::move(triangles)) {
@@ -74,8 +109,7 @@ PlateShape plate_shape(const Plate& plate) {
     std::vector<Triangle2> whole;
     append(reach, whole);
     std::vector<Triangle2> core;
-    // At notches the arcs of what is taken away are chords, so that too little is taken and not too much.
-    for (const Polygon& part : offset({reach}, -kTouchMm, Corners::rounded)) append(part, core);
+    for (const Polygon& part : core_of(reach, shape.box)) append(part, core);
     shape.whole = Patches(std::move(whole));
     shape.core = Patches(std::move(core));
     shape.edges = EdgeIndex(edges_of(reach));
