@@ -16,6 +16,7 @@
 #include "batch/manifest.h"
 #include "batch/results.h"
 #include "support/background.h"
+#include "support/pictures.h"
 #include "support/run_program.h"
 #include "support/sanitized.h"
 
@@ -293,6 +294,32 @@ TEST(Batch, ARerunDoesWhatIsMissingOrStaleAndNothingElse) {
     EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}), Names{});
     write_file(scratch / "fold.toml", "base = \"workshop\"\nfolds = \"score\"\n");
     EXPECT_EQ(rebuilt(scratch.path(), {"jobs.jsonl", "--", "--profile", "fold.toml"}).size(), 7U);
+}
+
+TEST(Batch, AnOutlineThatIsTracedAgainIsStale) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 2);
+    RunOptions there;
+    there.directory = scratch.path();
+    const auto trace = [&](int height) {
+        write_file(scratch / "shape.png", png_of(60, height));
+        const RunResult traced =
+            popupc({"trace", "shape.png", "--threshold", "128", "--width", "60mm", "-o", "designs/shape.svg"},
+                   there);
+        EXPECT_EQ(traced.exit, 0) << traced.err;
+    };
+    trace(40);
+    write_file(scratch / "designs/card1.xml",
+               "<popup version='3.0' units='mm'><mainpage width='170' height='130'/><structurelist>"
+               "<structure type='hole'><outline href='shape.svg' x='10' y='-30'/></structure>"
+               "</structurelist></popup>");
+    const std::vector<std::string> plain{"jobs.jsonl"};
+    ASSERT_EQ(batch(scratch.path(), plain).exit, 0);
+    using Names = std::set<std::string>;
+    trace(40);  // the same again
+    EXPECT_EQ(rebuilt(scratch.path(), plain), Names{});
+    trace(20);
+    EXPECT_EQ(rebuilt(scratch.path(), plain), Names{"card1"});
 }
 
 TEST(Batch, WhereSettingsComeFromIsPartOfAJob) {

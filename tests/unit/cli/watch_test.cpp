@@ -126,6 +126,27 @@ TEST_F(Watch, BuildsAgainWhenAPictureComesOrChanges) {
     EXPECT_TRUE(shows(png_of(4, 4)));
 }
 
+// A picture that is traced again changes the cards that take its outline.
+TEST_F(Watch, BuildsAgainWhenAnOutlineIsTracedAgain) {
+    options.directory = scratch.path();
+    const auto trace = [&](int width, int height) {
+        write_file(scratch / "shape.png", png_of(width, height));
+        const RunResult traced = popupc(
+            {"trace", "shape.png", "--threshold", "128", "--width", "60mm", "-o", "shape.svg"}, options);
+        ASSERT_EQ(traced.exit, 0) << traced.err;
+    };
+    trace(60, 40);
+    write_file(scratch / "card.xml",
+               "<popup version='3.0' units='mm'><mainpage width='170' height='130'/><structurelist>"
+               "<structure type='hole'><outline href='shape.svg' x='10' y='-30'/></structure>"
+               "</structurelist></popup>");
+    start({"card.xml", "-o", "card.svg"});
+    ASSERT_TRUE(eventually([&] { return fs::exists(scratch / "card.svg"); }));
+    const std::string before = read_file(scratch / "card.svg");
+    trace(60, 20);
+    EXPECT_TRUE(eventually([&] { return read_file(scratch / "card.svg") != before; }));
+}
+
 TEST_F(Watch, AConfigurationMayComeToBe) {
     options.environment["POPUPC_NO_CONFIG"] = "";
     fs::create_directories(scratch / "designs");
