@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "fabrication/kerf.h"
@@ -12,19 +11,6 @@
 
 namespace popup {
 namespace {
-
-// How far folds are folded whatever their pattern says, for what is written of the pattern later.
-void take_angles(CreasePattern& creases, const FoldOptions& options) {
-    for (CreaseLine& line : creases.lines) {
-        if (line.use == CreaseUse::cut || line.use == CreaseUse::flat) continue;
-        // What does not say which way it goes is folded as a valley where nothing turns it.
-        const CreaseUse as = line.use == CreaseUse::mountain ? line.use : CreaseUse::valley;
-        const std::string_view kind = kCreaseUseNames.at(static_cast<std::size_t>(as));
-        for (const FoldOptions::NamedAngle& one : options.fold_angles) {
-            if (one.name.empty() || one.name == line.name || one.name == kind) line.fold_deg = one.angle.deg;
-        }
-    }
-}
 
 // The stages of one design, in order, up to its check. What is read as an assembly enters there. False: they
 // end here.
@@ -41,7 +27,6 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
         one.diagnostics.set_places_file(one.assembly->file);
     } else if (one.creases && options.until >= Stage::assembly) {
         one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
-        take_angles(*one.creases, options.fold);
     } else if (one.design) {
         one.design->stem = one.stem;
         if (options.until == Stage::design) return false;
