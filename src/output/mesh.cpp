@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <polyclipping/clipper.hpp>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
+#include "output/ears.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 
@@ -20,8 +22,29 @@ constexpr std::size_t kMostCrossings = 50;  // a line, on average
 
 using Region = std::vector<Polygon>;
 
+// All within `radius` of a straight line, but for the chords of its ends.
+Polygon widened(Vec2 a, Vec2 b, double radius) {
+    const double reach = std::max(kCurveMm / radius, 1e-9);
+    const double step = reach < 1.0 ? std::acos(1.0 - reach) : 0.5 * std::numbers::pi;
+    const int count = std::max(2, static_cast<int>(std::ceil(0.5 * std::numbers::pi / step)));
+    const Vec2 along = (radius / distance(a, b)) * (b - a);
+    const Vec2 left{-along.y, along.x};
+    Polygon polygon;
+    for (const bool at_end : {true, false}) {
+        const double way = at_end ? 1.0 : -1.0;
+        for (int i = 0; i <= count; ++i) {
+            const double turn = std::numbers::pi * i / count;
+            polygon.outer.push_back((at_end ? b : a) +
+                                    way * (std::sin(turn) * along - std::cos(turn) * left));
+        }
+    }
+    return polygon;
+}
+
 // All within half the width of the line.
 Region widened(const Stroke& stroke) {
+    if (stroke.points.size() == 2 && distance(stroke.points[0], stroke.points[1]) > kGridMm)
+        return {widened(stroke.points[0], stroke.points[1], 0.5 * stroke.width_mm)};
     ClipperLib::Path path;
     for (const Vec2 p : stroke.points)
         path.emplace_back(std::llround(p.x * kPerMm), std::llround(p.y * kPerMm));
@@ -78,6 +101,28 @@ std::vector<std::vector<int>> later_neighbours(const std::vector<DrawnShape>& sh
     return result;
 }
 
+// All of the region, where parts of it may overlap.
+Region united(Region region) {
+    std::vector<Segment> diagonals;
+    diagonals.reserve(region.size());
+    for (const Polygon& polygon : region) {
+        const Box box = bounds(polygon.outer);
+        diagonals.push_back({box.min, box.max});
+    }
+    const EdgeIndex index(std::move(diagonals));
+    Region alone;
+    Region near;
+    std::vector<int> found;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const Segment& diagonal = index[static_cast<int>(i)];
+        index.query({diagonal.a, diagonal.b}, found);
+        (found.size() > 1 ? near : alone).push_back(std::move(region[i]));
+    }
+    if (near.empty()) return alone;
+    for (Polygon& polygon : unite(near)) alone.push_back(std::move(polygon));
+    return alone;
+}
+
 struct ColorGroup {
     Color color;
     Region inside, at_edge;
@@ -118,7 +163,8 @@ std::vector<ColorGroup> drawn_groups(const Plate& plate) {
 }
 
 void append(const Polygon& polygon, Vec2 pivot, MeshPart& part) {
-    const Triangulation triangles = triangulate(polygon);
+    std::optional<Triangulation> ears = clip_ears(polygon);
+    const Triangulation triangles = ears ? *std::move(ears) : triangulate(polygon);
     const auto first = static_cast<std::uint32_t>(part.points.size());
     for (const Vec2 p : triangles.points) part.points.push_back(p - pivot);
     for (const auto& triangle : triangles.triangles) {
@@ -199,7 +245,7 @@ std::vector<MeshPart> plate_mesh(const Plate& plate, std::span<const Print> of_p
                 region.push_back(std::move(polygon));
             }
         }
-        for (const Polygon& polygon : unite(region)) append(polygon, plate.pivot, part);
+        for (const Polygon& polygon : united(std::move(region))) append(polygon, plate.pivot, part);
         if (!part.indices.empty()) parts.push_back(std::move(part));
     }
     for (const std::span<const Print> prints : {std::span<const Print>(plate.prints), of_piece}) {

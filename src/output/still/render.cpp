@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "output/gltf_values.h"
 #include "output/still/samples.h"
@@ -13,9 +15,12 @@
 namespace popup::still {
 namespace {
 
-constexpr int kBandSamples = 60'000;  // drawn at once: few enough for a processor's cache
-constexpr double kFilled = 0.88;      // of the picture, by the model
+constexpr int kBandPixels = 8'000;  // drawn at once: few enough for a processor's cache
+constexpr double kFilled = 0.88;    // of the picture, by the model
 constexpr double kGroundShade = 0.30;
+// Pixels; shadows on paper, and on the ground, have softer edges.
+constexpr int kPaperStep = 4;
+constexpr int kGroundStep = 8;
 constexpr int kTones = 4096;
 // Linear light of the background, at the top and at the bottom.
 constexpr Light kSky{0.82F, 0.85F, 0.89F};
@@ -24,7 +29,7 @@ constexpr Vec3 kUp{0, 0, 1};
 
 using Bytes = std::array<unsigned char, 3>;
 
-std::size_t index(int number) { return static_cast<std::size_t>(number); }
+constexpr std::size_t index(int number) { return static_cast<std::size_t>(number); }
 
 Light mixed(const Light& a, const Light& b, float share) {
     Light result{};
@@ -97,6 +102,10 @@ class Picture {
         across_ = sun_.turned(by * camera_.right);
         down_ = sun_.turned(-by * camera_.up);
         corner_ = sun_.turned(-camera_.back) - camera_.cx * across_ - camera_.cy * down_;
+        falls_across_ = by * camera_.right.z;
+        falls_down_ = -by * camera_.up.z;
+        falls_ = -camera_.back.z - camera_.cx * falls_across_ - camera_.cy * falls_down_;
+        under_eye_mm_ = framing.ground_mm - camera_.eye().z;
         const Vec3 sky = unit(camera_.up + 0.3 * camera_.back);
         looks_.reserve(model.faces.size());
         for (const Face& face : model.faces) looks_.push_back(look_of(face, sky));
@@ -108,13 +117,13 @@ class Picture {
         const PixelBox& box = samples_.box();
         for (int y = 0; y < height_; ++y) {
             row_light_ = background(y);
-            row_bytes_ = tones().of(row_light_);
-            for (int x = 0; x < width_; ++x) put(x, y, row_bytes_);
+            row_bytes_ = tones_.of(row_light_);
+            fill_row(y);
             const bool is_seen = y >= box.low_y && y < box.high_y;
             shade_table(y, 0, is_seen ? box.low_x : width_);
             if (!is_seen) continue;
             if (y >= drawn_) {
-                const int rows = std::max(1, kBandSamples / (kOver * kOver * (box.high_x - box.low_x)));
+                const int rows = std::max(1, kBandPixels / (box.high_x - box.low_x));
                 drawn_ = std::min(box.high_y, y + rows);
                 samples_.draw(y, drawn_);
             }
@@ -142,8 +151,8 @@ class Picture {
         look.shade = 0.46 + 0.13 * dot(normal, sky);
         look.sun = 0.53 * look.surface.slope;
         look.color = faded(face, face.color);
-        look.lit = tones().of(scaled(look.color, look.shade + look.sun));
-        look.dark = tones().of(scaled(look.color, look.shade));
+        look.lit = tones_.of(scaled(look.color, look.shade + look.sun));
+        look.dark = tones_.of(scaled(look.color, look.shade));
         return look;
     }
     static Light faded(const Face& face, const Light& light) {
@@ -182,107 +191,141 @@ class Picture {
         return eye_ + away_mm * (corner_ + x * across_ + y * down_);
     }
 
-    // How much of the background is left where the model's shadow falls on the ground.
-    [[nodiscard]] double ground_light(int x, int y) const {
-        if (x < shade_.low_x || x >= shade_.high_x || y < shade_.low_y || y >= shade_.high_y) return 1.0;
+    // How many of the sun's rays reach the ground that is seen at a pixel.
+    [[nodiscard]] int ground_rays(int x, int y) const {
+        if (x < shade_.low_x || x >= shade_.high_x || y < shade_.low_y || y >= shade_.high_y)
+            return Sun::kRays;
         const double sx = (x + 0.5) * kOver;
         const double sy = (y + 0.5) * kOver;
-        const double by = 1.0 / (camera_.scale * camera_.eye_mm);
-        const double falls =
-            by * ((sx - camera_.cx) * camera_.right.z + (camera_.cy - sy) * camera_.up.z) - camera_.back.z;
-        if (falls >= -1e-6) return 1.0;
-        const double away = (framing_.ground_mm - camera_.eye().z) / falls;
-        if (away <= 0.0) return 1.0;
-        const int lit = sun_.lit(ground_, place(sx, sy, away));
-        return 1.0 - kGroundShade * (1.0 - lit / double{Sun::kRays});
+        const double falls = falls_ + sx * falls_across_ + sy * falls_down_;
+        if (falls >= -1e-6) return Sun::kRays;
+        const double away = under_eye_mm_ / falls;
+        return away <= 0.0 ? Sun::kRays : sun_.lit(ground_, place(sx, sy, away));
+    }
+    // How much of the background is left where the model's shadow falls on the ground.
+    static double ground_light(int rays) { return 1.0 - kGroundShade * (1.0 - rays / double{Sun::kRays}); }
+
+    // Of the ground in a row of pixels, from `from` up to `to`.
+    void shade_ground(int y, int from, int to) {
+        each_rays(
+            from, to, kGroundStep, [&](int x) { return ground_rays(x, y); },
+            [&](int x, int rays) {
+                if (rays < Sun::kRays) put(x, y, tones_.of(scaled(row_light_, ground_light(rays))));
+            });
     }
     void shade_table(int y, int from, int to) {
         if (y < shade_.low_y || y >= shade_.high_y) return;
-        for (int x = std::max(from, shade_.low_x); x < std::min(to, shade_.high_x); ++x) {
-            const double light = ground_light(x, y);
-            if (light < 1.0) put(x, y, tones().of(scaled(row_light_, light)));
+        shade_ground(y, std::max(from, shade_.low_x), std::min(to, shade_.high_x));
+    }
+
+    // Calls visit(x, rays) for each pixel of a row from `from` up to `to`. Where all or none of the sun
+    // reaches two pixels that are `step` apart, it does between them: shadows have wider edges.
+    template <typename Rays, typename Visit>
+    static void each_rays(int from, int to, int step, const Rays& rays, const Visit& visit) {
+        if (from >= to) return;
+        int known = rays(from);
+        visit(from, known);
+        for (int x = from; x + 1 < to;) {
+            const int next = std::min(x + step, to - 1);
+            const int there = rays(next);
+            const bool is_even = there == known && (there == 0 || there == Sun::kRays);
+            for (++x; x < next; ++x) visit(x, is_even ? there : rays(x));
+            visit(next, there);
+            known = there;
         }
     }
 
-    // How much of the sun reaches a sample of a face.
-    [[nodiscard]] int sun_at(const Look& look, int x, int y) const {
+    // How much of the sun reaches a surface that is seen at a sample, or at the middle of a pixel.
+    [[nodiscard]] int sun_at(const Look& look, double x, double y, float near) const {
         if (look.surface.slope <= 0.0) return 0;
-        return sun_.lit(look.surface,
-                        place(x + 0.5, y + 0.5, 1.0 / static_cast<double>(samples_.near(x, y))));
+        return sun_.lit(look.surface, place(x, y, 1.0 / static_cast<double>(near)));
     }
-    // What a face shows at a sample that stands for so many a side.
-    [[nodiscard]] Light color(const Face& face, const Look& look, int x, int y, double samples) const {
+    // What a face shows there, seen by as much as so many samples a side.
+    [[nodiscard]] Light color(const Face& face, const Look& look, double x, double y, float near,
+                              double samples) const {
         if (face.texture == nullptr) return look.color;
-        const auto near = static_cast<double>(samples_.near(x, y));
-        const double seen_mm = samples / (camera_.scale * camera_.eye_mm * near);
-        const TextureSpot at = texture_spot(face, camera_.point(x + 0.5, y + 0.5, near), seen_mm);
-        return faded(face, texture_light(at, tones().light));
+        const double seen_mm = samples / (camera_.scale * camera_.eye_mm * static_cast<double>(near));
+        const TextureSpot at = texture_spot(face, camera_.point(x, y, static_cast<double>(near)), seen_mm);
+        return faded(face, texture_light(at, tones_.light));
     }
 
     void shade_model(int y) {
         const PixelBox& box = samples_.box();
-        const std::ptrdiff_t stride = samples_.stride();
-        const What* what = &samples_.what(kOver * box.low_x, kOver * y);
-        for (int x = box.low_x; x < box.high_x; ++x, what += kOver) {
-            const What one = *what;
-            What other = 0;
-            for (std::ptrdiff_t row = 0; row < kOver; ++row) {
-                for (std::ptrdiff_t k = 0; k < kOver; ++k) other |= what[row * stride + k] ^ one;
+        for (int x = box.low_x; x < box.high_x;) {
+            const What* only = &samples_.only(x, y);
+            if (*only < 0) {
+                put(x, y, tones_.of(mean(x, y)));
+                ++x;
+                continue;
             }
-            if (other != 0) {
-                put(x, y, tones().of(mean(x, y)));
-            } else if (one > 0) {
-                shade_face(x, y, index(one - 1));
-            } else if (one < 0) {
-                put(x, y, tones().of(model_.edges[index(-one - 1)].ink));
-            } else if (const double light = ground_light(x, y); light < 1.0) {
-                put(x, y, tones().of(scaled(row_light_, light)));
+            int to = x + 1;
+            while (to < box.high_x && only[to - x] == *only) ++to;
+            if (*only == 0) {
+                shade_ground(y, x, to);
+            } else {
+                shade_face(y, x, to, index(*only - 1));
             }
+            x = to;
         }
     }
 
-    // A pixel all of whose samples see one face.
-    void shade_face(int x, int y, std::size_t number) {
+    // Pixels of a row all of whose samples see one face.
+    void shade_face(int y, int from, int to, std::size_t number) {
         const Look& look = looks_[number];
         const Face& face = model_.faces[number];
-        const int sx = x * kOver + kOver / 2;
-        const int sy = y * kOver + kOver / 2;
-        const int lit = sun_at(look, sx, sy);
-        if (face.texture == nullptr && (lit == 0 || lit == Sun::kRays))
-            return put(x, y, lit == 0 ? look.dark : look.lit);
-        put(x, y, tones().of(scaled(color(face, look, sx, sy, kOver), light_of(look, lit))));
+        const double sy = (y + 0.5) * kOver;
+        each_rays(
+            from, to, kPaperStep,
+            [&](int x) { return sun_at(look, (x + 0.5) * kOver, sy, samples_.middle(x, y)); },
+            [&](int x, int rays) {
+                if (face.texture == nullptr && (rays == 0 || rays == Sun::kRays))
+                    return put(x, y, rays == 0 ? look.dark : look.lit);
+                const Light own = color(face, look, (x + 0.5) * kOver, sy, samples_.middle(x, y), kOver);
+                put(x, y, tones_.of(scaled(own, light_of(look, rays))));
+            });
     }
     static double light_of(const Look& look, int lit) { return look.shade + look.sun * lit / Sun::kRays; }
 
-    // Sample by sample.
+    // Of a pixel that several are seen in: what each of them shows, times its samples.
     [[nodiscard]] Light mean(int x, int y) const {
         Light sum{};
-        What known = 0;
-        float light = 0.0F;
-        int clear = 0;
-        for (int k = 0; k < kOver * kOver; ++k) {
-            const int sx = x * kOver + k % kOver;
-            const int sy = y * kOver + k / kOver;
-            const What what = samples_.what(sx, sy);
-            if (what == 0) {
-                ++clear;
-                continue;
+        samples_.each_part(x, y, [&](const Part& part) {
+            const auto samples = static_cast<float>(std::popcount(part.samples));
+            if (part.what == 0) {
+                add(sum, row_light_, samples * static_cast<float>(ground_light(ground_rays(x, y))));
+            } else if (part.what < 0) {
+                add(sum, model_.edges[index(-part.what - 1)].ink, samples);
+            } else {
+                add_face(sum, x, y, part);
             }
-            if (what < 0) {
-                add(sum, model_.edges[index(-what - 1)].ink, 1.0F);
-                continue;
-            }
-            const Look& look = looks_[index(what - 1)];
-            if (what != known) {
-                known = what;
-                light = static_cast<float>(light_of(look, sun_at(look, sx, sy)));
-            }
-            add(sum, color(model_.faces[index(what - 1)], look, sx, sy, 1.0), light);
+        });
+        return scaled(sum, 1.0 / kSamples);
+    }
+    // What a face shows at its samples of a pixel.
+    void add_face(Light& sum, int x, int y, const Part& part) const {
+        const Look& look = looks_[index(part.what - 1)];
+        const Face& face = model_.faces[index(part.what - 1)];
+        const auto sx = [x](int sample) { return x * kOver + sample % kOver + 0.5; };
+        const auto sy = [y](int sample) { return y * kOver + sample / kOver + 0.5; };
+        const int first = std::countr_zero(part.samples);
+        const int rays = sun_at(look, sx(first), sy(first), part.near.at(first));
+        const auto light = static_cast<float>(light_of(look, rays));
+        if (face.texture == nullptr)
+            return add(sum, look.color, light * static_cast<float>(std::popcount(part.samples)));
+        for (int i = first; i < kSamples; ++i) {
+            if ((part.samples & (1U << i)) != 0)
+                add(sum, color(face, look, sx(i), sy(i), part.near.at(i), 1.0), light);
         }
-        if (clear > 0) add(sum, row_light_, static_cast<float>(clear * ground_light(x, y)));
-        return scaled(sum, 1.0 / (kOver * kOver));
     }
 
+    void fill_row(int y) {
+        unsigned char* row = out_.rgb.data() + 3 * index(y) * index(width_);
+        std::copy(row_bytes_.begin(), row_bytes_.end(), row);
+        // What is filled so far, once more behind it.
+        const std::size_t count = 3 * index(width_);
+        for (std::size_t done = 3; done < count; done *= 2)
+            std::copy_n(row, std::min(done, count - done), row + done);
+    }
     void put(int x, int y, const Bytes& bytes) {
         unsigned char* out = out_.rgb.data() + 3 * (index(y) * index(width_) + index(x));
         for (std::size_t i = 0; i < 3; ++i) out[i] = bytes[i];
@@ -293,6 +336,7 @@ class Picture {
     }
 
     const Model& model_;
+    const Tones& tones_ = tones();
     int width_, height_;
     Framing framing_;
     Camera camera_;  // of samples
@@ -302,6 +346,9 @@ class Picture {
     // As the sun sees them: the eye, and the ways from it to what is seen in the picture's corner, a sample
     // further across and a sample further down.
     Vec3 eye_, corner_, across_, down_;
+    // By how much a way from the eye rises, a mm of it towards what is seen: in the picture's corner, a
+    // sample further across and a sample further down; and how high the ground lies above the eye.
+    double falls_ = 0.0, falls_across_ = 0.0, falls_down_ = 0.0, under_eye_mm_ = 0.0;
     std::vector<Look> looks_;  // of each face
     PixelBox shade_;           // where the model's shadow may fall on the ground
     int drawn_ = 0;            // rows of pixels

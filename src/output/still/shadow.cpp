@@ -42,28 +42,34 @@ Sun::Sun(Vec3 towards, const Model& model, Vec3 centre, double radius_mm, int pi
     columns_ = static_cast<int>(covered.max.x - first_x_) + kBorder + 1;
     rows_ = static_cast<int>(covered.max.y - first_y_) + kBorder + 1;
     nearest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -HUGE_VALF);
-    const auto seen = [this](Vec3 p) {
-        const Vec3 at = place(p);
-        return Seen{at.x, at.y, at.z};
-    };
+    std::vector<Seen> seen;
     for (const Face& face : model.faces) {
         if (!face.paper) continue;
-        for (std::size_t i = 0; i + 2 < face.indices.size(); i += 3) {
-            const std::array<Seen, 3> corners{seen(face.points[face.indices[i]]),
-                                              seen(face.points[face.indices[i + 1]]),
-                                              seen(face.points[face.indices[i + 2]])};
-            each_row(corners, columns_, 0, rows_,
-                     [this](int y, int first, int last, double near, double step) {
-                         float* texel = nearest_.data() + static_cast<std::ptrdiff_t>(y) * columns_ + first;
-                         const auto from = static_cast<float>(near);
-                         const auto by = static_cast<float>(step);
-                         for (int i = 0; i <= last - first; ++i) {
-                             const float one = from + static_cast<float>(i) * by;
-                             texel[i] = one > texel[i] ? one : texel[i];
-                         }
-                     });
+        seen.clear();
+        for (const Vec3 p : face.points) {
+            const Vec3 at = place(p);
+            seen.push_back({at.x, at.y, at.z});
         }
+        each_convex(face.indices, seen, [this](std::span<const Seen> polygon) { throw_shadow(polygon); });
     }
+}
+
+void Sun::throw_shadow(std::span<const Seen> corners) {
+    const Seen& a = corners[0];
+    const Seen& b = corners[1];
+    const Seen& c = corners[2];
+    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const double by_x = ((b.near - a.near) * (c.y - a.y) - (c.near - a.near) * (b.y - a.y)) / area;
+    const double by_y = ((c.near - a.near) * (b.x - a.x) - (b.near - a.near) * (c.x - a.x)) / area;
+    each_row(corners, columns_, 0, rows_, [&](int y, int first, int last) {
+        float* texel = nearest_.data() + static_cast<std::ptrdiff_t>(y) * columns_ + first;
+        const auto from = static_cast<float>(a.near + by_x * (first + 0.5 - a.x) + by_y * (y + 0.5 - a.y));
+        const auto by = static_cast<float>(by_x);
+        for (int i = 0; i <= last - first; ++i) {
+            const float one = from + static_cast<float>(i) * by;
+            texel[i] = one > texel[i] ? one : texel[i];
+        }
+    });
 }
 
 Sun::Surface Sun::surface(Vec3 normal, Softness softness) const {

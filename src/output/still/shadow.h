@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "output/still/camera.h"
 #include "output/still/model.h"
 
 namespace popup::still {
@@ -49,6 +51,8 @@ class Sun {
     [[nodiscard]] Vec3 meets(Vec3 place, Vec3 on, Vec3 normal) const;
 
  private:
+    void throw_shadow(std::span<const Seen> corners);
+
     Vec3 right_, up_, back_, centre_;
     double scale_ = 1.0;  // texels a mm
     double bias_mm_ = 0.0;

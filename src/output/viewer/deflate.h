@@ -6,7 +6,7 @@
 
 namespace popup {
 
-// The bytes, packed as small as zlib gets them; the same with the same version of zlib. Cost: linear.
+// The bytes, packed; the same with the same version of zlib. Cost: linear.
 std::string deflated(std::string_view bytes);
 
 }  // namespace popup

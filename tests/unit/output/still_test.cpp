@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <set>
 #include <string>
@@ -262,6 +264,46 @@ TEST(Still, LooksTheSameInBandsOfAnyHeight) {
         for (int x = 20; x < 380; ++x) other += at(narrow, x, y) == at(wide, x + 600, y) ? 0 : 1;
     }
     EXPECT_LT(other, 300 * 360 / 100);  // rounding of places, at edges
+}
+
+// A tilted square of 100 mm, cut into so many squares a side of two triangles each, whose inner corners lie
+// anywhere near their places.
+still::Model cut_square(int count) {
+    test::Random random(7);
+    still::Model model;
+    still::Face& face = model.faces.emplace_back();
+    face.frame.axes = {Vec3{1, 0, 0}, Vec3{0, 0.8, 0.6}, Vec3{0, -0.6, 0.8}};
+    face.color = {0.5F, 0.2F, 0.1F};
+    for (int y = 0; y <= count; ++y) {
+        for (int x = 0; x <= count; ++x) {
+            const auto off = [&](int at) { return at % count == 0 ? 0.0 : 0.6 * random.unit() - 0.3; };
+            face.points.push_back(
+                face.frame.point({100.0 * (x + off(x)) / count, 100.0 * (y + off(y)) / count}));
+        }
+    }
+    const auto number = [count](int x, int y) { return static_cast<std::uint32_t>(y * (count + 1) + x); };
+    for (int y = 0; y < count; ++y) {
+        for (int x = 0; x < count; ++x) {
+            const std::array<std::uint32_t, 4> at{number(x, y), number(x + 1, y), number(x + 1, y + 1),
+                                                  number(x, y + 1)};
+            for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) face.indices.push_back(at.at(corner));
+        }
+    }
+    model.plates = 1;
+    return model;
+}
+
+TEST(Still, HasNoGapsBetweenTrianglesHoweverSmallTheyAre) {
+    const still::Model whole = cut_square(1);
+    const still::Framing framing = still::framing_of(whole, View::iso, 200, 150);
+    const Pixels wanted = still::render(whole, framing, 200, 150);
+    for (const int count : {7, 40, 90}) {
+        const Pixels cut = still::render(cut_square(count), framing, 200, 150);
+        int most = 0;
+        for (std::size_t i = 0; i < wanted.rgb.size(); ++i)
+            most = std::max(most, std::abs(int{wanted.rgb[i]} - int{cut.rgb[i]}));
+        EXPECT_LE(most, 3) << count;
+    }
 }
 
 TEST(Still, RefusesWhatIsTooLarge) {
