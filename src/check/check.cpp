@@ -312,9 +312,9 @@ PaperQuery Checker::query_of(const Element& element) const {
                     return paper.may_glue(plate, page, site.on_plate ? nullptr : &line, seam, fit);
                 });
             },
-            [this, ask](Side side, double inset) {
-                return ask(side, [&](int plate, int, const DirectedLine&) {
-                    return paper_of(*skeleton, plate, inset);
+            [this, ask](Side side, double inset, const Box& near) {
+                return ask(side, [&](int plate, int page, const DirectedLine&) {
+                    return paper.paper_near(plate, page, inset, near);
                 });
             },
             [this, &site = element.site](const Ring& ring) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/geometry/regions.h"
 #include "mechanism/site_lines.h"
 
 namespace popup {
@@ -129,6 +130,24 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
         if (open != nullptr && along_line({open->a, unit(open->b - open->a)}, edge)) return false;
         return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
     });
+}
+
+std::vector<Polygon> PaperMap::paper_near(int plate, int page_number, double inset, const Box& near) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    const double around = inset + tolerances_.rounding_mm;
+    std::vector<int> found;
+    if (!near.empty())
+        page_edges.cut_boxes.query({near.min - Vec2{around, around}, near.max + Vec2{around, around}}, found);
+    std::sort(found.begin(), found.end());
+    std::vector<Polygon> cuts;
+    for (const int number : found) {
+        const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
+        if (owner != plate) continue;
+        cuts.push_back({ring, {}});
+        if (signed_area(ring) < 0.0) std::reverse(cuts.back().outer.begin(), cuts.back().outer.end());
+    }
+    std::vector<Polygon> paper = subtract({outlines_[static_cast<std::size_t>(plate)]}, cuts);
+    return inset > 0.0 ? offset(paper, -inset, Corners::sharp) : paper;
 }
 
 bool PaperMap::seam_near(int page_number, const Ring& ring) const {

@@ -25,6 +25,8 @@ class PaperMap {
     [[nodiscard]] bool may_cut(int plate, int page, const DirectedLine& line, const Ring& footprint, Fit fit,
                                const Segment* open = nullptr) const;
     [[nodiscard]] std::optional<Segment> edge_along(int plate, int page, const Segment& at) const;
+    // See PaperQuery::paper. Canonical, as base/geometry/regions.h has it.
+    [[nodiscard]] std::vector<Polygon> paper_near(int plate, int page, double inset, const Box& near) const;
     // Whether something is glued on the page within or on the ring.
     [[nodiscard]] bool seam_near(int page, const Ring& ring) const;
     // Without `line` no edge is passed over.

@@ -42,10 +42,14 @@ std::vector<Polygon> glued_area(const Element& e, const Bed& bed) {
         }
         piece.push_back(std::move(part));
     }
+    Box near;
+    for (const Polygon& part : piece) {
+        for (const Vec2 p : part.outer) near.extend(p);
+    }
     const std::span<const Polygon> given = areas_of(e, "glue");
-    if (given.empty()) return intersect(piece, bed.paper(kGlueInsetMm));
+    if (given.empty()) return intersect(piece, bed.paper(kGlueInsetMm, near));
     const std::vector<Polygon> on_piece = intersect(piece, {given.begin(), given.end()});
-    return intersect(on_piece, bed.paper(0.0));
+    return intersect(on_piece, bed.paper(0.0, near));
 }
 
 }  // namespace

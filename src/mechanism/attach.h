@@ -43,8 +43,8 @@ measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double
 struct Bed {
     Segment line;       // that G–H lies on, from G's end
     bool back = false;  // it lies on the plate's back
-    // The plate's paper at least so many mm away from its folds and edges.
-    std::function<std::vector<Polygon>(double inset)> paper;
+    // The plate's paper at least so many mm away from its folds and edges, as far as `near` reaches.
+    std::function<std::vector<Polygon>(double inset, const Box& near)> paper;
 };
 
 // Makes G–H as long as the bed's line, which is called `name` in messages; false after failed().

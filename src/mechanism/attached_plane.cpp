@@ -30,7 +30,7 @@ constexpr std::array<ParameterInfo, 4> kParameters{{kAttachedColor,
 
 Bed bed_of(const Element& e) {
     return {e.site.segment(Side::left, e.on[A], e.on[B]), choice_of(e, "side") == kSides[1],
-            [&e](double inset) { return e.paper->paper(Side::left, inset); }};
+            [&e](double inset, const Box& near) { return e.paper->paper(Side::left, inset, near); }};
 }
 
 bool constrain(Element& e) {

@@ -99,6 +99,21 @@ bool has_room(Vec2 rivet, double radius, const std::vector<Polygon>& paper) {
     return lies_on(circle(rivet, radius).areas.front().outer, paper);
 }
 
+// What is cut from the plate, and the paper round it.
+Box cut_from(const Element& e) {
+    const double around = hole_radius(e) + kAroundMm;
+    Box box;
+    box.extend(on_plate(e, B) - Vec2{around, around});
+    box.extend(on_plate(e, B) + Vec2{around, around});
+    for (const Polygon& part : areas_of(e, "window")) {
+        for (const Vec2 p : part.outer) {
+            box.extend(p - Vec2{kAroundMm, kAroundMm});
+            box.extend(p + Vec2{kAroundMm, kAroundMm});
+        }
+    }
+    return box;
+}
+
 bool constrain(Element& e) {
     const std::vector<Polygon> disc = drawn(e).areas;
     if (disc.size() != 1) {
@@ -116,8 +131,8 @@ bool constrain(Element& e) {
             "move B towards A, or make the disc larger there");
         return false;
     }
-    std::vector<Polygon> paper = e.paper->paper(Side::left, 0.0);
     const std::span<const Polygon> window = areas_of(e, "window");
+    std::vector<Polygon> paper = e.paper->paper(Side::left, 0.0, cut_from(e));
     for (const Polygon& part : window) {
         if (!part.holes.empty()) {
             e.failed("outline-crosses", "its window has an island, which would fall out",

@@ -43,8 +43,8 @@ struct PaperQuery {
     // A seam (page coordinates) wholly on its plate, off what has been cut out of it.
     std::function<bool(Side, const Segment&, Fit)> may_glue;
     // The plate's paper (page coordinates) at least `inset` mm away from its folds and edges, cut-outs
-    // regarded.
-    std::function<std::vector<Polygon>(Side, double inset)> paper;
+    // regarded. Outside of `near` there may be more of it: only what is cut out near there is looked at.
+    std::function<std::vector<Polygon>(Side, double inset, const Box& near)> paper;
     // What a hole through the whole sheet takes, on the page of the left side.
     std::function<Pierced(const Ring&)> pierce;
 };

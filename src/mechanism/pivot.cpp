@@ -120,7 +120,7 @@ Bed bed_of(const Element& e) {
     const Ring plane = on_right(e) ? shape.right : shape.left;
     return {{apex, e.site.on_page(on_right(e) ? Side::right : Side::left, e.on[tip])},
             false,
-            [plane](double inset) {
+            [plane](double inset, const Box&) {
                 Polygon paper{plane, {}};
                 if (signed_area(paper.outer) < 0.0) std::reverse(paper.outer.begin(), paper.outer.end());
                 return offset({paper}, -inset, Corners::sharp);

@@ -54,7 +54,7 @@ void write_outline(Element& e, const Border& border) {
 
 // How far the footprint leaves the paper on that side, in words.
 std::string way_off(const Element& e, Side side, const Ring& footprint) {
-    const std::vector<Polygon> paper = e.paper->paper(side, 0.0);
+    const std::vector<Polygon> paper = e.paper->paper(side, 0.0, bounds(footprint));
     double most = 0.0;
     for (const Vec2 p : footprint) {
         double off = HUGE_VAL;
