@@ -121,6 +121,9 @@ void lay_out_run(Compilation& run, const CompileOptions& options) {
     }
     if (patterns.empty() || run.has_errors()) return;
     LayoutOptions layout = options.layout;
+    if (const std::optional<Design>& first = run.designs.front().design;
+        layout.papers == PaperFamily::automatic && first)
+        layout.papers = first->unit.name == "in" ? PaperFamily::us : PaperFamily::iso;
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;
     layout.nesting.thread_ended = options.thread_ended;

@@ -19,6 +19,15 @@ struct Paper {
 };
 std::vector<Paper> const& paper_table();  // letter, a4, tabloid, a3, a2, a1, a0: the order `auto` tries them
 
+// Which papers `auto` tries.
+enum class PaperFamily {
+    automatic,  // of a run: metric or inches by the unit of its first design; of lay_out(): any
+    iso,        // a4, a3, a2, a1, a0
+    us,         // letter, tabloid; then, for what is larger, a2, a1, a0
+    any         // all of the table
+};
+std::vector<Paper> papers_of(PaperFamily family);
+
 // What pieces are put on. `name` "auto" picks the first paper that takes the largest piece; another name of
 // the table takes that paper, turned as the largest piece needs (landscape if either way serves); empty:
 // width × height as given.
@@ -72,6 +81,7 @@ struct PieceRule {
 
 struct LayoutOptions {
     SheetChoice sheet;
+    PaperFamily papers = PaperFamily::automatic;
     std::vector<StockRow> stock;                // if not empty, instead of `sheet`
     Vec2 bed;                                   // of the machine: no sheet may be larger; 0 × 0: any may
     Length margin = Length::millimetres(5.0);   // free edge of the sheet, ≥ 0

@@ -49,7 +49,17 @@ struct TileOptions {
                               // in its inner 5 mm
 };
 
+// Whether sheets say what their lines mean, how they are printed and which side is up, in space that no piece
+// lies on. Formats for machines never do, nor do profiles whose pen of legends has no layer. The program's
+// own default is automatic.
+enum class Legend {
+    automatic,  // where something is folded or glued, and there is room
+    always,     // a sheet without room is told of
+    never
+};
+
 struct OutputOptions {
+    Legend legend = Legend::never;
     double fps =
         0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0 is 15
     double duration_s = 4.0;                    // scene: length of the animation, > 0
@@ -88,7 +98,10 @@ double margin_needed(const OutputOptions& options);
 // than 30 mm inside them either way.
 bool can_tile(const OutputOptions& options, Diagnostics& diagnostics);
 
-// What these options and the designs ask for and the profile leaves out. Remark: `prints-left-out`, of
+// What these options and the designs ask for and the sheets do not have. Remark: `glue-marks-left-out`, of
+// targets and numbers that nothing prints or marks. Warnings: `too-few-joints`, of pieces whose outer cuts
+// have no room for two, and `legend-left-out`, of sheets without room for one that is always wanted. Remark:
+// `prints-left-out`, of
 // pictures, of printed texts, of marks, of the bar, and of backs; under print_and_cut only of what cut files
 // lack. Colours of plates and drawn lines are left out without a word.
 void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics);

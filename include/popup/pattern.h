@@ -55,13 +55,21 @@ struct Label {
     double angle = 0.0;      // radians, counter-clockwise
 };
 
+// A tab with room for its piece's name: "2L castle" instead of the number alone.
+struct NamedTab {
+    std::size_t label = 0;  // index into PatternPiece::labels, of the tab's number
+    Label named;
+};
+
 struct PatternPiece {
     std::string name;
+    std::string number;                // of its tabs or its glued areas: "3" of 3L and 3R; empty: it has none
     std::vector<Contour> cuts;         // inner before outer
     std::vector<PatternLine> lines;    // folds and seams
     std::vector<PatternPrint> prints;  // in the order in which they are painted, as print.h has it
     std::vector<GlueTarget> targets;
     std::vector<Label> labels;
+    std::optional<NamedTab> named_tab;  // for marks that may only stand where something is glued
     std::vector<Polygon>
         silhouette;  // the piece's paper, tabs included, slits ignored; what layout must keep apart
     Box bounds;      // of the silhouette

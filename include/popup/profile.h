@@ -15,14 +15,16 @@
 namespace popup {
 
 // What is done along a line, or with an area, of a sheet; in the order in which it is done. What is printed
-// comes first, then folds, then cuts from the inside outwards, so that a piece is not loose before it is
-// finished. Closed set.
+// comes first, then marks, then folds, then cuts from the inside outwards, so that a piece is not loose
+// before it is finished. Closed set.
 enum class Operation {
     fill,
     draw,
     glue,
     label,
+    legend,        // what lines mean, in free space of the sheet
     registration,  // marks by which a sheet is found again, and the bar to measure
+    mark,          // what tells how to glue, where nothing prints it: a light engraving or a fine score
     valley,
     mountain,
     seam,
@@ -31,10 +33,10 @@ enum class Operation {
     inner_cut,
     outer_cut
 };
-inline constexpr std::array kOperations{Operation::fill,     Operation::draw,         Operation::glue,
-                                        Operation::label,    Operation::registration, Operation::valley,
-                                        Operation::mountain, Operation::seam,         Operation::perforation,
-                                        Operation::slit,     Operation::inner_cut,    Operation::outer_cut};
+inline constexpr std::array kOperations{
+    Operation::fill,         Operation::draw, Operation::glue,      Operation::label,    Operation::legend,
+    Operation::registration, Operation::mark, Operation::valley,    Operation::mountain, Operation::seam,
+    Operation::perforation,  Operation::slit, Operation::inner_cut, Operation::outer_cut};
 std::string_view to_string(Operation operation);  // "inner-cut"
 constexpr bool is_printed(Operation operation) { return operation <= Operation::registration; }
 constexpr bool is_fold(Operation operation) {
@@ -56,8 +58,8 @@ struct Pen {
 };
 
 struct Profile;
-// What is done along a line of a pattern. Where folds are not dashed for the eye, a seam along which another
-// piece is glued on is a place (glue), no fold: the paper stays whole there.
+// What is done along a line of a pattern. A seam along which another piece is glued on is a place (glue), no
+// fold: the paper stays whole there.
 Operation operation_of(const PatternLine& line, const Profile& profile);
 // Of a contour: an outer cut when it is closed and lies in no other of its piece. Open ones are slits where
 // inner cuts are moved for the kerf, so that the two can be told apart, else inner cuts.
@@ -96,6 +98,18 @@ std::string_view to_string(Marks marks);
 // How far from the edges of the sheet pieces must stay clear of the marks, in mm.
 double clear_of(Marks marks);
 
+// Where the machine marks what tells how to glue: targets as ticks in their corners, and the numbers of tabs,
+// targets and pieces in letters of single lines.
+enum class MarksOn {
+    front,   // all of it, names of pieces too
+    back,    // all of it, on the back of the sheet
+    hidden,  // on the front what a glued tab or piece covers later; the rest on the back if the machine works
+             // there anyway, else it is left out. A piece's name then stands in one of its tabs with room
+    none
+};
+inline constexpr std::array kMarksOn{MarksOn::front, MarksOn::back, MarksOn::hidden, MarksOn::none};
+std::string_view to_string(MarksOn side);
+
 // From which side of the sheet a machine works.
 enum class ScoreSide {
     front,
@@ -120,6 +134,10 @@ struct Profile {
     bool machine_order = false;
     bool outlined_text = false;  // text is drawn as the outlines of its letters
     Marks marks = Marks::none;
+    MarksOn marks_on = MarksOn::hidden;
+    // Of the bridges that hold a piece in its sheet until it is broken out, along its outer cut; 0: none.
+    // What the kerf of outer cuts takes away comes on top. Else 0.05 to 10.
+    double joint_mm = 0.0;
     double bed_width_mm = 0.0;  // the largest sheet that goes into the machine, either way round; 0: any
     double bed_height_mm = 0.0;
     double travel_mm_s = 0.0;          // of the head between lines; 0: not known
@@ -134,6 +152,8 @@ struct Profile {
     [[nodiscard]] bool dashes(Operation operation) const;
     // False for what the profile leaves out, and for what its fold style has no use for.
     [[nodiscard]] bool draws(Operation operation) const;
+    // Whether the machine has to mark glue targets and numbers: it can, and no pen prints them.
+    [[nodiscard]] bool marks_glue() const;
     // True for valley, mountain and seam where such folds are perforated.
     [[nodiscard]] bool perforates(Operation fold) const;
 };

@@ -13,6 +13,12 @@ OperationCounts count_operations(const Layout& layout, const Profile& profile) {
         for (const PatternPrint& one : piece.prints) count(operation_of(one.print));
         count(Operation::glue, piece.targets.size());
         count(Operation::label, piece.labels.size());
+        if (profile.marks_glue()) {
+            const bool names = profile.marks_on == MarksOn::front || profile.marks_on == MarksOn::back;
+            count(Operation::mark, piece.targets.size());
+            for (const Label& label : piece.labels)
+                count(Operation::mark, names || label.kind != LabelKind::piece ? 1 : 0);
+        }
         for (const PatternLine& line : piece.lines) {
             const Operation what = operation_of(line, profile);
             count(what);

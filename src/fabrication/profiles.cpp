@@ -14,6 +14,7 @@ constexpr Color kRed{0xff, 0x00, 0x00};
 constexpr Color kGreen{0x00, 0xff, 0x00};
 constexpr Color kBlue{0x00, 0x00, 0xff};
 constexpr Color kMagenta{0xff, 0x00, 0xff};
+constexpr Color kCyan{0x00, 0xff, 0xff};
 constexpr Color kTarget{0xa6, 0xa6, 0xa6};
 constexpr Color kText{0x73, 0x73, 0x73};
 
@@ -33,26 +34,30 @@ Pens printing_pens(const char* layer) {
     pen_of(pens, Operation::draw) = {layer, kBlack};
     pen_of(pens, Operation::glue) = {layer, kTarget, 0.2};
     pen_of(pens, Operation::label) = {layer, kText};
+    pen_of(pens, Operation::legend) = {"", kBlack, 0.3};
     pen_of(pens, Operation::registration) = {layer, kBlack, 0.3};
+    pen_of(pens, Operation::mark) = {"", kMagenta, kThin};
     return pens;
 }
 
 struct CuttingPens {
     Pen score, perforation, slit, inner_cut, outer_cut;
+    Pen mark = {};
 };
 // For machines that cut and score: all folds are scored alike.
 Pens cutting_pens(const CuttingPens& cutting, const char* printed = "") {
     Pens pens = printing_pens(printed);
     for (const Operation fold : {Operation::valley, Operation::mountain, Operation::seam})
         pen_of(pens, fold) = cutting.score;
+    if (!cutting.mark.layer.empty()) pen_of(pens, Operation::mark) = cutting.mark;
     pen_of(pens, Operation::perforation) = cutting.perforation;
     pen_of(pens, Operation::slit) = cutting.slit;
     pen_of(pens, Operation::inner_cut) = cutting.inner_cut;
     pen_of(pens, Operation::outer_cut) = cutting.outer_cut;
     return pens;
 }
-Pens cutting_pens(const Pen& score, const Pen& cut, const char* printed = "") {
-    return cutting_pens({score, cut, cut, cut, cut}, printed);
+Pens cutting_pens(const Pen& score, const Pen& cut, const Pen& mark, const char* printed = "") {
+    return cutting_pens({score, cut, cut, cut, cut, mark}, printed);
 }
 
 Pens workshop_pens() {
@@ -68,15 +73,19 @@ Pens workshop_pens() {
 }
 
 Pens silhouette_pens() {
-    Pens pens = cutting_pens({"Score", kBlue, kThin}, {"Cut", kRed, kThin}, "Print");
+    Pens pens = cutting_pens({"Score", kBlue, kThin}, {"Cut", kRed, kThin}, {}, "Print");
     pen_of(pens, Operation::registration).layer = "Regmarks";
     return pens;
 }
 
 Pens boxes_pens() {
     const Pen inner{"inner-cut", kBlue, kThin};
-    Pens pens = cutting_pens(
-        {{"etch", kGreen, kThin}, inner, {"slit", kBlue, kThin}, inner, {"outer-cut", kBlack, kThin}});
+    Pens pens = cutting_pens({{"etch", kGreen, kThin},
+                              inner,
+                              {"slit", kBlue, kThin},
+                              inner,
+                              {"outer-cut", kBlack, kThin},
+                              {"mark", kCyan, kThin}});
     pen_of(pens, Operation::label) = {"annotation", kRed};
     return pens;
 }
@@ -85,6 +94,7 @@ Pens boxes_pens() {
 Pens production_pens() {
     constexpr double kQuarterPoint = 0.25 * 25.4 / 72.0;
     Pens pens = workshop_pens();
+    pen_of(pens, Operation::legend).layer.clear();
     const auto set = [&pens](Operation operation, const char* layer, Color color, const char* spot) {
         Pen& pen = pen_of(pens, operation);
         pen = {layer, color, kQuarterPoint};
@@ -124,43 +134,49 @@ std::vector<Profile> make_table() {
     workshop.about = "for scissors and knife: cut red, valley magenta, mountain blue, seam black";
     workshop.pens = workshop_pens();
 
-    table.push_back(laser("generic-laser",
-                          "drivers that take hairlines in exact red as cuts and blue as scores",
-                          cutting_pens({"score", kBlue, kHairline}, {"cut", kRed, kHairline})));
+    table.push_back(laser(
+        "generic-laser", "drivers that take hairlines in exact red as cuts, blue as scores, green as marks",
+        cutting_pens({"score", kBlue, kHairline}, {"cut", kRed, kHairline}, {"mark", kGreen, kHairline})));
 
-    table.push_back(laser("lightburn",
-                          "LightBurn: a layer a colour; red scores, then inner cuts blue, outer black",
-                          cutting_pens({{"score", kRed, kThin},
-                                        {"perforation", {0x00, 0xe0, 0x00}, kThin},
-                                        {"slit", {0xff, 0x80, 0x00}, kThin},
-                                        {"inner-cut", kBlue, kThin},
-                                        {"outer-cut", kBlack, kThin}})));
+    table.push_back(laser(
+        "lightburn",
+        "LightBurn: a layer a colour; marks magenta, scores red, slits orange, inner cuts blue, outer black",
+        cutting_pens({{"score", kRed, kThin},
+                      {"perforation", {0x00, 0xe0, 0x00}, kThin},
+                      {"slit", {0xff, 0x80, 0x00}, kThin},
+                      {"inner-cut", kBlue, kThin},
+                      {"outer-cut", kBlack, kThin},
+                      {"mark", kMagenta, kThin}})));
     table.back().formats = {"lbrn2", "svg", "dxf", "pdf"};
 
-    table.push_back(laser("k40", "K40 Whisperer: red is cut, blue is engraved as a line, no third colour",
-                          cutting_pens({"ENGRAVE", kBlue, kThin}, {"CUT", kRed, kThin})));
+    table.push_back(
+        laser("k40", "K40 Whisperer: red is cut, blue is engraved as a line, no third colour",
+              cutting_pens({"ENGRAVE", kBlue, kThin}, {"CUT", kRed, kThin}, {"ENGRAVE", kBlue, kThin})));
     table.back().styled_paths = true;
     table.back().outlined_text = true;
     table.back().formats = {"svg", "dxf"};
 
     table.push_back(laser("glowforge",
-                          "a step a colour: inner cuts red, outer black; choose score by hand for blue",
+                          "a step a colour: inner cuts red, slits orange, outer black; choose score by hand "
+                          "for blue and magenta",
                           cutting_pens({{"score", kBlue, kThin},
                                         {"perforation", kGreen, kThin},
                                         {"slit", {0xff, 0x80, 0x00}, kThin},
                                         {"inner-cut", kRed, kThin},
-                                        {"outer-cut", kBlack, kThin}})));
+                                        {"outer-cut", kBlack, kThin},
+                                        {"mark", kMagenta, kThin}})));
     table.back().outlined_text = true;
     table.back().formats = {"svg", "pdf"};
 
     const Pen design_space{"cut", kBlack, kThin};
-    table.push_back(machine("cricut", "Design Space: folds perforated, in a colour of their own",
+    table.push_back(machine("cricut", "Design Space: folds perforated in red, cuts black, marks magenta",
                             FoldStyle::perforated,
                             cutting_pens({{"score", kBlue, kThin},
                                           {"perforation", kRed, kThin},
                                           design_space,
                                           design_space,
-                                          design_space})));
+                                          design_space,
+                                          {"mark", kMagenta, kThin}})));
     table.back().verified = false;
     table.back().formats = {"svg", "dxf"};
 
@@ -175,9 +191,9 @@ std::vector<Profile> make_table() {
     table.back().outlined_text = true;
     table.back().formats = {"pdf"};
 
-    table.push_back(laser("boxes",
-                          "the colours of boxes.py: outer cuts black, inner blue, etched green, notes red",
-                          boxes_pens()));
+    table.push_back(laser(
+        "boxes", "the colours of boxes.py: outer cuts black, inner and slits blue, etched green, marks cyan",
+        boxes_pens()));
     return table;
 }
 
@@ -202,8 +218,12 @@ std::string_view to_string(Operation operation) {
             return "glue";
         case Operation::label:
             return "label";
+        case Operation::legend:
+            return "legend";
         case Operation::registration:
             return "registration";
+        case Operation::mark:
+            return "mark";
         case Operation::valley:
             return "valley";
         case Operation::mountain:
@@ -248,6 +268,20 @@ std::string_view to_string(Marks marks) {
     broken_invariant("marks are one of their enumerators", __FILE__, __LINE__);
 }
 
+std::string_view to_string(MarksOn side) {
+    switch (side) {
+        case MarksOn::front:
+            return "front";
+        case MarksOn::back:
+            return "back";
+        case MarksOn::hidden:
+            return "hidden";
+        case MarksOn::none:
+            return "none";
+    }
+    broken_invariant("where marks are is one of its enumerators", __FILE__, __LINE__);
+}
+
 Operation operation_of(const PatternLine& line, const Profile& profile) {
     switch (line.kind) {
         case LineKind::cut:
@@ -257,7 +291,7 @@ Operation operation_of(const PatternLine& line, const Profile& profile) {
         case LineKind::valley:
             return Operation::valley;
         case LineKind::seam:
-            return line.glued_on && profile.folds != FoldStyle::dashed ? Operation::glue : Operation::seam;
+            return line.glued_on ? Operation::glue : Operation::seam;
         case LineKind::mark:
             return Operation::draw;
     }
@@ -281,8 +315,13 @@ bool Profile::perforates(Operation fold) const {
     return is_fold(fold) && draws(Operation::perforation) && !pen(fold).layer.empty();
 }
 
+bool Profile::marks_glue() const {
+    return draws(Operation::mark) && !(draws(Operation::glue) && draws(Operation::label));
+}
+
 bool Profile::draws(Operation operation) const {
     if (pen(operation).layer.empty()) return false;
+    if (operation == Operation::mark) return marks_on != MarksOn::none;
     if (is_fold(operation)) return folds != FoldStyle::perforated;
     if (operation == Operation::perforation)
         return folds == FoldStyle::perforated || folds == FoldStyle::both;

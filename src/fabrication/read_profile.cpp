@@ -283,6 +283,8 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                  {"machine-order", reader.flag("machine-order", profile.machine_order)},
                  {"outlined-text", reader.flag("outlined-text", profile.outlined_text)},
                  {"marks", reader.choice("marks", profile.marks, kMarks)},
+                 {"marks-on", reader.choice("marks-on", profile.marks_on, kMarksOn)},
+                 {"joints", reader.number("joints", profile.joint_mm, {0.0, 10.0, "mm"})},
                  {"bed", reader.table("bed", read_bed)},
                  {"travel", reader.table("travel", read_travel)},
                  {"formats", reader.texts("formats", profile.formats)},

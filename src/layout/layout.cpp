@@ -175,7 +175,8 @@ class Layouter {
     [[nodiscard]] SheetRow row_of(const SheetChoice& choice) const {
         if (choice.name.empty()) return {choice.width_mm, choice.height_mm, -1};
         SheetRow row{options_.bed.x, options_.bed.y, -1};
-        for (const Paper& paper : paper_table()) {
+        const bool any = choice.name != "auto";
+        for (const Paper& paper : papers_of(any ? PaperFamily::any : options_.papers)) {
             if (choice.name != "auto" && choice.name != paper.name) continue;
             const SheetRow next = oriented(paper);
             if (choice.name == "auto" && !in_bed(next)) continue;
@@ -368,7 +369,7 @@ class Layouter {
                 name_of(source), piece.bounds.width(), piece.bounds.height(), sheets));
         finding.about(piece.name);
         finding.file = nth(layout_.designs, source.design).file;
-        for (const Paper& paper : paper_table()) {
+        for (const Paper& paper : papers_of(options_.papers)) {
             if (!in_bed({paper.width_mm, paper.height_mm, -1})) continue;
             if (takes({paper.height_mm, paper.width_mm, -1}, source) ||
                 takes({paper.width_mm, paper.height_mm, -1}, source)) {

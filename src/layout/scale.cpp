@@ -39,10 +39,12 @@ void scale_pattern(Pattern& pattern, double by) {
         for (PatternLine& line : piece.lines) line.at = {by * line.at.a, by * line.at.b};
         for (PatternPrint& one : piece.prints) std::visit([by](auto& print) { scale(print, by); }, one.print);
         for (GlueTarget& target : piece.targets) scale(target.outline, by);
-        for (Label& label : piece.labels) {
+        const auto scale_label = [by](Label& label) {
             label.at = by * label.at;
             label.height_mm *= by;
-        }
+        };
+        for (Label& label : piece.labels) scale_label(label);
+        if (piece.named_tab) scale_label(piece.named_tab->named);
         for (Polygon& part : piece.silhouette) scale(part, by);
         piece.bounds = {by * piece.bounds.min, by * piece.bounds.max};
     }

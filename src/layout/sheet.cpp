@@ -34,6 +34,18 @@ std::vector<Paper> const& paper_table() {
     return papers;
 }
 
+std::vector<Paper> papers_of(PaperFamily family) {
+    std::vector<Paper> papers;
+    for (const Paper& paper : paper_table()) {
+        const bool american = paper.name == "letter" || paper.name == "tabloid";
+        const bool small = paper.name == "a4" || paper.name == "a3";
+        if (family == PaperFamily::iso && american) continue;
+        if (family == PaperFamily::us && small) continue;
+        papers.push_back(paper);
+    }
+    return papers;
+}
+
 std::optional<SheetChoice> parse_sheet(std::string_view text) {
     if (same_word(text, "auto")) return SheetChoice{};
     for (const Paper& paper : paper_table()) {

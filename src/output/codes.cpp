@@ -20,6 +20,18 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "Sans, so that sheets look the same on every machine. The file named in the message is not there, may "
      "not be read, or is no font. Nothing has been written. Install the font where the message says (on "
      "Debian the package fonts-dejavu-core brings it), or write SVG, which only names the font."},
+    {"glue-marks-left-out", Severity::remark, "the sheets do not say what is glued where",
+     "Profiles of lasers and cutters do not print; they mark the places of tabs and the numbers of tabs and "
+     "places with a pen of their own, \"mark\". By default only what a glued tab covers later is marked. A "
+     "piece that is glued flat has no tab, and so no number that would be covered. Here something that the "
+     "gluing needs is neither printed nor marked. Take --marks-on front, which marks all of it on the front, "
+     "or --marks-on back; give the pen \"mark\" a layer in a profile of your own; or print sheets by the "
+     "profile workshop as well and glue by them."},
+    {"legend-left-out", Severity::warning, "a sheet has no room for its legend",
+     "With --legend always each sheet says what its lines mean, in space that no piece lies on. On the "
+     "sheets "
+     "in the message no place is large enough. Choose a larger sheet, or leave --legend away: then sheets "
+     "with room have a legend, and others none."},
     {"model-coarse", Severity::warning, "the model's animation has fewer keys than it needs",
      "Between two keys of the animation a viewer turns every plate on its own, and keys are added until no "
      "fold visibly opens on the way. Here the file would have grown beyond half a gigabyte first. The "
@@ -73,6 +85,12 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "colours do not go with it. Printed backs do not either: where pages are glued, the margin of one "
      "covers the back of the other. The message says which of these was asked for; leave it out, or leave "
      "out --tile."},
+    {"too-few-joints", Severity::warning, "a piece would fall out of its sheet",
+     "With --joints the outer cut of each piece is left uncut at two places or more, so that the piece stays "
+     "in its sheet. A joint lies on a straight stretch, at least half a millimetre from corners and from "
+     "folds. The piece in the message is too small, or its outline too uneven, for two of this width. Ask "
+     "for "
+     "narrower joints, or hold the sheet down so that small pieces cannot move."},
     {"too-many-tiles", Severity::error, "the sheets need more pages than a document may have",
      "A document has at most 10000 tiles, counting those on which nothing is drawn. Nobody glues so many "
      "pages together: check the units of the design and --scale, or choose a larger paper with --tile."},

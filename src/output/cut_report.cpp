@@ -21,6 +21,7 @@ struct Work {
     };
     std::array<Share, kOperations.size()> of;
     double travel_mm = 0.0;
+    std::size_t joints = 0;
 
     [[nodiscard]] std::size_t pierces() const {
         std::size_t sum = 0;
@@ -33,11 +34,13 @@ struct Work {
             of.at(i).length_mm += other.of.at(i).length_mm;
         }
         travel_mm += other.travel_mm;
+        joints += other.joints;
     }
 };
 
 Work work_of(const SheetDrawing& drawing) {
     Work work;
+    work.joints = drawing.joints;
     Vec2 at;
     for (const SheetShape& shape : drawing.shapes) {
         if (is_printed(shape.operation)) continue;
@@ -81,6 +84,7 @@ void describe(Json& row, const Work& work, const Profile& profile) {
     row["operations"] = std::move(operations);
     row["travel_mm"] = rounded(work.travel_mm, kLength);
     row["pierces"] = work.pierces();
+    if (profile.joint_mm > 0.0) row["joints"] = work.joints;
     row["time_s"] = time ? Json(rounded(*time, kTime)) : Json();
 }
 

@@ -384,7 +384,9 @@ class DxfText {
 
 std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    return file_per_view(layout, options, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
+    OutputOptions machine = options;
+    machine.legend = Legend::never;
+    return file_per_view(layout, machine, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
         return DxfText(drawing).sheet();
     });
 }

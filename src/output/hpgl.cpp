@@ -33,7 +33,9 @@ PlotterPoint plotter_point(Vec2 p) {
 using PenNumbers = std::array<int, kOperations.size()>;  // 0: no lines are drawn like that
 
 bool has_lines(Operation operation, const Profile& profile, const OutputOptions& options) {
-    if (!profile.draws(operation) || operation == Operation::fill) return false;
+    if (!profile.draws(operation) || operation == Operation::fill || operation == Operation::legend)
+        return false;
+    if (operation == Operation::mark) return profile.marks_glue();
     if (operation == Operation::label) return profile.outlined_text;
     if (operation == Operation::registration)
         return profile.marks != Marks::none || options.reference_mm > 0.0;
@@ -122,6 +124,7 @@ std::optional<std::vector<SheetFile>> write_hpgl(const Layout& layout, const Out
     std::int64_t reach = 0;
     OutputOptions outlined = options;
     outlined.outlined_print = true;
+    outlined.legend = Legend::never;
     auto files =
         file_per_view(layout, outlined, diagnostics, [&](const SheetDrawing& drawing, const SheetView&) {
             Plot plot(drawing, options);

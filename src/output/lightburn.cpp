@@ -286,6 +286,7 @@ std::optional<std::vector<SheetFile>> write_lightburn(const Layout& layout, cons
                                                       Diagnostics& diagnostics) {
     OutputOptions outlined = options;
     outlined.profile.outlined_text = true;
+    outlined.legend = Legend::never;
     return file_per_view(layout, outlined, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
         return Project(drawing).sheet();
     });

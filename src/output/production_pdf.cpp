@@ -31,9 +31,11 @@ std::string_view step_of(Operation operation) {
         case Operation::fill:
         case Operation::draw:
         case Operation::label:
+        case Operation::legend:
         case Operation::registration:
             return {};
         case Operation::glue:
+        case Operation::mark:
             return "/Gluing";
         case Operation::valley:
         case Operation::seam:

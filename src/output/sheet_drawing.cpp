@@ -9,11 +9,15 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
+#include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/machine_order.h"
 #include "output/sheet_carrier.h"
 #include "output/sheet_curves.h"
+#include "output/sheet_joints.h"
+#include "output/sheet_legend.h"
 #include "output/sheet_sides.h"
+#include "output/stroked_text.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 
@@ -58,6 +62,23 @@ class Drawer {
         for (const Operation operation : kOperations) {
             if (is_shown(operation, options_, view_)) draw(piece, operation);
         }
+    }
+
+    void legend(std::span<const Placement> placements) {
+        if (!is_shown(Operation::legend, options_, view_) || !drawing_.profile.draws(Operation::legend))
+            return;
+        number_ = -1;
+        carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
+        const std::optional<LegendBox> legend =
+            legend_of(drawing_, layout_, placements, view_.sheet, options_);
+        if (!legend) return;
+        for (const LegendLine& line : legend->lines) {
+            begin(Operation::legend, -1, line.color, line.width_mm);
+            drawing_.shapes.back().filled = line.filled;
+            for (const std::vector<Vec2>& stroke : line.strokes) run(stroke, line.filled);
+        }
+        for (const LegendText& line : legend->texts)
+            text(line.text, line.at, kLegendTextMm, 0.0, Operation::legend);
     }
 
     void sheet() {
@@ -160,6 +181,46 @@ class Drawer {
         }
         if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
     }
+    // Whether the machine draws such labels on this side, so that no pen needs to.
+    [[nodiscard]] bool is_marked(LabelKind kind) const {
+        if (!is_shown(Operation::mark, options_, view_)) return false;
+        const MarksOn where = drawing_.profile.marks_on;
+        return kind == LabelKind::piece ? marks_names(where, options_.score_side, view_.back)
+                                        : marks_joints(where, options_.score_side, view_.back);
+    }
+    void mark(const std::string& written, Vec2 at, double cap_mm, double angle) {
+        if (written.empty() || cap_mm <= 0.0) return;
+        begin(Operation::mark, -1);
+        for (const StrokedLine& line :
+             stroked_text(visible(written), carrier_.at(at), cap_mm, turned(carrier_, angle))) {
+            drawing_.runs.push_back({drawing_.points.size(), line.points.size(), line.closed});
+            drawing_.points.insert(drawing_.points.end(), line.points.begin(), line.points.end());
+            ++drawing_.shapes.back().runs;
+        }
+        if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
+    }
+    void marks(const PatternPiece& piece) {
+        if (is_marked(LabelKind::target)) {
+            for (const GlueTarget& target : piece.targets) {
+                for (const std::vector<Vec2>& tick : target_ticks(target.outline)) {
+                    begin(Operation::mark, target.plate);
+                    run(tick, false);
+                }
+            }
+        }
+        // Where names stand by themselves no tab needs one.
+        const NamedTab* named = piece.named_tab && !is_marked(LabelKind::piece) ? &*piece.named_tab : nullptr;
+        for (std::size_t i = 0; i < piece.labels.size(); ++i) {
+            const Label& label = named != nullptr && named->label == i ? named->named : piece.labels[i];
+            if (is_marked(label.kind)) mark(label.text, label.at, label.height_mm, label.angle);
+        }
+        if (!is_marked(LabelKind::piece)) return;
+        for (const PatternPrint& one : piece.prints) {
+            const Text* own = std::get_if<Text>(&one.print);
+            if (own != nullptr && !own->color) mark(own->text, own->at, own->height_mm, own->angle);
+        }
+    }
+
     void texts(const PatternPiece& piece, Operation operation) {
         for (const PatternPrint& one : piece.prints) {
             const Text* own = std::get_if<Text>(&one.print);
@@ -194,6 +255,7 @@ class Drawer {
             if (operation_of(cut, drawing_.profile) != operation) continue;
             begin(operation, -1);
             drawing_.shapes.back().depth = cut.depth;
+            drawing_.shapes.back().outline = cut.closed && cut.depth == 0;
             run(cut.points, cut.closed);
         }
         lines(piece, operation);
@@ -226,11 +288,15 @@ class Drawer {
                 texts(piece, operation);
                 for (const Label& label : piece.labels) {
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
+                    if (is_marked(label.kind)) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);
                 }
                 return;
+            case Operation::legend:
             case Operation::registration:
                 return;  // the sheet's
+            case Operation::mark:
+                return marks(piece);
             case Operation::valley:
             case Operation::mountain:
             case Operation::seam:
@@ -381,8 +447,10 @@ SheetDrawing draw_sheet(const Layout& layout, const OutputOptions& options, cons
     const std::span<const Placement> placements(first_on(view.sheet), first_on(view.sheet + 1));
     Drawer drawer(drawing, layout, options, view);
     for (const Placement& placement : placements) drawer.piece(placement);
+    drawer.legend(placements);
     drawer.sheet();
     if (drawing.profile.machine_order) put_in_machine_order(drawing);
+    put_in_joints(drawing, layout, placements, view.back);
     put_in_layers(drawing, options, view);
     restore_curves(drawing, layout, placements, view.back);
     return drawing;

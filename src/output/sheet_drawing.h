@@ -49,6 +49,7 @@ struct SheetShape {
     int piece = -1;         // index into SheetDrawing::pieces, -1: the sheet's own
     int plate = -1;         // index into SheetPiece::plate_names, -1: none
     int depth = 0;          // of a cut: in how many contours of the sheet it lies
+    bool outline = false;   // the cut round a piece, or a part of it
     bool filled = false;    // an area in its colour, or with its picture, without a line
     int image = -1;         // of an area: index into SheetDrawing::images, -1: it has a colour
     Color color;            // of the line, or of the area
@@ -106,6 +107,8 @@ struct SheetDrawing {
     std::vector<Run> runs;
     std::vector<Vec2> points;
     std::vector<PathStep> steps;
+    std::size_t joints = 0;         // in outer cuts
+    std::vector<int> loose_pieces;  // that have under two of them; indices into `pieces`
 
     [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetLayer& layer) const;
     [[nodiscard]] std::span<const SheetText> texts_of(const SheetLayer& layer) const;

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "base/nth.h"
 #include "base/text/numbers.h"
 #include "fabrication/count_operations.h"
+#include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
 #include "output/font_file.h"
@@ -74,6 +76,96 @@ void name_pictures(const Layout& layout, const Profile& profile, std::vector<std
     name(texts.size(), "printed text");
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    const Profile& profile = options.profile;
+    const bool printed =
+        options.print_and_cut || (profile.draws(Operation::glue) && profile.draws(Operation::label));
+    if (printed) return;
+    const bool marked = profile.marks_glue();
+    const bool named =
+        marked && (profile.marks_on != MarksOn::hidden || options.score_side != ScoreSide::front);
+    std::size_t targets = 0;
+    std::size_t numbers = 0;
+    std::size_t flat = 0;  // pieces that are glued flat: nothing covers a number on their front
+    for (const Placement& placement : layout.placements) {
+        const Pattern& pattern = nth(layout.designs, placement.design).pattern;
+        const PatternPiece& piece = nth(pattern.pieces, placement.piece);
+        const auto is_tab = [](const Label& label) { return label.kind == LabelKind::tab; };
+        const auto tabs =
+            static_cast<std::size_t>(std::count_if(piece.labels.begin(), piece.labels.end(), is_tab));
+        if (!marked) {
+            targets += piece.targets.size();
+            numbers += tabs;
+        }
+        if (!named && tabs == 0 && !piece.number.empty()) ++flat;
+    }
+    std::vector<std::string> missing;
+    if (targets > 0) missing.push_back(counted(targets, "glue target"));
+    if (numbers > 0) missing.push_back(counted(numbers, "number") + " of tabs");
+    if (flat > 0) missing.push_back("the numbers of " + counted(flat, "piece") + " glued flat");
+    if (missing.empty()) return;
+    diagnostics
+        .remark(
+            "glue-marks-left-out", {},
+            fmt::format("the sheets by the profile {} lack {}", profile.name, fmt::join(missing, " and ")))
+        .hint(marked ? "take --marks-on front, which marks them where they are seen, or --marks-on back"
+              : profile.marks_on == MarksOn::none
+                  ? "leave out --marks-on none, or build printed sheets beside these to glue by"
+                  : "give the pen \"mark\" a layer, or build printed sheets beside these to glue by");
+}
+
+// Joints are known where sheets are drawn.
+void examine_joints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    if (options.profile.joint_mm <= 0.0 || !options.profile.draws(Operation::outer_cut)) return;
+    SheetView view;
+    view.back = options.score_side == ScoreSide::back;
+    view.part = options.print_and_cut ? SheetView::Part::cut : SheetView::Part::whole;
+    std::size_t loose = 0;
+    std::string first;
+    for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
+        view.sheet = static_cast<int>(i);
+        const SheetDrawing drawing = draw_sheet(layout, options, view);
+        if (loose == 0 && !drawing.loose_pieces.empty())
+            first = nth(drawing.pieces, drawing.loose_pieces.front()).name;
+        loose += drawing.loose_pieces.size();
+    }
+    if (loose == 0) return;
+    diagnostics
+        .warning(
+            "too-few-joints", {},
+            fmt::format("the outer cut of piece \"{}\"{} has no room for two joints of {} mm clear of "
+                        "corners and folds",
+                        first, loose > 1 ? fmt::format(", as of {}", counted(loose - 1, "more piece")) : "",
+                        number_text(options.profile.joint_mm, 3)))
+        .hint("ask for narrower joints with --joints, or hold the sheet down");
+}
+
+void examine_legend(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    if (options.legend != Legend::always) return;
+    SheetView view;
+    view.part = options.print_and_cut ? SheetView::Part::print : SheetView::Part::whole;
+    if (!profile_of(options, view).draws(Operation::legend)) return;
+    std::vector<std::string> without;
+    for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
+        view.sheet = static_cast<int>(i);
+        const SheetDrawing drawing = draw_sheet(layout, options, view);
+        const auto is_legend = [](const auto& thing) { return thing.operation == Operation::legend; };
+        if (std::none_of(drawing.shapes.begin(), drawing.shapes.end(), is_legend))
+            without.push_back(std::to_string(i + 1));
+    }
+    if (without.empty()) return;
+    diagnostics
+        .warning("legend-left-out", {},
+                 fmt::format("sheet{} {} {} no room for the legend beside the pieces",
+                             without.size() == 1 ? "" : "s", fmt::join(without, ", "),
+                             without.size() == 1 ? "has" : "have"))
+        .hint("choose a larger sheet with --sheet, or leave out --legend always");
+}
+
 }  // namespace
 
 double margin_needed(const OutputOptions& options) {
@@ -81,6 +173,9 @@ double margin_needed(const OutputOptions& options) {
 }
 
 void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    examine_glue_marks(layout, options, diagnostics);
+    examine_joints(layout, options, diagnostics);
+    examine_legend(layout, options, diagnostics);
     const Profile& profile = options.profile;
     std::vector<std::string> missing;
     if (!options.print_and_cut) name_pictures(layout, profile, missing);
@@ -118,6 +213,8 @@ bool is_shown(Operation operation, const OutputOptions& options, const SheetView
     const bool print = view.part == SheetView::Part::print;
     if (is_printed(operation)) {
         if (!print && !options.profile.draws(operation)) return false;
+        if (operation == Operation::legend)
+            return options.legend != Legend::never && !view.back && view.part != SheetView::Part::cut;
         if (operation == Operation::registration)
             return options.profile.marks != Marks::none || options.reference_mm > 0.0;
         if (view.part == SheetView::Part::cut) return false;
@@ -125,6 +222,13 @@ bool is_shown(Operation operation, const OutputOptions& options, const SheetView
         return view.back ? options.backs : !(note && options.backs);
     }
     if (print || !options.profile.draws(operation)) return false;
+    if (operation == Operation::mark) {
+        // The files of prints have it.
+        if (options.print_and_cut || !options.profile.marks_glue()) return false;
+        const MarksOn where = options.profile.marks_on;
+        return marks_joints(where, options.score_side, view.back) ||
+               marks_names(where, options.score_side, view.back);
+    }
     switch (options.score_side) {
         case ScoreSide::front:
             return !view.back;

@@ -140,7 +140,7 @@ void SvgText::paint(const SheetShape& shape) {
         raw(";stroke-width:");
         number(shape.width_mm);
         raw("\" ");
-    } else if (shape.operation == Operation::draw) {
+    } else if (shape.operation == Operation::draw || shape.operation == Operation::legend) {
         raw("stroke=\"");
         color(shape.color);
         raw("\" stroke-width=\"");
@@ -311,6 +311,8 @@ std::string SvgText::attributes(Operation operation) const {
     if (operation == Operation::fill) return " fill-rule=\"evenodd\" stroke=\"none\"";
     if (operation == Operation::draw)
         return " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    if (operation == Operation::legend)
+        return " fill=\"none\" stroke-linecap=\"butt\" font-family=\"DejaVu Sans\" text-anchor=\"middle\"";
     if (operation == Operation::label) {
         return fmt::format(" fill=\"{}\" stroke=\"none\" font-family=\"DejaVu Sans\" text-anchor=\"middle\"",
                            to_string(pen.color));

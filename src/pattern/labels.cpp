@@ -46,11 +46,18 @@ double text_width(std::string_view text, double cap_height) {
     return width * cap_height;
 }
 
-std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text) {
+namespace {
+
+// The place with the most depth for the largest text that fits; if none does, for the smallest.
+struct TabPlace {
+    std::optional<TextSpot> spot;
+    bool fits = false;
+};
+TabPlace deepest_place(std::span<const Ring> parts, std::string_view text) {
     constexpr int kPlaces = 16;
-    std::optional<TextSpot> best;
-    double best_room = -1.0;
+    TabPlace place;
     for (const double height : kHeights) {
+        double best_room = -1.0;
         const double half = 0.5 * text_width(text, height) + kTabPadMm;
         for (const Ring& part : parts) {
             const Box box = bounds(part);
@@ -61,13 +68,27 @@ std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_vi
                 const double room = depth - 1e-3 * std::abs(i - kPlaces / 2);
                 if (room > best_room) {
                     best_room = room;
-                    best = TextSpot{{at, 0.5 * depth}, height};
+                    place.spot = TextSpot{{at, 0.5 * depth}, height};
                 }
             }
         }
-        if (best && best_room >= height + 2.0 * kTabPadMm - 0.01) return best;
-        best_room = -1.0;
+        place.fits = place.spot && best_room >= height + 2.0 * kTabPadMm - 0.01;
+        if (place.fits) return place;
     }
+    return place;
+}
+
+}  // namespace
+
+std::optional<TextSpot> place_if_it_fits(std::span<const Ring> parts, std::string_view text) {
+    const TabPlace place = deepest_place(parts, text);
+    return place.fits ? place.spot : std::nullopt;
+}
+
+std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text) {
+    const TabPlace place = deepest_place(parts, text);
+    if (place.fits) return place.spot;
+    std::optional<TextSpot> best = place.spot;
     if (best && best->at.y > 0.0) return best;
     // No room at all: the smallest text, in the middle of the largest part.
     double largest = 0.0;

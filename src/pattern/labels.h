@@ -25,6 +25,9 @@ struct TextSpot {
 // have their numbers. Nothing only when there are no parts.
 std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text);
 
+// The same, but nothing where even the smallest text does not fit.
+std::optional<TextSpot> place_if_it_fits(std::span<const Ring> parts, std::string_view text);
+
 // What is drawn on a plate: the middles of the lines, and half the width of the widest.
 struct Drawing {
     EdgeIndex lines;

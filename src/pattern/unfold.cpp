@@ -254,10 +254,22 @@ class Unfolder {
         if (const auto spot = place_in_tab(parts, glue.label)) {
             work.piece.labels.push_back({LabelKind::tab, glue.label, on_piece.to_page(spot->at), spot->height,
                                          on_piece.text_angle()});
+            name_tab(on_piece, parts, work);
             if (glue.on_back) return;
             under.piece.labels.push_back({LabelKind::target, glue.label, on_base.to_page(spot->at),
                                           spot->height, on_base.text_angle()});
         }
+    }
+
+    // The roomiest of the piece's tabs that have room for its name after their number.
+    static void name_tab(const SeamFrame& frame, const std::vector<Ring>& parts, Work& work) {
+        const std::size_t number = work.piece.labels.size() - 1;
+        const std::string text = fmt::format("{} {}", work.piece.labels[number].text, work.piece.name);
+        const auto spot = place_if_it_fits(parts, text);
+        std::optional<NamedTab>& best = work.piece.named_tab;
+        if (!spot || (best && best->named.height_mm >= spot->height)) return;
+        best = NamedTab{number,
+                        {LabelKind::tab, text, frame.to_page(spot->at), spot->height, frame.text_angle()}};
     }
 
     // Its target is the area itself, with the piece's number where there is most room for it.
@@ -353,6 +365,7 @@ class Unfolder {
     void finish(std::size_t number) {
         Work& work = pieces_[number];
         PatternPiece& piece = work.piece;
+        piece.number = glue_number(number);
         const bool has_paper = !in_.pieces[number].paper.empty();
         POPUP_INVARIANT(!has_paper || work.glued.empty());
         if (has_paper) {
@@ -430,7 +443,7 @@ class Unfolder {
         if (std::any_of(from.prints.begin(), from.prints.end(), is_note)) return;
         const std::string& name = from.name;
         if (!from.paper.empty()) return write_on_paper(number, name);
-        const std::string order = glue_number(number);
+        const std::string& order = pieces_[number].piece.number;
         if (!order.empty() && write_on_piece(number, fmt::format("{}. {}", order, name))) return;
         write_on_piece(number, name);
     }

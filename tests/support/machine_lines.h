@@ -81,8 +81,8 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
         }
         for (const PatternLine& fold : piece.lines) {
             if (fold.kind == LineKind::mark) continue;
-            // Where another piece is glued on nothing is folded, but for those who fold by eye.
-            if (fold.kind == LineKind::seam && fold.glued_on && profile.folds != FoldStyle::dashed) continue;
+            // Where another piece is glued on nothing is folded.
+            if (fold.kind == LineKind::seam && fold.glued_on) continue;
             const Operation operation = fold.kind == LineKind::valley     ? Operation::valley
                                         : fold.kind == LineKind::mountain ? Operation::mountain
                                                                           : Operation::seam;
@@ -97,11 +97,11 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
     return all;
 }
 
-// What it does in the drawing, in its order.
+// What it does in the drawing, in its order; not what it marks.
 inline std::vector<Line> lines_of(const SheetDrawing& drawing) {
     std::vector<Line> all;
     for (const SheetShape& shape : drawing.shapes) {
-        if (is_printed(shape.operation)) continue;
+        if (is_printed(shape.operation) || shape.operation == Operation::mark) continue;
         for (const popup::Run& run : drawing.runs_of(shape)) {
             const auto points = drawing.points_of(run);
             all.push_back({shape.operation, run.closed, {points.begin(), points.end()}});

@@ -93,6 +93,8 @@ struct BuildOptions {
     std::optional<FoldStyle> folds;          // instead of the profile's
     std::optional<Perforation> perforation;  // likewise
     std::optional<Marks> marks;              // likewise
+    std::optional<MarksOn> marks_on;         // likewise
+    std::optional<double> joint_mm;          // likewise
     std::vector<std::string> kerfs;          // as given, each good in itself
     std::vector<std::string> speeds;         // likewise
     std::optional<Length> tile_margin;       // none: as TileOptions has it

@@ -13,6 +13,7 @@ namespace popup::cli {
 namespace {
 
 constexpr double kLongestMm = 10000.0;
+constexpr double kLeastJointMm = 0.05;
 
 Perforation perforation_option(std::string_view text) {
     std::vector<Length> lengths;
@@ -95,6 +96,7 @@ void apply_speed(Profile& profile, std::string_view text) {
 void add_profile_options(CLI::App& verb, Options& options) {
     BuildOptions& build = options.build;
     OutputOptions& output = options.compile.output;
+    output.legend = Legend::automatic;
     value(verb, "--profile", "NAME", "for which machine: see \"popupc list profiles\"; or FILE.toml", "Lines",
           [&options](std::string_view text) {
               options.build.profile_file.clear();
@@ -135,6 +137,24 @@ void add_profile_options(CLI::App& verb, Options& options) {
                apply_kerf(probe, text);
                build.kerfs.emplace_back(text);
            });
+    value(verb, "--joints", "WIDTH", "bridges that hold pieces in the sheet (default 0: none), such as 0.4mm",
+          "Lines", [&build](std::string_view text) {
+              const double width = length_of("--joints", text, 0.0, 10.0).mm;
+              if (width > 0.0 && width < kLeastJointMm) {
+                  throw UsageError(fmt::format("--joints takes 0 or a width from {} mm to 10 mm, not \"{}\"",
+                                               kLeastJointMm, text));
+              }
+              build.joint_mm = width;
+          });
+    value(verb, "--marks-on", "SIDE",
+          "where a machine marks how to glue: front, back, hidden (default) or none", "Lines",
+          [&build](std::string_view text) {
+              build.marks_on = choose<MarksOn>("--marks-on", text,
+                                               {{"front", MarksOn::front},
+                                                {"back", MarksOn::back},
+                                                {"hidden", MarksOn::hidden},
+                                                {"none", MarksOn::none}});
+          });
     values(verb, "--speed", "SPEED", "NAME=MM_S, of cut, fold, travel or an operation, for times. Repeatable",
            "Lines", [&build](std::string_view text) {
                Profile probe;
@@ -146,6 +166,12 @@ void add_profile_options(CLI::App& verb, Options& options) {
               build.marks = choose<Marks>(
                   "--marks", text,
                   {{"none", Marks::none}, {"corners", Marks::corners}, {"silhouette", Marks::silhouette}});
+          });
+    value(verb, "--legend", "WHEN", "what lines mean, on free paper: auto (default), always or never",
+          "Print", [&output](std::string_view text) {
+              output.legend = choose<Legend>(
+                  "--legend", text,
+                  {{"auto", Legend::automatic}, {"always", Legend::always}, {"never", Legend::never}});
           });
     verb.add_flag("--print-and-cut", output.print_and_cut,
                   "what is printed and what is cut as files of their own, -print and -cut")
@@ -180,6 +206,8 @@ void finish_profile(Options& options) {
     profile.folds = options.build.folds.value_or(profile.folds);
     profile.perforation = options.build.perforation.value_or(profile.perforation);
     profile.marks = options.build.marks.value_or(profile.marks);
+    profile.marks_on = options.build.marks_on.value_or(profile.marks_on);
+    profile.joint_mm = options.build.joint_mm.value_or(profile.joint_mm);
     for (const std::string& text : options.build.kerfs) apply_kerf(profile, text);
     for (const std::string& text : options.build.speeds) apply_speed(profile, text);
 

@@ -93,7 +93,7 @@ TEST(Profiles, UseTheColoursThatTheirProgramsKnow) {
         return used;
     };
     EXPECT_EQ(colors("k40"), (std::set<std::string>{"#ff0000", "#0000ff"}));
-    EXPECT_EQ(colors("generic-laser"), (std::set<std::string>{"#ff0000", "#0000ff"}));
+    EXPECT_EQ(colors("generic-laser"), (std::set<std::string>{"#ff0000", "#0000ff", "#00ff00"}));
     const std::set<std::string> palette{"#000000", "#0000ff", "#ff0000", "#00e000", "#d0d000",
                                         "#ff8000", "#00e0e0", "#ff00ff", "#b4b4b4"};
     for (const std::string& color : colors("lightburn")) EXPECT_TRUE(palette.contains(color)) << color;

@@ -153,7 +153,8 @@ TEST(Dxf, HandlesAreUniqueAndBelowTheSeedAndOwnersExist) {
 TEST(Dxf, LayersHoldTheLinesOfTheirOperations) {
     const Dxf dxf = parsed(written(test::example_layout(), *find_profile("lightburn")).front());
     const auto found = shares(dxf);
-    EXPECT_EQ(found.size(), 3U);
+    EXPECT_EQ(found.size(), 4U);
+    EXPECT_GE(found.at("mark").count, 6U);  // the corners of a target, and its number
     EXPECT_EQ(found.at("outer-cut").count, 1U);
     EXPECT_NEAR(found.at("outer-cut").length, 720.0, 1e-5);
     EXPECT_EQ(found.at("inner-cut").count, 2U);
@@ -162,11 +163,14 @@ TEST(Dxf, LayersHoldTheLinesOfTheirOperations) {
     EXPECT_NEAR(found.at("score").length, 70.0 + 60.0 + std::sqrt(1.25) + 30.0, 1e-5);
     for (const Entity& entity : dxf.entities) {
         EXPECT_TRUE(dxf.layers.contains(entity.layer));
-        EXPECT_EQ(entity.color, entity.layer == "score" ? 1 : entity.layer == "inner-cut" ? 5 : 7);
+        EXPECT_EQ(entity.color, entity.layer == "mark"        ? 6
+                                : entity.layer == "score"     ? 1
+                                : entity.layer == "inner-cut" ? 5
+                                                              : 7);
         EXPECT_EQ(entity.closed, entity.layer == "outer-cut");
     }
-    // Scores first, the outline last.
-    EXPECT_EQ(dxf.entities.front().layer, "score");
+    // Marks first, the outline last.
+    EXPECT_EQ(dxf.entities.front().layer, "mark");
     EXPECT_EQ(dxf.entities.back().layer, "outer-cut");
     EXPECT_EQ(dxf.entities.back().type, "LWPOLYLINE");
 }

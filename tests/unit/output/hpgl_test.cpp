@@ -140,9 +140,16 @@ Written written(const Layout& layout, const Profile& profile, OutputOptions opti
     return all;
 }
 
+// Pens as the pattern has its lines; marks are looked at in sheet_notes_test.cpp.
+Profile cutting_profile() {
+    Profile profile = with_slits("lightburn");
+    profile.marks_on = MarksOn::none;
+    return profile;
+}
+
 TEST(Hpgl, PensDrawWhatThePatternHasToWithinHalfAUnit) {
     const Layout layout = windowed_layout();
-    const std::vector<std::string> sheets = written(layout, with_slits("lightburn")).sheets;
+    const std::vector<std::string> sheets = written(layout, cutting_profile()).sheets;
     ASSERT_EQ(sheets.size(), 2U);
     for (int sheet = 0; sheet < 2; ++sheet) {
         const Plotted plot = plotted(sheets[static_cast<std::size_t>(sheet)]);
@@ -162,7 +169,7 @@ TEST(Hpgl, PensDrawWhatThePatternHasToWithinHalfAUnit) {
 }
 
 TEST(Hpgl, PointsLieWhereTheLayoutPutsThem) {
-    const Plotted plot = plotted(written(windowed_layout(), with_slits("lightburn")).sheets.front());
+    const Plotted plot = plotted(written(windowed_layout(), cutting_profile()).sheets.front());
     Box outline;
     Box window;
     for (const Stroke& stroke : plot.strokes) {
@@ -201,7 +208,7 @@ TEST(Hpgl, StaysOnTheSheetAndPutsThePenAway) {
 }
 
 TEST(Hpgl, PensFollowTheOrderOfOperations) {
-    const Plotted plot = plotted(written(windowed_layout(), with_slits("lightburn")).sheets.front());
+    const Plotted plot = plotted(written(windowed_layout(), cutting_profile()).sheets.front());
     std::vector<int> order;
     for (const Stroke& stroke : plot.strokes) {
         if (order.empty() || order.back() != stroke.pen) order.push_back(stroke.pen);
@@ -212,7 +219,7 @@ TEST(Hpgl, PensFollowTheOrderOfOperations) {
 // The second sheet has no slits and no holes, and its outlines keep their pen. Workshop draws notes, too:
 // strokes and glue come first, texts are left out.
 TEST(Hpgl, PensAreTheSameOnAllSheets) {
-    const std::vector<std::string> cutting = written(windowed_layout(), with_slits("lightburn")).sheets;
+    const std::vector<std::string> cutting = written(windowed_layout(), cutting_profile()).sheets;
     EXPECT_EQ(plotted(cutting.back()).pens(), (std::set<int>{1, 4}));
     const std::vector<std::string> drawn = written(windowed_layout(), profile_table().front()).sheets;
     // draw 1, glue 2, valley 3, mountain 4, seam 5, cut 6.
@@ -265,7 +272,7 @@ TEST(Hpgl, LongLinesAreSplitAndStayOneLine) {
         const double turn = 2.0 * std::numbers::pi * i / kCorners;
         outline.points.push_back({90.0 * std::cos(turn), 75.0 * std::sin(turn)});
     }
-    const Plotted plot = plotted(written(layout, with_slits("lightburn")).sheets.front());
+    const Plotted plot = plotted(written(layout, cutting_profile()).sheets.front());
     std::vector<Stroke> outlines;
     for (const Stroke& stroke : plot.strokes) {
         if (stroke.pen == 4) outlines.push_back(stroke);
@@ -306,7 +313,7 @@ TEST(Hpgl, WhatLiesAHairBeyondTheSheetIsDrawnOnItsEdge) {
     layout.placements[0].offset = {99.97, 79.98};
     // The plotter fails the test for negative numbers.
     Box outline;
-    for (const Stroke& stroke : plotted(written(layout, with_slits("lightburn")).sheets.front()).strokes) {
+    for (const Stroke& stroke : plotted(written(layout, cutting_profile()).sheets.front()).strokes) {
         for (const Vec2 p : stroke.points) outline.extend(p);
     }
     EXPECT_EQ(outline.min, (Vec2{0.0, 0.0}));
@@ -314,11 +321,11 @@ TEST(Hpgl, WhatLiesAHairBeyondTheSheetIsDrawnOnItsEdge) {
 
 TEST(Hpgl, SaysWhenASheetGoesBeyondTheFirstPlottersRange) {
     Layout layout = windowed_layout();
-    EXPECT_TRUE(written(layout, with_slits("lightburn")).findings.empty());
+    EXPECT_TRUE(written(layout, cutting_profile()).findings.empty());
     layout.sheets[0].width_mm = 1000.0;
-    EXPECT_TRUE(written(layout, with_slits("lightburn")).findings.empty()) << "nothing lies out there";
+    EXPECT_TRUE(written(layout, cutting_profile()).findings.empty()) << "nothing lies out there";
     layout.placements[0].offset.x = 800.0;
-    const Written wide = written(layout, with_slits("lightburn"));
+    const Written wide = written(layout, cutting_profile());
     ASSERT_EQ(wide.findings.size(), 1U);
     EXPECT_EQ(wide.findings[0].code, "plotter-range");
     EXPECT_EQ(wide.findings[0].severity, Severity::remark);
@@ -333,7 +340,7 @@ TEST(Hpgl, SaysWhenASheetGoesBeyondTheFirstPlottersRange) {
 TEST(Hpgl, AnEmptySheetIsAPlotOfNothing) {
     Layout layout = windowed_layout();
     layout.placements.clear();
-    for (const std::string& text : written(layout, with_slits("lightburn")).sheets)
+    for (const std::string& text : written(layout, cutting_profile()).sheets)
         EXPECT_TRUE(plotted(text).strokes.empty());
 }
 

@@ -174,7 +174,8 @@ std::vector<std::string> written(const Layout& layout, const Profile& profile) {
 TEST(LightBurn, HoldsWhatThePatternHasOfEachOperation) {
     const Layout layout = windowed_layout();
     for (const Profile& row : profile_table()) {
-        const Profile profile = with_slits(row.name);
+        Profile profile = with_slits(row.name);
+        profile.marks_on = MarksOn::none;  // no lines of the pattern
         const std::vector<std::string> sheets = written(layout, profile);
         ASSERT_EQ(sheets.size(), 2U);
         for (int sheet = 0; sheet < 2; ++sheet) {
@@ -234,7 +235,7 @@ TEST(LightBurn, FoldsComeBeforeInnerCutsAndOutlinesLast) {
         EXPECT_EQ(setting.type, "Cut");
         names.push_back(setting.name);
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"score", "slit", "inner-cut", "outer-cut"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"mark", "score", "slit", "inner-cut", "outer-cut"}));
     std::vector<std::string> order;
     for (const Shape& shape : project.shapes) {
         const std::string name = project.name_of(shape);

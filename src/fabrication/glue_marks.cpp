@@ -1,0 +1,97 @@
+#include "fabrication/glue_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "popup/diagnostics.h"
+
+namespace popup {
+namespace {
+
+constexpr double kTickMm = 1.5;
+constexpr double kInsetMm = 0.25;
+constexpr double kDashEveryMm = 6.0;
+// Where an outline turns by less, it goes on.
+constexpr double kCornerRad = 20.0 * std::numbers::pi / 180.0;
+
+Vec2 unit(Vec2 from, Vec2 to) { return (1.0 / distance(from, to)) * (to - from); }
+
+// Counter-clockwise, without doubled points.
+Ring cleaned(const Ring& outline) {
+    constexpr double kSame = 1e-6;
+    Ring ring;
+    for (const Vec2 p : outline) {
+        if (ring.empty() || distance(ring.back(), p) > kSame) ring.push_back(p);
+    }
+    while (ring.size() > 1 && distance(ring.back(), ring.front()) <= kSame) ring.pop_back();
+    if (signed_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+    return ring;
+}
+
+// Lines along the outline, which lies to their left.
+std::vector<std::vector<Vec2>> dashes_along(const Ring& ring) {
+    std::vector<std::vector<Vec2>> dashes;
+    double left = 0.5 * kDashEveryMm;  // until the middle of the next dash
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i];
+        const Vec2 b = ring[(i + 1) % ring.size()];
+        const double whole = distance(a, b);
+        const Vec2 along = unit(a, b);
+        const Vec2 inward = kInsetMm * Vec2{-along.y, along.x};
+        for (; left < whole; left += kDashEveryMm) {
+            const double from = std::max(left - 0.5 * kTickMm, 0.0);
+            const double to = std::min(left + 0.5 * kTickMm, whole);
+            dashes.push_back({a + from * along + inward, a + to * along + inward});
+        }
+        left -= whole;
+    }
+    return dashes;
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> target_ticks(const Ring& outline) {
+    const Ring ring = cleaned(outline);
+    const std::size_t n = ring.size();
+    if (n < 3) return {};
+    std::vector<std::vector<Vec2>> ticks;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 p = ring[i];
+        const Vec2 before = ring[(i + n - 1) % n];
+        const Vec2 after = ring[(i + 1) % n];
+        const Vec2 in = unit(before, p);
+        const Vec2 out = unit(p, after);
+        const double turned = std::atan2(cross(in, out), dot(in, out));
+        if (std::abs(turned) < kCornerRad) continue;
+        // The corner of the outline moved inwards; where it is sharp no further than the tick is long.
+        const double meet = std::max(1.0 + dot(in, out), 0.3);
+        const Vec2 inner = p + (kInsetMm / meet) * (Vec2{-in.y, in.x} + Vec2{-out.y, out.x});
+        const double back = std::min(kTickMm, distance(before, p) / 3.0);
+        const double on = std::min(kTickMm, distance(p, after) / 3.0);
+        ticks.push_back({inner - back * in, inner, inner + on * out});
+    }
+    return ticks.size() < 3 ? dashes_along(ring) : ticks;
+}
+
+bool marks_joints(MarksOn where, ScoreSide side, bool back) {
+    switch (where) {
+        case MarksOn::front:
+            return !back;
+        case MarksOn::back:
+            return back;
+        case MarksOn::hidden:
+            return back == (side == ScoreSide::back);
+        case MarksOn::none:
+            return false;
+    }
+    broken_invariant("where marks are is one of its enumerators", __FILE__, __LINE__);
+}
+
+bool marks_names(MarksOn where, ScoreSide side, bool back) {
+    if (where == MarksOn::hidden) return back && side != ScoreSide::front;
+    return marks_joints(where, side, back);
+}
+
+}  // namespace popup

@@ -1,0 +1,238 @@
+// What sheets say so that a card can be built from them alone: marks of machines, joints and the legend.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "output/sheet_drawing.h"
+#include "output/stroked_text.h"
+#include "output/svg.h"
+#include "support/profiles.h"
+#include "support/sheet_example.h"
+
+namespace popup {
+namespace {
+
+using test::options_for;
+using test::view_of;
+
+std::size_t marks_on(const Layout& layout, const OutputOptions& options, int sheet, bool back) {
+    const SheetDrawing drawing = draw_sheet(layout, options, view_of(sheet, back));
+    return static_cast<std::size_t>(
+        std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
+                      [](const SheetShape& one) { return one.operation == Operation::mark; }));
+}
+
+// --- marks
+
+TEST(GlueMarks, AreWhereTheTabCoversThem) {
+    const Layout layout = test::example_layout();
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    // Four corners of the target and its number; on the second sheet a number for each of two houses.
+    EXPECT_EQ(marks_on(layout, options, 0, false), 5U);
+    EXPECT_EQ(marks_on(layout, options, 1, false), 2U);
+    EXPECT_EQ(marks_on(layout, options, 0, true), 0U);
+    options.profile.marks_on = MarksOn::front;  // and the names
+    EXPECT_EQ(marks_on(layout, options, 0, false), 6U);
+    EXPECT_EQ(marks_on(layout, options, 1, false), 4U);
+    options.profile.marks_on = MarksOn::back;
+    EXPECT_EQ(marks_on(layout, options, 0, false), 0U);
+    EXPECT_EQ(marks_on(layout, options, 0, true), 6U);
+    options.profile.marks_on = MarksOn::none;
+    EXPECT_EQ(marks_on(layout, options, 0, false) + marks_on(layout, options, 0, true), 0U);
+}
+
+TEST(GlueMarks, HideNamesOnTheBackWhereTheMachineWorksThereAnyway) {
+    const Layout layout = test::example_layout();
+    const OutputOptions both = options_for("lightburn", false, ScoreSide::both, false);
+    EXPECT_EQ(marks_on(layout, both, 0, false), 5U);
+    EXPECT_EQ(marks_on(layout, both, 0, true), 1U);
+    const OutputOptions back = options_for("lightburn", false, ScoreSide::back, false);
+    EXPECT_EQ(marks_on(layout, back, 0, true), 6U);
+}
+
+TEST(GlueMarks, AreNotMadeOfWhatIsPrinted) {
+    const Layout layout = test::example_layout();
+    for (const std::string_view name : {"workshop", "silhouette", "print-and-cut"})
+        EXPECT_EQ(marks_on(layout, options_for(name, false, ScoreSide::front, false), 0, false), 0U) << name;
+    const OutputOptions apart = options_for("lightburn", false, ScoreSide::front, true);
+    for (const auto part : {SheetView::Part::print, SheetView::Part::cut}) {
+        const SheetDrawing drawing = draw_sheet(layout, apart, view_of(0, false, part));
+        for (const SheetShape& one : drawing.shapes) EXPECT_NE(one.operation, Operation::mark);
+    }
+}
+
+// No built-in profile loses what a glued card is built by.
+TEST(GlueMarks, OrPrintsAreInEveryProfile) {
+    const Layout layout = test::example_layout();
+    for (const Profile& profile : profile_table()) {
+        OutputOptions options;
+        options.profile = profile;
+        const bool prints = profile.draws(Operation::glue) && profile.draws(Operation::label);
+        EXPECT_TRUE(prints || marks_on(layout, options, 0, false) >= 5U) << profile.name;
+        Diagnostics diagnostics;
+        examine_prints(layout, options, diagnostics);
+        for (const Diagnostic& one : diagnostics.sorted()) EXPECT_NE(one.code, "glue-marks-left-out");
+    }
+}
+
+TEST(GlueMarks, ThatAreLeftOutAreTold) {
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    options.profile.pens[static_cast<std::size_t>(Operation::mark)].layer.clear();
+    Diagnostics diagnostics;
+    examine_prints(test::example_layout(), options, diagnostics);
+    const auto found = diagnostics.sorted();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "glue-marks-left-out");
+    EXPECT_EQ(found[0].message,
+              "the sheets by the profile lightburn lack 1 glue target and 2 numbers of tabs");
+    options.print_and_cut = true;  // the files of prints have them
+    Diagnostics none;
+    examine_prints(test::example_layout(), options, none);
+    EXPECT_TRUE(none.sorted().empty());
+}
+
+TEST(StrokedText, IsCentredAndAsHighAsAsked) {
+    const Vec2 at{30, 20};
+    Box box;
+    for (const StrokedLine& line : stroked_text("10R", at, 4.0, 0.0)) {
+        EXPECT_FALSE(line.closed);
+        for (const Vec2 p : line.points) box.extend(p);
+    }
+    EXPECT_NEAR(box.min.y, 18.0, 1e-9);
+    EXPECT_NEAR(box.max.y, 22.0, 1e-9);
+    EXPECT_NEAR(0.5 * (box.min.x + box.max.x), at.x, 1.0);
+    // A letter that the font does not have is an outline.
+    const auto foreign = stroked_text("\u00e9", at, 4.0, 0.0);
+    ASSERT_FALSE(foreign.empty());
+    EXPECT_TRUE(foreign.front().closed);
+}
+
+// --- joints
+
+TEST(SheetJoints, HoldEveryPieceAndAreCounted) {
+    const Layout layout = test::windowed_layout();
+    for (const std::string_view name : {"workshop", "lightburn"}) {
+        OutputOptions options = options_for(name, false, ScoreSide::front, false);
+        for (const int sheet : {0, 1}) {
+            const SheetDrawing whole = draw_sheet(layout, options, view_of(sheet, false));
+            options.profile.joint_mm = 0.4;
+            const SheetDrawing held = draw_sheet(layout, options, view_of(sheet, false));
+            options.profile.joint_mm = 0.0;
+            const auto length = [](const SheetDrawing& drawing, Operation operation) {
+                double sum = 0.0;
+                for (const SheetShape& one : drawing.shapes)
+                    sum += one.operation == operation ? drawing.length_of(one) : 0.0;
+                return sum;
+            };
+            EXPECT_GE(held.joints, 2 * held.pieces.size());
+            EXPECT_TRUE(held.loose_pieces.empty());
+            EXPECT_NEAR(length(whole, Operation::outer_cut) - length(held, Operation::outer_cut),
+                        0.4 * static_cast<double>(held.joints), 1e-6);
+            // What falls out of a piece is waste.
+            EXPECT_DOUBLE_EQ(length(whole, Operation::inner_cut), length(held, Operation::inner_cut));
+        }
+    }
+}
+
+TEST(SheetJoints, ThatAPieceHasNoRoomForAreTold) {
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    options.profile.joint_mm = 9.0;
+    Layout layout = test::example_layout();
+    PatternPiece& house = layout.designs[0].pattern.pieces[1];
+    house.cuts = {{test::rectangle(0, 0, 8, 8), true}};
+    house.lines.clear();
+    Diagnostics diagnostics;
+    examine_prints(layout, options, diagnostics);
+    const auto found = diagnostics.sorted();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "too-few-joints");
+    EXPECT_EQ(found[0].message,
+              "the outer cut of piece \"house\", as of 1 more piece has no room for two joints of 9 mm clear "
+              "of corners and folds");
+}
+
+// --- legend
+
+Box legend_box(const SheetDrawing& drawing) {
+    Box box;
+    for (const SheetShape& one : drawing.shapes) {
+        if (one.operation != Operation::legend) continue;
+        for (const popup::Run& run : drawing.runs_of(one)) {
+            for (const Vec2 p : drawing.points_of(run)) box.extend(p);
+        }
+    }
+    return box;
+}
+
+TEST(SheetLegend, LiesBesideThePiecesAndInsideTheMargins) {
+    const Layout layout = test::example_layout();
+    OutputOptions options;
+    options.legend = Legend::automatic;
+    for (const int sheet : {0, 1}) {
+        const SheetDrawing drawing = draw_sheet(layout, options, view_of(sheet, false));
+        const Box box = legend_box(drawing);
+        ASSERT_FALSE(box.empty()) << sheet;
+        EXPECT_GE(box.min.x, 5.0);
+        EXPECT_GE(box.min.y, 5.0);
+        EXPECT_LE(box.max.x, 292.0);
+        EXPECT_LE(box.max.y, 205.0);
+        for (const SheetShape& one : drawing.shapes) {
+            if (one.operation == Operation::legend) continue;
+            for (const popup::Run& run : drawing.runs_of(one)) {
+                const auto points = drawing.points_of(run);
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    for (int k = 0; k <= 20; ++k) {
+                        const Vec2 p = lerp(points[i], points[(i + 1) % points.size()], k / 20.0);
+                        EXPECT_FALSE(p.x > box.min.x && p.x < box.max.x && p.y > box.min.y &&
+                                     p.y < box.max.y);
+                    }
+                }
+            }
+        }
+        std::vector<std::string> texts;
+        for (const SheetText& text : drawing.texts) {
+            if (text.operation != Operation::legend) continue;
+            texts.push_back(text.text);
+            EXPECT_GT(text.at.x, box.min.x);
+            EXPECT_LT(text.at.x, box.max.x);
+        }
+        ASSERT_GE(texts.size(), 4U);
+        EXPECT_EQ(texts[0], "castle, sheet " + std::to_string(sheet + 1) + " of 2");
+        EXPECT_NE(std::find(texts.begin(), texts.end(), "50 mm: print at 100 %"), texts.end());
+    }
+}
+
+TEST(SheetLegend, IsOffForMachinesAndWhenNotWanted) {
+    const Layout layout = test::example_layout();
+    OutputOptions options;
+    EXPECT_TRUE(legend_box(draw_sheet(layout, options, view_of(0, false))).empty());
+    for (const Profile& profile : profile_table()) {
+        if (profile.name == "workshop") continue;
+        options.legend = Legend::always;
+        options.profile = profile;
+        EXPECT_TRUE(legend_box(draw_sheet(layout, options, view_of(0, false))).empty()) << profile.name;
+    }
+}
+
+TEST(SheetLegend, WithoutRoomIsToldWhenItIsAlwaysWanted) {
+    Layout layout = test::example_layout();
+    layout.sheets[0] = {210, 170, 0.9, {200, 160}};
+    layout.placements[0].offset = {105, 85};
+    OutputOptions options;
+    options.legend = Legend::automatic;
+    Diagnostics none;
+    examine_prints(layout, options, none);
+    EXPECT_TRUE(none.sorted().empty());
+    options.legend = Legend::always;
+    Diagnostics diagnostics;
+    examine_prints(layout, options, diagnostics);
+    const auto found = diagnostics.sorted();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "legend-left-out");
+    EXPECT_EQ(found[0].message, "sheet 1 has no room for the legend beside the pieces");
+}
+
+}  // namespace
+}  // namespace popup
