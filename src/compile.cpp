@@ -121,16 +121,13 @@ void lay_out_run(Compilation& run, const CompileOptions& options) {
     }
     if (patterns.empty() || run.has_errors()) return;
     LayoutOptions layout = options.layout;
-    if (const std::optional<Design>& first = run.designs.front().design;
-        layout.papers == PaperFamily::automatic && first)
+    if (const auto& first = run.designs.front().design; first && layout.papers == PaperFamily::automatic)
         layout.papers = first->unit.name == "in" ? PaperFamily::us : PaperFamily::iso;
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;
     layout.nesting.thread_ended = options.thread_ended;
     run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
-    const Profile& profile = options.output.profile;
-    const KerfWidths kerf{profile.pen(Operation::inner_cut).kerf_mm,
-                          profile.pen(Operation::outer_cut).kerf_mm};
+    const KerfWidths kerf = KerfWidths::of(options.output.profile);
     if (run.layout && !apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics))
         run.layout.reset();
 }

@@ -10,8 +10,8 @@
 namespace popup {
 namespace {
 
-constexpr double kTickMm = 1.5;
-constexpr double kInsetMm = 0.25;
+constexpr double kCornerTickMm = 1.5;
+constexpr double kTickInsideMm = 0.25;
 constexpr double kDashEveryMm = 6.0;
 // Where an outline turns by less, it goes on.
 constexpr double kCornerRad = 20.0 * std::numbers::pi / 180.0;
@@ -39,10 +39,10 @@ std::vector<std::vector<Vec2>> dashes_along(const Ring& ring) {
         const Vec2 b = ring[(i + 1) % ring.size()];
         const double whole = distance(a, b);
         const Vec2 along = unit(a, b);
-        const Vec2 inward = kInsetMm * Vec2{-along.y, along.x};
+        const Vec2 inward = kTickInsideMm * Vec2{-along.y, along.x};
         for (; left < whole; left += kDashEveryMm) {
-            const double from = std::max(left - 0.5 * kTickMm, 0.0);
-            const double to = std::min(left + 0.5 * kTickMm, whole);
+            const double from = std::max(left - 0.5 * kCornerTickMm, 0.0);
+            const double to = std::min(left + 0.5 * kCornerTickMm, whole);
             dashes.push_back({a + from * along + inward, a + to * along + inward});
         }
         left -= whole;
@@ -67,9 +67,9 @@ std::vector<std::vector<Vec2>> target_ticks(const Ring& outline) {
         if (std::abs(turned) < kCornerRad) continue;
         // The corner of the outline moved inwards; where it is sharp no further than the tick is long.
         const double meet = std::max(1.0 + dot(in, out), 0.3);
-        const Vec2 inner = p + (kInsetMm / meet) * (Vec2{-in.y, in.x} + Vec2{-out.y, out.x});
-        const double back = std::min(kTickMm, distance(before, p) / 3.0);
-        const double on = std::min(kTickMm, distance(p, after) / 3.0);
+        const Vec2 inner = p + (kTickInsideMm / meet) * (Vec2{-in.y, in.x} + Vec2{-out.y, out.x});
+        const double back = std::min(kCornerTickMm, distance(before, p) / 3.0);
+        const double on = std::min(kCornerTickMm, distance(p, after) / 3.0);
         ticks.push_back({inner - back * in, inner, inner + on * out});
     }
     return ticks.size() < 3 ? dashes_along(ring) : ticks;

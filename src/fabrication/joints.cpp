@@ -11,7 +11,7 @@ namespace {
 constexpr double kJointEveryMm = 150.0;
 constexpr double kClearMm = 0.5;      // at least, from the gap's end
 constexpr double kWellClearMm = 5.0;  // more is no better
-constexpr double kBetweenMm = 2.0;
+constexpr double kJointsApartMm = 2.0;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kCorner = 15.0 * kDegree;   // sharper turns are corners
 constexpr double kStraight = 1.0 * kDegree;  // over a gap and what is clear of it
@@ -155,7 +155,8 @@ class JointPlacing {
         if (clear < kClearMm) return 0.0;
         const Vec2 here = track.point(place.at);
         for (const JointPlace& other : chosen_) {
-            if (distance(tracks_[other.track].point(other.at), here) < 2.0 * half_ + kBetweenMm) return 0.0;
+            if (distance(tracks_[other.track].point(other.at), here) < 2.0 * half_ + kJointsApartMm)
+                return 0.0;
         }
         return (turn <= kStraight ? kMuch : 1.0) + kEach * std::min(clear, kWellClearMm);
     }

@@ -12,6 +12,7 @@
 #include "popup/diagnostics.h"
 #include "popup/layout.h"
 #include "popup/pattern.h"
+#include "popup/profile.h"
 
 namespace popup {
 
@@ -20,6 +21,9 @@ struct KerfWidths {
     double inner_mm = 0.0;  // of closed contours that lie inside another
     double outer_mm = 0.0;  // of closed contours at depth 0
 
+    static KerfWidths of(const Profile& profile) {
+        return {profile.pen(Operation::inner_cut).kerf_mm, profile.pen(Operation::outer_cut).kerf_mm};
+    }
     [[nodiscard]] double at_depth(int depth) const { return depth == 0 ? outer_mm : inner_mm; }
 };
 

@@ -20,8 +20,8 @@ constexpr double kPadMm = 2.5;
 constexpr double kSampleMm = 14.0;  // how long the lines are that show how lines look
 constexpr double kTextAtMm = kPadMm + kSampleMm + 2.5;
 constexpr double kBarMm = 50.0;
-constexpr double kFrameMm = 0.15;
-constexpr double kClearMm = 2.0;
+constexpr double kLegendFrameMm = 0.15;
+constexpr double kRoundLegendMm = 2.0;
 constexpr double kCellMm = 2.0;
 constexpr std::size_t kLongestTitle = 60;  // characters
 constexpr Color kFrame{0x7a, 0x7a, 0x7a};
@@ -163,7 +163,7 @@ class FreeSpace {
                                                 sums[at(row + 1, column)] - sums[at(row, column)];
             }
         }
-        const int around = static_cast<int>(std::ceil(kClearMm / cell_));
+        const int around = static_cast<int>(std::ceil(kRoundLegendMm / cell_));
         for (int row = 0; row + high <= rows_; ++row) {
             for (int column = 0; column + wide <= columns_; ++column) {
                 const int low = std::max(row - around, 0);
@@ -296,7 +296,7 @@ std::optional<LegendBox> legend_of(const SheetDrawing& drawing, const Layout& la
         legend.bounds = {*corner, *corner + Vec2{width, height}};
         const Ring frame = box_at(*corner, {width, height});
         legend.lines.push_back(
-            {{{frame[0], frame[1], frame[2], frame[3], frame[0]}}, kFrame, kFrameMm, false});
+            {{{frame[0], frame[1], frame[2], frame[3], frame[0]}}, kFrame, kLegendFrameMm, false});
         double left = corner->x;
         for (std::size_t column = 0; column < widths.size(); ++column) {
             double y = corner->y + height - 0.5 * (kRowMm + kPadMm);
