@@ -196,12 +196,13 @@ bool open_to(Assembly& assembly, Angle opening, Diagnostics& diagnostics);
 //     if (box) order_folds(*box, {}, diagnostics);
 //
 // Folds that a loop joins go together. The rest is tried, each step certified by examine(); steps that can go
-// at once do. Each of n steps takes an nth of the sweep, so that what stands at 0° and at 180° stays as it
-// is. Plates that cross in the end cross in any order, and are left to simulate(), as is what could not be
-// put in one. Remark: `folds-in-order`. Nothing is done where all may go at once, where panels bend, for
-// other than folded sheets, and where there are more than 64 parts that could go on their own. Returns
-// true if the folds were put in an order. `at_once` is what examine() found when all folds go at once; if it
-// is null, that is examined here. Cost: that of some examinations a part.
+// at once do. A flap that is tucked in turns beyond its angle first, and back while its lid closes. Each of n
+// steps takes an nth of the sweep, so that what stands at 0° and at 180° stays as it is. Plates that cross in
+// the end cross in any order, and are left to simulate(), as is what could not be put in one. Remark:
+// `folds-in-order`. Nothing is done where all may go at once, where panels bend, for other than folded
+// sheets, and where there are more than 64 parts that could go on their own. Returns true if the folds were
+// put in an order. `at_once` is what examine() found when all folds go at once; if it is null, that is
+// examined here. Cost: that of some examinations a part.
 bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
                  const Examination* at_once = nullptr);
 

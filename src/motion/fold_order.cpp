@@ -1,9 +1,14 @@
 // An order for the folds of a sheet. It is searched from the end, as one finds out how a box is closed by
 // opening it: what is folded last can be unfolded first, and what has been unfolded is out of the way of most
 // others, so that a choice is seldom wrong.
+//
+// A flap that is tucked in behind a wall does not open so: it leaves upright, while the lid that it hangs on
+// begins to rise. So the two are tried together, the flap turning on by as much as the lid turns back.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -24,6 +29,9 @@ constexpr double kFlatDeg = 180.0;
 constexpr std::size_t kMostParts = 64;
 constexpr std::size_t kMostPoses = 4'000'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
+// How far a lid rises while the flap on it stays upright, degrees.
+constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
+constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
 
 using Law = std::vector<Vec2>;
 
@@ -39,8 +47,22 @@ struct Part {
     double area = 0.0;        // of what it moves
 };
 
-// What is looked at: in which parts move, which are folded already, and which still lie flat.
-enum class Doing : char { flat, moves, folded };
+// What a part does while something is looked at, in shares of its way: 0 where it lies flat, 1 where it is
+// folded. Other shares are of parts of one fold, whose law is straight.
+struct Doing {
+    double begin = 0.0, end = 0.0;
+    friend bool operator==(const Doing&, const Doing&) = default;
+};
+constexpr Doing kFlat{0.0, 0.0};
+constexpr Doing kMoves{0.0, 1.0};
+constexpr Doing kFolded{1.0, 1.0};
+
+// A part that goes in a step.
+struct Move {
+    int part = 0;
+    Doing doing = kMoves;
+};
+using Step = std::vector<Move>;  // its parts go at once; each is in it once
 
 class Order {
  public:
@@ -54,37 +76,66 @@ class Order {
         find_parts();
     }
 
-    // The steps, each with parts that go at once. Empty: all may go at once, or there is nothing to be put in
-    // an order, or no order was found.
-    std::vector<std::vector<int>> run(const Examination* at_once) {
+    // The steps. Empty: all may go at once, or there is nothing to be put in an order, or no order was found.
+    std::vector<Step> run(const Examination* at_once) {
         if (parts_.size() < 2 || parts_.size() > kMostParts) return {};
-        set_all(Doing::moves);
+        set_all(kMoves);
         if (at_once != nullptr ? shows_clear(*at_once) : is_clear()) return {};
         // What crosses in the end, as two flaps do that are drawn too long, crosses in any order.
-        set_all(Doing::folded);
+        set_all(kFolded);
         look();
         for (const Contact& contact : found_.contacts) set_aside_.insert({contact.a, contact.b});
-        set_all(Doing::moves);
+        set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
-        std::vector<std::vector<int>> steps = unfold();
+        std::vector<Step> steps = unfold();
         std::reverse(steps.begin(), steps.end());
         join(steps);
-        return steps.size() > 1 ? steps : std::vector<std::vector<int>>{};
+        return steps.size() > 1 ? steps : std::vector<Step>{};
     }
 
-    // The law of a joint when its part goes in step `step` of `steps`.
-    [[nodiscard]] Law law_in(int joint, std::size_t step, std::size_t steps) const {
-        Law law = nth(laws_, joint);
-        const double wide = kFlatDeg / static_cast<double>(steps);
-        const double end = kFlatDeg - wide * static_cast<double>(step + 1);
-        for (Vec2& point : law) point.x = end + wide * (point.x / kFlatDeg);
+    // The law of a joint of `part` in these steps.
+    [[nodiscard]] Law law_in(int joint, int part, const std::vector<Step>& steps) const {
+        const double wide = kFlatDeg / static_cast<double>(steps.size());
+        const Law& own = nth(laws_, joint);
+        Law law;
+        for (std::size_t i = steps.size(); i-- > 0;) {  // by opening, ascending
+            const auto move =
+                std::find_if(steps[i].begin(), steps[i].end(), [&](const Move& m) { return m.part == part; });
+            if (move == steps[i].end()) continue;
+            // Steps share their ends to the last digit, or there would be ranges of no width.
+            const double low = kFlatDeg - wide * static_cast<double>(i + 1);
+            const double high = kFlatDeg - wide * static_cast<double>(i);
+            if (move->doing == kMoves) {
+                law = own;
+                for (Vec2& point : law) point.x = low + wide * (point.x / kFlatDeg);
+                return law;
+            }
+            const double here = angle_at(own, move->doing.end);
+            if (!law.empty() && law.back().x < low) add_range(law, {low, here});
+            if (law.empty()) law.push_back({low, here});
+            add_range(law, {high, angle_at(own, move->doing.begin)});
+        }
         return law;
+    }
+    // How far a fold of the part has gone at a share, degrees.
+    [[nodiscard]] double turned_deg(int part, double share) const {
+        return std::abs(angle_at(nth(laws_, nth(parts_, part).joints.front()), share));
     }
     [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
     // Whether nothing passes through anything in any step, but for what crosses in the end.
     [[nodiscard]] bool is_all_clear() const { return all_clear_; }
 
  private:
+    static double angle_at(const Law& own, double share) {
+        return own.back().y + share * (own.front().y - own.back().y);
+    }
+    // Leads a law straight on to a point.
+    static void add_range(Law& law, Vec2 to) {
+        const Vec2 from = law.back();
+        for (std::size_t i = 1; i < Folded::kLawSteps; ++i) law.push_back(lerp(from, to, chebyshev_share(i)));
+        law.push_back(to);
+    }
+
     void find_parts() {
         Sets sets(work_.joints.size());
         std::vector<int> placed_by(work_.plates.size(), -1);  // the fold that places a plate
@@ -136,6 +187,15 @@ class Order {
                 return std::all_of(law.begin(), law.end(), [](Vec2 point) { return point.y == 0.0; });
             });
         });
+        parts_at_.resize(work_.plates.size());
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            for (const int joint : parts_[i].joints) {
+                const auto* const folded = std::get_if<Folded>(&nth(work_.joints, joint).how);
+                if (folded == nullptr) continue;
+                nth(parts_at_, folded->plate).push_back(static_cast<int>(i));
+                nth(parts_at_, folded->base).push_back(static_cast<int>(i));
+            }
+        }
     }
 
     void set_all(Doing doing) { doing_.assign(parts_.size(), doing); }
@@ -146,12 +206,10 @@ class Order {
             for (const int joint : parts_[i].joints) {
                 Law& law = *law_of(nth(work_.joints, joint));
                 const Law& own = nth(laws_, joint);
-                if (doing_[i] == Doing::moves) {
+                if (doing_[i] == kMoves) {
                     law = own;
                 } else {
-                    const double angle = doing_[i] == Doing::folded ? own.front().y : own.back().y;
-                    law.assign(2, {0.0, angle});
-                    law.back().x = kFlatDeg;
+                    law = {{0.0, angle_at(own, doing_[i].end)}, {kFlatDeg, angle_at(own, doing_[i].begin)}};
                 }
             }
         }
@@ -169,44 +227,121 @@ class Order {
                });
     }
 
-    // The steps of opening it, one part each; what does not open so is the last one.
-    std::vector<std::vector<int>> unfold() {
+    // The steps of opening it; what does not open so is the last one.
+    std::vector<Step> unfold() {
         std::vector<int> left(parts_.size());
         for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
         // Flaps before the walls that they hang on.
         std::stable_sort(left.begin(), left.end(),
                          [this](int a, int b) { return nth(parts_, a).area < nth(parts_, b).area; });
-        set_all(Doing::folded);
-        std::vector<std::vector<int>> steps;
+        set_all(kFolded);
+        std::vector<Step> steps;
         while (!left.empty() && poses_ <= kMostPoses) {
             const auto found = std::find_if(left.begin(), left.end(), [this](int part) {
-                nth(doing_, part) = Doing::moves;
-                const bool clear = is_clear();
-                nth(doing_, part) = Doing::folded;
-                return clear;
+                return is_clear_with({{part, kMoves}});
             });
-            if (found == left.end()) break;
-            nth(doing_, *found) = Doing::flat;
-            steps.push_back({*found});
+            if (found == left.end()) {
+                if (!open_upright(left, steps)) break;
+                continue;
+            }
+            nth(doing_, *found) = kFlat;
+            steps.push_back({{*found, kMoves}});
             left.erase(found);
         }
         all_clear_ = left.empty();
-        if (!left.empty()) steps.push_back(std::move(left));
+        if (!left.empty()) {
+            steps.emplace_back();
+            for (const int part : left) steps.back().push_back({part, kMoves});
+        }
         return steps;
     }
 
-    // Steps that can go at once with the one before do.
-    void join(std::vector<std::vector<int>>& steps) {
-        for (std::size_t i = 0; i + 1 < steps.size() && poses_ <= kMostPoses;) {
-            set_all(Doing::flat);
-            for (std::size_t k = 0; k <= i + 1; ++k) {
-                for (const int part : steps[k]) nth(doing_, part) = k < i ? Doing::folded : Doing::moves;
+    // Whether these moves, all else staying as it is, are clear.
+    bool is_clear_with(const Step& step) {
+        const std::vector<Doing> before = doing_;
+        for (const Move& move : step) nth(doing_, move.part) = move.doing;
+        const bool clear = is_clear();
+        doing_ = before;
+        return clear;
+    }
+
+    // The one fold of a part whose way is straight; null: it is none such.
+    [[nodiscard]] const Folded* single_fold(int part) const {
+        const std::vector<int>& joints = nth(parts_, part).joints;
+        if (joints.size() != 1 || nth(laws_, joints.front()).size() != 2) return nullptr;
+        return std::get_if<Folded>(&nth(work_.joints, joints.front()).how);
+    }
+
+    // What turns a lid against the rest of the box, as seen from a flap on that lid: the fold by which the
+    // lid hangs, or where the box hangs on the lid a larger part that hangs there, too. All fold the same way
+    // about parallel lines.
+    [[nodiscard]] std::vector<int> lids_of(int flap) const {
+        std::vector<int> lids;
+        const Folded* const own = single_fold(flap);
+        if (own == nullptr) return lids;
+        for (const int other : nth(parts_at_, own->base)) {
+            const Folded* const lid = other == flap ? nullptr : single_fold(other);
+            if (lid == nullptr || std::abs(cross(own->dir, lid->dir)) > kParallelRad) continue;
+            if (nth(parts_, other).area <= nth(parts_, flap).area) continue;
+            const Law& law = nth(laws_, nth(parts_, other).joints.front());
+            if (law.front().y * nth(laws_, nth(parts_, flap).joints.front()).front().y > 0.0)
+                lids.push_back(other);
+        }
+        return lids;
+    }
+
+    // Opens one lid with its flap, and adds the steps; false where there is none that opens so.
+    bool open_upright(std::vector<int>& left, std::vector<Step>& steps) {
+        for (const int flap : left) {
+            for (const int lid : lids_of(flap)) {
+                if (nth(doing_, lid) != kFolded || !open_upright(flap, lid, steps)) continue;
+                std::erase_if(left, [&](int part) { return part == flap || part == lid; });
+                return true;
             }
-            if (!is_clear()) {
+        }
+        return false;
+    }
+
+    bool open_upright(int flap, int lid, std::vector<Step>& steps) {
+        const double lid_deg = turned_deg(lid, 1.0);
+        const double flap_deg = turned_deg(flap, 1.0);
+        for (const double by : kUprightDeg) {
+            if (by >= lid_deg || flap_deg + by > kFlatDeg || poses_ > kMostPoses) return false;
+            const double risen = 1.0 - by / lid_deg;
+            const double turned = 1.0 + by / flap_deg;
+            const Step lifts{{flap, {turned, 1.0}}, {lid, {risen, 1.0}}};
+            if (!is_clear_with(lifts) || !is_clear_with({{flap, {turned, turned}}, {lid, {0.0, risen}}}) ||
+                !is_clear_with({{flap, {0.0, turned}}, {lid, kFlat}})) {
+                continue;
+            }
+            steps.push_back(lifts);
+            steps.push_back({{lid, {0.0, risen}}});
+            steps.push_back({{flap, {0.0, turned}}});
+            nth(doing_, flap) = kFlat;
+            nth(doing_, lid) = kFlat;
+            return true;
+        }
+        return false;
+    }
+
+    // Steps that can go at once with the one before do.
+    void join(std::vector<Step>& steps) {
+        for (std::size_t i = 0; i + 1 < steps.size() && poses_ <= kMostPoses;) {
+            set_all(kFlat);
+            for (std::size_t k = 0; k < i; ++k) {
+                for (const Move& move : steps[k]) nth(doing_, move.part) = {move.doing.end, move.doing.end};
+            }
+            Step both = steps[i];
+            both.insert(both.end(), steps[i + 1].begin(), steps[i + 1].end());
+            const bool once = std::none_of(steps[i].begin(), steps[i].end(), [&](const Move& a) {
+                return std::any_of(steps[i + 1].begin(), steps[i + 1].end(),
+                                   [&](const Move& b) { return a.part == b.part; });
+            });
+            if (!once || !is_clear_with(both)) {
                 ++i;
                 continue;
             }
-            steps[i].insert(steps[i].end(), steps[i + 1].begin(), steps[i + 1].end());
+            steps[i] = std::move(both);
             steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         }
     }
@@ -215,26 +350,30 @@ class Order {
     MotionOptions options_;
     std::vector<Law> laws_;  // by joint, all at once
     std::vector<Part> parts_;
-    std::vector<Doing> doing_;  // by part
+    std::vector<std::vector<int>> parts_at_;  // by plate: those of which a fold is at it
+    std::vector<Doing> doing_;                // by part
     Examination found_;
     std::set<std::pair<int, int>> set_aside_;  // plates
     std::size_t poses_ = 0;
     bool all_clear_ = true;
 };
 
-std::string names_of(const Assembly& assembly, const std::vector<Part>& parts, const std::vector<int>& step) {
-    std::vector<int> plates;
-    for (const int part : step) {
-        for (const int joint : nth(parts, part).joints) {
+std::string names_of(const Assembly& assembly, const Order& order, const Step& step) {
+    std::vector<std::pair<int, std::string>> plates;  // with how far they go, if that is not where they end
+    for (const Move& move : step) {
+        std::string far;
+        if (move.doing.end != 1.0)
+            far = fmt::format(" to {:.0f}°", order.turned_deg(move.part, move.doing.end));
+        for (const int joint : nth(order.parts(), move.part).joints) {
             if (const auto* const folded = std::get_if<Folded>(&nth(assembly.joints, joint).how))
-                plates.push_back(folded->plate);
+                plates.emplace_back(folded->plate, far);
         }
     }
     std::sort(plates.begin(), plates.end());
     std::string names;
     for (std::size_t i = 0; i < plates.size() && i < kToldAtMost; ++i) {
         if (i > 0) names += ", ";
-        names += nth(assembly.plates, plates[i]).name;
+        names += nth(assembly.plates, plates[i].first).name + plates[i].second;
     }
     if (plates.size() > kToldAtMost) names += fmt::format(" and {} more", plates.size() - kToldAtMost);
     return names;
@@ -251,15 +390,15 @@ bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& 
         });
     if (assembly.sweep.bends || !goes_all_the_way) return false;
     Order order(assembly, options);
-    const std::vector<std::vector<int>> steps = order.run(at_once);
+    const std::vector<Step> steps = order.run(at_once);
     if (steps.empty()) return false;
     std::string told;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        for (const int part : steps[i]) {
-            for (const int joint : nth(order.parts(), part).joints)
-                *law_of(nth(assembly.joints, joint)) = order.law_in(joint, i, steps.size());
+        for (const Move& move : steps[i]) {
+            for (const int joint : nth(order.parts(), move.part).joints)
+                *law_of(nth(assembly.joints, joint)) = order.law_in(joint, move.part, steps);
         }
-        told += fmt::format("{}{}", i == 0 ? "" : "; then ", names_of(assembly, order.parts(), steps[i]));
+        told += fmt::format("{}{}", i == 0 ? "" : "; then ", names_of(assembly, order, steps[i]));
     }
     auto& remark = diagnostics.remark(
         "folds-in-order", {},
