@@ -37,7 +37,8 @@ struct CreaseLine {
     std::vector<Vec2> points;  // mm, at least two
     bool closed = false;
     CreaseUse use = CreaseUse::cut;
-    // How far it is folded in the end, degrees in (0, 180]; none: as the pattern or the options say.
+    // How far it is folded in the end, degrees in [0, 180]; none: as the pattern or the options say. A
+    // mountain or valley of 0 is scored and lies flat in the end.
     std::optional<double> fold_deg = {};
     Place place = {};
     std::string name = {};  // by which options name it: "#ff0000", or the number of its edge

@@ -16,8 +16,9 @@ constexpr std::array kFlatlangCodes = std::to_array<CodeInfo>({
      "is the call that began the part. Lift the pen with up() on the way from one outline to the next, and "
      "let loops that belong to different pieces be different parts."},
     {"flatlang-card-and-parts", Severity::error, "a program makes a card and draws parts besides",
-     "A FlatLang program makes either a pop-up card, from its call of popup() on, or the parts that its "
-     "turtle draws: outputs differ, and so does what is checked. Write two programs, which may load() what "
+     "A FlatLang program makes either a pop-up card, from its call of popup() on, or a sheet of cuts and "
+     "folds, from its call of sheet() on, or the parts that its turtle draws: outputs differ, and so does "
+     "what is checked. Write two programs, which may load() what "
      "they have in common."},
     {"flatlang-limit", Severity::error, "a program uses up what it may",
      "Programs are run within limits, so that one that never ends, or that makes ever more, does not take "

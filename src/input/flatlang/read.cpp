@@ -27,6 +27,28 @@ void tell_ignored_files(const ProgramRun& run, Diagnostics& diagnostics) {
     tell(run.laser, "laser");
 }
 
+// False where a card or a sheet is not all that the program makes.
+bool makes_one_thing(const ProgramRun& run, Diagnostics& diagnostics) {
+    const Place place = run.sheet ? run.sheet->place : run.card->design->page_place;
+    const std::string_view made = run.sheet ? "sheet" : "card";
+    if (run.sheet && run.card) {
+        diagnostics
+            .error("flatlang-card-and-parts", place,
+                   fmt::format("the program makes a sheet of cuts and folds here, and a card on line {}",
+                               run.card->design->page_place.line))
+            .hint("a program makes a card, a sheet or parts; write two programs");
+        return false;
+    }
+    if (run.trail.segments.empty()) return true;
+    diagnostics
+        .error("flatlang-card-and-parts", place,
+               fmt::format("the program makes a {} here, and its turtle draws {} line{} besides", made,
+                           run.trail.segments.size(), run.trail.segments.size() == 1 ? "" : "s"))
+        .hint(run.sheet ? "a program makes a sheet or parts; lift the pen with up(), or write two programs"
+                        : "a program makes a card or parts; lift the pen with up(), or write two programs");
+    return false;
+}
+
 }  // namespace
 
 bool recognises(std::string_view text) {
@@ -48,24 +70,23 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
         return reading;
     }
     tell_ignored_files(run, diagnostics);
-    if (!run.card) {
-        // It may be there for others to load, and is nothing by itself: a design as little as parts.
-        if (run.trail.segments.empty() && run.defines) return reading;
-        if (auto parts = make_parts(run.trail, diagnostics)) {
-            reading.assembly = assembly_of(std::move(*parts));
-            settle_numbers(*reading.assembly);
+    if (run.card || run.sheet) {
+        if (!makes_one_thing(run, diagnostics)) return reading;
+        if (run.sheet) {
+            reading.creases = std::move(run.sheet->pattern);
+            reading.creases->file = source.name;
+            reading.creases->stem = source.stem();
+        } else {
+            reading.design = finished(std::move(*run.card), source);
         }
         return reading;
     }
-    if (!run.trail.segments.empty()) {
-        diagnostics
-            .error("flatlang-card-and-parts", run.card->design->page_place,
-                   fmt::format("the program makes a card here, and its turtle draws {} line{} besides",
-                               run.trail.segments.size(), run.trail.segments.size() == 1 ? "" : "s"))
-            .hint("a program makes a card or parts; lift the pen with up(), or write two programs");
-        return reading;
+    // It may be there for others to load, and is nothing by itself: a design as little as parts.
+    if (run.trail.segments.empty() && run.defines) return reading;
+    if (auto parts = make_parts(run.trail, diagnostics)) {
+        reading.assembly = assembly_of(std::move(*parts));
+        settle_numbers(*reading.assembly);
     }
-    reading.design = finished(std::move(*run.card), source);
     return reading;
 }
 

@@ -40,6 +40,7 @@ std::span<const Builtin> number_builtins();
 std::span<const Builtin> list_builtins();
 std::span<const Builtin> program_builtins();  // print, load, eval, source, object
 std::span<const Builtin> card_builtins();     // popup, and one an element of the element table
+std::span<const Builtin> sheet_builtins();    // sheet, cutline, and the kinds of folds
 
 // By name; null: there is none.
 const Builtin* find_builtin(std::string_view name);

@@ -11,7 +11,7 @@ namespace {
 using Table = std::span<const Builtin> (*)();
 constexpr std::array kTables{
     Table{turtle_builtins},  Table{number_builtins}, Table{list_builtins},
-    Table{program_builtins}, Table{card_builtins},
+    Table{program_builtins}, Table{card_builtins},   Table{sheet_builtins},
 };
 
 // The names that programs use for what could be overwritten; "__forward" and the like cannot be lost.

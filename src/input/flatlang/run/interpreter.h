@@ -37,11 +37,20 @@ struct AskedFile {
     Place place;
 };
 
+// The sheet of cuts and folds that a program draws.
+struct ProgramSheet {
+    CreasePattern pattern;  // without file and stem
+    Place place;            // of the call that began it
+    double unit_mm = 25.4;  // of its points
+    std::size_t points = 0;
+};
+
 struct ProgramRun {
     RunStatus status = RunStatus::ok;
     std::string printed;
     Trail trail;  // without polygons when it was ended early
     std::optional<Card> card;
+    std::optional<ProgramSheet> sheet;
     std::vector<AskedFile> hpgl,
         laser;  // in the order of the calls; the last of each is what the original wrote
     bool part_mode = false;
