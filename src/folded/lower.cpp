@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <utility>
 
 #include "base/nth.h"
+#include "folded/carton/names.h"
 
 namespace popup::folded {
 
@@ -64,12 +66,16 @@ Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, co
         for (const Stretch cut : sheet.cuts[i])
             out.lines.push_back({LineKind::cut, sheet.segment(cut), static_cast<int>(i), -1, -1});
     }
+    const std::vector<std::string> names = name_panels(sheet, tree);
     std::vector<int> numbers(out.pieces.size(), 0);
     for (std::size_t i = 0; i < tree.order.size(); ++i) {
         const Panel& from = nth(sheet.panels, tree.order[i]);
         Plate plate;
         plate.piece = from.piece;
-        plate.name = fmt::format("{}/{}", nth(out.pieces, from.piece).name, ++nth(numbers, from.piece));
+        const int number = ++nth(numbers, from.piece);
+        const std::string& guessed = nth(names, tree.order[i]);
+        plate.name = fmt::format("{}/{}", nth(out.pieces, from.piece).name,
+                                 guessed.empty() ? std::to_string(number) : guessed);
         plate.outline = sheet.outline_of(from);
         plate.uncut = plate.outline.outer;
         nth(out.pieces, from.piece).plates.push_back(static_cast<int>(i));

@@ -21,7 +21,7 @@ struct Tree {
 Tree make_tree(const Sheet& sheet);
 
 // Pieces "sheet", or "sheet-1", "sheet-2"; their edges and slits as cuts; plates "sheet/1" in the order of
-// the tree. No folds, joints or hinges.
+// the tree, those of cartons "sheet/front" and the like (folded/carton/names.h). No folds, joints or hinges.
 Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree);
 
 }  // namespace popup::folded

@@ -1,0 +1,30 @@
+// What the panels of a carton are called: guessed by their shape, their size and their place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "folded/lower.h"
+#include "folded/sheet.h"
+
+namespace popup::folded {
+
+// By panel: its name within its piece, unlike the others of the piece; empty for those of pieces that are no
+// carton. A carton is a piece without loops whose panels are
+//
+// * a tube: at least three walls side by side, between parallel folds as long as the walls. The largest is
+//   `front`, opposite it is `back`, beside these are `right` and `left` (`wall-2` and so on where there are
+//   not four). A last wall that is narrower than half of the narrowest (where walls are odd
+//   in number, than nine tenths of it) is the `glue-flap`. What closes an end
+//   is the `top` or the `bottom`, the narrow panel at its far edge its `top-tuck`, what hangs at the end of
+//   the other walls `top-dust-flap-left`; where nothing closes an end alone there are `top-flap-front` and
+//   the like. The top lies on the left of the walls, as they are numbered: upwards in most drawings;
+// * a tray: a `base` with walls on three or four of its sides, `front` at the bottom of the drawing, `back`,
+//   `left` and `right`. What hangs at a wall's end is a `front-corner-left`, what hangs at the top of a wall
+//   a `front-lining`, or the `lid` where it is as large as the base, with its `lid-tuck`.
+//
+// A panel of less than a tenth of the one that it hangs on is its lock (`back-lock`); any other is `panel-7`,
+// by its place in the tree. Cost: near linear in panels and folds.
+std::vector<std::string> name_panels(const Sheet& sheet, const Tree& tree);
+
+}  // namespace popup::folded
