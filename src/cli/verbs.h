@@ -36,6 +36,9 @@ int run_lsp(const Options& options);
 CLI::App* add_edit(CLI::App& app, Options& options);
 int run_edit(const Options& options);
 
+CLI::App* add_suggest(CLI::App& app, Options& options);
+int run_suggest(const Options& options);
+
 CLI::App* add_show(CLI::App& app, Options& options);
 int run_show(const Options& options);
 

@@ -6,6 +6,10 @@ namespace popup {
 namespace {
 
 constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
+    {"bad-refinement", Severity::error, "a refinement file that cannot be read",
+     "A refinement file says which corners and panels of a sheet are joined. It is JSON: an object with a "
+     "list called joins, each of which is a merge of corners, or a paste or a coplanar of two panels. The "
+     "message says what is none of these. popupc suggest --accept writes such files."},
     {"corners-refined", Severity::remark, "corners of a crease pattern that were moved a little",
      "Around a corner or a hole the folds must fit together exactly, or the sheet cannot be folded at all; "
      "and a "
@@ -100,6 +104,15 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "lies, "
      "and into FOLD files the order, as faceOrders. Whether the sheet gets there without bending is another "
      "question, and answered without --flat."},
+    {"join-left", Severity::remark, "suggestions that were not accepted",
+     "Of what was to be accepted, the named suggestions do not go together with the others: panels would "
+     "have to bend. The rest was accepted. A suggestion that is accepted by its own name is kept "
+     "nevertheless, and then the shape is a compromise."},
+    {"join-open", Severity::warning, "joins that cannot all close",
+     "Corners are to meet, or panels to lie in one plane, and no angles of the folds bring them there while "
+     "all panels stay flat. The shape is the one that leaves the least open, in least squares; the message "
+     "names the join that is open most, and by how much. Lengths that should agree and do not are the usual "
+     "reason: board takes up room, and drawings allow for it. Leave the join out, or mend the lengths."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "
@@ -109,6 +122,18 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "closed, as one line or as several whose ends meet; ends that miss by up to half a millimetre are "
      "joined. "
      "Look for a border that is drawn with a wide gap, or in a colour that means something else."},
+    {"no-such-panel", Severity::error, "a join of something that is not there",
+     "A join names panels by the names that findings give them, and corners by where they are drawn. This "
+     "one names a panel or a corner that the sheet does not have, or one panel twice. Drawings change: "
+     "suggestions are found anew for them."},
+    {"no-such-suggestion", Severity::error, "a suggestion that was not made",
+     "--accept takes suggestions by their names, as popupc suggest lists them: merge 3, paste 1, coplanar 2, "
+     "or all. Numbers are those of the same drawing with the same joins accepted before and the same "
+     "--near."},
+    {"not-refined", Severity::error, "a sheet whose shape cannot be refined",
+     "A shape is refined from the state in which its folds all have their angles. This sheet does not get "
+     "there, because folds around a corner or a hole do not let one another go on. Mend what popupc check "
+     "says of its loops first."},
     {"not-rigid", Severity::warning, "a sheet that cannot be folded without bending its panels",
      "Around an inner corner, and around a hole, the folds make a loop: turning from panel to panel by each "
      "of "

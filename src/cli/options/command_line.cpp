@@ -18,14 +18,23 @@
 namespace popup::cli {
 
 std::span<const Verb> verb_table() {
-    static constexpr Verb kVerbs[] = {{add_build, run_build},     {add_check, run_check},
-                                      {add_view, run_view},       {add_fix, run_fix},
-                                      {add_edit, run_edit},       {add_show, run_show},
-                                      {add_new, run_new},         {add_fmt, run_fmt},
-                                      {add_batch, run_batch},     {add_merge_reports, run_merge_reports},
-                                      {add_gallery, run_gallery}, {add_trace, run_trace},
-                                      {add_lsp, run_lsp},         {add_explain, run_explain},
-                                      {add_list, run_list},       {add_completions, run_completions},
+    static constexpr Verb kVerbs[] = {{add_build, run_build},
+                                      {add_check, run_check},
+                                      {add_view, run_view},
+                                      {add_fix, run_fix},
+                                      {add_edit, run_edit},
+                                      {add_show, run_show},
+                                      {add_new, run_new},
+                                      {add_fmt, run_fmt},
+                                      {add_batch, run_batch},
+                                      {add_merge_reports, run_merge_reports},
+                                      {add_gallery, run_gallery},
+                                      {add_trace, run_trace},
+                                      {add_suggest, run_suggest},
+                                      {add_lsp, run_lsp},
+                                      {add_explain, run_explain},
+                                      {add_list, run_list},
+                                      {add_completions, run_completions},
                                       {add_manual, run_manual}};
     return kVerbs;
 }

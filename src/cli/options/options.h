@@ -136,6 +136,15 @@ struct ShowVerbOptions {
     bool json = false;
 };
 
+struct SuggestVerbOptions {
+    std::string drawing;
+    std::string refinement;         // --refinement; empty: none
+    std::string accept;             // --accept; empty: nothing
+    std::optional<double> near_mm;  // none: as SuggestOptions has it
+    bool alone = false;
+    bool json = false;
+};
+
 // What `check` makes of its findings.
 struct JudgeOptions {
     std::string baseline;  // --baseline; empty: none
@@ -217,6 +226,7 @@ struct Options {
     ViewOptions view;
     EditVerbOptions edit;
     ShowVerbOptions show;
+    SuggestVerbOptions suggest;
     FmtVerbOptions fmt;
     NewVerbOptions made;
     std::string topic;  // of `explain`, `completions` and `manual`: the code, the shell, the verb

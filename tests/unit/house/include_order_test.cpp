@@ -61,10 +61,11 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",        "diagnostics", "geometry", "path",      "curves",  "nest",     "print",
-        "image",        "trace",       "files",    "lines",     "joints",  "assembly", "crease_pattern",
-        "flat_folding", "design",      "language", "mechanism", "check",   "motion",   "gluing",
-        "pattern",      "layout",      "profile",  "output",    "compile", "write",    "edit"};
+        "units",     "diagnostics",    "geometry",   "path",         "curves",  "nest",
+        "print",     "image",          "trace",      "files",        "lines",   "joints",
+        "assembly",  "crease_pattern", "refinement", "flat_folding", "design",  "language",
+        "mechanism", "check",          "motion",     "gluing",       "pattern", "layout",
+        "profile",   "output",         "compile",    "write",        "edit"};
     return order;
 }
 

@@ -1,0 +1,139 @@
+// Refinement: from the rough shape of a carton, every fold at its angle, to one that closes.
+//
+// After Folding Cartons: folded by right angles, or by what its drawing says, a sheet is nearly the box that
+// it is meant to be. Corners that should be in one place, flaps that should lie on a wall, are found and
+// offered as suggestions; those that are accepted are joins, and the shape is refined until they close.
+//
+//     SuggestOptions options;
+//     const std::optional<Suggestions> found = suggest_joins(pattern, options, diagnostics);
+//     const std::optional<Refined> box = refine_shape(pattern, {options.fold, {found->rows[0].join}},
+//     diagnostics); if (box && box->closes) fold_sheet(box->pattern, {}, diagnostics);  // ends closed
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/crease_pattern.h"
+#include "popup/diagnostics.h"
+#include "popup/files.h"
+#include "popup/geometry.h"
+
+namespace popup {
+
+enum class JoinKind {
+    merge,     // corners are in one place
+    paste,     // a panel lies on another
+    coplanar,  // two panels lie in one plane, beside each other
+};
+inline constexpr std::array<std::string_view, 3> kJoinKindNames{"merge", "paste", "coplanar"};
+
+// A panel by its name ("sheet/glue-flap", as findings call it), and where a corner of it is drawn: mm, y up.
+struct JoinPart {
+    std::string panel;
+    Vec2 corner = {};  // of merges; the nearest corner of the panel is meant
+};
+
+struct Join {
+    JoinKind kind = JoinKind::merge;
+    std::vector<JoinPart> parts;  // of a merge two or more, no panel twice; else two panels
+};
+
+// "merge sheet/front (20.00, 40.00) mm, sheet/lid (20.00, 120.00) mm".
+std::string shown_join(const Join& join, const Ruler& ruler);
+
+struct RefineOptions {
+    FoldOptions fold = {};
+    std::vector<Join> joins = {};
+};
+
+struct Refined {
+    // The sheet with every fold at the angle that closes the joins: as cuts and folds of its own, mended as
+    // fold_sheet() mends them. fold_sheet() folds it so that its motion ends in the refined shape; its
+    // FoldOptions must not name angles.
+    CreasePattern pattern;
+    std::vector<double> apart_mm;  // by join: what it is left open by, while all panels are rigid
+    double residual_mm = 0.0;      // the most of these, and of what loops of folds gape
+    double enough_mm = 0.0;        // kRefined of the sheet's longer side: what closes leaves no more open
+    bool closes = false;           // residual_mm <= enough_mm
+};
+inline constexpr double kRefined = 1e-6;
+
+// Refines the shape in which the motion of fold_sheet() ends. All panels stay rigid: only angles of folds
+// change, each as little as the joins let it. Joins that cannot all close are left open by a compromise, and
+// the warning `join-open` names the one that is open most, and by how much. Errors `no-such-panel` (a join
+// names a panel or corner that the sheet does not have), `not-refined` (the sheet does not fold rigidly), and
+// those of fold_sheet() give nullopt. Cost: that of some dozens of sparse factorisations with three unknowns
+// a corner.
+std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOptions& options,
+                                    Diagnostics& diagnostics);
+
+struct SuggestOptions {
+    FoldOptions fold = {};
+    std::vector<Join> joins = {};  // accepted before: suggestions are for the shape that these give
+    // Corners this near are to be merged; > 0. None: a tenth of the sheet's longer side, and not more than 50
+    // mm (the paper's).
+    std::optional<double> near_mm = {};
+};
+
+struct Suggestion {
+    Join join;
+    int number = 0;            // within its kind, from 1
+    double apart_mm = 0.0;     // now
+    double residual_mm = 0.0;  // what accepting it, and what was accepted before, would leave open
+    bool closes = false;       // as Refined::closes
+    // Merges that are like this one: as many corners, with as many edges, as long (the paper's symmetric
+    // groups); numbers, ascending.
+    std::vector<int> like = {};
+    [[nodiscard]] std::string name() const;  // "merge 3"
+};
+
+struct Suggestions {
+    double near_mm = 0.0;
+    std::vector<Suggestion> rows;  // merges, then pastes, then coplanar ones; in the order of the drawing
+    // Merges of corners that go together as above and are in one place already, to 0.01 mm. Accepting keeps
+    // them there.
+    std::vector<Join> met;
+    std::size_t left_out = 0;  // beyond kMostSuggestions
+};
+inline constexpr std::size_t kMostSuggestions = 200;
+
+// Finds what might be joined:
+//
+// * merge: corners of different panels nearer than near_mm that have an edge of the same length (to a
+//   hundredth); groups grow by the nearest corner that goes with one of theirs, and have no panel twice;
+// * paste: a panel whose middle lies over a larger one, no corner further from its plane than near_mm, their
+//   fronts the same way (their normals' product is more than 0.5);
+// * coplanar: panels with corners as near to each other, neither over the other, no corner of the smaller
+//   further from the larger's plane, their fronts nearly the same way (0.85).
+//
+// What two corners, or two panels, would leave open by more than a twentieth of near_mm is not suggested, nor
+// what is joined already, by a fold or because it is in place to 0.01 mm. The same drawing has the same
+// numbers. nullopt as refine_shape(). Cost: near linear in corners, as long as few are near one
+// another, and a refinement of the panels in between for each suggestion.
+std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const SuggestOptions& options,
+                                         Diagnostics& diagnostics);
+
+struct AcceptOptions {
+    bool alike = true;  // accepts what is like an accepted merge, too, where it closes
+};
+
+// The joins of `options`, and the suggestions that `words` name: "merge 3, paste 1", or "all": each, the
+// nearest first, that leaves nothing open together with those before. Then those of Suggestions::met that
+// leave nothing open either, so that what is joined does not part what has met. The remark `join-left` names
+// those that do not fit, of "all" and of what is alike; what is named itself is accepted whatever it leaves.
+// Error `no-such-suggestion`: nullopt.
+std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
+                                              const Suggestions& found, std::string_view words,
+                                              const AcceptOptions& accept, Diagnostics& diagnostics);
+
+// A refinement file: JSON, {"joins": [{"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …]}, {"paste":
+// ["sheet/glue-flap", "sheet/front"]}, …]}. What is written is read as the same joins. Lengths have five
+// decimals. Error `bad-refinement`, with its place: nullopt.
+std::string write_refinement(const std::vector<Join>& joins);
+std::optional<std::vector<Join>> read_refinement(const Source& source, Diagnostics& diagnostics);
+
+}  // namespace popup

@@ -1,0 +1,264 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/files/outputs.h"
+#include "cli/files/read_files.h"
+#include "cli/options/value_option.h"
+#include "cli/report.h"
+#include "cli/verbs.h"
+#include "popup/files.h"
+#include "popup/refinement.h"
+
+namespace popup::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rounded(double mm) { return std::round(mm * 1e4) / 1e4 + 0.0; }
+
+std::string left_open(bool closes, double mm) {
+    return closes ? "closes" : fmt::format("leaves {:.2f} mm", mm);
+}
+
+std::string like_text(const Suggestion& row) {
+    if (row.like.empty()) return {};
+    return fmt::format("; like merge {}", fmt::join(row.like, ", "));
+}
+
+std::string as_text(const Suggestions& found, const Ruler& ruler) {
+    std::string text = fmt::format("{} suggestion{} within {:.1f} mm; corners meet already in {} place{}\n",
+                                   found.rows.size(), found.rows.size() == 1 ? "" : "s", found.near_mm,
+                                   found.met.size(), found.met.size() == 1 ? "" : "s");
+    if (found.left_out > 0) text += fmt::format("{} more are left out\n", found.left_out);
+    for (const Suggestion& row : found.rows) {
+        text += fmt::format("{:<12}{:>7.2f} mm apart, {}{}\n", row.name(), row.apart_mm,
+                            left_open(row.closes, row.residual_mm), like_text(row));
+        for (const JoinPart& part : row.join.parts) {
+            text += "    " + part.panel;
+            if (row.join.kind == JoinKind::merge) text += " " + shown_point(ruler, part.corner);
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+Json as_json(const Suggestions& found) {
+    Json rows = Json::array();
+    for (const Suggestion& row : found.rows) {
+        Json parts = Json::array();
+        for (const JoinPart& part : row.join.parts) {
+            Json& one = parts.emplace_back(Json{{"panel", part.panel}});
+            if (row.join.kind == JoinKind::merge)
+                one["corner"] = {rounded(part.corner.x), rounded(part.corner.y)};
+        }
+        rows.push_back({{"name", row.name()},
+                        {"parts", std::move(parts)},
+                        {"apart_mm", rounded(row.apart_mm)},
+                        {"residual_mm", row.closes ? 0.0 : rounded(row.residual_mm)},
+                        {"closes", row.closes},
+                        {"like", row.like}});
+    }
+    return {{"near_mm", rounded(found.near_mm)},
+            {"met", found.met.size()},
+            {"left_out", found.left_out},
+            {"suggestions", std::move(rows)}};
+}
+
+// How each join is left by the refinement.
+std::string as_text(const std::vector<Join>& joins, const Refined& refined, double enough,
+                    const Ruler& ruler) {
+    std::string text;
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+        const double apart = refined.apart_mm[i];
+        text += fmt::format("{}: {}\n", shown_join(joins[i], ruler), left_open(apart <= enough, apart));
+    }
+    return text;
+}
+
+void check_suggest_usage(const Options& options) {
+    const SuggestVerbOptions& verb = options.suggest;
+    const bool prints = options.build.outputs.end() !=
+                        std::find(options.build.outputs.begin(), options.build.outputs.end(), "-");
+    if (options.messages.use_standard_output() || prints) {
+        throw UsageError(
+            "standard output has two users: the suggestions and what -o or the diagnostics put there",
+            {"-o FILE and --diagnostics FILE take files"});
+    }
+    if (verb.json && !verb.accept.empty())
+        throw UsageError("--json lists suggestions, and --accept accepts them", {"leave one out"});
+    if (is_standard_output(verb.refinement) || is_standard_output(verb.drawing))
+        throw UsageError("suggest takes files by their names, not \"-\"");
+}
+
+// What the verb reads, and its findings.
+struct Inputs {
+    std::optional<Source> drawing, refinement;
+    Diagnostics of_drawing, of_refinement, trouble;
+    CreasePattern pattern;
+    std::vector<Join> joins;
+    bool usable = true;
+};
+
+// False: it cannot be worked with.
+bool read_inputs(const Options& options, Inputs& in) {
+    const SuggestVerbOptions& verb = options.suggest;
+    in.of_drawing = Diagnostics(verb.drawing, options.policy);
+    in.of_refinement = Diagnostics(verb.refinement, options.policy);
+    in.drawing = read_source(verb.drawing, in.trouble);
+    // What is about to be written need not be there yet.
+    const bool is_new = !verb.accept.empty() && !std::filesystem::exists(verb.refinement);
+    if (!verb.refinement.empty() && !is_new) {
+        in.refinement = read_source(verb.refinement, in.trouble);
+        in.usable = in.refinement.has_value();
+    }
+    in.usable = in.usable && in.drawing.has_value();
+    if (!in.usable) return false;
+    if (in.refinement) {
+        auto joins = read_refinement(*in.refinement, in.of_refinement);
+        if (!joins) return false;
+        in.joins = std::move(*joins);
+    }
+    Reading reading = read_source_text(*in.drawing, options.compile.read, in.of_drawing);
+    if (!reading.creases) {
+        if (!in.of_drawing.has_errors())
+            throw UsageError(fmt::format("{}: this is no folded sheet", verb.drawing),
+                             {"suggest is for crease patterns and dielines: FOLD, SVG and DXF files"});
+        return false;
+    }
+    in.pattern = std::move(*reading.creases);
+    return true;
+}
+
+// The files that -o asks for, of the refined sheet; nullopt: something is wrong with it.
+std::optional<std::vector<PendingFile>> make_outputs(const Options& options, const OutputPlan& plan,
+                                                     Inputs& in, CreasePattern pattern, Compilation& run) {
+    CompileOptions compile = options.compile;
+    compile.fold.fold_angles.clear();  // the pattern says them all
+    CompiledDesign& one = run.designs.emplace_back();
+    one.source = *in.drawing;
+    one.stem = one.source.stem();
+    one.diagnostics = Diagnostics(one.source.name, options.policy);
+    one.creases = std::move(pattern);
+    one.assembly = fold_sheet(*one.creases, compile.fold, one.diagnostics);
+    if (!one.assembly) return std::nullopt;
+    one.assembly->stem = one.stem;
+    one.motion = simulate_sheet(*one.assembly, compile.motion, one.diagnostics);
+    if (!one.motion) return std::nullopt;
+    one.pattern = make_pattern(*one.assembly, compile.pattern, one.diagnostics);
+    lay_out_run(run, compile);
+    if (run.has_errors()) return std::nullopt;
+    return files_of(plan, options, run);
+}
+
+// What is to be printed, and all files; false: something is wrong, and told.
+bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilation& run, std::string& text,
+          std::vector<PendingFile>& files) {
+    const SuggestVerbOptions& verb = options.suggest;
+    SuggestOptions suggest{options.compile.fold, in.joins, verb.near_mm};
+    Diagnostics again;  // the sheet says the same each time that it is folded
+    if (!verb.accept.empty() || plan.outputs.empty()) {
+        const auto found = suggest_joins(in.pattern, suggest, in.of_drawing);
+        if (!found) return false;
+        if (verb.accept.empty()) {
+            text = verb.json ? as_json(*found).dump(2) + "\n" : as_text(*found, in.pattern.ruler);
+            return true;
+        }
+        auto joins = accept_joins(in.pattern, suggest, *found, verb.accept, {!verb.alone}, in.of_drawing);
+        if (!joins) return false;
+        in.joins = std::move(*joins);
+    }
+    const bool heard = !verb.accept.empty();
+    auto refined = refine_shape(in.pattern, {options.compile.fold, in.joins}, heard ? again : in.of_drawing);
+    if (!refined) return false;
+    if (heard) {
+        for (const Diagnostic& one : again.sorted()) {
+            if (one.code != "join-open") continue;
+            Diagnostic& told = in.of_drawing.warning(one.code, one.place, one.message);
+            for (const std::string& hint : one.hints) told.hint(hint);
+        }
+    }
+    text = as_text(in.joins, *refined, refined->enough_mm, in.pattern.ruler);
+    if (heard && !verb.refinement.empty()) files.push_back({verb.refinement, write_refinement(in.joins)});
+    if (plan.outputs.empty()) return true;
+    auto made = make_outputs(options, plan, in, std::move(refined->pattern), run);
+    if (!made) return false;
+    files.insert(files.end(), std::make_move_iterator(made->begin()), std::make_move_iterator(made->end()));
+    return true;
+}
+
+}  // namespace
+
+CLI::App* add_suggest(CLI::App& app, Options& options) {
+    CLI::App* verb = app.add_subcommand("suggest", "Find what of a folded carton should meet, and close it");
+    SuggestVerbOptions& suggest = options.suggest;
+    verb->add_option("DRAWING", suggest.drawing, "a crease pattern or dieline")
+        ->required()
+        ->configurable(false)
+        ->type_name("");
+    const std::string group = "Suggestions";
+    value(*verb, "--near", "LENGTH", "look this far (default: a tenth of the sheet, 50mm at most)", group,
+          [&suggest](std::string_view text) { suggest.near_mm = length_option("--near", text, 0.1).mm; });
+    value(*verb, "--accept", "WHAT", "accept these, and those alike: \"merge 3, paste 1\", or all", group,
+          [&suggest](std::string_view text) { suggest.accept = text; })
+        ->configurable(false);
+    verb->add_flag("--alone", suggest.alone, "accept what is named, and not what is like it")->group(group);
+    value(*verb, "--refinement", "FILE", "what was accepted before; --accept writes it anew", group,
+          [&suggest](std::string_view text) { suggest.refinement = text; })
+        ->configurable(false);
+    verb->add_flag("--json", suggest.json, "list suggestions as JSON")->configurable(false)->group(group);
+    verb->add_option("-o,--output", options.build.outputs,
+                     "write the refined sheet to this file; its suffix picks the format. Repeatable")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->configurable(false)
+        ->group("Output");
+    add_drawing_options(*verb, options);
+    add_message_options(*verb, options);
+    add_policy_options(*verb, options);
+    add_config_options(*verb, options);
+    verb->footer(
+        "Examples:\n"
+        "  popupc suggest box.svg\n"
+        "  popupc suggest box.svg --accept all --refinement box.refine.json\n"
+        "  popupc suggest box.svg --refinement box.refine.json -o box.glb -o box.pdf\n"
+        "\nExit status 0 when it was done, 1 when the sheet cannot be folded or a suggestion is not there.");
+    return verb;
+}
+
+int run_suggest(const Options& given) {
+    Options options = given;
+    const SuggestVerbOptions& verb = options.suggest;
+    check_suggest_usage(options);
+    options.inputs.names = {verb.drawing};
+    if (!options.compile.read.drawing.as) options.compile.read.drawing.as = DrawnAs::folded;
+    fit_layout(options.compile);
+    const OutputPlan plan = options.build.outputs.empty() ? OutputPlan{} : plan_of(options);
+    ReadFiles read = files_read(options, {verb.drawing});
+    spare(read, options);
+    if (!verb.accept.empty() && !verb.refinement.empty()) read.spare(verb.refinement, "--refinement");
+    Inputs in;
+    Compilation run;
+    std::string text;
+    std::vector<PendingFile> files;
+    const bool done = read_inputs(options, in) && work(options, plan, in, run, text, files);
+    bool written = true;
+    if (done && !files.empty()) {
+        clear_litter({files.front().path});
+        written = write_all(files, false, in.trouble);
+    }
+    const bool printed = !done || !written || print(text);
+    std::vector<FileFindings> findings{{&in.of_drawing, in.drawing ? in.drawing->text : std::string()}};
+    if (in.refinement) findings.push_back({&in.of_refinement, in.refinement->text, false});
+    for (const CompiledDesign& one : run.designs)
+        findings.push_back({&one.diagnostics, one.source.text, false});
+    const bool told = report(options.messages, findings, in.trouble);
+    if (!in.usable || !written || !printed || !told) return exit_unusable;
+    return done ? exit_done : exit_findings;
+}
+
+}  // namespace popup::cli

@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "base/nth.h"
+#include "folded/carton/rough.h"
+#include "popup/refinement.h"
+
+namespace popup {
+namespace {
+
+using folded::PanelJoin;
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+class Accepter {
+ public:
+    Accepter(const folded::RoughShape& rough, const Suggestions& found, std::vector<PanelJoin> before,
+             std::vector<PanelJoin> rows)
+        : rough_(rough), found_(found), joins_(std::move(before)), rows_(std::move(rows)) {}
+
+    void take(std::size_t row) {
+        if (!taken_.insert(row).second) return;
+        joins_.push_back(rows_[row]);
+        order_.push_back(row);
+    }
+
+    // Those that leave nothing open together with what is taken; the nearest first.
+    void try_all(std::vector<std::size_t> rows) {
+        std::erase_if(rows, [&](std::size_t row) {
+            if (taken_.contains(row)) return true;
+            if (found_.rows[row].closes) return false;
+            left_.push_back(row);
+            return true;
+        });
+        std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+            return found_.rows[a].apart_mm < found_.rows[b].apart_mm - 1e-6;
+        });
+        // Mostly all of them fit.
+        std::vector<PanelJoin> whole = joins_;
+        for (const std::size_t row : rows) whole.push_back(rows_[row]);
+        const bool all_fit = closes(whole);
+        for (const std::size_t row : rows) {
+            joins_.push_back(rows_[row]);
+            const bool fits = all_fit || closes(joins_);
+            joins_.pop_back();
+            if (fits) {
+                take(row);
+            } else {
+                left_.push_back(row);
+            }
+        }
+    }
+
+    // Those of what has met that can stay so; numbers, ascending.
+    std::vector<std::size_t> keep(const std::vector<PanelJoin>& met) {
+        std::vector<PanelJoin> whole = joins_;
+        whole.insert(whole.end(), met.begin(), met.end());
+        const bool all_fit = closes(whole);
+        std::vector<std::size_t> kept;
+        for (std::size_t i = 0; i < met.size(); ++i) {
+            joins_.push_back(met[i]);
+            if (all_fit || closes(joins_)) {
+                kept.push_back(i);
+            } else {
+                joins_.pop_back();
+            }
+        }
+        return kept;
+    }
+
+    [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+    std::vector<std::size_t> left() {
+        std::sort(left_.begin(), left_.end());
+        return left_;
+    }
+
+ private:
+    [[nodiscard]] bool closes(const std::vector<PanelJoin>& joins) const {
+        return joins.empty() || close_joins(rough_.state(), joins, true).residual_mm <= rough_.enough_mm();
+    }
+
+    const folded::RoughShape& rough_;
+    const Suggestions& found_;
+    std::vector<PanelJoin> joins_;
+    std::vector<PanelJoin> rows_;
+    std::set<std::size_t> taken_;
+    std::vector<std::size_t> order_;
+    std::vector<std::size_t> left_;
+};
+
+// Rows that the words name; `all` is set where they say so. nullopt: a word names none.
+std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std::string_view words,
+                                                   bool& all, Diagnostics& diagnostics) {
+    std::vector<std::size_t> rows;
+    while (true) {
+        const std::size_t comma = words.find(',');
+        const std::string_view word = trimmed(words.substr(0, comma));
+        const auto row = std::find_if(found.rows.begin(), found.rows.end(),
+                                      [&](const Suggestion& one) { return one.name() == word; });
+        if (word == "all") {
+            all = true;
+        } else if (row != found.rows.end()) {
+            rows.push_back(static_cast<std::size_t>(row - found.rows.begin()));
+        } else {
+            std::string names;
+            for (const Suggestion& one : found.rows) names += (names.empty() ? "" : ", ") + one.name();
+            diagnostics.error("no-such-suggestion", {}, fmt::format("there is no suggestion \"{}\"", word))
+                .hint(names.empty() ? "there are none" : "there are " + names);
+            return std::nullopt;
+        }
+        if (comma == std::string_view::npos) return rows;
+        words.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace
+
+std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
+                                              const Suggestions& found, std::string_view words,
+                                              const AcceptOptions& accept, Diagnostics& diagnostics) {
+    bool all = false;
+    const auto named = rows_named(found, words, all, diagnostics);
+    if (!named) return std::nullopt;
+    Diagnostics heard;  // the sheet has told what it had to tell when the suggestions were found
+    const auto rough = folded::rough_shape(pattern, options.fold, heard);
+    if (!rough) return std::nullopt;
+    auto before = folded::resolve(*rough, options.joins, pattern, diagnostics);
+    std::vector<Join> joins;
+    for (const Suggestion& row : found.rows) joins.push_back(row.join);
+    auto rows = folded::resolve(*rough, joins, pattern, diagnostics);
+    const auto met = folded::resolve(*rough, found.met, pattern, diagnostics);
+    if (!before || !rows || !met) return std::nullopt;
+    Accepter accepter(*rough, found, std::move(*before), std::move(*rows));
+    for (const std::size_t row : *named) accepter.take(row);
+    std::vector<std::size_t> more;
+    if (all) {
+        for (std::size_t i = 0; i < found.rows.size(); ++i) more.push_back(i);
+    } else if (accept.alike) {
+        std::set<std::size_t> alike;
+        for (const std::size_t row : *named) {
+            for (const int number : found.rows[row].like) alike.insert(static_cast<std::size_t>(number) - 1);
+        }
+        more.assign(alike.begin(), alike.end());
+    }
+    accepter.try_all(std::move(more));
+    std::string left;
+    for (const std::size_t row : accepter.left()) left += (left.empty() ? "" : ", ") + found.rows[row].name();
+    if (!left.empty()) {
+        diagnostics
+            .remark("join-left", {}, fmt::format("not accepted, because panels would have to bend: {}", left))
+            .hint("--accept with its name takes one nevertheless, as near as it comes");
+    }
+    std::vector<Join> result = options.joins;
+    for (const std::size_t row : accepter.order()) result.push_back(found.rows[row].join);
+    const auto is_new = [&](const Join& join) {
+        return std::none_of(options.joins.begin(), options.joins.end(), [&](const Join& old) {
+            return shown_join(old, pattern.ruler) == shown_join(join, pattern.ruler);
+        });
+    };
+    for (const std::size_t one : accepter.keep(*met)) {
+        if (is_new(found.met[one])) result.push_back(found.met[one]);
+    }
+    return result;
+}
+
+}  // namespace popup

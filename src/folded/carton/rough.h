@@ -1,0 +1,34 @@
+// The shape in which the motion of a sheet ends, for what refines it and looks for joins in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "folded/carton/folded_state.h"
+#include "popup/refinement.h"
+
+namespace popup::folded {
+
+// Keeps what states refer to.
+struct RoughShape {
+    Sheet sheet;
+    Tree tree;
+    std::vector<double> angles;      // by fold, radians
+    std::vector<std::string> names;  // by panel, "sheet/front"
+    [[nodiscard]] FoldedState state() const { return {sheet, tree, angles}; }
+    // Residuals up to this count as closed, mm.
+    [[nodiscard]] double enough_mm() const { return kRefined * sheet.size(); }
+};
+
+// nullptr: the pattern is no sheet, or does not fold rigidly (`not-refined`).
+std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, const FoldOptions& options,
+                                              Diagnostics& diagnostics);
+
+// The joins by numbers; nullopt: one names what is not there (`no-such-panel`).
+std::optional<std::vector<PanelJoin>> resolve(const RoughShape& rough, std::span<const Join> joins,
+                                              const CreasePattern& pattern, Diagnostics& diagnostics);
+
+}  // namespace popup::folded
