@@ -192,6 +192,10 @@ void put_in_order(std::size_t plates, const std::vector<Overlap>& overlaps, cons
 
 }  // namespace
 
+std::vector<Protrusion> find_protrusions(const Assembly& assembly) {
+    return protrusions(assembly, closed_plane(assembly));
+}
+
 ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
                        std::optional<double> paper_mm, Recall* recall) {
     ClosedCard card;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "motion/plate_shape.h"
 #include "motion/recall.h"
@@ -18,5 +19,8 @@ namespace popup {
 // with one result; null: all are.
 ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
                        std::optional<double> paper_mm, Recall* recall = nullptr);
+
+// ClosedCard::protrusions alone. Cost: that of placing all plates, and linear in their corners.
+std::vector<Protrusion> find_protrusions(const Assembly& assembly);
 
 }  // namespace popup

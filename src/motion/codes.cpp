@@ -50,6 +50,12 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "each lie below the next and the last below the first; the message names them. Paper would have to be "
      "woven, and the card bulges or does not close. Make one of the plates smaller, so that it no longer "
      "reaches over the next, or move its element."},
+    {"lies-on-another", Severity::warning, "two elements are in one place",
+     "Two plates of two elements lie on one another while the card is open: they are in one plane, and have "
+     "more than a square millimetre of it in common. Paper cannot be glued down where other paper is glued "
+     "already, and one of the two hides the other. Often the same element was written twice, or two tents "
+     "share their seams. The message says which plates it is, how large the place is that they share, and "
+     "where its middle is. Move one of the two, as the hint says, or take one of them out."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
      "of piece and page together exceed 360°), so that the card stops before it is open. This is looked "

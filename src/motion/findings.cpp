@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "motion/lying.h"
 #include "motion/mend.h"
 
 namespace popup {
@@ -72,17 +74,14 @@ class Findings {
             if (worst.excess_mm > 0.0) {
                 finding.hint(
                     fmt::format("\"{}\" reaches {:.2f} mm too far, with its corner at ({:.2f}, {:.2f}) mm",
-                                name(worst.longer), worst.excess_mm, worst.corner.x, worst.corner.y));
+                                name(worst.longer), worst.excess_mm, in_hundredths(worst.corner.x),
+                                in_hundredths(worst.corner.y)));
             }
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
             if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), budget_)) {
-                finding.hint(fmt::format(
-                    "moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, "
-                    "frees the two",
-                    assembly_.joints[static_cast<std::size_t>(move->joint)].name,
-                    rounded_up(length(move->by)), move->along, move->by.x + 0.0, move->by.y + 0.0));
+                finding.hint(in_words(*move, "frees the two"));
                 const int still = move->joint == joints.first ? joints.second : joints.first;
                 moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
                                  assembly_.joints[static_cast<std::size_t>(still)].name, joint.place,
@@ -92,23 +91,53 @@ class Findings {
         return moves;
     }
 
+    // Of elements that collide, too, nothing more is said: they are told of, with a move that parts them.
+    void lying(const std::vector<LyingPair>& all, const std::vector<Contact>& contacts) {
+        const auto colliding = by_elements(contacts);
+        int tried = 0;
+        for (const auto& [joints, some] : by_elements(all)) {
+            if (colliding.contains(joints)) continue;
+            const LyingPair& most = **std::max_element(
+                some.begin(), some.end(),
+                [](const LyingPair* p, const LyingPair* q) { return p->area_mm2 < q->area_mm2; });
+            const bool first = linkage_.joint_of(most.b) == joints.second;
+            const Joint& joint = linkage_.element(first ? most.b : most.a);
+            Diagnostic& finding = diagnostics_.warning(
+                "lies-on-another", joint.place,
+                fmt::format("\"{}\" and \"{}\" lie on one another while the card stands open, over {:.2f} × "
+                            "{:.2f} mm round ({:.2f}, {:.2f}) mm of the page of \"{}\"",
+                            name(first ? most.b : most.a), name(first ? most.a : most.b), most.size.x,
+                            most.size.y, in_hundredths(most.point.x), in_hundredths(most.point.y),
+                            name(most.b)));
+            finding.about(joint.name);
+            also(finding, first ? most.b : most.a, first ? most.a : most.b);
+            if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
+            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), budget_))
+                finding.hint(in_words(*move, "parts the two"));
+        }
+    }
+
     void protrusions(const std::vector<Protrusion>& all) {
         std::map<int, const Protrusion*> worst;  // by joint
         for (const Protrusion& one : all) {
             const Protrusion*& most = worst[linkage_.joint_of(one.plate)];
             if (most == nullptr || one.by_mm > most->by_mm) most = &one;
         }
+        int tried = 0;
         for (const auto& [joint, one] : worst) {
             const Joint& element = assembly_.joints[static_cast<std::size_t>(joint)];
-            diagnostics_
-                .warning("protrusion", element.place,
-                         fmt::format("\"{}\" sticks out of the closed card by {}", name(one->plate),
-                                     how_far(*one)))
-                .hint(fmt::format(
-                    "it is its corner at ({:.2f}, {:.2f}) mm that reaches furthest; make the piece smaller "
-                    "there, or move the element",
-                    one->corner.x, one->corner.y))
-                .about(element.name);
+            Diagnostic& finding = diagnostics_.warning(
+                "protrusion", element.place,
+                fmt::format("\"{}\" sticks out of the closed card by {}", name(one->plate), how_far(*one)));
+            finding.about(element.name);
+            std::optional<Move> move;
+            if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates)
+                move = tucking_move(assembly_, linkage_, joint, all);
+            if (move) finding.hint(in_words(*move, "keeps it inside the closed card"));
+            finding.hint(fmt::format(
+                "its corner at ({:.2f}, {:.2f}) mm reaches furthest; make the piece smaller there{}",
+                in_hundredths(one->corner.x), in_hundredths(one->corner.y),
+                move ? "" : ", or move the element"));
         }
     }
 
@@ -196,6 +225,15 @@ class Findings {
  private:
     [[nodiscard]] const std::string& name(int plate) const {
         return assembly_.plates[static_cast<std::size_t>(plate)].name;
+    }
+    // What is printed with two decimals: never "-0.00".
+    static double in_hundredths(double mm) { return std::round(mm * 100.0) / 100.0 + 0.0; }
+
+    [[nodiscard]] std::string in_words(const Move& move, std::string_view does) const {
+        return fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, {}",
+                           assembly_.joints[static_cast<std::size_t>(move.joint)].name,
+                           rounded_up(length(move.by)), move.along, in_hundredths(move.by.x),
+                           in_hundredths(move.by.y), does);
     }
     // Names the element of a second plate, where it is another one.
     void also(Diagnostic& finding, int plate, int second) const {
@@ -286,6 +324,7 @@ std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage
                                          const MotionOptions& options, Diagnostics& diagnostics) {
     Findings findings(assembly, linkage, shapes, diagnostics);
     std::vector<FreeingMove> moves = findings.collisions(found.contacts);
+    findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
     findings.protrusions(found.closed.protrusions);
     findings.layers(found);
     if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);

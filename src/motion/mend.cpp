@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "motion/cells.h"
+#include "motion/closed_card.h"
 #include "motion/contacts.h"
 #include "motion/joints/joint.h"
+#include "motion/lying.h"
 
 namespace popup {
 namespace {
@@ -42,7 +44,7 @@ bool in_contact(const Assembly& assembly, std::span<const PlateShape> shapes,
         }
         return !contacts.contacts.empty() || !contacts.undecided.empty();
     };
-    const bool result = crosses();
+    const bool result = crosses() || any_lies(assembly, shapes, pairs);
     budget.poses -= std::min(budget.poses, search.poses() + assembly.plates.size());
     return result;
 }
@@ -86,6 +88,39 @@ std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkag
         before = shortest;
     }
     return best;
+}
+
+std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage, int joint,
+                                 std::span<const Protrusion> before) {
+    const Joint& element = assembly.joints[static_cast<std::size_t>(joint)];
+    if (!slid(element, kFirstMm)) return std::nullopt;
+    std::vector<int> out;  // plates that may stick out
+    for (const Protrusion& one : before) {
+        if (linkage.joint_of(one.plate) != joint) out.push_back(one.plate);
+    }
+    Assembly trial = assembly;
+    const auto is_tucked = [&](double mm) {
+        trial.joints[static_cast<std::size_t>(joint)].how = slid(element, mm)->how;
+        const std::vector<Protrusion> left = find_protrusions(trial);
+        return std::all_of(left.begin(), left.end(), [&](const Protrusion& one) {
+            return std::find(out.begin(), out.end(), one.plate) != out.end();
+        });
+    };
+    double low = 0.0;
+    for (double high = kFirstMm; low < kFurthestMm; low = high, high = std::min(2.0 * high, kFurthestMm)) {
+        for (const double sense : {1.0, -1.0}) {
+            if (!is_tucked(sense * high)) continue;
+            double shortest = high;
+            while (shortest - low > kPreciseMm) {
+                const double middle = 0.5 * (low + shortest);
+                (is_tucked(sense * middle) ? shortest : low) = middle;
+            }
+            // As it is told, so that whoever obeys to the hundredth has moved far enough.
+            const auto there = slid(element, sense * std::ceil(shortest * 100.0) / 100.0);
+            return Move{joint, there->by, there->along};
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace popup

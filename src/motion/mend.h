@@ -27,11 +27,17 @@ struct MoveBudget {
 };
 
 // The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
-// plates (one of each element) is in contact at any angle; none when there is no such move or the budget is
-// used up before one is found. `linkage`: of the assembly. Cost: a few dozen times that of examining the
-// pairs.
+// plates (one of each element) is in contact at any angle, or lies on one another as lying.h says; none when
+// there is no such move or the budget is used up before one is found. `linkage`: of the assembly. Cost: a few
+// dozen times that of examining the pairs.
 std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
                                  std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs, MoveBudget& budget);
+
+// The shortest move, to 0.02 mm and up to 100 mm, of an element after which none of its plates sticks out of
+// the closed card, and none that did not stick out before; none when there is no such move. `before`: what
+// sticks out now. Cost: a few dozen times find_protrusions().
+std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage, int joint,
+                                 std::span<const Protrusion> before);
 
 }  // namespace popup

@@ -23,9 +23,9 @@ constexpr std::size_t kMostTogether = 6;  // flat pieces that are glued in one s
 constexpr std::size_t kMostNames = 12;
 
 // Findings that somebody who holds the card can see, or do something about.
-constexpr std::array<std::string_view, 8> kForHands{"clearance-low", "collision",    "folds-in-order",
-                                                    "layer-order",   "not-forced",   "not-rigid",
-                                                    "protrusion",    "tab-too-small"};
+constexpr std::array<std::string_view, 10> kForHands{
+    "clearance-low",   "collision",  "folds-in-order", "glue-overlaps", "layer-order",
+    "lies-on-another", "not-forced", "not-rigid",      "protrusion",    "tab-too-small"};
 
 class CardSteps {
  public:

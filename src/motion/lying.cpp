@@ -1,0 +1,141 @@
+#include "motion/lying.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/geometry/regions.h"
+#include "base/geometry/tolerances.h"
+#include "motion/cells.h"
+#include "popup/motion.h"
+
+namespace popup {
+namespace {
+
+// Where it is looked, as shares of the sweep: half open, and once more at an angle that means nothing.
+constexpr std::array kShares{0.5, 0.37};
+constexpr double kSameSine = 1e-5;     // between planes that are one
+constexpr double kLeastMm2 = 1.0;      // of paper on paper
+constexpr double kFreeMm2 = 1e-3;      // less is left by a move that parts two
+constexpr double kInnerPointMm = 0.1;  // to which its middle is found
+constexpr std::size_t kMostNearPairs = 200;
+
+Angle opening_of(const Sweep& sweep, double share) {
+    return Angle::degrees(sweep.from_deg + share * (sweep.to_deg - sweep.from_deg));
+}
+
+const Frame& frame_of(std::span<const Frame> frames, int plate) {
+    return frames[static_cast<std::size_t>(plate)];
+}
+
+const PlateShape& shape_of(std::span<const PlateShape> shapes, int plate) {
+    return shapes[static_cast<std::size_t>(plate)];
+}
+
+bool in_one_plane(const Frame& a, const Frame& b, const PlateShape& of_b) {
+    const Vec3 normal = a.normal();
+    if (length(cross(normal, b.normal())) > kSameSine) return false;
+    return std::all_of(of_b.hull.begin(), of_b.hull.end(),
+                       [&](Vec2 p) { return std::abs(dot(b.point(p) - a.origin, normal)) <= kTouchMm; });
+}
+
+// What they share, on the page of b.
+std::vector<Polygon> common_paper(const Assembly& assembly, int a, int b, std::span<const Frame> frames) {
+    const Frame& to = frame_of(frames, b);
+    const auto moved = [&, &from = frame_of(frames, a)](const Ring& ring) {
+        Ring made;
+        made.reserve(ring.size());
+        for (const Vec2 p : ring) {
+            const Vec3 off = from.point(p) - to.origin;
+            made.push_back({dot(off, to.axes[0]), dot(off, to.axes[1])});
+        }
+        return made;
+    };
+    const Polygon& outline = assembly.plates[static_cast<std::size_t>(a)].outline;
+    Polygon of_a{moved(outline.outer), {}};
+    for (const Ring& hole : outline.holes) of_a.holes.push_back(moved(hole));
+    return intersect({of_a}, {assembly.plates[static_cast<std::size_t>(b)].outline});
+}
+
+std::optional<LyingPair> shared(const Assembly& assembly, int a, int b, std::span<const Frame> frames,
+                                double least_mm2) {
+    LyingPair found{a, b, 0.0, {}, {}};
+    double most = 0.0;
+    for (const Polygon& part : common_paper(assembly, a, b, frames)) {
+        const double here = area(part);
+        found.area_mm2 += here;
+        if (here <= most) continue;
+        most = here;
+        const Box box = bounds(part.outer);
+        found.size = {box.width(), box.height()};
+        found.point = inner_point(part, kInnerPointMm).at;
+    }
+    if (found.area_mm2 <= least_mm2) return std::nullopt;
+    return found;
+}
+
+// The pairs that share a plane at all openings that are looked at, and paper at the first of them.
+std::vector<LyingPair> lying_among(const Assembly& assembly, std::span<const PlateShape> shapes,
+                                   std::vector<std::pair<int, int>> pairs, std::vector<Frame> frames,
+                                   double least_mm2) {
+    std::vector<LyingPair> found;
+    for (const double share : kShares) {
+        if (share != kShares.front() && !place(assembly, opening_of(assembly.sweep, share), frames))
+            return {};
+        std::erase_if(pairs, [&](const std::pair<int, int>& one) {
+            return !in_one_plane(frame_of(frames, one.first), frame_of(frames, one.second),
+                                 shape_of(shapes, one.second));
+        });
+        if (pairs.empty()) return {};
+    }
+    for (const auto& [a, b] : pairs) {
+        if (const auto one = shared(assembly, a, b, frames, least_mm2)) found.push_back(*one);
+    }
+    return found;
+}
+
+std::optional<std::vector<Frame>> half_open(const Assembly& assembly) {
+    std::vector<Frame> frames(assembly.plates.size());
+    if (!place(assembly, opening_of(assembly.sweep, kShares.front()), frames)) return std::nullopt;
+    return frames;
+}
+
+bool may_lie(const Plate& plate) { return plate.lying != Lying::free || plate.rivet; }
+
+}  // namespace
+
+std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linkage,
+                                  std::span<const PlateShape> shapes) {
+    if (assembly.covers.empty()) return {};
+    auto frames = half_open(assembly);
+    if (!frames) return {};
+    std::vector<SpaceBox> boxes(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        SpaceBox& box = boxes[i];
+        for (const Vec2 corner : shapes[i].hull) {
+            const Vec3 p = (*frames)[i].point(corner);
+            box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+            box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+        }
+    }
+    std::vector<std::pair<int, int>> pairs = near_pairs(boxes, kMostNearPairs * shapes.size());
+    std::erase_if(pairs, [&](const std::pair<int, int>& one) {
+        const auto plate = [&](int i) -> const Plate& {
+            return assembly.plates[static_cast<std::size_t>(i)];
+        };
+        return linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
+               may_lie(plate(one.second));
+    });
+    return lying_among(assembly, shapes, std::move(pairs), *std::move(frames), kLeastMm2);
+}
+
+bool any_lies(const Assembly& assembly, std::span<const PlateShape> shapes,
+              std::span<const std::pair<int, int>> pairs) {
+    if (assembly.covers.empty()) return false;
+    auto frames = half_open(assembly);
+    return !frames ||
+           !lying_among(assembly, shapes, {pairs.begin(), pairs.end()}, *std::move(frames), kFreeMm2).empty();
+}
+
+}  // namespace popup
