@@ -91,10 +91,10 @@ struct PatternOptions {
 // another, a fold, a cut-out or an edge; what is left of each is drawn, as its target, with the same number
 // on the plate it is glued to. Pieces are labelled with their names where those fit, glued ones after the
 // number of their tabs, in the order of which they are glued: "2. castle"; pieces with texts of their own are
-// not. `tab-too-small` warns of a tab that has under 3 mm of depth along half its seam or more. Guarantees:
-// cuts chained into as few paths as possible, but those of a piece's own `paper`, which are its rings and
-// slits as they are, inner ones before outer ones; no segment twice; every target inside its plate. Cost:
-// near linear in lines.
+// not. `glue-overlaps` warns of tabs of two elements that want one place, and `tab-too-small` of a tab that
+// has under 3 mm of depth along half its seam or more. Guarantees: cuts chained into as few paths as
+// possible, but those of a piece's own `paper`, which are its rings and slits as they are, inner ones before
+// outer ones; no segment twice; every target inside its plate. Cost: near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 

@@ -14,6 +14,7 @@
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
 #include "pattern/chain.h"
+#include "pattern/glue_overlaps.h"
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"
 #include "pattern/tabs.h"
@@ -51,6 +52,7 @@ class Unfolder {
     Pattern run() {
         sort_lines();
         for (std::size_t i = 0; i < pieces_.size(); ++i) unfold_plates(i);
+        report_glue_overlaps(in_, rules_, diagnostics_);
         for (const Glue& glue : in_.glue) add_tab(glue);
         for (const GluedArea& area : in_.glued_areas) add_glued_area(area);
         for (std::size_t i = 0; i < pieces_.size(); ++i) finish(i);
