@@ -215,7 +215,7 @@ std::string_view to_string(LineKind kind) {
 }
 
 std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOptions& options,
-                                 Diagnostics& /*diagnostics*/) {
+                                 Diagnostics& diagnostics) {
     const Skeleton& skeleton = design.skeleton();
     Assembly assembly = skeleton.draft;
     for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
@@ -229,7 +229,7 @@ std::optional<Assembly> assemble(const CheckedDesign& design, const AssembleOpti
     }
     cut_windows(skeleton, assembly);
     add_fold_lines(skeleton, assembly);
-    spread_prints(skeleton, design.design(), options, assembly);
+    spread_prints(skeleton, design.design(), options, assembly, diagnostics);
     assembly.curves = CurveTable(skeleton.curves);
     assembly.sweep.to_deg = design.design().opens_deg;
     settle_numbers(assembly);

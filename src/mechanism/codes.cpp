@@ -27,6 +27,12 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
      "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
      "longer."},
+    {"drawn-off-page", Severity::warning, "nothing of what is drawn lies on the paper of its page",
+     "A line, an area or a picture is printed where it lies on the paper of its page. None of this one does, "
+     "so nothing of it is printed. Points are measured from the middle of the page, with y upwards, in the "
+     "unit of the document. Often the page is another one, the unit is another one, or the points were "
+     "measured from a corner. A line that begins and ends in one point prints nothing either. Move it onto "
+     "the paper, give it the page it is meant for, or take it out."},
     {"ends-meet", Severity::warning, "the ends of a box would meet inside it",
      "The ends of a box fold in their middle as the card closes, and the middle folds move inwards by as "
      "much "

@@ -1,8 +1,13 @@
 #include "mechanism/spread_prints.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,17 +69,28 @@ Image placed(const DrawnPrint& print, const DrawnImage& drawn) {
 class Pages {
  public:
     Pages(const Skeleton& skeleton, const Assembly& assembly)
-        : mirrored_(skeleton.page_mirrored), boxes_(mirrored_.size()), plates_(mirrored_.size()) {
+        : mirrored_(skeleton.page_mirrored),
+          boxes_(mirrored_.size()),
+          plates_(mirrored_.size()),
+          reach_(mirrored_.size()) {
         for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
             const Box box = bounds(assembly.plates[i].outline.outer);
             const auto page = static_cast<std::size_t>(skeleton.plate_page[i]);
             boxes_[page].insert({box.min, box.max}, false);
+            reach_[page].extend(box.min);
+            reach_[page].extend(box.max);
             plates_[page].push_back(i);
         }
     }
     [[nodiscard]] bool mirrored(int page) const { return mirrored_[static_cast<std::size_t>(page)]; }
     [[nodiscard]] const std::vector<std::size_t>& plates(int page) const {
         return plates_[static_cast<std::size_t>(page)];
+    }
+    // A box round the page's paper, as its author sees the page.
+    [[nodiscard]] Box reach(int page) const {
+        Box box = reach_[static_cast<std::size_t>(page)];
+        if (mirrored(page)) box = {{-box.max.x, box.min.y}, {-box.min.x, box.max.y}};
+        return box;
     }
     // The plates of the page whose paper may reach into the box, in their order.
     [[nodiscard]] const std::vector<std::size_t>& near(int number, const Box& box) {
@@ -89,12 +105,48 @@ class Pages {
     const std::vector<bool>& mirrored_;
     std::vector<EdgeIndex> boxes_;
     std::vector<std::vector<std::size_t>> plates_;
+    std::vector<Box> reach_;
     std::vector<int> found_;
     std::vector<std::size_t> near_;
 };
 
+// Numbers as the document has them.
+std::string written(double mm, const Unit& unit) {
+    return fmt::format("{}", std::round(mm / unit.mm * 1e4) / 1e4 + 0.0);
+}
+
+struct Teller {
+    const Design& design;
+    const Pages& pages;
+    Diagnostics& diagnostics;
+
+    void off_page(std::string_view what, int page, const Box& drawn, Place place) const {
+        if (drawn.width() <= 0.0 && drawn.height() <= 0.0) {
+            diagnostics.warning(
+                "drawn-off-page", place,
+                fmt::format("the {} has no length: it begins and ends at ({}, {}); nothing of it is printed",
+                            what, written(drawn.min.x, design.unit), written(drawn.min.y, design.unit)));
+            return;
+        }
+        const Box reach = pages.reach(page);
+        const auto span = [&](double from, double to) {
+            return fmt::format("{} to {}", written(from, design.unit), written(to, design.unit));
+        };
+        const bool beside = drawn.min.x > reach.max.x || drawn.max.x < reach.min.x ||
+                            drawn.min.y > reach.max.y || drawn.max.y < reach.min.y;
+        diagnostics.warning(
+            "drawn-off-page", place,
+            fmt::format("the {} lies at x {}, y {}, wholly {} page {}, {}; nothing of it is printed", what,
+                        span(drawn.min.x, drawn.max.x), span(drawn.min.y, drawn.max.y),
+                        beside ? "beside the paper of" : "off the paper of", page,
+                        beside ? fmt::format("which reaches from x {}, y {}", span(reach.min.x, reach.max.x),
+                                             span(reach.min.y, reach.max.y))
+                               : "where paper has been cut away or never was"));
+    }
+};
+
 // Each page's lines go to the plates whose paper they cross; a plate's lines are clipped together.
-void spread_lines(const Design& design, Pages& pages, Assembly& assembly) {
+void spread_lines(const Design& design, Pages& pages, Assembly& assembly, const Teller& tell) {
     std::vector<std::vector<std::vector<Vec2>>> paths(assembly.plates.size());
     std::vector<std::vector<const DrawnLine*>> sources(assembly.plates.size());
     for (const DrawnLine& line : design.lines) {
@@ -110,27 +162,47 @@ void spread_lines(const Design& design, Pages& pages, Assembly& assembly) {
             sources[plate].push_back(&line);
         }
     }
+    std::set<const DrawnLine*> shown;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (paths[i].empty()) continue;
         auto parts = clip_lines(paths[i], assembly.plates[i].outline);
         for (std::size_t k = 0; k < parts.size(); ++k) {
             const double width = Length::points(sources[i][k]->thickness_pt).mm;
+            if (!parts[k].empty()) shown.insert(sources[i][k]);
             for (auto& part : parts[k]) {
                 assembly.plates[i].prints.emplace_back(Stroke{std::move(part), width, sources[i][k]->color});
             }
         }
     }
+    for (const DrawnLine& line : design.lines) {
+        if (line.dropped || shown.contains(&line)) continue;
+        Box box;
+        for (const DesignPoint& point : line.points) box.extend(point.at);
+        tell.off_page("drawn line", line.page, box, line.place);
+    }
 }
 
-void spread_area(const DrawnArea& drawn, int page, Pages& pages, Assembly& assembly) {
+// Whether any of it lies on paper.
+bool spread_area(const DrawnArea& drawn, int page, Pages& pages, Assembly& assembly) {
+    bool shown = false;
     for (const Polygon& area : drawn.shape.inside.areas) {
         for (const std::size_t number : pages.near(page, bounds(area.outer))) {
             Plate& plate = assembly.plates[number];
             for (Polygon& part : intersect({area}, {plate.outline})) {
                 plate.prints.emplace_back(Area{std::move(part), drawn.fill});
+                shown = true;
             }
         }
     }
+    return shown;
+}
+
+Box box_of(const DrawnArea& drawn) {
+    Box box;
+    for (const Polygon& area : drawn.shape.inside.areas) {
+        for (const Vec2 p : area.outer) box.extend(p);
+    }
+    return box;
 }
 
 // Pictures with a horizon go to all plates of their page, until that becomes too much to hold.
@@ -139,7 +211,8 @@ struct Horizons {
     int next = 0;
 };
 
-void spread_image(const DrawnPrint& print, const DrawnImage& drawn, const AssembleOptions& options,
+// Whether any of it lies on paper.
+bool spread_image(const DrawnPrint& print, const DrawnImage& drawn, const AssembleOptions& options,
                   Horizons& horizons, Pages& pages, Assembly& assembly) {
     Image image = placed(print, drawn);
     if (drawn.horizon || options.horizon_mm) {
@@ -149,14 +222,26 @@ void spread_image(const DrawnPrint& print, const DrawnImage& drawn, const Assemb
         if (all.size() <= horizons.copies) {
             horizons.copies -= all.size();
             for (const std::size_t plate : all) assembly.plates[plate].prints.emplace_back(image);
-            return;
+            return true;
         }
     }
+    bool any = false;
     const std::vector<Polygon> shown = shown_regions(image);
     for (const std::size_t number : pages.near(print.page, bounds(shown.front().outer))) {
         Plate& plate = assembly.plates[number];
-        if (!intersect(shown, {plate.outline}).empty()) plate.prints.emplace_back(image);
+        if (intersect(shown, {plate.outline}).empty()) continue;
+        plate.prints.emplace_back(image);
+        any = true;
     }
+    return any;
+}
+
+Box box_of(const DrawnPrint& print, const DrawnImage& drawn) {
+    Box box;
+    for (const Polygon& part : shown_regions(placed(print, drawn))) {
+        for (const Vec2 p : part.outer) box.extend(p);
+    }
+    return box;
 }
 
 void spread_text(const DrawnPrint& print, const DrawnText& drawn, Pages& pages, Assembly& assembly) {
@@ -185,23 +270,27 @@ void mirror(DrawnPrint& print) {
 }
 
 void spread_prints(const Skeleton& skeleton, const Design& design, const AssembleOptions& options,
-                   Assembly& assembly) {
+                   Assembly& assembly, Diagnostics& diagnostics) {
     if (design.lines.empty() && design.prints.empty()) return;
     Pages pages(skeleton, assembly);
+    const Teller tell{design, pages, diagnostics};
     Horizons horizons;
     for (const DrawnPrint& drawn : design.prints) {
         if (drawn.dropped) continue;
         DrawnPrint print = drawn;
         if (pages.mirrored(print.page)) mirror(print);
         if (const auto* area = std::get_if<DrawnArea>(&print.what)) {
-            spread_area(*area, print.page, pages, assembly);
+            if (spread_area(*area, print.page, pages, assembly)) continue;
+            tell.off_page("area", print.page, box_of(std::get<DrawnArea>(drawn.what)), print.place);
         } else if (const auto* image = std::get_if<DrawnImage>(&print.what)) {
-            spread_image(print, *image, options, horizons, pages, assembly);
+            if (spread_image(print, *image, options, horizons, pages, assembly)) continue;
+            tell.off_page("picture", print.page, box_of(drawn, std::get<DrawnImage>(drawn.what)),
+                          print.place);
         } else {
             spread_text(print, std::get<DrawnText>(print.what), pages, assembly);
         }
     }
-    spread_lines(design, pages, assembly);
+    spread_lines(design, pages, assembly, tell);
 }
 
 }  // namespace popup

@@ -4,6 +4,7 @@
 #include "mechanism/builder.h"
 #include "popup/assembly.h"
 #include "popup/design.h"
+#include "popup/diagnostics.h"
 
 namespace popup {
 
@@ -13,9 +14,10 @@ void mirror(DrawnPrint& print);
 
 // Areas, pictures and drawn lines go to the plates of their page whose paper they meet, texts to the piece.
 // Pictures with a horizon go to all plates of their page, for level_horizons() to choose from; once there are
-// a million copies, only to those that they meet as they are drawn. Precondition: outlines are final; every
-// page is there. Cost: near linear in plates and in what is printed, and in those copies.
+// a million copies, only to those that they meet as they are drawn. `drawn-off-page`: of a line, an area or a
+// picture that meets no paper. Precondition: outlines are final; every page is there. Cost: near linear in
+// plates and in what is printed, and in those copies.
 void spread_prints(const Skeleton& skeleton, const Design& design, const AssembleOptions& options,
-                   Assembly& assembly);
+                   Assembly& assembly, Diagnostics& diagnostics);
 
 }  // namespace popup
