@@ -100,6 +100,7 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
             .about(structure.id);
         return;
     }
+    if (beyond_its_fold(structure, placing)) return;
     std::string nearest = "there is no fold within 500 mm of it";
     if (const auto near = index.nearest(structure.fold.page, placing.begin, placing.end, 500.0)) {
         const Fold& fold = near->ghost ? ghosts[static_cast<std::size_t>(near->fold)]
@@ -115,6 +116,32 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
                            placing.text(placing.begin), placing.text(placing.end), nearest))
         .hint("give two points of a fold or seam that an earlier structure, or the page, makes")
         .about(structure.id);
+}
+
+// The line that it names is a fold, but the element lies beyond an end of it; then that is said.
+bool Checker::beyond_its_fold(const Structure& structure, const Placing& placing) {
+    Box named;
+    named.extend(placing.begin);
+    named.extend(placing.end);
+    for (const FoldMatch& match :
+         index.matches(structure.fold.page, placing.begin, placing.end, named, options.tolerances.snap_mm)) {
+        const Fold& fold = fold_of(match);
+        Placing there = placing;
+        there.look_along(match, fold);
+        const auto [lo, hi] = element_row(*placing.element.info).stands_on(there.element);
+        const double over = std::max(-std::max(lo, hi), std::min(lo, hi) - fold.length());
+        if (!(over > 0.0)) continue;
+        diagnostics
+            .error("fold-not-found", structure.fold.place,
+                   fmt::format(
+                       "\"{}\" lies {} beyond the end of the {} of \"{}\" that its parent fold names, "
+                       "which is {} long",
+                       structure.id, mm(over), fold.seam ? "seam" : "fold", fold.owner, mm(fold.length())))
+            .hint("move it along the fold until it lies beside it, or name another fold")
+            .about(structure.id);
+        return true;
+    }
+    return false;
 }
 
 bool Checker::may_stand(const Structure& structure, const Placing& placing) {

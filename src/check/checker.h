@@ -65,6 +65,7 @@ struct Checker {
     void lower(const Placing& placing, const Element& before);
     std::string owner_of(int plate) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
+    bool beyond_its_fold(const Structure& structure, const Placing& placing);
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);
     bool may_stand(const Structure& structure, const Placing& placing);
     void keep_ghost(const Element& before);
