@@ -1,11 +1,13 @@
 // The loops of a cluster as equations of its folds' angles, and their solution.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "folded/least_step.h"
 #include "folded/sheet.h"
 
 namespace popup::folded {
@@ -38,23 +40,49 @@ class Closure {
     static constexpr double kBendCost = 3.0;
 
  private:
+    using Matrix = Eigen::SparseMatrix<double>;
     struct Term {
+        int column = 0;
         double sign = 1.0;
         Vec3 at, dir;  // of the fold's line on the sheet, from the loop's own point; lengths over its size
     };
+    struct Row {
+        int loop = 0;
+        int first = 0;  // condition
+        int count = 0;  // of conditions: 3 around a corner, else 6
+        double size = 0.0;
+        std::size_t begin = 0, end = 0;  // in terms_
+    };
+    // What two terms of one fold add to the normal equations: a block of them, whose columns are at these
+    // places among the values of the matrix.
+    struct Product {
+        std::size_t upper = 0, left = 0;  // terms; the conditions of `upper` come before those of `left`
+        int rows = 0, columns = 0;
+        bool diagonal = false;  // of one loop: entries below the diagonal are left out
+        std::array<int, 6> at{};
+    };
 
-    LeastStep equations(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
+    void add_rows(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
+    void add_products(std::size_t folds);
     // Residuals of all loops, and with `slopes` their derivatives.
     void evaluate(const Eigen::VectorXd& angles, bool slopes);
+    // The smallest step that adds `by` to the residuals, to the first order.
+    bool step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by);
     // What a step adds to the residuals, to the first order.
     [[nodiscard]] Eigen::VectorXd change_by(const Eigen::VectorXd& by) const;
     void factorise();
 
+    std::vector<Row> rows_;  // in an order that leaves the factors sparse
     std::vector<Term> terms_;
-    std::vector<LeastStep::Slope> slopes_;  // by term: of its loop's conditions by its fold's angle
+    std::vector<std::array<double, 6>> slopes_;  // by term: of its loop's conditions by its fold's angle
+    Eigen::VectorXd ease_;                       // by angle: what it costs, inverted and squared
     bool bends_ = false;
     Eigen::VectorXd residual_;
-    LeastStep least_;
+    std::vector<Product> products_;
+    Matrix normal_;              // the upper triangle
+    std::vector<int> diagonal_;  // by condition: its place among the values
+    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
+    bool analysed_ = false;
 };
 
 }  // namespace popup::folded
