@@ -1,9 +1,9 @@
 # popup_embed(SOURCES FOLDER ENDS HEADER SPACE FILE TABLE): adds to the list SOURCES the source of a table of files. It
-# defines SPACE::TABLE(), which HEADER declares, with the texts of the files of src/FOLDER whose names end in one of
-# ENDS; embed_files.cmake writes it, anew when one of the files changes.
+# defines SPACE::TABLE(), which HEADER declares, with the texts of the files of src/FOLDER, or of a folder of the
+# system, whose names end in one of ENDS; embed_files.cmake writes it, anew when one of the files changes.
 set(POPUP_EMBED_FILES ${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake)
 function(popup_embed sources folder ends header space file table)
-  set(from ${PROJECT_SOURCE_DIR}/src/${folder})
+  cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src OUTPUT_VARIABLE from)
   set(patterns ${ends})
   list(TRANSFORM patterns PREPEND "${from}/*")
   file(GLOB files CONFIGURE_DEPENDS ${patterns})
@@ -12,6 +12,6 @@ function(popup_embed sources folder ends header space file table)
                      COMMAND ${CMAKE_COMMAND} -D FOLDER=${from} "-DENDS=${ends}" -D HEADER=${header} -D SPACE=${space}
                              -D FILE=${file} -D TABLE=${table} -D OUTPUT=${output} -P ${POPUP_EMBED_FILES}
                      DEPENDS ${files} ${POPUP_EMBED_FILES}
-                     COMMENT "Embedding the files of src/${folder}" VERBATIM)
+                     COMMENT "Embedding files of ${from}" VERBATIM)
   set(${sources} ${${sources}} ${output} PARENT_SCOPE)
 endfunction()
