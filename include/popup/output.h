@@ -53,7 +53,7 @@ struct TileOptions {
 // lies on. Formats for machines never do, nor do profiles whose pen of legends has no layer. The program's
 // own default is automatic.
 enum class Legend {
-    automatic,  // where something is folded or glued, and there is room
+    automatic,  // where something is folded or glued, and there is room; not in SVG, which others may cut
     always,     // a sheet without room is told of
     never
 };

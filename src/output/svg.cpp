@@ -416,10 +416,12 @@ std::string SvgText::sheet(int index) {
 
 std::optional<std::vector<SheetFile>> write_svg(const Layout& layout, const OutputOptions& options,
                                                 Diagnostics& diagnostics) {
-    return file_per_view(layout, options, diagnostics,
-                         [](const SheetDrawing& drawing, const SheetView& view) {
-                             return SvgText(drawing).sheet(view.sheet);
-                         });
+    OutputOptions wanted = options;
+    // Other programs cut what they find in it, and popupc reads it again.
+    if (wanted.legend == Legend::automatic) wanted.legend = Legend::never;
+    return file_per_view(layout, wanted, diagnostics, [](const SheetDrawing& drawing, const SheetView& view) {
+        return SvgText(drawing).sheet(view.sheet);
+    });
 }
 
 }  // namespace popup
