@@ -121,8 +121,6 @@ void lay_out_run(Compilation& run, const CompileOptions& options) {
     }
     if (patterns.empty() || run.has_errors()) return;
     LayoutOptions layout = options.layout;
-    if (const auto& first = run.designs.front().design; first && layout.papers == PaperFamily::automatic)
-        layout.papers = first->unit.name == "in" ? PaperFamily::us : PaperFamily::iso;
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;
     layout.nesting.thread_ended = options.thread_ended;

@@ -21,7 +21,7 @@ std::vector<Paper> const& paper_table();  // letter, a4, tabloid, a3, a2, a1, a0
 
 // Which papers `auto` tries.
 enum class PaperFamily {
-    automatic,  // of a run: metric or inches by the unit of its first design; of lay_out(): any
+    automatic,  // nobody has said which: any
     iso,        // a4, a3, a2, a1, a0
     us,         // letter, tabloid; then, for what is larger, a2, a1, a0
     any         // all of the table
