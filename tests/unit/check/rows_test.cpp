@@ -49,6 +49,8 @@ struct Seen {
 };
 Seen seen;
 
+const Box kAnywhere{{-1e6, -1e6}, {1e6, 1e6}};
+
 bool flag_constrain(Element& e) {
     seen = {};
     seen.a = e.on[0];
@@ -56,7 +58,7 @@ bool flag_constrain(Element& e) {
     seen.plate = e.site.left_plate;
     seen.may_glue =
         e.paper->may_glue(Side::left, e.site.segment(Side::left, e.on[0], e.on[1]), Fit::as_drawn);
-    for (const Polygon& part : e.paper->paper(Side::left, 1.0)) seen.paper += area(part);
+    for (const Polygon& part : e.paper->paper(Side::left, 1.0, kAnywhere)) seen.paper += area(part);
     seen.height = number_of(e, "height");
     seen.side = choice_of(e, "side");
     for (const Polygon& part : areas_of(e, "outline")) {

@@ -128,8 +128,8 @@ TEST_F(Cli, HelpAndVersionGoToStandardOutput) {
 }
 
 TEST_F(Cli, WrongUsageIsTwoAndSaysWhatIsRight) {
-    expect_usage_error({},
-                       "verbs: build check view fix edit show new fmt batch merge-reports gallery trace lsp");
+    expect_usage_error(
+        {}, "verbs: build check view fix edit show new fmt batch merge-reports gallery trace suggest lsp");
     expect_usage_error({"biuld", "card.xml"}, "did you mean build?");
     expect_usage_error({"build", "card.xml", "--shet", "a4", "-o", "x.pdf"}, "did you mean --sheet?");
     expect_usage_error({"build"}, "INPUT is required");

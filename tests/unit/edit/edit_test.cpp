@@ -410,8 +410,8 @@ void expect_whole(std::uint64_t first, std::uint64_t seeds) {
     EXPECT_GT(tally.carried_out, 2 * seeds);
     EXPECT_GT(tally.undone, seeds / 2);
     EXPECT_GT(tally.refused, 0U);
-    // What stands on a drawn shape follows its folds, which are found from points of six decimals: it may come
-    // back a millionth of a unit beside where it was. That is one of 19 373 in the long test.
+    // What stands on a drawn shape follows its folds, which are found from points of six decimals: it may
+    // come back a millionth of a unit beside where it was. That is one of 19 373 in the long test.
     EXPECT_LE(tally.not_undone, tally.undone / 10'000) << tally.off;
     ::testing::Test::RecordProperty("carried_out", static_cast<int>(tally.carried_out));
     ::testing::Test::RecordProperty("refused", static_cast<int>(tally.refused));

@@ -26,7 +26,7 @@ namespace popup {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kPrisms = test::sanitized_count(300, 30);
+const int kPrisms = test::sanitized_count(300, 30);
 
 void add(CreasePattern& pattern, std::vector<Vec2> points, bool closed, CreaseUse use) {
     CreaseLine line;
