@@ -252,7 +252,8 @@ int run_suggest(const Options& given) {
         written = write_all(files, false, in.trouble);
     }
     const bool printed = !done || !written || print(text);
-    std::vector<FileFindings> findings{{&in.of_drawing, in.drawing ? in.drawing->text : std::string()}};
+    std::vector<FileFindings> findings{
+        {&in.of_drawing, in.drawing ? std::string_view(in.drawing->text) : std::string_view()}};
     if (in.refinement) findings.push_back({&in.of_refinement, in.refinement->text, false});
     for (const CompiledDesign& one : run.designs)
         findings.push_back({&one.diagnostics, one.source.text, false});
