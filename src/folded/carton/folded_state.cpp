@@ -131,9 +131,11 @@ std::vector<int> panels_between(const FoldedState& state, std::span<const PanelJ
     std::vector<int> found;
     for (const PanelJoin& join : joins) {
         std::vector<int> ends;
+        ends.reserve(join.merged.size());
         for (const CornerOf& one : join.merged) ends.push_back(one.panel);
         if (join.merged.empty()) ends = {join.a, join.b};
         std::vector<std::vector<int>> ways;
+        ways.reserve(ends.size());
         for (const int end : ends) ways.push_back(way_up(end));
         std::size_t common = ways.front().size();
         for (const std::vector<int>& way : ways) {

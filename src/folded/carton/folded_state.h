@@ -17,7 +17,7 @@ struct CornerOf {
     int panel = 0;
     int corner = 0;  // of the sheet
     friend bool operator==(const CornerOf&, const CornerOf&) = default;
-    friend auto operator<=>(const CornerOf&, const CornerOf&) = default;
+    friend auto operator<=>(const CornerOf&, const CornerOf&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 // A join by numbers: corners that are to be in one place, or two panels in one plane.

@@ -305,8 +305,8 @@ class Picture {
     void add_face(Light& sum, int x, int y, const Part& part) const {
         const Look& look = looks_[index(part.what - 1)];
         const Face& face = model_.faces[index(part.what - 1)];
-        const auto sx = [x](int sample) { return x * kOver + sample % kOver + 0.5; };
-        const auto sy = [y](int sample) { return y * kOver + sample / kOver + 0.5; };
+        const auto sx = [x](int sample) { return x * kOver + column_of(sample) + 0.5; };
+        const auto sy = [y](int sample) { return y * kOver + row_of(sample) + 0.5; };
         const int first = std::countr_zero(part.samples);
         const int rays = sun_at(look, sx(first), sy(first), part.near.at(first));
         const auto light = static_cast<float>(light_of(look, rays));

@@ -240,8 +240,8 @@ void Samples::draw_samples(std::size_t number, int x, int y, SampleSet samples) 
 SampleSet Samples::not_cut_out(std::size_t number, int x, int y, SampleSet samples) const {
     for (int i = 0; i < kSamples; ++i) {
         if ((samples & (1U << i)) == 0) continue;
-        const double sx = kOver * x + i % kOver + 0.5;
-        const double sy = kOver * y + i / kOver + 0.5;
+        const double sx = kOver * x + column_of(i) + 0.5;
+        const double sy = kOver * y + row_of(i) + 0.5;
         const double near = faces_[number].near(sx, sy);
         const TextureSpot at = texture_spot(model_.faces[number], camera_.point(sx, sy, near),
                                             1.0 / (camera_.scale * camera_.eye_mm * near));
@@ -343,7 +343,8 @@ class Samples::LineDrawer {
         if (is_over == hides_not(middle + most)) return is_over ? samples : 0;
         SampleSet result = 0;
         for (int i = 0; i < kSamples; ++i) {
-            if (hides_not(along(kOver * x + i % kOver + 0.5, kOver * y + i / kOver + 0.5))) result |= 1U << i;
+            if (hides_not(along(kOver * x + column_of(i) + 0.5, kOver * y + row_of(i) + 0.5)))
+                result |= 1U << i;
         }
         return result & samples;
     }
@@ -373,7 +374,8 @@ class Samples::LineDrawer {
 void Samples::draw(int top, int bottom) {
     top_ = top;
     bottom_ = bottom;
-    const auto pixels = static_cast<std::size_t>((bottom - top) * (box_.high_x - box_.low_x));
+    const auto pixels =
+        static_cast<std::size_t>(bottom - top) * static_cast<std::size_t>(box_.high_x - box_.low_x);
     middle_.assign(pixels, kNothing.middle);
     across_.assign(pixels, kNothing.across);
     down_.assign(pixels, kNothing.down);

@@ -26,12 +26,17 @@ struct PixelBox {
     int low_x = 0, low_y = 0, high_x = 0, high_y = 0;
 };
 
+// Where a sample of a pixel is: kOver columns and rows, of which one of each is in the middle.
+inline constexpr int kMiddle = kOver / 2;
+constexpr int column_of(int sample) { return sample % kOver; }
+constexpr int row_of(int sample) { return sample / kOver; }
+
 // How near a plane is that is seen at a pixel: in its middle, and by how much more a sample across and down.
 struct Nearness {
     float middle = 0.0F, across = 0.0F, down = 0.0F;
     [[nodiscard]] float at(int sample) const {
-        return middle + static_cast<float>(sample % kOver - kOver / 2) * across +
-               static_cast<float>(sample / kOver - kOver / 2) * down;
+        return middle + static_cast<float>(column_of(sample) - kMiddle) * across +
+               static_cast<float>(row_of(sample) - kMiddle) * down;
     }
 };
 
