@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
@@ -120,11 +122,15 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
         }
     }
     std::vector<std::pair<int, int>> pairs = near_pairs(boxes, kMostNearPairs * shapes.size());
+    // What is glued to a plate along a seam may lie flat on it.
+    std::set<std::pair<int, int>> joined;
+    for (const Hinge& hinge : assembly.hinges) joined.insert(std::minmax(hinge.a, hinge.b));
     std::erase_if(pairs, [&](const std::pair<int, int>& one) {
         const auto plate = [&](int i) -> const Plate& {
             return assembly.plates[static_cast<std::size_t>(i)];
         };
-        return linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
+        return joined.contains(std::minmax(one.first, one.second)) ||
+               linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
                may_lie(plate(one.second));
     });
     return lying_among(assembly, shapes, std::move(pairs), *std::move(frames), kLeastMm2);
