@@ -14,7 +14,7 @@ namespace popup {
 namespace {
 
 // Less of a seam than this, and than this share of it, its tab can do without.
-constexpr double kMostMm = 5.0;
+constexpr double kMostCoveredMm = 5.0;
 constexpr double kMostShare = 0.25;
 constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
 
@@ -62,7 +62,7 @@ class PlateSide {
             const std::vector<Polygon> common = intersect({{place.outline, {}}}, {{other.outline, {}}});
             const double here = area(common);
             const double most =
-                std::min(kMostMm, kMostShare * distance(place.glue->on_base.a, place.glue->on_base.b));
+                std::min(kMostCoveredMm, kMostShare * distance(place.glue->on_base.a, place.glue->on_base.b));
             if (seam_within(*place.glue, other.outline) <= most) continue;
             SharedPlace one{other.glue, place.glue, here, {}};
             for (const Polygon& part : common) {
