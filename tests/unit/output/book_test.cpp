@@ -162,18 +162,22 @@ TEST(Book, OfOneSheetIsPushedOutByLevels) {
 
 TEST(Book, OfACartonHasItsFoldsInOrder) {
     const book::Book book = Made({"folded/carton.svg"}).made();
-    EXPECT_EQ(titles(book), (Lines{"Fold", "  Step 1: fold up panels 3, 4, 5, 8, 9, 10 and 11",
-                                   "  Step 2: fold up panels 2, 6, 7, 12 and 13"}));
-    EXPECT_EQ(step_named(book, "Step 2: fold up panels 2, 6, 7, 12 and 13").actions,
-              Lines{"Valley folds, to 90°: between 2 | 1, 5 | 6, 5 | 7, 11 | 12 and 11 | 13."});
+    const std::string last =
+        "Step 2: fold up panels glue-flap, bottom-flap-right, top-flap-right, bottom-flap-left and "
+        "top-flap-left";
+    EXPECT_EQ(titles(book), (Lines{"Fold",
+                                   "  Step 1: fold up panels bottom-flap-front, top-flap-front, right, back, "
+                                   "bottom-flap-back, top-flap-back and left",
+                                   "  " + last}));
+    EXPECT_EQ(step_named(book, last).actions,
+              Lines{"Valley folds, to 90°: between glue-flap | front, right | bottom-flap-right, right | "
+                    "top-flap-right, left | bottom-flap-left and left | top-flap-left."});
     EXPECT_EQ(book.cards.front().closing_title, "How it must look");
-    // The panels' numbers are on the drawing.
+    // The panels' names are on the drawing.
     std::set<std::string> labels;
-    for (const auto& label :
-         step_named(book, "Step 2: fold up panels 2, 6, 7, 12 and 13").figures.front().labels)
-        labels.insert(label.text);
+    for (const auto& label : step_named(book, last).figures.front().labels) labels.insert(label.text);
     EXPECT_EQ(labels.size(), 13U);
-    EXPECT_TRUE(labels.contains("12"));
+    EXPECT_TRUE(labels.contains("top-flap-left"));
 }
 
 TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
