@@ -41,7 +41,7 @@ class Shown {
             const std::string indent(2 * (depth + (options_.id.empty() ? 1 : 0)), ' ');
             out += indent + line(n) + "\n";
             if (const std::string names = folds(n); !names.empty())
-                out += indent + "    folds: " + names + "\n";
+                out.append(indent).append("    folds: ").append(names).append("\n");
         }
         return out;
     }

@@ -142,6 +142,7 @@ std::vector<Completion> members(const ProgramText& words, Span word) {
             names.emplace(words.word(token));
     }
     std::vector<Completion> found;
+    found.reserve(names.size());
     for (const std::string& name : names)
         found.push_back({name, ItemKind::property, {}, {}, word, name, false});
     return found;

@@ -225,7 +225,7 @@ int Markup::at(std::size_t offset) const {
 std::vector<int> Markup::children(int element) const {
     std::vector<int> found;
     const std::size_t end = element < 0 ? elements.size() : elements[static_cast<std::size_t>(element)].after;
-    for (std::size_t i = static_cast<std::size_t>(element + 1); i < end; i = elements[i].after)
+    for (std::size_t i = static_cast<std::size_t>(element) + 1; i < end; i = elements[i].after)
         found.push_back(static_cast<int>(i));
     return found;
 }

@@ -91,7 +91,7 @@ class Page {
 };
 
 std::string element_markdown(const Page& page, int structure) {
-    const std::string id = page.id(structure);
+    const std::string& id = page.id(structure);
     std::string text = fmt::format("\"{}\"", id);
     if (const std::string ground = page.ground_text(id); !ground.empty()) text += " stands on " + ground;
     const ElementInfo* info = page.text().row(structure);
@@ -230,7 +230,7 @@ std::vector<Symbol> symbols(const View& view) {
         if (one.what == Name::mainpage) {
             all.push_back({"mainpage", "the base page", SymbolKind::module, one.all(), one.name, -1});
         } else if (one.what == Name::structure) {
-            const std::string id = page.id(element);
+            const std::string& id = page.id(element);
             const auto type = text.value(element, Name::type);
             const ElementInfo* info = text.row(element);
             std::string detail(info != nullptr ? info->name : type ? text.word(*type) : std::string_view());
@@ -285,7 +285,7 @@ std::vector<Target> references(const View& view, std::size_t at) {
     const int structure = named_at(page, at);
     if (structure < 0) return {};
     const MarkedText& text = page.text();
-    const std::string id = page.id(structure);
+    const std::string& id = page.id(structure);
     std::vector<Target> all{{view.path, page.id_at(structure)}};
     for (const int other : text.structures()) {
         if (page.below(page.id(other)) != id) continue;
