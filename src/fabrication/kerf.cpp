@@ -15,6 +15,7 @@
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "fabrication/parallel_ring.h"
 
 namespace popup {
 namespace {
@@ -32,6 +33,9 @@ constexpr double kCornerLimit = 20.0;
 // Rings whose area is less than this times their length are rounding, or too narrow to be cut.
 constexpr double kThinMm = 1e-5;
 constexpr std::size_t kMostFindings = 20;
+// Curves of so many corners are moved edge by edge where they can be. The library of polygons makes a spike,
+// twice half a kerf long, at each corner where edges come together, and looks at all crossings of these.
+constexpr std::size_t kManyCorners = 1000;
 
 double active(double kerf) { return kerf < kLeastKerfMm ? 0.0 : kerf; }
 
@@ -388,6 +392,13 @@ Result compensate(const PatternPiece& piece, const KerfWidths& kerf) {
         move.half = 0.5 * width;
         const bool clockwise = signed_area(move.drawn) < 0.0;
         if (clockwise) std::reverse(move.drawn.begin() + 1, move.drawn.end());
+        if (move.drawn.size() >= kManyCorners) {
+            if (auto ring = moved_edge_by_edge(move.drawn, move.outwards ? move.half : -move.half)) {
+                if (clockwise) std::reverse(ring->begin() + 1, ring->end());
+                result.cuts.back().points = *std::move(ring);
+                continue;
+            }
+        }
         run(move, Join::mitre);
         std::optional<Vec2> corner;
         auto flaw = flaw_of(move, corner);

@@ -48,7 +48,7 @@ struct KerfWidths {
 // is lost is decided by moving each path back: a corner of the drawn contour that is then buried deeper than
 // 0.01 mm is lost.
 // Precondition: the contours do not cross. Cost: near linear in corners for contours of which level lines, or
-// upright ones, meet few edges; curves drawn in tens of thousands of steps shorter than the kerf are dearer.
+// upright ones, meet few edges, and for smooth curves however fine their steps (fabrication/parallel_ring.h).
 std::optional<std::vector<Contour>> compensated(const PatternPiece& piece, std::string_view name,
                                                 const KerfWidths& kerf, Diagnostics& diagnostics);
 

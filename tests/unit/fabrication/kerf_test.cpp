@@ -284,5 +284,59 @@ TEST(Kerf, CurvesOfManyShortEdgesMoveByHalfTheKerf) {
     EXPECT_NEAR(signed_area(path) - signed_area(wave), growth(wave, 0.25), 1e-3);
 }
 
+Ring wavy_ring(int corners, double waves, double deep) {
+    Ring ring;
+    for (int i = 0; i < corners; ++i) {
+        const double a = 2 * kPi * i / corners;
+        const double r = 30 + deep * std::sin(waves * a);
+        ring.push_back({r * std::cos(a), r * std::sin(a)});
+    }
+    return ring;
+}
+
+TEST(Kerf, FineCurvesMoveEdgeByEdge) {
+    const Ring ring = wavy_ring(1000, 7, 5);
+    // Compared each with each: as few corners as are fine.
+    expect_moved(ring, move_edge(ring, 0.2), 0.1);
+    for (const double kerf : {0.05, 0.2, 0.5}) {
+        const Outcome hole = move_hole(reversed(ring), kerf);
+        ASSERT_TRUE(hole.cuts.has_value());
+        const Ring path = reversed(hole.cuts->at(0).points);
+        EXPECT_EQ(path.size(), ring.size());
+        EXPECT_NEAR(signed_area(path) - signed_area(ring), growth(ring, -0.5 * kerf), 1e-5 * perimeter(ring));
+    }
+}
+
+TEST(Kerf, FineCurvesStartWhereTheyDidAndKeepTheirDirection) {
+    const Ring ring = wavy_ring(2000, 3, 1);
+    for (const Ring& drawn : {ring, reversed(ring)}) {
+        const Ring path = move_edge(drawn, 0.2);
+        ASSERT_EQ(path.size(), drawn.size());
+        for (const std::size_t i : {0, 1, 700}) EXPECT_NEAR(distance(path[i], drawn[i]), 0.1, 1e-4);
+    }
+}
+
+TEST(Kerf, FineCurvesWithNarrowPlacesAreStillErrors) {
+    // Waves 0.4 mm apart whose valleys are narrower than the kerf.
+    const Outcome narrow = attempt(piece_of({closed(wavy_ring(20000, 400, 1))}), {0.6, 0.6});
+    EXPECT_FALSE(narrow.cuts.has_value());
+    ASSERT_FALSE(narrow.found.empty());
+    EXPECT_EQ(narrow.found[0].code, "kerf-too-wide");
+    // An outline that comes back to itself, with room for a kerf between its ends and without.
+    Ring ring;
+    constexpr int kSteps = 1200;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double a = 1.9 * kPi * i / kSteps;
+        ring.push_back({20 * std::cos(a), 20 * std::sin(a)});
+    }
+    for (int i = kSteps; i >= 0; --i) {
+        const double a = 1.9 * kPi * i / kSteps;
+        ring.push_back({15 * std::cos(a), 15 * std::sin(a)});
+    }
+    const double mouth = distance(ring[kSteps + 1], ring.back());
+    EXPECT_TRUE(attempt(piece_of({closed(ring)}), {0.6 * mouth, 0.6 * mouth}).cuts.has_value());
+    EXPECT_FALSE(attempt(piece_of({closed(ring)}), {mouth + 0.05, mouth + 0.05}).cuts.has_value());
+}
+
 }  // namespace
 }  // namespace popup
