@@ -24,31 +24,71 @@ constexpr double kPageDpi = 72.0;
 constexpr double kPageRoomMm = 5.0;  // at least, round pieces larger than the page
 constexpr int kQuality = 92;
 
-// The drawing on white, `scale` pixels a mm; nothing when Cairo gives no picture.
-std::optional<Pixels> painted(const SheetDrawing& drawing, int width, int height, double scale,
-                              cairo_font_face_t* font) {
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-    const Context context(cairo_create(surface.get()));
-    cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
-    cairo_paint(context.get());
-    cairo_scale(context.get(), scale, scale);
-    set_font(context.get(), font);
-    paint_sheet(context.get(), drawing);
-    cairo_surface_flush(surface.get());
-    if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) return std::nullopt;
-    const unsigned char* data = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    Pixels pixels{width, height, {}};
-    pixels.rgb.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3U);
-    for (int y = 0; y < height; ++y) {
-        const unsigned char* row = data + static_cast<std::ptrdiff_t>(y) * stride;
-        for (int x = 0; x < width; ++x) {
+// Pixels that are painted at once: a sheet of A4 at 300 dpi is. Larger sheets are painted band by band, so
+// that memory does not grow with them.
+constexpr int kMostAtOnce = 10'000'000;
+
+// A drawing on white, row by row from the top.
+class Painting {
+ public:
+    // `scale`: pixels a mm.
+    Painting(const SheetDrawing& drawing, int width, int height, double scale, cairo_font_face_t* font)
+        : drawing_(drawing),
+          width_(width),
+          height_(height),
+          scale_(scale),
+          font_(font),
+          rows_(std::clamp(kMostAtOnce / width, 1, height)),
+          surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, rows_)) {}
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    // False when Cairo gives no picture.
+    bool copy_row(int y, unsigned char* rgb) {
+        if (y >= end_ && !paint(y)) return false;
+        const unsigned char* row =
+            cairo_image_surface_get_data(surface_.get()) +
+            static_cast<std::ptrdiff_t>(y - (end_ - rows_)) * cairo_image_surface_get_stride(surface_.get());
+        for (int x = 0; x < width_; ++x) {
             std::uint32_t pixel = 0;
             std::copy_n(row + static_cast<std::ptrdiff_t>(x) * 4, 4,
                         reinterpret_cast<unsigned char*>(&pixel));
-            for (const unsigned shift : {16U, 8U, 0U})
-                pixels.rgb.push_back(static_cast<unsigned char>(pixel >> shift));
+            for (const unsigned shift : {16U, 8U, 0U}) *rgb++ = static_cast<unsigned char>(pixel >> shift);
         }
+        return true;
+    }
+
+ private:
+    // The band that begins at a row.
+    bool paint(int from) {
+        const Context context(cairo_create(surface_.get()));
+        cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
+        cairo_paint(context.get());
+        cairo_translate(context.get(), 0.0, -from);
+        cairo_scale(context.get(), scale_, scale_);
+        set_font(context.get(), font_);
+        paint_sheet(context.get(), drawing_);
+        cairo_surface_flush(surface_.get());
+        end_ = from + rows_;
+        return cairo_status(context.get()) == CAIRO_STATUS_SUCCESS;
+    }
+
+    const SheetDrawing& drawing_;
+    int width_;
+    int height_;
+    double scale_;
+    cairo_font_face_t* font_;
+    int rows_;  // of a band
+    Surface surface_;
+    int end_ = 0;  // of the band that is painted
+};
+
+std::optional<Pixels> all_of(Painting painting) {
+    const auto row = static_cast<std::size_t>(painting.width()) * 3U;
+    Pixels pixels{painting.width(), painting.height(), {}};
+    pixels.rgb.resize(row * static_cast<std::size_t>(painting.height()));
+    for (int y = 0; y < pixels.height; ++y) {
+        if (!painting.copy_row(y, pixels.rgb.data() + row * static_cast<std::size_t>(y))) return std::nullopt;
     }
     return pixels;
 }
@@ -107,11 +147,11 @@ std::optional<std::vector<SheetFile>> write_png(const Layout& layout, const Outp
         return std::nullopt;
     }
     const auto write = [&](const SheetDrawing& drawing, const SheetView&) -> std::optional<std::string> {
-        const auto pixels =
-            painted(drawing, static_cast<int>(std::ceil(drawing.width_mm * scale - 1e-6)),
-                    static_cast<int>(std::ceil(drawing.height_mm * scale - 1e-6)), scale, font.get());
+        Painting painting(drawing, static_cast<int>(std::ceil(drawing.width_mm * scale - 1e-6)),
+                          static_cast<int>(std::ceil(drawing.height_mm * scale - 1e-6)), scale, font.get());
+        const auto row_of = [&](int y, unsigned char* row) { return painting.copy_row(y, row); };
         std::string bytes;
-        if (pixels && to_png(*pixels, options.dpi, bytes)) return bytes;
+        if (to_png(painting.width(), painting.height(), row_of, options.dpi, bytes)) return bytes;
         report_failure("PNG", diagnostics);
         return std::nullopt;
     };
@@ -133,7 +173,7 @@ std::optional<std::vector<SheetFile>> write_jpg(const Layout& layout, const Outp
             const Layout page = page_of(layout, d, p);
             const SheetDrawing drawing = draw_sheet(page, plain, SheetView{});
             const auto pixels =
-                painted(drawing, kPageWidth, kPageHeight, kPageWidth / drawing.width_mm, font.get());
+                all_of({drawing, kPageWidth, kPageHeight, kPageWidth / drawing.width_mm, font.get()});
             SheetFile& file = files.emplace_back();
             if (files.size() > 1) file.suffix = fmt::format("-{}", files.size());
             if (pixels && to_jpeg(*pixels, kQuality, kPageDpi, file.bytes)) continue;

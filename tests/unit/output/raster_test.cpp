@@ -217,6 +217,27 @@ TEST(Png, HasTheColoursOfTheSheetInTheirPlaces) {
     EXPECT_EQ(edge[1], edge[2]);
 }
 
+// 13 million pixels are painted in two bands, which meet in the middle of a yellow half of the page.
+TEST(Png, PaintsLargeSheetsWithoutASeam) {
+    OutputOptions options;
+    options.dpi = 366.0;
+    const Picture picture = read_png(png_files(test::example_layout(), options)[0].bytes);
+    ASSERT_GT(static_cast<double>(picture.width) * picture.height, 12e6);
+    const int first_band = 10'000'000 / picture.width;
+    const double scale = options.dpi / 25.4;
+    const auto column = [&](double x, int y) { return picture.at(static_cast<int>((148.5 + x) * scale), y); };
+    for (int y = first_band - 40; y < first_band + 40; ++y) {
+        ASSERT_EQ(column(-80, y), column(-80, first_band - 41)) << y;
+        ASSERT_EQ(column(80, y), column(80, first_band - 41)) << y;
+    }
+    options.dpi = 100.0;
+    const Picture whole = read_png(png_files(test::example_layout(), options)[0].bytes);
+    for (const Vec2 p : {Vec2{-10, 5}, Vec2{20, 15}, Vec2{12.5, 2.5}, Vec2{-80, -50}}) {
+        EXPECT_EQ(picture.at_mm({148.5 + p.x, 105.0 + p.y}, 210.0, 25.4 * scale),
+                  whole.at_mm({148.5 + p.x, 105.0 + p.y}, 210.0, 100.0));
+    }
+}
+
 TEST(Png, HasTheColoursOfATurnedPieceInTheirPlaces) {
     OutputOptions options;
     options.dpi = 100.0;
