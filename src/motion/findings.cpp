@@ -80,7 +80,10 @@ class Findings {
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
-            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), budget_)) {
+            std::vector<double> crossing_deg;
+            for (const Contact* one : all) crossing_deg.push_back(one->deepest_deg);
+            if (const auto move =
+                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), crossing_deg, budget_)) {
                 finding.hint(in_words(*move, "frees the two"));
                 const int still = move->joint == joints.first ? joints.second : joints.first;
                 moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
@@ -112,7 +115,7 @@ class Findings {
             finding.about(joint.name);
             also(finding, first ? most.b : most.a, first ? most.a : most.b);
             if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
-            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), budget_))
+            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), {}, budget_))
                 finding.hint(in_words(*move, "parts the two"));
         }
     }

@@ -26,13 +26,16 @@ struct MoveBudget {
     std::size_t poses = 30'000;
 };
 
-// The shortest move, to 0.02 mm and up to 100 mm, of one of two elements after which none of the pairs of
-// plates (one of each element) is in contact at any angle, or lies on one another as lying.h says; none when
-// there is no such move or the budget is used up before one is found. `linkage`: of the assembly. Cost: a few
-// dozen times that of examining the pairs.
+// The shortest move, up to 100 mm, of one of two elements after which none of the pairs of plates (one of each
+// element) is in contact at any angle, or lies on one another as lying.h says: to 0.02 mm, and where plates
+// graze after a shorter one, up to twice as far as it takes to be clear of that. None when there is no such move or the budget is used up before one is found. `linkage`: of the assembly.
+// `crossing_deg`: openings at which the pairs are known to cross, if any; what crosses there after a move is
+// rejected soonest. Cost: that of examining the pairs a few times, and a glance at some thirty poses for each
+// of a few dozen trials.
 std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
                                  std::span<const PlateShape> shapes,
-                                 std::span<const std::pair<int, int>> pairs, MoveBudget& budget);
+                                 std::span<const std::pair<int, int>> pairs,
+                                 std::span<const double> crossing_deg, MoveBudget& budget);
 
 // The shortest move, to 0.02 mm and up to 100 mm, of an element after which none of its plates sticks out of
 // the closed card, and none that did not stick out before; none when there is no such move. `before`: what

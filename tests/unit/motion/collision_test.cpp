@@ -175,7 +175,7 @@ TEST(Collision, MoveThatIsSaidToFreeTwoElementsDoes) {
     // The page's two plates come first, then those of each element.
     const std::vector<std::pair<int, int>> pairs{{2, 4}, {2, 5}, {3, 4}, {3, 5}};
     MoveBudget budget;
-    const auto move = freeing_move(*built.assembly, Linkage(*built.assembly), shapes, pairs, budget);
+    const auto move = freeing_move(*built.assembly, Linkage(*built.assembly), shapes, pairs, {}, budget);
     ASSERT_TRUE(move.has_value());
     const auto contacts_when_moved = [&](double share) {
         Design design = tip.design();
