@@ -259,11 +259,18 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
         of_document.add(one.severity, one.code, one.place, one.message) = one;
     }
     if (!broken || options.force) return made;
-    of_edits
-        .error("edit-refused", edits.empty() ? Place{} : edits.back().place,
-               "the document would have an error that it does not have now; nothing is written")
-        .hint("--force writes it all the same")
-        .hint("what stands on a moved element goes along with --follow");
+    Diagnostic& refused =
+        of_edits
+            .error("edit-refused", edits.empty() ? Place{} : edits.back().place,
+                   "the document would have an error that it does not have now; nothing is written")
+            .hint("--force writes it all the same");
+    const bool leaves_others = std::any_of(edits.begin(), edits.end(), [](const EditLine& one) {
+        if (one.words.empty()) return false;
+        const std::string& verb = one.words.front();
+        return (verb == "move" || verb == "set" || verb == "point") &&
+               std::find(one.words.begin(), one.words.end(), "--follow") == one.words.end();
+    });
+    if (leaves_others) refused.hint("what stands on a moved element goes along with --follow");
     made.refused = true;
     return made;
 }

@@ -60,14 +60,17 @@ AttachedMeasures attached_measures(const Element& e) {
     return {box.width(), box.height(), line};
 }
 
-measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm) {
+measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm, double beside,
+                              double beyond) {
     const AttachedMeasures was = attached_measures(e);
     e.extra[G] = wanted.line.place(0.0, -0.5 * line_mm);
     e.extra[H] = wanted.line.place(0.0, 0.5 * line_mm);
     const auto outline = find_parameter(*e.info, "outline");
     POPUP_INVARIANT(outline);
     if (!e.arguments[*outline].given()) {
-        e.arguments[*outline] = measure::ellipse(wanted.line, wanted.width, wanted.height);
+        const measure::Spot middle{wanted.line.place(beside * wanted.width, beyond * wanted.height),
+                                   wanted.line.turn};
+        e.arguments[*outline] = measure::ellipse(middle, wanted.width, wanted.height);
         return {};
     }
     const measure::Scale scale = measure::scale_of(was.width, was.height, wanted.width, wanted.height);

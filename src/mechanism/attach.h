@@ -35,9 +35,11 @@ struct AttachedMeasures {
     measure::Spot line;
 };
 AttachedMeasures attached_measures(const Element& e);
-// Sets G and H on a line that long, and the outline with them; a piece without an outline gets an ellipse.
-// Returns by how much it grew. What is drawn on the plate's page is left to the caller.
-measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm);
+// Sets G and H on a line that long, and the outline with them; a piece without an outline gets an ellipse
+// whose middle lies `beside` times its width to the right of the line's, and `beyond` times its height
+// further on. Returns by how much the outline grew. What is drawn on the plate's page is left to the caller.
+measure::Scale shape_attached(Element& e, const AttachedMeasures& wanted, double line_mm, double beside = 0.0,
+                              double beyond = 0.0);
 
 // Where the piece lies. Page coordinates of the plate.
 struct Bed {

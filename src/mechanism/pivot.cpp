@@ -185,8 +185,11 @@ void shape(Element& e, std::span<const double> v) {
     const Segment was = line_on_page(e);
     beak::shape(e, v);
     const Segment line = line_on_page(e);
+    // On the plane's side of the fold, and away from its apex: what lies beyond the fold goes through the
+    // page as the plane turns.
+    const double beside = on_right(e) ? -0.5 : 0.5;
     const measure::Scale scale =
-        shape_attached(e, {v[6], v[7], {{v[8], v[9]}, v[10]}}, distance(line.a, line.b));
+        shape_attached(e, {v[6], v[7], {{v[8], v[9]}, v[10]}}, distance(line.a, line.b), beside, 0.25);
     if (was.a == was.b) return;
     measure::move_drawn(e, PointPage::fold,
                         measure::moved_to(measure::spot_of(was.a, was.b), measure::spot_of(line.a, line.b),

@@ -12,6 +12,7 @@
 
 #include "base/text/quoted_words.h"
 #include "output/xml.h"
+#include "popup/motion.h"
 #include "support/designs.h"
 #include "support/proposals.h"
 #include "support/sanitized.h"
@@ -205,6 +206,14 @@ TEST(Edit, EveryRowCanBeAdded) {
         const Done done = edited(document, edits);
         ASSERT_TRUE(done.edited) << done.said;
         EXPECT_EQ(done.said.find("warning"), std::string::npos) << done.said << done.edited->text;
+        // It moves without a collision, too.
+        Diagnostics trouble("card.xml");
+        const auto design = read_design({"card.xml", done.edited->text}, {}, trouble);
+        ASSERT_TRUE(design) << findings(trouble);
+        const Built built = build(*design);
+        ASSERT_TRUE(built.assembly) << findings(built.diagnostics);
+        simulate(*built.assembly, {}, trouble);
+        EXPECT_EQ(findings(trouble).find("warning"), std::string::npos) << findings(trouble);
     }
 }
 
