@@ -79,7 +79,7 @@ TEST_P(CaseTest, SaysAndDoesWhatItsExpectationSays) {
     RunOptions options;
     options.directory = one.directory;
     options.environment["NO_COLOR"] = "1";
-    options.environment["ASAN_OPTIONS"] = "detect_leaks=1";  // where it is built to look
+    options.environment["ASAN_OPTIONS"] = "detect_leaks=1:exitcode=86";  // where it is built to look
     const RunResult result = popupc(arguments_of(one, out.path()), options);
 
     std::string text = "exit " + std::to_string(result.exit) + "\n";

@@ -56,6 +56,7 @@ struct SeamFault {
 
 // Puts the seam into the border as one edge, whichever way round.
 std::optional<SeamFault> put_seam(Ring& ring, const Segment& seam, std::string_view name, double tolerance) {
+    if (seam.a == seam.b) return SeamFault{name, 0.0};
     const double away = std::max(border_distance(ring, seam.a), border_distance(ring, seam.b));
     if (!put_corner(ring, seam.a, tolerance)) return SeamFault{name, away};
     const auto b = put_corner(ring, seam.b, tolerance);

@@ -51,7 +51,10 @@ std::string at_mm(Vec2 p) {
     return fmt::format("({:.2f}, {:.2f}) mm", number(p.x), number(p.y));
 }
 
-std::string mm(double value) { return fmt::format("{:.2f} mm", value); }
+std::string mm(double value) {
+    // Never "-0.00".
+    return fmt::format("{:.2f} mm", std::round(value * 100.0) / 100.0 + 0.0);
+}
 std::string degrees(double radians) { return fmt::format("{:.2f}°", radians / kDegree); }
 
 }  // namespace popup

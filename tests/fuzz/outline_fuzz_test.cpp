@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "mechanism/border.h"
 #include "popup/check.h"
@@ -162,6 +164,32 @@ TEST(OutlineFuzz, WhatIsCutFromOneSheetSharesItOut) {
     EXPECT_GT(tally.accepted, sanitized_count(300));
     EXPECT_GT(tally.repaired, sanitized_count(50));
     EXPECT_GT(tally.refused, sanitized_count(300));
+}
+
+// Silhouettes of pieces whose seams have no length, or lie in one another.
+TEST(OutlineFuzz, PiecesOfPointsThatCoincideAreRefusedOrMended) {
+    const auto last = sanitized_count<std::uint64_t>(2000);
+    int refused = 0;
+    for (std::uint64_t seed = 1; seed <= last; ++seed) {
+        Random random(seed);
+        constexpr std::array<std::string_view, 4> kTypes{"v-fold", "inverted-v-fold", "tent", "layer"};
+        // Few places, so that many points have the same.
+        const double most = random.below(3) == 0 ? 0.0 : 20.0;
+        std::string points;
+        for (int i = 0; i < 8; ++i) {
+            const double x = std::round(coordinate(random, most, true) / 20.0) * 20.0;
+            const double y = std::round(coordinate(random, most, true) / 20.0) * 20.0;
+            points += fmt::format("<point x=\"{}\" y=\"{}\"/>", x, y);
+        }
+        const test::FromXml made = test::from_xml(
+            fmt::format("<structure type=\"{}\" id=\"t\" outline=\"{}\"><outerpoints>{}</outerpoints>"
+                        "<parentfold on=\"gutter\"/></structure>",
+                        kTypes[random.below(kTypes.size())], random_outline(random), points));
+        if (made.assembly) continue;
+        EXPECT_NE(made.text, "") << seed;
+        ++refused;
+    }
+    EXPECT_GT(refused, static_cast<int>(last / 2));
 }
 
 TEST(LongOutlineFuzz, WhatIsCutFromOneSheetSharesItOut) {

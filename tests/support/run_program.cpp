@@ -35,7 +35,10 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
     }
     environment["POPUPC_NO_CONFIG"] = "1";
     // To look for leaks takes a quarter of a short run. The cases do it, which run everything.
-    if (kSanitized) environment.try_emplace("ASAN_OPTIONS", "detect_leaks=0");
+    if (kSanitized) environment.try_emplace("ASAN_OPTIONS", "detect_leaks=0:exitcode=86");
+    // 1, what they end with by themselves, is an exit status of popupc's.
+    environment.try_emplace("ASAN_OPTIONS", "exitcode=86");
+    environment.try_emplace("UBSAN_OPTIONS", "exitcode=86");
     for (const auto& [name, value] : options.environment) environment[name] = value;
     std::vector<std::string> settings;
     for (const auto& [name, value] : environment) settings.push_back(name + "=" + value);

@@ -20,7 +20,7 @@ struct RunOptions {
     std::string input;                // what standard input holds
     // Set on top of this process's own, from which all POPUPC_* are taken out. POPUPC_NO_CONFIG is 1 unless
     // it is set here (empty, to look for a popupc.toml): none above the tests' directories disturbs them.
-    // Sanitized, ASAN_OPTIONS is detect_leaks=0 where nobody has set it.
+    // Sanitized, ASAN_OPTIONS is detect_leaks=0:exitcode=86 where nobody has set it.
     std::map<std::string, std::string> environment;
 };
 
