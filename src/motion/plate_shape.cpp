@@ -23,32 +23,56 @@ void append(const Polygon& polygon, std::vector<Triangle2>& triangles) {
 // notches, and looks at all of its corners each time.
 constexpr std::size_t kManyCorners = 2000;
 constexpr std::size_t kCornersPerStrip = 100;
-constexpr double kOverlapMm = 1.0;  // of strips; far more than what is taken away
+constexpr double kMostRepeated = 3.0;  // of all edges: where more lie in several strips, strips are no help
+constexpr double kOverlapMm = 1.0;     // of strips; far more than what is taken away
 static_assert(kOverlapMm > 10.0 * kTouchMm);
+
+// A box cut across into strips that are as wide.
+struct Strips {
+    Box box;
+    bool upright = false;  // they lie above one another
+    std::size_t count = 1;
+
+    [[nodiscard]] double end(std::size_t strip) const {
+        const double from = upright ? box.min.y : box.min.x;
+        const double to = upright ? box.max.y : box.max.x;
+        return from + (to - from) * static_cast<double>(strip) / static_cast<double>(count);
+    }
+    [[nodiscard]] Polygon between(double a, double b) const {
+        return upright ? Polygon{{{box.min.x, a}, {box.max.x, a}, {box.max.x, b}, {box.min.x, b}}, {}}
+                       : Polygon{{{a, box.min.y}, {b, box.min.y}, {b, box.max.y}, {a, box.max.y}}, {}};
+    }
+    // How many strips the edges lie in, added up.
+    [[nodiscard]] double edges_in(const std::vector<Segment>& edges) const {
+        const double width = (upright ? box.height() : box.width()) / static_cast<double>(count);
+        double all = 0.0;
+        for (const Segment& edge : edges) {
+            const Vec2 along = edge.b - edge.a;
+            all += 1.0 + (std::abs(upright ? along.y : along.x) + 2.0 * kOverlapMm) / width;
+        }
+        return all;
+    }
+};
 
 // What of a region is at least kTouchMm inside it, in parts that may share edges. At notches the arcs of what
 // is taken away are chords, so that too little is taken and not too much.
 std::vector<Polygon> core_of(const Polygon& region, const Box& box) {
-    std::size_t corners = region.outer.size();
-    for (const Ring& hole : region.holes) corners += hole.size();
-    if (corners <= kManyCorners) return offset({region}, -kTouchMm, Corners::rounded);
-    const bool upright = box.height() > box.width();
-    const double from = upright ? box.min.y : box.min.x;
-    const double to = upright ? box.max.y : box.max.x;
-    const std::size_t count = corners / kCornersPerStrip;
-    const auto end_of = [&](std::size_t strip) {
-        return from + (to - from) * static_cast<double>(strip) / static_cast<double>(count);
-    };
-    const auto between = [&](double a, double b) {
-        return upright ? Polygon{{{box.min.x, a}, {box.max.x, a}, {box.max.x, b}, {box.min.x, b}}, {}}
-                       : Polygon{{{a, box.min.y}, {b, box.min.y}, {b, box.max.y}, {a, box.max.y}}, {}};
-    };
+    const auto whole = [&] { return offset({region}, -kTouchMm, Corners::rounded); };
+    const std::vector<Segment> edges = edges_of(region);
+    if (edges.size() <= kManyCorners) return whole();
+    const std::size_t count = edges.size() / kCornersPerStrip;
+    Strips strips{box, false, count};
+    const Strips upright{box, true, count};
+    if (upright.edges_in(edges) < strips.edges_in(edges)) strips = upright;
+    // Teeth that run across all strips would be in each of them.
+    if (strips.edges_in(edges) > kMostRepeated * static_cast<double>(edges.size())) return whole();
     std::vector<Polygon> core;
     for (std::size_t i = 0; i < count; ++i) {
-        const double a = end_of(i);
-        const double b = end_of(i + 1);
-        const std::vector<Polygon> near = intersect({region}, {between(a - kOverlapMm, b + kOverlapMm)});
-        for (Polygon& part : intersect(offset(near, -kTouchMm, Corners::rounded), {between(a, b)}))
+        const double a = strips.end(i);
+        const double b = strips.end(i + 1);
+        const std::vector<Polygon> near =
+            intersect({region}, {strips.between(a - kOverlapMm, b + kOverlapMm)});
+        for (Polygon& part : intersect(offset(near, -kTouchMm, Corners::rounded), {strips.between(a, b)}))
             core.push_back(std::move(part));
     }
     return core;

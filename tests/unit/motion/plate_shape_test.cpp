@@ -11,13 +11,14 @@
 namespace popup {
 namespace {
 
-// A strip with teeth to both sides, each of a few corners, and a hole under each.
-Plate comb(int teeth, bool upright) {
+// A strip with teeth `deep` mm long, each of a few corners, and a hole under each.
+Plate comb(int teeth, bool upright, double deep = 7.5) {
     Plate plate;
     const auto point = [upright](double x, double y) { return upright ? Vec2{-y, x} : Vec2{x, y}; };
     for (int i = 0; i < teeth; ++i) {
         const double x = 4.0 * i;
-        for (const Vec2 p : {Vec2{x, 0.0}, Vec2{x + 1.0, -7.0}, Vec2{x + 2.5, -7.5}, Vec2{x + 3.0, 0.0}})
+        for (const Vec2 p :
+             {Vec2{x, 0.0}, Vec2{x + 1.0, 0.5 - deep}, Vec2{x + 2.5, -deep}, Vec2{x + 3.0, 0.0}})
             plate.outline.outer.push_back(point(p.x, p.y));
         plate.outline.holes.push_back({point(x + 1.0, 2.0), point(x + 1.5, 4.0), point(x + 2.5, 3.0)});
     }
@@ -43,6 +44,15 @@ TEST(PlateShape, OfManyCornersHasTheCoreOfTheWhole) {
         }
         // Each strip rounds its corners to the grid of the library.
         EXPECT_NEAR(found, expected, 1e-5 * expected);
+    }
+}
+
+// Teeth longer than all of them are wide run along the longer side.
+TEST(PlateShape, OfAFringeIsNotCutAcrossItsTeeth) {
+    for (const bool upright : {false, true}) {
+        const Plate plate = comb(400, upright, 4000.0);
+        const PlateShape shape = plate_shape(plate);
+        EXPECT_LT(shape.core.all().size(), 20U * 400U);
     }
 }
 
