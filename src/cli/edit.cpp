@@ -7,6 +7,7 @@
 #include "cli/files/line_diff.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
+#include "cli/options/program_options.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/files.h"
@@ -83,8 +84,12 @@ int run_edit(const Options& options) {
     const EditVerbOptions& verb = options.edit;
     check_edit_usage(verb, options.messages);
     ReadFiles read = files_read(options, {verb.document});
-    read.spare(verb.output.output, "-o");
-    read.spare(options.messages.file, "--diagnostics");
+    read.add(verb.file, "which edits are read from");
+    const auto spare_inputs = [&] {
+        read.spare(verb.output.output, "-o");
+        read.spare(options.messages.file, "--diagnostics");
+    };
+    spare_inputs();
     Diagnostics trouble;
     const auto source = read_source(verb.document, trouble);
     std::vector<EditLine> edits;
@@ -101,11 +106,15 @@ int run_edit(const Options& options) {
     }
     // A drawing that an edit reads is not what comes out of it.
     for (const EditLine& line : edits) {
-        for (std::size_t i = 0; i + 1 < line.words.size(); ++i) {
-            if (line.words[i] == "--from") read.add(line.words[i + 1], "a drawing");
+        constexpr std::string_view kFrom = "--from";
+        for (std::size_t i = 0; i < line.words.size(); ++i) {
+            const std::string& word = line.words[i];
+            if (word == kFrom && i + 1 < line.words.size()) read.add(line.words[i + 1], "a drawing");
+            if (word.starts_with("--from=")) read.add(word.substr(kFrom.size() + 1), "a drawing");
         }
     }
-    read.spare(verb.output.output, "-o");
+    spare_inputs();
+    if (source) check_loaded(*source, options.compile.read, {verb.output.output, options.messages.file});
     Diagnostics of_document(verb.document, options.policy);
     std::optional<Edited> edited;
     EditOptions edit;

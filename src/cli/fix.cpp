@@ -9,6 +9,7 @@
 #include "cli/files/line_diff.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
+#include "cli/options/program_options.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/files.h"
@@ -162,6 +163,8 @@ int run_fix(const Options& options) {
     spare(files_read(options, files.names, files.ignore_files), options);
     check_documents(options, files.names);
     Run run = run_inputs(options, std::move(files), Stage::motion);
+    check_loaded(run, options.fix.output);
+    check_loaded(run, options.messages.file);
     Compilation& compilation = run.compilation;
     for (const CompiledDesign& one : compilation.designs) {
         check_language(options, language_of(options.inputs, one.source), one.source.name);

@@ -6,6 +6,7 @@
 #include "cli/files/line_diff.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
+#include "cli/options/program_options.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/edit.h"
@@ -59,6 +60,7 @@ int run_fmt(const Options& options) {
     check_fmt_usage(options);
     const FmtVerbOptions& verb = options.fmt;
     const ReadFiles read = files_read(options, verb.documents);
+    read.spare(verb.output.output, "-o");
     read.spare(options.messages.file, "--diagnostics");
     Diagnostics trouble;
     std::vector<Source> sources;
@@ -70,6 +72,7 @@ int run_fmt(const Options& options) {
     for (const std::string& name : verb.documents) {
         auto source = read_source(name, trouble);
         if (!source) continue;
+        check_loaded(*source, options.compile.read, {verb.output.output, options.messages.file});
         sources.push_back(std::move(*source));
     }
     const bool readable = sources.size() == verb.documents.size();

@@ -2,6 +2,7 @@
 
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
+#include "cli/options/program_options.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/edit.h"
@@ -52,6 +53,7 @@ int run_show(const Options& options) {
     const auto source = read_source(verb.document, trouble);
     std::optional<std::string> shown;
     if (source) {
+        check_loaded(*source, options.compile.read, {options.messages.file});
         if (const auto design = read_design(*source, options.compile.read, findings)) {
             ShowOptions show;
             show.id = verb.id;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -154,6 +157,21 @@ void check_loaded(const Run& run, const std::string& output) {
     if (output.empty()) return;
     Diagnostics told;
     if (!spares_loaded(output, loaded_files(run), told)) refuse_usage(told);
+}
+
+void check_loaded(const Source& source, const ReadOptions& options,
+                  std::initializer_list<std::string_view> outputs) {
+    std::optional<Reading> reading;
+    for (const std::string_view output : outputs) {
+        std::error_code error;
+        if (output.empty() || !std::filesystem::exists(output, error)) continue;
+        if (!reading) {
+            Diagnostics unheard;
+            reading = read_source_text(source, options, unheard);
+        }
+        Diagnostics told;
+        if (!spares_loaded(std::string(output), reading->files, told)) refuse_usage(told);
+    }
 }
 
 std::vector<std::string> loaded_files(const Run& run) {

@@ -1,11 +1,13 @@
 // Options of inputs that are programs, and what becomes of what programs print.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "popup/diagnostics.h"
+#include "popup/language.h"
 
 namespace CLI {
 class App;
@@ -43,8 +45,13 @@ void tell_printed(const Options& options, const Run& run);
 // written.
 bool write_printed(const Options& options, const Run& run, Diagnostics& diagnostics);
 
-// UsageError when `output` would be written over a file that a program of this run has loaded.
+// UsageError when `output` would be written over a file that an input of this run has loaded.
 void check_loaded(const Run& run, const std::string& output);
+
+// The same of what the source loads as it is read: pictures, drawings, programs. It is read for this only
+// where one of the outputs is there already.
+void check_loaded(const Source& source, const ReadOptions& options,
+                  std::initializer_list<std::string_view> outputs);
 
 // All files that programs have loaded, in the order in which they were, each once.
 std::vector<std::string> loaded_files(const Run& run);

@@ -33,6 +33,14 @@ class Overwriting : public testing::Test {
         write_file(scratch / "shape.fl", "load(\"loaded.fl\")\nsquare(20)\n");
         write_file(scratch / "loaded.fl", "define square(a) repeat (4) forward(a) left(90) done done\n");
         fs::copy_file(kSource / "samples/card-cutter.toml", scratch / "cutter.toml");
+        write_file(scratch / "edits.txt", "move e1 --along 1\n");
+        write_file(scratch / "shape.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>\n");
+        fs::copy_file(kSource / "samples/pictures/sea.png", scratch / "sea.png");
+        write_file(
+            scratch / "pictured.xml",
+            "<popup version=\"3.0\" units=\"mm\"><mainpage width=\"200\" height=\"140\"/><drawnlinelist>"
+            "<image page=\"0\" x=\"10\" y=\"10\" width=\"20\" height=\"20\" href=\"sea.png\"/>"
+            "</drawnlinelist></popup>\n");
         fs::create_symlink("card.xml", scratch / "link.svg");
         fs::create_hard_link(scratch / "lib/one.xml", scratch / "twin.txt");
         options.directory = scratch.path();
@@ -105,6 +113,19 @@ TEST_F(Overwriting, IsRefusedBeforeAnythingIsWritten) {
              {"build card.xml @words-2.svg -o words-2.svg", "-o would overwrite words-2.svg"},
              {"build card.xml @words-2.svg -o words.svg", "a further sheet would overwrite words-2.svg"},
              {"build shape.fl -o a.svg --print loaded.fl", "loaded.fl is read by an input of this run"},
+             {"edit card.xml -f edits.txt -o edits.txt", "-o would overwrite edits.txt, which edits"},
+             {"edit card.xml -f edits.txt -o a.xml --diagnostics edits.txt", "would overwrite edits.txt"},
+             {"edit card.xml outline e1 --from shape.svg -o shape.svg", "-o would overwrite shape.svg"},
+             {"edit card.xml outline e1 --from=shape.svg -o shape.svg", "-o would overwrite shape.svg"},
+             {"edit card.xml outline e1 --from shape.svg -o a.xml --diagnostics shape.svg",
+              "--diagnostics would overwrite shape.svg, a drawing"},
+             {"edit pictured.xml add tent -o sea.png", "sea.png is read by an input of this run"},
+             {"fmt card.xml -o card.xml", "-o would overwrite card.xml, an input"},
+             {"fmt card.xml -o popupc.toml", "-o would overwrite popupc.toml"},
+             {"fmt pictured.xml -o sea.png", "sea.png is read by an input of this run"},
+             {"fmt pictured.xml -o a.xml --diagnostics sea.png", "sea.png is read by an input"},
+             {"show pictured.xml --diagnostics sea.png", "sea.png is read by an input of this run"},
+             {"fix pictured.xml -o a.xml --diagnostics sea.png", "sea.png is read by an input"},
              {"batch jobs.jsonl --results card.xml", "--results would overwrite"},
              {"batch jobs.jsonl -j1 -n --results jobs.jsonl", "jobs.jsonl, the manifest"},
              {"merge-reports jobs.jsonl -o twin.svg", "twin.svg"}}) {
