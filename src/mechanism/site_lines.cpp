@@ -52,8 +52,8 @@ std::string at_mm(Vec2 p) {
 }
 
 std::string mm(double value) {
-    // Never "-0.00".
-    return fmt::format("{:.2f} mm", std::round(value * 100.0) / 100.0 + 0.0);
+    constexpr double kHalfOfLast = 0.005;
+    return fmt::format("{:.2f} mm", std::abs(value) < kHalfOfLast ? 0.0 : value);  // never "-0.00"
 }
 std::string degrees(double radians) { return fmt::format("{:.2f}°", radians / kDegree); }
 
