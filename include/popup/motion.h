@@ -155,8 +155,8 @@ struct FreePlates {
 };
 
 // What would keep two elements from colliding: tried out by the examination, not guessed. The element is
-// moved along what it stands on, as if its points had been drawn there; whether there is paper is not looked
-// at.
+// moved along what it stands on, as if its points had been drawn there, stays on that, and meets nothing and
+// lets nothing stick out that did not before. Tabs, and cuts of others on its way, are not looked at.
 struct FreeingMove {
     std::string element;  // the one that moves: the name of its joint
     std::string other;    // that of the other

@@ -80,10 +80,8 @@ class Findings {
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
-            std::vector<double> crossing_deg;
-            for (const Contact* one : all) crossing_deg.push_back(one->deepest_deg);
             if (const auto move =
-                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), crossing_deg, budget_)) {
+                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), contacts, budget_)) {
                 finding.hint(in_words(*move, "frees the two"));
                 const int still = move->joint == joints.first ? joints.second : joints.first;
                 moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
@@ -115,12 +113,13 @@ class Findings {
             finding.about(joint.name);
             also(finding, first ? most.b : most.a, first ? most.a : most.b);
             if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
-            if (const auto move = freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), {}, budget_))
+            if (const auto move =
+                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), contacts, budget_))
                 finding.hint(in_words(*move, "parts the two"));
         }
     }
 
-    void protrusions(const std::vector<Protrusion>& all) {
+    void protrusions(const std::vector<Protrusion>& all, const std::vector<Contact>& contacts) {
         std::map<int, const Protrusion*> worst;  // by joint
         for (const Protrusion& one : all) {
             const Protrusion*& most = worst[linkage_.joint_of(one.plate)];
@@ -135,7 +134,7 @@ class Findings {
             finding.about(element.name);
             std::optional<Move> move;
             if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates)
-                move = tucking_move(assembly_, linkage_, joint, all);
+                move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_);
             if (move) finding.hint(in_words(*move, "keeps it inside the closed card"));
             finding.hint(fmt::format(
                 "its corner at ({:.2f}, {:.2f}) mm reaches furthest; make the piece smaller there{}",
@@ -235,7 +234,7 @@ class Findings {
     [[nodiscard]] std::string in_words(const Move& move, std::string_view does) const {
         return fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, {}",
                            assembly_.joints[static_cast<std::size_t>(move.joint)].name,
-                           rounded_up(length(move.by)), move.along, in_hundredths(move.by.x),
+                           in_hundredths(length(move.by)), move.along, in_hundredths(move.by.x),
                            in_hundredths(move.by.y), does);
     }
     // Names the element of a second plate, where it is another one.
@@ -328,7 +327,7 @@ std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage
     Findings findings(assembly, linkage, shapes, diagnostics);
     std::vector<FreeingMove> moves = findings.collisions(found.contacts);
     findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
-    findings.protrusions(found.closed.protrusions);
+    findings.protrusions(found.closed.protrusions, found.contacts);
     findings.layers(found);
     if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);
     findings.undecided(found);

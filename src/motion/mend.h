@@ -12,8 +12,7 @@
 
 namespace popup {
 
-// An element moved along its parent fold, as if its points had been drawn there. Whether there is paper at
-// the new place is not looked at.
+// An element moved along its parent fold, as if its points had been drawn there, by whole hundredths.
 struct Move {
     int joint = 0;           // which element
     Vec2 by;                 // mm, on the page of its left driving plate
@@ -26,21 +25,25 @@ struct MoveBudget {
     std::size_t poses = 30'000;
 };
 
-// The shortest move, up to 100 mm, of one of two elements after which none of the pairs of plates (one of each
-// element) is in contact at any angle, or lies on one another as lying.h says: to 0.02 mm, and where plates
-// graze after a shorter one, up to twice as far as it takes to be clear of that. None when there is no such move or the budget is used up before one is found. `linkage`: of the assembly.
-// `crossing_deg`: openings at which the pairs are known to cross, if any; what crosses there after a move is
-// rejected soonest. Cost: that of examining the pairs a few times, and a glance at some thirty poses for each
-// of a few dozen trials.
+// The shortest move, up to 100 mm, of one of two elements after which none of the pairs of plates (one of
+// each element) is in contact at any angle, or lies on one another as lying.h says: to 0.02 mm, and where
+// plates graze after a shorter one, up to twice as far as it takes to be clear of that. What is moved stays
+// on its paper, meets no other plates that it does not meet as it is, and lets nothing more stick out of the
+// closed card. None when there is no such move or the budget is used up before one is found. `linkage`: of
+// the assembly; `contacts`: all of it as it is. Cost: that of examining the pairs, and what comes near them,
+// a few times, and a glance at some thirty poses for each of a few dozen trials.
 std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
                                  std::span<const PlateShape> shapes,
                                  std::span<const std::pair<int, int>> pairs,
-                                 std::span<const double> crossing_deg, MoveBudget& budget);
+                                 std::span<const Contact> contacts, MoveBudget& budget);
 
 // The shortest move, to 0.02 mm and up to 100 mm, of an element after which none of its plates sticks out of
-// the closed card, and none that did not stick out before; none when there is no such move. `before`: what
-// sticks out now. Cost: a few dozen times find_protrusions().
-std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage, int joint,
-                                 std::span<const Protrusion> before);
+// the closed card, and none that did not stick out before; it stays on its paper and meets nothing new. None
+// when there is no such move. `before`: what sticks out now. Cost: a few dozen times find_protrusions(), and
+// examining what comes near the element.
+std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage,
+                                 std::span<const PlateShape> shapes, int joint,
+                                 std::span<const Protrusion> before, std::span<const Contact> contacts,
+                                 MoveBudget& budget);
 
 }  // namespace popup

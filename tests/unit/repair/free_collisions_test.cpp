@@ -183,6 +183,44 @@ TEST(FreeCollisions, KeepsItsPromises) { expect_freed(false); }
 
 TEST(FreeCollisions, KeepsThemOnNamedFolds) { expect_freed(true); }
 
+// What a hint tells of a move, obeyed to the letter: the two are free, nothing collides that did not, nothing
+// sticks out that did not, and the document is accepted.
+TEST(FreeCollisions, EachMoveThatIsToldFreesItsTwoAndHarmsNothing) {
+    int obeyed = 0;
+    const std::uint64_t seeds = test::sanitized_count<std::uint64_t>(40, 4);
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        const std::string text = crowd(seed, true);
+        if (text.empty()) continue;
+        const CompiledDesign before = compiled(text);
+        if (!before.motion || !before.diagnostics.repairs().empty()) continue;
+        const Pairs had = colliding(before);
+        const auto sticks_out = [](const CompiledDesign& design) {
+            std::set<int> plates;
+            for (const Protrusion& one : design.motion->examination->closed.protrusions)
+                plates.insert(one.plate);
+            return plates;
+        };
+        const std::set<int> out = sticks_out(before);
+        for (const FreeingMove& move : before.motion->moves) {
+            Diagnostics unheard;
+            Design design = read_design({"card.xml", text}, {}, unheard).value();
+            ASSERT_TRUE(move_element(design, footings_of(design), move));
+            const CompiledDesign after = compiled(write_document(design));
+            ASSERT_TRUE(after.motion) << test::findings(after.diagnostics);
+            EXPECT_TRUE(after.diagnostics.repairs().empty()) << test::findings(after.diagnostics);
+            const Pairs has = colliding(after);
+            EXPECT_FALSE(has.contains(std::minmax(move.element, move.other)))
+                << move.element << " and " << move.other;
+            EXPECT_TRUE(std::includes(had.begin(), had.end(), has.begin(), has.end()));
+            const std::set<int> still_out = sticks_out(after);
+            EXPECT_TRUE(std::includes(out.begin(), out.end(), still_out.begin(), still_out.end()));
+            ++obeyed;
+        }
+    }
+    EXPECT_GE(obeyed, static_cast<int>(seeds / 4));
+}
+
 // What stands on an element goes with it where its paper does, and stays on its own piece.
 TEST(MoveElement, TakesAlongWhatStandsOnIt) {
     Design design = test::card(200, 200);
