@@ -21,6 +21,7 @@
 #include "popup/output.h"
 #include "support/designs.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -130,7 +131,7 @@ TEST_P(StillRays, MeetWhatThePictureShows) {
         const Pixels pixels = still::render(*model, framing, kWide, kHigh);
         const std::vector<char> edges = near_edges(*model, camera, kWide, kHigh);
         int looked_at = 0;
-        for (int round = 0; round < 400; ++round) {
+        for (int round = 0; round < test::sanitized_count(400); ++round) {
             const int x = 2 + static_cast<int>(random.below(kWide - 4));
             const int y = 2 + static_cast<int>(random.below(kHigh - 4));
             const std::size_t pixel = static_cast<std::size_t>(y) * kWide + static_cast<std::size_t>(x);
@@ -170,7 +171,7 @@ TEST_P(StillRays, MeetWhatThePictureShows) {
             EXPECT_LE(most, 1.2);
         }
         if (view == View::iso || view == View::top) {
-            EXPECT_GT(looked_at, 60) << static_cast<int>(view);
+            EXPECT_GT(looked_at, test::sanitized_count(60, 20)) << static_cast<int>(view);
         }
     }
 }
