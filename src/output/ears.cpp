@@ -59,12 +59,18 @@ class Rest {
     std::vector<std::size_t> inward_;  // corners that point inwards, of those left
 };
 
-// The ring without corners on a straight edge.
+// The ring without doubled corners, and without those on a straight edge.
 std::vector<Vec2> corners_of(const Ring& ring) {
+    std::vector<Vec2> single;
+    for (const Vec2 p : ring) {
+        if (single.empty() || single.back() != p) single.push_back(p);
+    }
+    while (single.size() > 1 && single.back() == single.front()) single.pop_back();
     std::vector<Vec2> corners;
-    const std::size_t n = ring.size();
+    const std::size_t n = single.size();
     for (std::size_t i = 0; i < n; ++i) {
-        if (twice_area(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) != 0.0) corners.push_back(ring[i]);
+        if (twice_area(single[(i + n - 1) % n], single[i], single[(i + 1) % n]) != 0.0)
+            corners.push_back(single[i]);
     }
     return corners;
 }

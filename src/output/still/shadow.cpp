@@ -55,10 +55,22 @@ Sun::Sun(Vec3 towards, const Model& model, Vec3 centre, double radius_mm, int pi
 }
 
 void Sun::throw_shadow(std::span<const Seen> corners) {
+    // The plane of the first triangle of the fan that is no sliver.
+    constexpr double kSliver = 1e-3;  // of the largest
     const Seen& a = corners[0];
-    const Seen& b = corners[1];
-    const Seen& c = corners[2];
-    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const auto area_of = [&](std::size_t i) {
+        const Seen& p = corners[i];
+        const Seen& q = corners[i + 1];
+        return (p.x - a.x) * (q.y - a.y) - (p.y - a.y) * (q.x - a.x);
+    };
+    double largest = 0.0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) largest = std::max(largest, std::abs(area_of(i)));
+    std::size_t first_sound = 1;
+    while (first_sound + 2 < corners.size() && std::abs(area_of(first_sound)) < kSliver * largest)
+        ++first_sound;
+    const Seen& b = corners[first_sound];
+    const Seen& c = corners[first_sound + 1];
+    const double area = area_of(first_sound);
     const double by_x = ((b.near - a.near) * (c.y - a.y) - (c.near - a.near) * (b.y - a.y)) / area;
     const double by_y = ((c.near - a.near) * (b.x - a.x) - (b.near - a.near) * (c.x - a.x)) / area;
     each_row(corners, columns_, 0, rows_, [&](int y, int first, int last) {

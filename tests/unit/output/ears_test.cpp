@@ -66,6 +66,15 @@ TEST(Ears, LeaveOutCornersOnStraightEdges) {
     EXPECT_EQ(ears->triangles.size(), 3U);
 }
 
+TEST(Ears, KeepACornerThatIsDoubled) {
+    const auto ears = clip_ears({{{0, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, {}});
+    ASSERT_TRUE(ears.has_value());
+    EXPECT_EQ(ears->points.size(), 4U);
+    double area = 0.0;
+    for (const auto& t : ears->triangles) area += 0.5 * twice_area_of(*ears, t);
+    EXPECT_DOUBLE_EQ(area, 100.0);
+}
+
 TEST(Ears, AreNotLookedForWhereThereAreHolesOrNoArea) {
     const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     EXPECT_FALSE(clip_ears({square, {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}}}).has_value());
