@@ -40,6 +40,7 @@ struct GlueTarget {
     Ring outline;
     int plate = -1;
     std::string label = {};  // the number on it
+    bool on_back = false;    // of the plate, where only who looks at the back sees it
 };
 
 enum class LabelKind { piece, tab, target };
@@ -53,6 +54,7 @@ struct Label {
     Vec2 at;
     double height_mm = 4.0;  // of the capitals
     double angle = 0.0;      // radians, counter-clockwise
+    bool on_back = false;    // of a target there: shown on backs alone
 };
 
 // A tab with room for its piece's name: "2L castle" instead of the number alone.
@@ -89,12 +91,13 @@ struct PatternOptions {
 
 // Unfolds the assembly: a piece of each of its pieces, in their order. Tabs are trimmed so that none crosses
 // another, a fold, a cut-out or an edge; what is left of each is drawn, as its target, with the same number
-// on the plate it is glued to. Pieces are labelled with their names where those fit, glued ones after the
-// number of their tabs, in the order of which they are glued: "2. castle"; pieces with texts of their own are
-// not. `glue-overlaps` warns of tabs of two elements that want one place, and `tab-too-small` of a tab that
-// has under 3 mm of depth along half its seam or more. Guarantees: cuts chained into as few paths as
-// possible, but those of a piece's own `paper`, which are its rings and slits as they are, inner ones before
-// outer ones; no segment twice; every target inside its plate. Cost: near linear in lines.
+// on the plate it is glued to; what is glued to a back has its target there. Pieces are labelled with their
+// names where those fit, glued ones after the number of their tabs, in the order of which they are glued: "2.
+// castle"; pieces with texts of their own are not. `glue-overlaps` warns of tabs of two elements that want
+// one place, and `tab-too-small` of a tab that has under 3 mm of depth along half its seam or more.
+// Guarantees: cuts chained into as few paths as possible, but those of a piece's own `paper`, which are its
+// rings and slits as they are, inner ones before outer ones; no segment twice; every target inside its plate.
+// Cost: near linear in lines.
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 

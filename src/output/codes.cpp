@@ -24,7 +24,10 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "Profiles of lasers and cutters do not print; they mark the places of tabs and the numbers of tabs and "
      "places with a pen of their own, \"mark\". By default only what a glued tab covers later is marked. A "
      "piece that is glued flat has no tab, and so no number that would be covered. Here something that the "
-     "gluing needs is neither printed nor marked. Take --marks-on front, which marks all of it on the front, "
+     "gluing needs is neither printed nor marked. What is glued to the back of a plate has its target there, "
+     "and "
+     "only sheets with backs show it: --sides both prints them, --marks-on back marks them. Else take "
+     "--marks-on front, which marks all of it on the front, "
      "or --marks-on back; give the pen \"mark\" a layer in a profile of your own; or print sheets by the "
      "profile workshop as well and glue by them."},
     {"legend-left-out", Severity::warning, "a sheet has no room for its legend",

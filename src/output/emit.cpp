@@ -110,11 +110,13 @@ std::string_view to_string(LabelKind kind) {
 }
 
 Json json(const Label& label) {
-    return {{"kind", to_string(label.kind)},
-            {"text", label.text},
-            {"at", json(label.at)},
-            {"height_mm", mm(label.height_mm)},
-            {"angle_deg", degrees(label.angle)}};
+    Json one{{"kind", to_string(label.kind)},
+             {"text", label.text},
+             {"at", json(label.at)},
+             {"height_mm", mm(label.height_mm)},
+             {"angle_deg", degrees(label.angle)}};
+    if (label.on_back) one["on_back"] = true;
+    return one;
 }
 
 // A text of the source without a colour stands among the labels: it is printed as they are.
@@ -167,7 +169,9 @@ Json json(const PatternPiece& piece, const std::vector<std::string>& plates) {
         {"strokes", std::move(strokes)},
         {"targets", list(piece.targets,
                          [&](const GlueTarget& target) {
-                             return Json{{"plate", plate(target.plate)}, {"outline", json(target.outline)}};
+                             Json one{{"plate", plate(target.plate)}, {"outline", json(target.outline)}};
+                             if (target.on_back) one["on_back"] = true;
+                             return one;
                          })},
         {"labels", labels(piece)},
         {"silhouette", list(piece.silhouette, [](const Polygon& polygon) { return json(polygon); })}};

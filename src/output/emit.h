@@ -35,7 +35,8 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion);
 // {pieces: [{name, bounds: [min, max] or null,
 //    cuts: [{closed, depth, points}], lines: [{kind, at, plate, glued_on, fold_deg where it is known}],
 //    fills: [{plate, color, area: polygon}], strokes: [{plate, points, width_mm, color}], targets: [{plate,
-//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon],
+//    outline}], labels: [{kind, text, at, height_mm, angle_deg}], silhouette: [polygon]; targets and their
+//    labels that are on backs have on_back: true,
 //    images where there are any: as of plates, with plate}]}
 std::string emit_pattern(const Pattern& pattern);
 

@@ -202,6 +202,7 @@ class Drawer {
     void marks(const PatternPiece& piece) {
         if (is_marked(LabelKind::target)) {
             for (const GlueTarget& target : piece.targets) {
+                if (target.on_back && !view_.back) continue;
                 for (const std::vector<Vec2>& tick : target_ticks(target.outline)) {
                     begin(Operation::mark, target.plate);
                     run(tick, false);
@@ -212,6 +213,7 @@ class Drawer {
         const NamedTab* named = piece.named_tab && !is_marked(LabelKind::piece) ? &*piece.named_tab : nullptr;
         for (std::size_t i = 0; i < piece.labels.size(); ++i) {
             const Label& label = named != nullptr && named->label == i ? named->named : piece.labels[i];
+            if (label.on_back && !view_.back) continue;
             if (is_marked(label.kind)) mark(label.text, label.at, label.height_mm, label.angle);
         }
         if (!is_marked(LabelKind::piece)) return;
@@ -280,6 +282,7 @@ class Drawer {
                 return lines(piece, operation);
             case Operation::glue:
                 for (const GlueTarget& target : piece.targets) {
+                    if (target.on_back && !view_.back) continue;
                     begin(operation, target.plate);
                     run(target.outline, true);
                 }
@@ -288,7 +291,7 @@ class Drawer {
                 texts(piece, operation);
                 for (const Label& label : piece.labels) {
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
-                    if (is_marked(label.kind)) continue;
+                    if (is_marked(label.kind) || (label.on_back && !view_.back)) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);
                 }
                 return;

@@ -84,11 +84,13 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
     const Profile& profile = options.profile;
     const bool printed =
         options.print_and_cut || (profile.draws(Operation::glue) && profile.draws(Operation::label));
-    if (printed) return;
-    const bool marked = profile.marks_glue();
+    const bool marked = !printed && profile.marks_glue();
     const bool named =
         marked && (profile.marks_on != MarksOn::hidden || options.score_side != ScoreSide::front);
+    const bool has_backs =
+        printed ? options.backs : marked && marks_joints(profile.marks_on, options.score_side, true);
     std::size_t targets = 0;
+    std::size_t behind = 0;  // targets on backs, which only views of backs have
     std::size_t numbers = 0;
     std::size_t flat = 0;  // pieces that are glued flat: nothing covers a number on their front
     for (const Placement& placement : layout.placements) {
@@ -97,14 +99,19 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
         const auto is_tab = [](const Label& label) { return label.kind == LabelKind::tab; };
         const auto tabs =
             static_cast<std::size_t>(std::count_if(piece.labels.begin(), piece.labels.end(), is_tab));
+        const auto backs = static_cast<std::size_t>(std::count_if(
+            piece.targets.begin(), piece.targets.end(), [](const GlueTarget& one) { return one.on_back; }));
+        if (!has_backs) behind += backs;
+        if (printed) continue;
         if (!marked) {
-            targets += piece.targets.size();
+            targets += piece.targets.size() - backs;
             numbers += tabs;
         }
         if (!named && tabs == 0 && !piece.number.empty()) ++flat;
     }
     std::vector<std::string> missing;
     if (targets > 0) missing.push_back(counted(targets, "glue target"));
+    if (behind > 0) missing.push_back(counted(behind, "glue target") + " on backs");
     if (numbers > 0) missing.push_back(counted(numbers, "number") + " of tabs");
     if (flat > 0) missing.push_back("the numbers of " + counted(flat, "piece") + " glued flat");
     if (missing.empty()) return;
@@ -112,7 +119,9 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
         .remark(
             "glue-marks-left-out", {},
             fmt::format("the sheets by the profile {} lack {}", profile.name, fmt::join(missing, " and ")))
-        .hint(marked ? "take --marks-on front, which marks them where they are seen, or --marks-on back"
+        .hint(printed                         ? "take --sides both, which prints them on the backs"
+              : targets + numbers + flat == 0 ? "take --marks-on back, which marks all of it on the back"
+              : marked ? "take --marks-on front, which marks them where they are seen, or --marks-on back"
               : profile.marks_on == MarksOn::none
                   ? "leave out --marks-on none, or build printed sheets beside these to glue by"
                   : "give the pen \"mark\" a layer, or build printed sheets beside these to glue by");

@@ -47,7 +47,8 @@ class Unfolder {
           rules_{options.tab_depth.mm, options.tab_taper.rad(), kGapMm},
           pieces_(assembly.pieces.size()),
           lines_on_(assembly.plates.size()),
-          plates_(assembly.plates.size()) {}
+          plates_{std::vector<std::optional<EdgeIndex>>(assembly.plates.size()),
+                  std::vector<std::optional<EdgeIndex>>(assembly.plates.size())} {}
 
     Pattern run() {
         sort_lines();
@@ -166,10 +167,10 @@ class Unfolder {
         for (const Print& print : from.prints) add_print(print, piece.silhouette, -1, piece);
     }
 
-    // Everything on a plate that a target must stay off: its edges, lines on it, and what was glued to it
-    // before.
-    EdgeIndex& on_plate(int plate) {
-        std::optional<EdgeIndex>& index = plates_[at(plate)];
+    // Everything on a plate that a target must stay off: its edges, lines on it, and what was glued to this
+    // side of it before.
+    EdgeIndex& on_plate(int plate, bool back = false) {
+        std::optional<EdgeIndex>& index = plates_.at(back ? 1 : 0)[at(plate)];
         if (!index) {
             std::vector<Segment> lines;
             for (const int line : lines_on_[at(plate)]) lines.push_back(in_.lines[at(line)].at);
@@ -228,7 +229,7 @@ class Unfolder {
         const SeamFrame on_base(glue.on_base, glue.on_back);
         const int piece_number = in_.plates[at(glue.piece_plate)].piece;
         Work& work = pieces_[at(piece_number)];
-        EdgeIndex& base = on_plate(glue.base_plate);
+        EdgeIndex& base = on_plate(glue.base_plate, glue.on_back);
         EdgeIndex& outside = off_piece(work);
         const Ring full = full_tab(on_piece.length(), rules_);
         std::vector<Segment> base_side = near(base, on_base, full);
@@ -245,21 +246,22 @@ class Unfolder {
             add_part(glue, on_piece, part, work);
             Ring target;
             for (const Vec2 p : part) target.push_back(on_base.to_page(p));
-            if (glue.on_back) continue;
-            // The base sees the tab from the other side: what was counter-clockwise is clockwise.
-            insert_ring(base, target);
-            std::reverse(target.begin(), target.end());
-            under.piece.targets.push_back({std::move(target), glue.base_plate, glue.label});
+            // The base's front sees the tab from the other side: what was counter-clockwise is clockwise, as
+            // what is taken away has to be.
+            Ring taken = target;
+            std::reverse(glue.on_back ? taken.begin() : target.begin(),
+                         glue.on_back ? taken.end() : target.end());
+            insert_ring(base, taken);
+            under.piece.targets.push_back({std::move(target), glue.base_plate, glue.label, glue.on_back});
         }
         add_rest_of_seam(on_piece, parts, work);
-        if (!glue.on_back) base.insert(glue.on_base, false);
+        base.insert(glue.on_base, false);
         if (const auto spot = place_in_tab(parts, glue.label)) {
             work.piece.labels.push_back({LabelKind::tab, glue.label, on_piece.to_page(spot->at), spot->height,
                                          on_piece.text_angle()});
             name_tab(on_piece, parts, work);
-            if (glue.on_back) return;
             under.piece.labels.push_back({LabelKind::target, glue.label, on_base.to_page(spot->at),
-                                          spot->height, on_base.text_angle()});
+                                          spot->height, on_base.text_angle(), glue.on_back});
         }
     }
 
@@ -279,16 +281,18 @@ class Unfolder {
         constexpr double kLeastText = 1.5;
         pieces_[at(in_.plates[at(glued.plate)].piece)].tab_label = glued.label;
         const Plate& base = in_.plates[at(glued.base_plate)];
+        const bool back = in_.plates[at(glued.plate)].lying == Lying::on_back;
         Work& under = pieces_[at(base.piece)];
         const auto label = [&](const TextSpot& spot) {
-            under.piece.labels.push_back({LabelKind::target, glued.label, spot.at, spot.height, spot.angle});
+            under.piece.labels.push_back(
+                {LabelKind::target, glued.label, spot.at, spot.height, spot.angle, back});
         };
         bool labelled = false;
         for (const Polygon& part : glued.on_base) {
-            under.piece.targets.push_back({part.outer, glued.base_plate, glued.label});
+            under.piece.targets.push_back({part.outer, glued.base_plate, glued.label, back});
             Ring obstacle = part.outer;
             std::reverse(obstacle.begin(), obstacle.end());
-            insert_ring(on_plate(glued.base_plate), obstacle);
+            insert_ring(on_plate(glued.base_plate, back), obstacle);
             const auto spot =
                 labelled ? std::nullopt
                          : place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
@@ -509,8 +513,9 @@ class Unfolder {
     Diagnostics& diagnostics_;
     TabRules rules_;
     std::vector<Work> pieces_;
-    std::vector<std::vector<int>> lines_on_;        // of each plate: folds and cuts that name it
-    std::vector<std::optional<EdgeIndex>> plates_;  // of each plate that was asked for
+    std::vector<std::vector<int>> lines_on_;  // of each plate: folds and cuts that name it
+    // Of the fronts and the backs of all plates, those that were asked for.
+    std::array<std::vector<std::optional<EdgeIndex>>, 2> plates_;
     std::vector<int> found_;
     std::vector<FoldedTag> folded_;
     std::map<std::tuple<int, int, int, double>, int> folded_tags_;  // by piece, kind, plate and rounded angle

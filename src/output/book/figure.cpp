@@ -128,6 +128,7 @@ Figure piece_figure(const PatternPiece& piece, const std::vector<std::string>& w
     };
     for (const GlueTarget& target : piece.targets) {
         const bool strong = is_wanted(target.label);
+        if (target.on_back && !strong) continue;
         figure.shapes.push_back(
             {{target.outline}, true, strong ? kWantedFill : kTargetFill, strong ? Ink::accent : Ink::faint});
     }

@@ -197,8 +197,8 @@ void Words::press(const BondTurn& turn, std::vector<std::string>& said) const {
         case Bond::Kind::area:
             said.push_back(
                 bond.on_back
-                    ? fmt::format("Glue the piece on the back of {}, behind area {}: against the light you "
-                                  "see where.",
+                    ? fmt::format("Glue the piece on the back of {}, on area {}: sheets that have backs "
+                                  "mark it there.",
                                   plate(bond.mate), label(bond))
                     : fmt::format("Put glue on area {} on {}, lay the piece on it and press it flat.",
                                   label(bond), plate(bond.mate)));

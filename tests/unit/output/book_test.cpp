@@ -185,9 +185,8 @@ TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
     const book::Step& first = step_named(book, "Step 3: glue on 4. leaf-3, 5. leaf-4, 6. leaf-5 and 3 more");
     EXPECT_EQ(first.lies, "Turn piece 1. tree over: its back is up.");
     EXPECT_EQ(first.actions.front(),
-              "4. leaf-3: Glue the piece on the back of the left part of tree, behind area 4: against the "
-              "light you see "
-              "where.");
+              "4. leaf-3: Glue the piece on the back of the left part of tree, on area 4: sheets that have "
+              "backs mark it there.");
     EXPECT_EQ(first.figures.size(), 6U);
     EXPECT_EQ(step_named(book, "Step 4: glue on 16. leaf-15, 17. leaf-16, 24. leaf-23 and 25. leaf-24")
                   .notes.front(),

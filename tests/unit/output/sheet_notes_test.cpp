@@ -93,6 +93,44 @@ TEST(GlueMarks, ThatAreLeftOutAreTold) {
     EXPECT_TRUE(none.sorted().empty());
 }
 
+// What is glued to a back is marked where it is glued, or it is told that it is not.
+TEST(GlueMarks, OfBacksAreOnBacksAlone) {
+    Layout layout = test::example_layout();
+    PatternPiece& page = layout.designs[0].pattern.pieces[0];
+    page.targets.push_back({test::rectangle(-80, -40, -60, -20), 0, "2", true});
+    page.labels.push_back({LabelKind::target, "2", {-70, -30}, 3.0, 0.0, true});
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    EXPECT_EQ(marks_on(layout, options, 0, false), 5U);
+    options.profile.marks_on = MarksOn::back;
+    EXPECT_EQ(marks_on(layout, options, 0, true), 11U);
+    const auto printed_on = [&](bool backs, bool back) {
+        const SheetDrawing drawing =
+            draw_sheet(layout, options_for("workshop", backs, ScoreSide::front, false), view_of(0, back));
+        return std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
+                             [](const SheetShape& one) { return one.operation == Operation::glue; }) +
+               std::count_if(drawing.texts.begin(), drawing.texts.end(),
+                             [](const SheetText& one) { return one.text == "2"; });
+    };
+    EXPECT_EQ(printed_on(false, false), 1);
+    EXPECT_EQ(printed_on(true, true), 3);
+    const auto told = [&](const OutputOptions& of) {
+        Diagnostics diagnostics;
+        examine_prints(layout, of, diagnostics);
+        std::string all;
+        for (const Diagnostic& one : diagnostics.sorted()) all += one.message + "; " + one.hints.front();
+        return all;
+    };
+    EXPECT_EQ(told(options), "");
+    options.profile.marks_on = MarksOn::hidden;
+    EXPECT_EQ(told(options),
+              "the sheets by the profile lightburn lack 1 glue target on backs; take --marks-on back, which "
+              "marks all of it on the back");
+    EXPECT_EQ(told(options_for("workshop", true, ScoreSide::front, false)), "");
+    EXPECT_EQ(told(options_for("workshop", false, ScoreSide::front, false)),
+              "the sheets by the profile workshop lack 1 glue target on backs; take --sides both, which "
+              "prints them on the backs");
+}
+
 TEST(StrokedText, IsCentredAndAsHighAsAsked) {
     const Vec2 at{30, 20};
     Box box;

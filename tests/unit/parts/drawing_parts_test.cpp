@@ -442,13 +442,18 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
                     if (one.closed) cut -= distance(one.points.back(), one.points.front());
                 }
                 EXPECT_NEAR(cut, 0.0, 0.05) << part.name;
-                EXPECT_EQ(part.texts.size(), piece.labels.size()) << part.name;
+                // What is glued to a back is shown there alone.
+                const auto shown = [](const auto& all) {
+                    return static_cast<std::size_t>(
+                        std::count_if(all.begin(), all.end(), [](const auto& one) { return !one.on_back; }));
+                };
+                EXPECT_EQ(part.texts.size(), shown(piece.labels)) << part.name;
                 EXPECT_EQ(part.fills.size(), test::prints_of<Area>(piece.prints).size()) << part.name;
                 // Where another piece is glued on nothing is folded: that is a line to look at.
                 const auto places = std::count_if(piece.lines.begin(), piece.lines.end(),
                                                   [](const PatternLine& line) { return line.glued_on; });
                 EXPECT_EQ(part.strokes.size(), test::prints_of<Stroke>(piece.prints).size() +
-                                                   piece.targets.size() + static_cast<std::size_t>(places))
+                                                   shown(piece.targets) + static_cast<std::size_t>(places))
                     << part.name;
             }
         }

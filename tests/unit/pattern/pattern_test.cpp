@@ -538,6 +538,36 @@ TEST(Pattern, NamesOfPiecesStandClearOfDrawnLinesWhereTheyCan) {
               1U);  // no room left beside them, but never without a name
 }
 
+// Two pieces may be glued to one place of a plate, if it is on both sides of it.
+TEST(Pattern, WhatIsGluedToABackHasItsTargetThere) {
+    Card card;
+    for (const bool back : {true, false}) {
+        Plate flat;
+        flat.name = back ? "behind" : "before";
+        flat.piece = static_cast<int>(card.assembly.pieces.size());
+        flat.outline.outer = {{0, 0}, {40, 0}, {40, 30}, {0, 30}};
+        flat.lying = back ? Lying::on_back : Lying::on_front;
+        const int plate = static_cast<int>(card.assembly.plates.size());
+        card.assembly.pieces.push_back({flat.name, {plate}});
+        card.assembly.plates.push_back(flat);
+        card.assembly.glued_areas.push_back(
+            {plate, 1, {{{{40, -20}, {80, -20}, {80, 10}, {40, 10}}, {}}}, back ? "1" : "2", flat.name, {}});
+    }
+    card.v_fold(-40, 30, kPi / 4, kPi / 5, 20);
+    card.assembly.glue.back().on_back = true;
+    const Pattern pattern = card.pattern();
+    const PatternPiece& page = pattern.pieces[0];
+    std::map<std::string, bool> targets;
+    for (const GlueTarget& one : page.targets) targets[one.label] = one.on_back;
+    const std::map<std::string, bool> expected{{"1", true}, {"2", false}, {"3L", false}, {"3R", true}};
+    EXPECT_EQ(targets, expected);
+    std::map<std::string, bool> labels;
+    for (const Label& one : page.labels) {
+        if (one.kind == LabelKind::target) labels[one.text] = one.on_back;
+    }
+    EXPECT_EQ(labels, expected);
+}
+
 TEST(Pattern, FillsStrokesAndPlateNamesAreCarried) {
     Card card;
     card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
