@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/text/numbers.h"
 
 namespace popup {
 namespace {
@@ -17,17 +20,21 @@ namespace {
 constexpr double kMostCoveredMm = 5.0;
 constexpr double kMostShare = 0.25;
 constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
+constexpr double kAll = 0.999;    // of a seam: nothing that follows can cover more of it
+constexpr double kSamePointMm = 1e-6;
 
 struct WantedPlace {
     const Glue* glue;
     Ring outline;  // on the page of the plate it is glued to, counter-clockwise
 };
 
+// Where an element is glued on what an earlier one is glued on, of its worst tab.
 struct SharedPlace {
     const Glue* first = nullptr;
     const Glue* second = nullptr;
-    double area_mm2 = 0.0;
-    Box box;
+    double share = 0.0;  // of the seam of `second`
+    Ring first_outline, second_outline;
+    std::set<std::string> others;  // earlier elements that it meets besides, as far as was looked
 };
 
 WantedPlace wanted_place(const Glue& glue, const TabRules& rules) {
@@ -51,24 +58,21 @@ double seam_within(const Glue& glue, const Ring& area) {
 // One side of one plate: what is wanted there so far, found by where it is.
 class PlateSide {
  public:
-    // Tells of every earlier place that the new one shares enough with.
+    // Tells of earlier places that the new one shares enough with, and of the share; of none after one that
+    // takes all of its seam.
     template <typename Tell>
     void add(WantedPlace place, const Tell& tell) {
         const Box box = bounds(place.outline);
         boxes_.query(box, near_);
+        std::sort(near_.begin(), near_.end());
+        const double seam = distance(place.glue->on_base.a, place.glue->on_base.b);
         for (const int number : near_) {
             const WantedPlace& other = places_[static_cast<std::size_t>(number)];
             if (other.glue->element == place.glue->element) continue;
-            const std::vector<Polygon> common = intersect({{place.outline, {}}}, {{other.outline, {}}});
-            const double here = area(common);
-            const double most =
-                std::min(kMostCoveredMm, kMostShare * distance(place.glue->on_base.a, place.glue->on_base.b));
-            if (seam_within(*place.glue, other.outline) <= most) continue;
-            SharedPlace one{other.glue, place.glue, here, {}};
-            for (const Polygon& part : common) {
-                for (const Vec2 p : part.outer) one.box.extend(p);
-            }
-            tell(one);
+            const double covered = seam_within(*place.glue, other.outline);
+            if (covered <= std::min(kMostCoveredMm, kMostShare * seam)) continue;
+            tell(other, place, covered / seam);
+            if (covered >= kAll * seam - 2.0 * kBeside) break;
         }
         boxes_.insert({box.min, box.max}, false);
         places_.push_back(std::move(place));
@@ -80,34 +84,107 @@ class PlateSide {
     std::vector<int> near_;
 };
 
+bool same(const Segment& a, const Segment& b) {
+    return distance(a.a, b.a) <= kSamePointMm && distance(a.b, b.b) <= kSamePointMm;
+}
+
+bool same(const Ring& a, const Ring& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](Vec2 p, Vec2 q) { return distance(p, q) <= kSamePointMm; });
+}
+
+class GlueOverlaps {
+ public:
+    GlueOverlaps(const Assembly& assembly, const TabRules& rules, Diagnostics& diagnostics)
+        : in_(assembly), diagnostics_(diagnostics) {
+        for (const Glue& glue : in_.glue) {
+            tabs_of_[glue.element].push_back(&glue);
+            sides_[{glue.base_plate, glue.on_back}].add(
+                wanted_place(glue, rules), [&](const WantedPlace& first, const WantedPlace& second,
+                                               double share) { add(first, second, share); });
+        }
+    }
+
+    void report() {
+        for (const std::string& element : order_) report(worst_.at(element));
+    }
+
+ private:
+    void add(const WantedPlace& first, const WantedPlace& second, double share) {
+        const auto [at, is_new] = worst_.try_emplace(second.glue->element);
+        if (is_new) order_.push_back(second.glue->element);
+        SharedPlace& worst = at->second;
+        worst.others.insert(first.glue->element);
+        if (share <= worst.share) return;
+        worst.first = first.glue;
+        worst.second = second.glue;
+        worst.share = share;
+        worst.first_outline = first.outline;
+        worst.second_outline = second.outline;
+    }
+
+    [[nodiscard]] const Plate& plate(int number) const {
+        return in_.plates[static_cast<std::size_t>(number)];
+    }
+
+    // Whether all that is known of their tabs and of the plates that these are on is the same.
+    [[nodiscard]] bool are_the_same(const std::string& one, const std::string& other) const {
+        const std::vector<const Glue*>& a = tabs_of_.at(one);
+        const std::vector<const Glue*>& b = tabs_of_.at(other);
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [this](const Glue* p, const Glue* q) {
+            return p->base_plate == q->base_plate && p->on_back == q->on_back &&
+                   same(p->on_base, q->on_base) && same(p->on_piece, q->on_piece) &&
+                   same(plate(p->piece_plate).outline.outer, plate(q->piece_plate).outline.outer);
+        });
+    }
+
+    void report(const SharedPlace& one) {
+        const SeamFrame frame(one.second->on_base, one.second->on_back);
+        Box on_page;
+        Box by_seam;
+        for (const Polygon& part : intersect({{one.first_outline, {}}}, {{one.second_outline, {}}})) {
+            for (const Vec2 p : part.outer) {
+                on_page.extend(p);
+                by_seam.extend(frame.to_seam(p));
+            }
+        }
+        const Vec2 middle = on_page.centre();
+        const std::size_t more = one.others.size() - 1;
+        Diagnostic& finding = diagnostics_.warning(
+            "glue-overlaps", one.second->place,
+            fmt::format("tab {} of \"{}\" and tab {} of \"{}\" are glued in one place on \"{}\", over "
+                        "{:.2f} mm along the seam and {:.2f} mm across it, round ({:.2f}, {:.2f}) mm of its "
+                        "page{}",
+                        one.second->label, one.second->element, one.first->label, one.first->element,
+                        plate(one.second->base_plate).name, by_seam.width(), by_seam.height(),
+                        rounded(middle.x, 2), rounded(middle.y, 2),
+                        more == 0 ? ""
+                                  : fmt::format("; {} more element{} in the way of \"{}\"", more,
+                                                more == 1 ? " is" : "s are", one.second->element)));
+        finding.about(one.second->element).with(one.first->place, fmt::format("\"{}\"", one.first->element));
+        if (are_the_same(one.first->element, one.second->element)) {
+            finding.hint(fmt::format("\"{}\" is the same as \"{}\" in all points: take one of the two out",
+                                     one.second->element, one.first->element));
+        } else {
+            finding.hint(
+                fmt::format("move \"{}\" along the fold it stands on until its tab {} is clear of tab {} of "
+                            "\"{}\"",
+                            one.second->element, one.second->label, one.first->label, one.first->element));
+        }
+    }
+
+    const Assembly& in_;
+    Diagnostics& diagnostics_;
+    std::map<std::pair<int, bool>, PlateSide> sides_;
+    std::map<std::string, std::vector<const Glue*>> tabs_of_;
+    std::map<std::string, SharedPlace> worst_;  // by the later element
+    std::vector<std::string> order_;
+};
+
 }  // namespace
 
 void report_glue_overlaps(const Assembly& assembly, const TabRules& rules, Diagnostics& diagnostics) {
-    std::map<std::pair<int, bool>, PlateSide> sides;
-    std::map<std::pair<std::string, std::string>, SharedPlace> worst;
-    std::vector<std::pair<std::string, std::string>> order;
-    for (const Glue& glue : assembly.glue) {
-        sides[{glue.base_plate, glue.on_back}].add(wanted_place(glue, rules), [&](const SharedPlace& one) {
-            const std::pair key(one.first->element, one.second->element);
-            const auto [at, is_new] = worst.try_emplace(key, one);
-            if (is_new) order.push_back(key);
-            if (one.area_mm2 > at->second.area_mm2) at->second = one;
-        });
-    }
-    for (const auto& key : order) {
-        const SharedPlace& one = worst.at(key);
-        const Vec2 middle = one.box.centre();
-        diagnostics
-            .warning(
-                "glue-overlaps", one.second->place,
-                fmt::format("tab {} of \"{}\" and tab {} of \"{}\" are glued in one place on \"{}\", over "
-                            "{:.2f} × {:.2f} mm round ({:.2f}, {:.2f}) mm of its page",
-                            one.second->label, one.second->element, one.first->label, one.first->element,
-                            assembly.plates[static_cast<std::size_t>(one.second->base_plate)].name,
-                            one.box.width(), one.box.height(), middle.x + 0.0, middle.y + 0.0))
-            .about(one.second->element)
-            .with(one.first->place, fmt::format("\"{}\"", one.first->element));
-    }
+    GlueOverlaps(assembly, rules, diagnostics).report();
 }
 
 }  // namespace popup

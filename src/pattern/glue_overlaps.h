@@ -7,10 +7,11 @@
 
 namespace popup {
 
-// One `glue-overlaps` for two elements where more than 5 mm, or a quarter, of a seam of the later one lies
-// where an earlier tab is glued, before anything is trimmed: nothing of its own tab is left there. Tabs that
-// come from two seams apart, and meet, are trimmed without a word. Cost: n log n in tabs, and in pairs that
-// are near each other.
+// One `glue-overlaps` for an element where more than 5 mm, or a quarter, of one of its seams lies where a tab
+// of an earlier one is glued, before anything is trimmed: nothing of its own tab is left there. It names the
+// earlier tab that takes most of a seam, and counts the other elements that were met until one takes it all.
+// Tabs that come from two seams apart, and meet, are trimmed without a word. Cost: n log n in tabs, and in
+// pairs that are near each other and leave some of the later seam.
 void report_glue_overlaps(const Assembly& assembly, const TabRules& rules, Diagnostics& diagnostics);
 
 }  // namespace popup
