@@ -70,7 +70,7 @@ class Drawer {
         number_ = -1;
         carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
         const std::optional<LegendBox> legend =
-            legend_of(drawing_, layout_, placements, view_.sheet, options_);
+            legend_of(drawing_, layout_, placements, view_, options_);
         if (!legend) return;
         for (const LegendLine& line : legend->lines) {
             begin(Operation::legend, -1, line.color, line.width_mm);

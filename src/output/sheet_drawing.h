@@ -129,6 +129,8 @@ struct SheetView {
     Part part = Part::whole;
     std::string part_suffix;  // "", "-print", "-cut"
     std::string suffix;       // of a file that holds this view alone: "-2-back-cut", of the first sheet ""
+    // Whether anything of the layout is folded or glued, which a legend asks; none: it is looked for anew.
+    std::optional<bool> folded_or_glued = {};
 };
 
 // The pictures that the options ask for: of each sheet its front, then its back; all prints before all cuts.

@@ -10,7 +10,6 @@
 
 #include "base/nth.h"
 #include "base/text/utf8.h"
-#include "fabrication/count_operations.h"
 
 namespace popup {
 namespace {
@@ -67,11 +66,11 @@ struct Row {
     std::string text;
 };
 
-std::vector<Row> rows_of(const SheetDrawing& drawing, int sheet, std::size_t sheets) {
+std::vector<Row> rows_of(const SheetDrawing& drawing, const Layout& layout, int sheet) {
     std::array<bool, kOperations.size()> drawn{};
     for (const SheetShape& shape : drawing.shapes) nth(drawn, shape.operation) = true;
     std::string title = shortened(drawing.title);
-    if (sheets == 1) title += fmt::format(", sheet {} of {}", sheet + 1, sheets);
+    if (layout.sheets.size() == 1) title += fmt::format(", sheet {} of {}", sheet + 1, layout.sheets.size());
     std::vector<Row> rows{{Row::Sample::none, {}, title}, {Row::Sample::none, {}, "this side up"}};
     const auto line = [&](Operation operation, std::string_view text) {
         if (nth(drawn, operation)) rows.push_back({Row::Sample::line, operation, std::string(text)});
@@ -200,13 +199,6 @@ class FreeSpace {
     std::vector<char> taken_;
 };
 
-bool is_folded_or_glued(const Layout& layout, const Profile& profile) {
-    const OperationCounts counts = count_operations(layout, profile);
-    return std::any_of(kOperations.begin(), kOperations.end(), [&](Operation operation) {
-        return (is_fold(operation) || operation == Operation::glue) && nth(counts, operation) > 0;
-    });
-}
-
 LegendLine sample_of(const Row& row, const Profile& profile, Vec2 left) {
     const Pen& pen = profile.pen(row.operation);
     LegendLine line{{}, pen.color, pen.width_mm, false};
@@ -261,14 +253,24 @@ void add_row(const Row& row, const Profile& profile, Vec2 left, LegendBox& legen
 
 }  // namespace
 
+bool is_folded_or_glued(const OperationCounts& counts) {
+    return std::any_of(kOperations.begin(), kOperations.end(), [&](Operation operation) {
+        return (is_fold(operation) || operation == Operation::glue) && nth(counts, operation) > 0;
+    });
+}
+
 std::optional<LegendBox> legend_of(const SheetDrawing& drawing, const Layout& layout,
-                                   std::span<const Placement> placements, int sheet,
+                                   std::span<const Placement> placements, const SheetView& view,
                                    const OutputOptions& options) {
     const Profile& profile = drawing.profile;
     if (placements.empty()) return std::nullopt;
-    if (options.legend == Legend::automatic && !is_folded_or_glued(layout, profile)) return std::nullopt;
-    const std::vector<Row> rows = rows_of(drawing, sheet, layout.sheets.size());
-    FreeSpace free(nth(layout.sheets, sheet), layout.margin_mm);
+    const auto is_wanted = [&] {
+        return view.folded_or_glued ? *view.folded_or_glued
+                                    : is_folded_or_glued(count_operations(layout, profile));
+    };
+    if (options.legend == Legend::automatic && !is_wanted()) return std::nullopt;
+    const std::vector<Row> rows = rows_of(drawing, layout, view.sheet);
+    FreeSpace free(nth(layout.sheets, view.sheet), layout.margin_mm);
     for (const Placement& placement : placements) {
         const Pattern& pattern = nth(layout.designs, placement.design).pattern;
         for (const Polygon& part : nth(pattern.pieces, placement.piece).silhouette) {

@@ -13,6 +13,7 @@
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
 #include "output/font_file.h"
+#include "output/sheet_legend.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
 
@@ -264,6 +265,7 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
     const std::vector<Part> parts =
         options.print_and_cut ? std::vector{Part::print, Part::cut} : std::vector{Part::whole};
     const OperationCounts counts = count_operations(layout, options.profile);
+    const bool folded_or_glued = is_folded_or_glued(counts);
     const auto shows_anything = [&](const SheetView& view) {
         return std::any_of(kOperations.begin(), kOperations.end(), [&](Operation operation) {
             return counts.at(static_cast<std::size_t>(operation)) > 0 && is_shown(operation, options, view);
@@ -272,6 +274,7 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
     std::vector<SheetView> views;
     for (const Part part : parts) {
         SheetView view;
+        view.folded_or_glued = folded_or_glued;
         view.part = part;
         view.part_suffix = part == Part::print ? "-print" : part == Part::cut ? "-cut" : "";
         const bool front = shows_anything(view);

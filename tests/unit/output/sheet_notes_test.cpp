@@ -242,6 +242,26 @@ TEST(SheetLegend, LiesBesideThePiecesAndInsideTheMargins) {
     }
 }
 
+// What all sheets say of the layout is found once a file, not once a sheet.
+TEST(SheetLegend, AsksWhatIsFoldedOnceAFile) {
+    Layout layout = test::example_layout();
+    OutputOptions options;
+    options.legend = Legend::automatic;
+    Diagnostics diagnostics;
+    for (const bool folded : {true, false}) {
+        const auto views = views_of(layout, options, diagnostics);
+        ASSERT_TRUE(views);
+        for (const SheetView& view : *views) {
+            EXPECT_EQ(view.folded_or_glued, folded);
+            EXPECT_EQ(legend_box(draw_sheet(layout, options, view)).empty(), !folded);
+        }
+        for (PatternPiece& piece : layout.designs[0].pattern.pieces) {
+            piece.lines.clear();
+            piece.targets.clear();
+        }
+    }
+}
+
 TEST(SheetLegend, IsOffForMachinesAndWhenNotWanted) {
     const Layout layout = test::example_layout();
     OutputOptions options;
