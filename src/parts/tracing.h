@@ -86,6 +86,7 @@ struct Tracing {
     Ruler ruler;
     // Lines are what their layers are called even of flat parts: in CAD drawings these are chosen to say it.
     bool by_layers = false;
+    bool own_sheet = false;  // this program made the drawing
 };
 
 }  // namespace popup::drawing

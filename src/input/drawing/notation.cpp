@@ -32,7 +32,7 @@ constexpr std::array<std::pair<Named, std::string_view>, 7> kWords{{
     {Named::ignore,
      " guide guides guidelines note notes dimension dimensions label labels glue seam "
      "bleed safety varnish gluearea glueing gluing annotation annotations construction "
-     "dim dims tangent registration regmarks "},
+     "dim dims tangent registration regmarks mark marks legend "},
 }};
 
 constexpr std::array<Named, 6> kNamedOfUse{Named::cut,    Named::fold,  Named::mountain,
@@ -310,8 +310,10 @@ void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {
             if (hue == Hue::red) line.use = Use::mountain;
         }
     }
-    std::erase_if(tracing.lines,
-                  [&](const TracedLine& line) { return told(line) && line.named == Named::ignore; });
+    // On sheets of this program layers say what they are, too; folds keep theirs.
+    std::erase_if(tracing.lines, [&](const TracedLine& line) {
+        return line.named == Named::ignore && (told(line) || (tracing.own_sheet && line.use == Use::cut));
+    });
     tell_fold_like(tracing, diagnostics);
 }
 

@@ -63,8 +63,9 @@ std::string shown_stroke(const TracedLine& line);
 bool has_folds(const Tracing& tracing);
 
 // Of a drawing of flat parts: gives lines the uses that the rules, or its layers (Tracing::by_layers), say,
-// takes out those that are nothing of the sheet, and reads dashed red and blue as Origami Simulator does
-// where the drawing has its colours. Lines that look like folds and are cuts are a `folds-as-cuts` warning.
+// takes out those that are nothing of the sheet, on sheets of this program by their layers too, and reads
+// dashed red and blue as Origami Simulator does where the drawing has its colours. Lines that look like folds
+// and are cuts are a `folds-as-cuts` warning.
 void settle_uses(Tracing& tracing, Diagnostics& diagnostics);
 
 }  // namespace popup::drawing

@@ -346,7 +346,9 @@ class Tracer {
         if (attributes.value("inkscape:groupmode") == "layer") {
             context.layer = layer_named(attributes.value("inkscape:label"));
         }
-        if (context.layer == Layer::none || attributes.find("data-piece") == nullptr) return;
+        if (attributes.find("data-piece") == nullptr) return;
+        out_.own_sheet = true;
+        if (context.layer == Layer::none) return;
         std::string key;
         for (const std::string_view name : {"data-design", "data-piece", "data-copy"}) {
             key += attributes.value(name);

@@ -462,6 +462,38 @@ TEST(RoundTrip, SheetsOfEverySampleReadBackAreTheSamePieces) {
     EXPECT_GE(seen, 12);
 }
 
+// What a machine marks for gluing is no cut when the sheet is read again.
+TEST(RoundTrip, MarksOfMachinesAreNotCut) {
+    const auto read_with = [](MarksOn where) {
+        CompileOptions options;
+        options.motion.examine = false;
+        options.output.profile = *find_profile("lightburn");
+        options.output.profile.marks_on = where;
+        const std::string path = kSamples / "house.xml";
+        const Compilation run = compile({Source{path, test::read_file(path)}}, options, {});
+        Diagnostics diagnostics;
+        std::vector<std::size_t> counts{0, 0, 0, 0};
+        const auto sheets = write_svg(*run.layout, options.output, diagnostics).value();
+        for (const auto& [suffix, sheet] : sheets) {
+            counts[3] += sheet.size();
+            const test::ReadDrawing reading = read_drawing(sheet);
+            counts[0] += reading.parts().size();
+            for (const FlatPart& part : reading.parts()) {
+                counts[1] += part.slits.size();
+                for (const Polygon& paper : part.paper) counts[2] += paper.holes.size();
+            }
+        }
+        return counts;
+    };
+    const std::vector<std::size_t> marked = read_with(MarksOn::front);
+    const std::vector<std::size_t> bare = read_with(MarksOn::none);
+    EXPECT_GE(bare[0], 6U);
+    EXPECT_EQ(marked[0], bare[0]);
+    EXPECT_EQ(marked[1], bare[1]);
+    EXPECT_EQ(marked[2], bare[2]);
+    EXPECT_GT(marked[3], bare[3]);
+}
+
 TEST(RoundTrip, CopiesAndSeveralDesignsKeepTheirNames) {
     const ScratchDirectory scratch;
     ASSERT_EQ(popupc({"build", kSamples / "boat.xml", kSamples / "flower.xml", "--copies", "2", "--sheet",
