@@ -102,6 +102,7 @@ class ProfileReader {
     struct Range {
         double least, most;
         std::string_view unit;
+        bool or_zero = false;  // 0 says that there is none
     };
     void number(const toml::node& node, const std::string& key, double& value, const Range& range) {
         if (!node.is_number()) {
@@ -110,9 +111,11 @@ class ProfileReader {
         }
         const double given = node.is_integer() ? static_cast<double>(node.as_integer()->get())
                                                : node.as_floating_point()->get();
-        if (!std::isfinite(given) || given < range.least || given > range.most) {
-            wrong(node.source(), fmt::format("\"{}\" is {} {}; it must be from {} to {}", key, given,
-                                             range.unit, range.least, range.most));
+        const bool none = range.or_zero && given == 0.0;
+        if (!none && (!std::isfinite(given) || given < range.least || given > range.most)) {
+            wrong(node.source(),
+                  fmt::format("\"{}\" is {} {}; it must be {}from {} to {}", key, given, range.unit,
+                              range.or_zero ? "0 or " : "", range.least, range.most));
         } else {
             value = given;
         }
@@ -196,6 +199,7 @@ class ProfileReader {
     Diagnostics& diagnostics_;
 };
 
+constexpr double kLeastJointMm = 0.05;  // narrower bridges hold nothing
 constexpr ProfileReader::Range kSpeeds{0.001, 1e5, "mm/s"};
 
 // The built-in profile that a file begins with; its own name is not taken over.
@@ -284,7 +288,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                  {"outlined-text", reader.flag("outlined-text", profile.outlined_text)},
                  {"marks", reader.choice("marks", profile.marks, kMarks)},
                  {"marks-on", reader.choice("marks-on", profile.marks_on, kMarksOn)},
-                 {"joints", reader.number("joints", profile.joint_mm, {0.0, 10.0, "mm"})},
+                 {"joints", reader.number("joints", profile.joint_mm, {kLeastJointMm, 10.0, "mm", true})},
                  {"bed", reader.table("bed", read_bed)},
                  {"travel", reader.table("travel", read_travel)},
                  {"formats", reader.texts("formats", profile.formats)},

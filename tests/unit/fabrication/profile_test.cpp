@@ -361,6 +361,8 @@ TEST(ProfileFiles, WhatIsWrongIsSaidWithItsPlace) {
     expect("name = true\n", {1, 8}, "\"name\" takes a string, not true or false");
     expect("one-sided = 1\n", {1, 13}, "\"one-sided\" takes true or false, not a number");
     expect("perforation = 2\n", {1, 15}, "\"perforation\" takes a table, not a number");
+    expect("joints = 0.001\n", {1, 10}, "\"joints\" is 0.001 mm; it must be 0 or from 0.05 to 10");
+    EXPECT_TRUE(read("joints = 0\n").profile);
     expect("[perforation]\ngap = 0\n", {2, 7}, "\"gap\" is 0 mm; it must be from 0.01 to 1000");
     expect("[perforation]\ncut = nan\n", {2, 7}, "\"cut\" is nan mm; it must be from 0.01 to 1000");
     expect("[perforation]\ncut = '2'\n", {2, 7}, "\"cut\" takes a number of millimetres, not a string");
