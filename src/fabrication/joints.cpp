@@ -101,8 +101,8 @@ struct JointPlace {
 
 class JointPlacing {
  public:
-    JointPlacing(const std::vector<Track>& tracks, double gap, const EdgeIndex& folds)
-        : tracks_(tracks), half_(0.5 * gap), folds_(folds) {
+    JointPlacing(const std::vector<Track>& tracks, double gap, const EdgeIndex& torn)
+        : tracks_(tracks), half_(0.5 * gap), torn_(torn) {
         for (const Track& track : tracks) {
             starts_.push_back(whole_);
             whole_ += track.length();
@@ -150,7 +150,7 @@ class JointPlacing {
         const double turn = track.turn(place.at - reach, place.at + reach);
         if (turn > kNearlyStraight) return 0.0;
         const double clear = std::min(track.clear_of_corners(place.at),
-                                      folds_.clearance(track.point(place.at), half_ + kWellClearMm)) -
+                                      torn_.clearance(track.point(place.at), half_ + kWellClearMm)) -
                              half_;
         if (clear < kClearMm) return 0.0;
         const Vec2 here = track.point(place.at);
@@ -163,7 +163,7 @@ class JointPlacing {
 
     const std::vector<Track>& tracks_;
     double half_;
-    const EdgeIndex& folds_;
+    const EdgeIndex& torn_;
     std::vector<double> starts_;
     double whole_ = 0.0;
     std::vector<JointPlace> chosen_;
@@ -188,7 +188,7 @@ std::vector<PathPart> parts_between(const Track& track, std::vector<double> gaps
 
 }  // namespace
 
-JointedCuts with_joints(std::span<const OuterCut> paths, double gap_mm, const EdgeIndex& folds) {
+JointedCuts with_joints(std::span<const OuterCut> paths, double gap_mm, const EdgeIndex& torn) {
     JointedCuts made;
     std::vector<Track> tracks;
     std::vector<std::size_t> numbers;  // of the paths that have a length
@@ -202,7 +202,7 @@ JointedCuts with_joints(std::span<const OuterCut> paths, double gap_mm, const Ed
     }
     if (tracks.empty()) return made;
     std::vector<std::vector<double>> gaps(tracks.size());
-    for (const JointPlace& place : JointPlacing(tracks, gap_mm, folds).run()) {
+    for (const JointPlace& place : JointPlacing(tracks, gap_mm, torn).run()) {
         gaps[place.track].push_back(place.at);
         ++made.joints;
     }

@@ -11,14 +11,20 @@
 namespace popup {
 namespace {
 
-// Where the piece is folded, on the sheet; where its folds run out, a joint would tear them.
-EdgeIndex folds_of(const PatternPiece& piece, const Carrier& carrier, const Profile& profile) {
-    std::vector<Segment> folds;
+// Where the piece is folded and cut inside, on the sheet: a joint would tear folds where they run out, and
+// the narrow strip between a hole and the edge.
+EdgeIndex torn_lines(const PatternPiece& piece, const Carrier& carrier, const Profile& profile) {
+    std::vector<Segment> lines;
+    const auto add = [&](Vec2 a, Vec2 b) { lines.push_back({carrier.at(a), carrier.at(b)}); };
     for (const PatternLine& line : piece.lines) {
-        if (!is_fold(operation_of(line, profile))) continue;
-        folds.push_back({carrier.at(line.at.a), carrier.at(line.at.b)});
+        if (is_fold(operation_of(line, profile))) add(line.at.a, line.at.b);
     }
-    return EdgeIndex({}, folds);
+    for (const Contour& cut : piece.cuts) {
+        if (cut.closed && cut.depth == 0) continue;
+        for (std::size_t i = 0; i + 1 < cut.points.size(); ++i) add(cut.points[i], cut.points[i + 1]);
+        if (cut.closed) add(cut.points.back(), cut.points.front());
+    }
+    return EdgeIndex({}, lines);
 }
 
 class Breaking {
@@ -26,7 +32,7 @@ class Breaking {
     explicit Breaking(SheetDrawing& drawing) : drawing_(drawing), parts_(drawing.shapes.size()) {}
 
     // Breaks the outline of one piece, which these shapes draw.
-    void piece(int number, const std::vector<std::size_t>& shapes, const EdgeIndex& folds) {
+    void piece(int number, const std::vector<std::size_t>& shapes, const EdgeIndex& lines) {
         std::vector<OuterCut> cuts;
         for (const std::size_t i : shapes) {
             const Run& run = drawing_.runs_of(drawing_.shapes[i]).front();
@@ -34,7 +40,7 @@ class Breaking {
         }
         const Profile& profile = drawing_.profile;
         JointedCuts made =
-            with_joints(cuts, profile.joint_mm + profile.pen(Operation::outer_cut).kerf_mm, folds);
+            with_joints(cuts, profile.joint_mm + profile.pen(Operation::outer_cut).kerf_mm, lines);
         drawing_.joints += made.joints;
         if (made.joints < 2) drawing_.loose_pieces.push_back(number);
         for (std::size_t k = 0; k < shapes.size(); ++k) parts_[shapes[k]] = std::move(made.parts[k]);
@@ -75,8 +81,8 @@ void put_in_joints(SheetDrawing& drawing, const Layout& layout, std::span<const 
         if (outlines[i].empty()) continue;
         const Pattern& pattern = nth(layout.designs, placements[i].design).pattern;
         breaking.piece(static_cast<int>(i), outlines[i],
-                       folds_of(nth(pattern.pieces, placements[i].piece),
-                                Carrier(placements[i], drawing.width_mm, back), drawing.profile));
+                       torn_lines(nth(pattern.pieces, placements[i].piece),
+                                  Carrier(placements[i], drawing.width_mm, back), drawing.profile));
     }
     breaking.done();
 }

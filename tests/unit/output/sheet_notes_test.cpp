@@ -174,6 +174,33 @@ TEST(SheetJoints, HoldEveryPieceAndAreCounted) {
     }
 }
 
+// The strip between a hole and the edge is too weak for a joint.
+TEST(SheetJoints, AreNotBesideHolesAndSlits) {
+    Layout layout = test::example_layout();
+    PatternPiece& page = layout.designs[0].pattern.pieces[0];
+    // Along all edges, but for the middle of the left one.
+    page.cuts.insert(page.cuts.begin(), {{{-99.5, -10}, {-99.5, -79.5}, {0, -79.5}}, false, 1});
+    page.cuts.insert(page.cuts.begin(), {test::rectangle(0, -79.5, 99.5, 79.5), true, 1});
+    page.cuts.insert(page.cuts.begin(), {{{-99.5, 10}, {-99.5, 79.5}, {0, 79.5}}, false, 1});
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    options.profile.joint_mm = 0.4;
+    const SheetDrawing drawing = draw_sheet(layout, options, view_of(0, false));
+    const Vec2 middle = layout.placements[0].apply({-100, 0});
+    std::size_t ends = 0;
+    for (const SheetShape& one : drawing.shapes) {
+        if (one.operation != Operation::outer_cut) continue;
+        for (const popup::Run& run : drawing.runs_of(one)) {
+            EXPECT_FALSE(run.closed);
+            for (const Vec2 end : {drawing.points_of(run).front(), drawing.points_of(run).back()}) {
+                ++ends;
+                EXPECT_LT(distance(end, middle), 10.0);
+            }
+        }
+    }
+    EXPECT_EQ(ends, 2 * drawing.joints);
+    EXPECT_GE(drawing.joints, 2U);
+}
+
 TEST(SheetJoints, ThatAPieceHasNoRoomForAreTold) {
     OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
     options.profile.joint_mm = 9.0;
