@@ -107,8 +107,8 @@ struct SheetDrawing {
     std::vector<Run> runs;
     std::vector<Vec2> points;
     std::vector<PathStep> steps;
-    std::size_t joints = 0;         // in outer cuts
-    std::vector<int> loose_pieces;  // that have under two of them; indices into `pieces`
+    std::size_t joints = 0;         // in outer cuts, and in cuts of holes with a piece inside
+    std::vector<int> loose_pieces;  // that have under two of them, or whose hole has; indices into `pieces`
 
     [[nodiscard]] std::span<const SheetShape> shapes_of(const SheetLayer& layer) const;
     [[nodiscard]] std::span<const SheetText> texts_of(const SheetLayer& layer) const;

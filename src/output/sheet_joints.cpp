@@ -1,5 +1,8 @@
 #include "output/sheet_joints.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -10,6 +13,8 @@
 
 namespace popup {
 namespace {
+
+constexpr double kFarMm = 10.0;  // further than joints look round
 
 // Where the piece is folded and cut inside, on the sheet: a joint would tear folds where they run out, and
 // the narrow strip between a hole and the edge.
@@ -25,6 +30,77 @@ EdgeIndex torn_lines(const PatternPiece& piece, const Carrier& carrier, const Pr
         if (cut.closed) add(cut.points.back(), cut.points.front());
     }
     return EdgeIndex({}, lines);
+}
+
+// Where the piece is folded and cut through, its own hole left out.
+EdgeIndex torn_round_hole(const PatternPiece& piece, const Carrier& carrier, const Profile& profile,
+                          std::span<const Vec2> hole) {
+    Box around;
+    for (const Vec2 p : hole) around.extend(p);
+    const Vec2 far{kFarMm, kFarMm};
+    const Box near{around.min - far, around.max + far};
+    std::vector<Segment> lines;
+    const auto add = [&](Vec2 a, Vec2 b) {
+        Box box;
+        box.extend(a);
+        box.extend(b);
+        if (box.min.x <= near.max.x && box.max.x >= near.min.x && box.min.y <= near.max.y &&
+            box.max.y >= near.min.y)
+            lines.push_back({a, b});
+    };
+    for (const PatternLine& line : piece.lines) {
+        if (is_fold(operation_of(line, profile))) add(carrier.at(line.at.a), carrier.at(line.at.b));
+    }
+    for (const Contour& cut : piece.cuts) {
+        std::vector<Vec2> points;
+        for (const Vec2 p : cut.points) points.push_back(carrier.at(p));
+        Box box;
+        for (const Vec2 p : points) box.extend(p);
+        constexpr double kSameMm = 0.5;  // more than a kerf moves it
+        if (cut.closed && distance(box.min, around.min) < kSameMm && distance(box.max, around.max) < kSameMm)
+            continue;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) add(points[i], points[i + 1]);
+        if (cut.closed) add(points.back(), points.front());
+    }
+    return EdgeIndex({}, lines);
+}
+
+// Closed inner cuts with another piece inside, and one such piece each.
+std::map<std::size_t, int> filled_holes(const SheetDrawing& drawing) {
+    const auto points_of = [&drawing](const SheetShape& shape) {
+        return drawing.points_of(drawing.runs_of(shape).front());
+    };
+    const auto box_of = [](std::span<const Vec2> points) {
+        Box box;
+        for (const Vec2 p : points) box.extend(p);
+        return box;
+    };
+    EdgeIndex boxes;  // diagonals of holes
+    std::vector<std::size_t> holes;
+    for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+        const SheetShape& shape = drawing.shapes[i];
+        if (!is_cut(shape.operation) || shape.outline || shape.depth % 2 == 0 || shape.piece < 0) continue;
+        if (!drawing.runs_of(shape).front().closed) continue;
+        const Box box = box_of(points_of(shape));
+        boxes.insert({box.min, box.max}, false);
+        holes.push_back(i);
+    }
+    std::map<std::size_t, int> filled;
+    if (holes.empty()) return filled;
+    std::vector<int> found;
+    for (const SheetShape& shape : drawing.shapes) {
+        if (!shape.outline) continue;
+        const std::span<const Vec2> outline = points_of(shape);
+        boxes.query(box_of(outline), found);
+        for (const int number : found) {
+            const std::size_t hole = nth(holes, number);
+            if (drawing.shapes[hole].piece == shape.piece || filled.contains(hole)) continue;
+            const std::span<const Vec2> ring = points_of(drawing.shapes[hole]);
+            if (contains(Polygon{{ring.begin(), ring.end()}, {}}, outline.front()))
+                filled.emplace(hole, shape.piece);
+        }
+    }
+    return filled;
 }
 
 class Breaking {
@@ -44,6 +120,20 @@ class Breaking {
         drawing_.joints += made.joints;
         if (made.joints < 2) drawing_.loose_pieces.push_back(number);
         for (std::size_t k = 0; k < shapes.size(); ++k) parts_[shapes[k]] = std::move(made.parts[k]);
+    }
+
+    // Breaks the outline of a hole in which another piece lies: else both fall out together.
+    void hole(std::size_t shape, int inside, const EdgeIndex& lines) {
+        const Run& run = drawing_.runs_of(drawing_.shapes[shape]).front();
+        const std::array<OuterCut, 1> cut{{{drawing_.points_of(run), true}}};
+        const Profile& profile = drawing_.profile;
+        JointedCuts made =
+            with_joints(cut, profile.joint_mm + profile.pen(drawing_.shapes[shape].operation).kerf_mm, lines);
+        drawing_.joints += made.joints;
+        std::vector<int>& loose = drawing_.loose_pieces;
+        if (made.joints < 2 && std::find(loose.begin(), loose.end(), inside) == loose.end())
+            loose.push_back(inside);
+        parts_[shape] = std::move(made.parts.front());
     }
 
     // Draws the shapes anew.
@@ -83,6 +173,15 @@ void put_in_joints(SheetDrawing& drawing, const Layout& layout, std::span<const 
         breaking.piece(static_cast<int>(i), outlines[i],
                        torn_lines(nth(pattern.pieces, placements[i].piece),
                                   Carrier(placements[i], drawing.width_mm, back), drawing.profile));
+    }
+    for (const auto& [shape, inside] : filled_holes(drawing)) {
+        const SheetShape& hole = drawing.shapes[shape];
+        const Placement& placement = nth(placements, hole.piece);
+        const Pattern& pattern = nth(layout.designs, placement.design).pattern;
+        breaking.hole(
+            shape, inside,
+            torn_round_hole(nth(pattern.pieces, placement.piece), Carrier(placement, drawing.width_mm, back),
+                            drawing.profile, drawing.points_of(drawing.runs_of(hole).front())));
     }
     breaking.done();
 }

@@ -201,6 +201,34 @@ TEST(SheetJoints, AreNotBesideHolesAndSlits) {
     EXPECT_GE(drawing.joints, 2U);
 }
 
+// Else the slug of the hole falls, and the piece in it with it.
+TEST(SheetJoints, HoldTheHoleInWhichAPieceLies) {
+    Layout layout = test::example_layout();
+    PatternPiece& page = layout.designs[0].pattern.pieces[0];
+    page.cuts = {{test::rectangle(-95, -75, 95, 75), true, 1},
+                 {test::rectangle(-98, 76, -90, 79), true, 1},
+                 {test::rectangle(-100, -80, 100, 80), true}};
+    page.lines.clear();
+    for (const bool machine_order : {false, true}) {
+        OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+        options.profile.machine_order = machine_order;
+        options.profile.joint_mm = 0.4;
+        const std::size_t alone = draw_sheet(layout, options, view_of(0, false)).joints;
+        Layout nested = layout;
+        nested.placements[1].sheet = 0;
+        nested.placements[1].offset = nested.placements[0].offset;
+        const SheetDrawing drawing = draw_sheet(nested, options, view_of(0, false));
+        EXPECT_TRUE(drawing.loose_pieces.empty());
+        std::size_t closed = 0;
+        for (const SheetShape& one : drawing.shapes) {
+            if (!is_cut(one.operation)) continue;
+            for (const popup::Run& run : drawing.runs_of(one)) closed += run.closed ? 1 : 0;
+        }
+        EXPECT_EQ(closed, 1U) << "the small hole alone falls";
+        EXPECT_GE(drawing.joints, alone + 4);
+    }
+}
+
 TEST(SheetJoints, ThatAPieceHasNoRoomForAreTold) {
     OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
     options.profile.joint_mm = 9.0;
