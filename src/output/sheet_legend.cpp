@@ -69,8 +69,8 @@ struct Row {
 std::vector<Row> rows_of(const SheetDrawing& drawing, const Layout& layout, int sheet) {
     std::array<bool, kOperations.size()> drawn{};
     for (const SheetShape& shape : drawing.shapes) nth(drawn, shape.operation) = true;
-    std::string title = shortened(drawing.title);
-    if (layout.sheets.size() == 1) title += fmt::format(", sheet {} of {}", sheet + 1, layout.sheets.size());
+    const std::string title =
+        shortened(layout_title(layout)) + fmt::format(", sheet {} of {}", sheet + 1, layout.sheets.size());
     std::vector<Row> rows{{Row::Sample::none, {}, title}, {Row::Sample::none, {}, "this side up"}};
     const auto line = [&](Operation operation, std::string_view text) {
         if (nth(drawn, operation)) rows.push_back({Row::Sample::line, operation, std::string(text)});

@@ -297,6 +297,17 @@ TEST(SheetLegend, LiesBesideThePiecesAndInsideTheMargins) {
     }
 }
 
+TEST(SheetLegend, SaysWhichSheetItIsOfHoweverLongTheName) {
+    const Layout layout = test::example_layout(std::string(100, 'n'));
+    OutputOptions options;
+    options.legend = Legend::automatic;
+    const SheetDrawing drawing = draw_sheet(layout, options, view_of(1, false));
+    const auto first = std::find_if(drawing.texts.begin(), drawing.texts.end(),
+                                    [](const SheetText& one) { return one.operation == Operation::legend; });
+    ASSERT_NE(first, drawing.texts.end());
+    EXPECT_EQ(first->text, std::string(60, 'n') + "..., sheet 2 of 2");
+}
+
 // What all sheets say of the layout is found once a file, not once a sheet.
 TEST(SheetLegend, AsksWhatIsFoldedOnceAFile) {
     Layout layout = test::example_layout();
