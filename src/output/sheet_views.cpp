@@ -147,9 +147,10 @@ void examine_joints(const Layout& layout, const OutputOptions& options, Diagnost
     diagnostics
         .warning(
             "too-few-joints", {},
-            fmt::format("the outer cut of piece \"{}\"{} has no room for two joints of {} mm clear of "
-                        "corners and folds",
-                        first, loose > 1 ? fmt::format(", as of {}", counted(loose - 1, "more piece")) : "",
+            fmt::format("the outer cut{} of \"{}\"{} no room for two joints of {} mm clear of corners, folds "
+                        "and holes",
+                        loose > 1 ? "s" : "", first,
+                        loose > 1 ? fmt::format(" and {} have", counted(loose - 1, "more piece")) : " has",
                         number_text(options.profile.joint_mm, 3)))
         .hint("ask for narrower joints with --joints, or hold the sheet down");
 }

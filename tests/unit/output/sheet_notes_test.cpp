@@ -242,8 +242,8 @@ TEST(SheetJoints, ThatAPieceHasNoRoomForAreTold) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, "too-few-joints");
     EXPECT_EQ(found[0].message,
-              "the outer cut of piece \"house\", as of 1 more piece has no room for two joints of 9 mm clear "
-              "of corners and folds");
+              "the outer cuts of \"house\" and 1 more piece have no room for two joints of 9 mm clear of "
+              "corners, folds and holes");
 }
 
 // --- legend
