@@ -192,7 +192,11 @@ void examine_sheets(const OutputPlan& plan, const OutputOptions& options, Compil
     }
     if (formats.empty()) return;
     examine_profile(*run.layout, options.profile, options.score_side, run.run_diagnostics);
-    examine_prints(*run.layout, options, run.run_diagnostics);
+    OutputOptions asked = options;
+    // No sheet lacks a legend that its format never has.
+    if (std::none_of(formats.begin(), formats.end(), [](const Format* one) { return one->uses.legend; }))
+        asked.legend = Legend::never;
+    examine_prints(*run.layout, asked, run.run_diagnostics);
     for (const Format* format : formats) {
         examine_format(format->suffix, options.profile, run.run_diagnostics);
     }

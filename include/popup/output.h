@@ -102,8 +102,8 @@ bool can_tile(const OutputOptions& options, Diagnostics& diagnostics);
 // targets and numbers that nothing prints or marks. Warnings: `too-few-joints`, of pieces whose outer cuts
 // have no room for two, and `legend-left-out`, of sheets without room for one that is always wanted. Remark:
 // `prints-left-out`, of
-// pictures, of printed texts, of marks, of the bar, and of backs; under print_and_cut only of what cut files
-// lack. Colours of plates and drawn lines are left out without a word.
+// pictures, of printed texts, of marks, of the bar, of a legend that is always wanted, and of backs; under
+// print_and_cut only of what cut files lack. Colours of plates and drawn lines are left out without a word.
 void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics);
 
 // One file of a format: `suffix` goes between the stem and the format's own suffix ("-2": "card-2.svg").
@@ -146,6 +146,7 @@ struct OptionUses {
     bool rate = false;                       // fps and duration_s
     bool dpi = false, fold_dialect = false;  // the options of these names
     bool speeds = false;                     // those of the profile
+    bool legend = false;                     // OutputOptions::legend
 };
 
 struct Format {

@@ -189,6 +189,8 @@ void examine_prints(const Layout& layout, const OutputOptions& options, Diagnost
     examine_legend(layout, options, diagnostics);
     const Profile& profile = options.profile;
     std::vector<std::string> missing;
+    if (options.legend == Legend::always && !options.print_and_cut && !profile.draws(Operation::legend))
+        missing.emplace_back("the legend");
     if (!options.print_and_cut) name_pictures(layout, profile, missing);
     if (!profile.draws(Operation::registration)) {
         if (profile.marks != Marks::none) missing.emplace_back("registration marks");

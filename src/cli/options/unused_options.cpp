@@ -14,6 +14,7 @@ constexpr std::pair<std::string_view, bool OptionUses::*> kRegarded[] = {
     {"size", &OptionUses::size},     {"fps", &OptionUses::rate},
     {"duration", &OptionUses::rate}, {"dpi", &OptionUses::dpi},
     {"speed", &OptionUses::speeds},  {"fold-dialect", &OptionUses::fold_dialect},
+    {"legend", &OptionUses::legend},
 };
 
 // ".webp or .gif"

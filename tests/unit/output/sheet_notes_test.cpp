@@ -340,6 +340,17 @@ TEST(SheetLegend, IsOffForMachinesAndWhenNotWanted) {
     }
 }
 
+TEST(SheetLegend, ThatAProfileLeavesOutIsTold) {
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    options.legend = Legend::always;
+    Diagnostics diagnostics;
+    examine_prints(test::example_layout(), options, diagnostics);
+    const auto found = diagnostics.sorted();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, "prints-left-out");
+    EXPECT_EQ(found[0].message, "the profile lightburn leaves out the legend");
+}
+
 TEST(SheetLegend, WithoutRoomIsToldWhenItIsAlwaysWanted) {
     Layout layout = test::example_layout();
     layout.sheets[0] = {210, 170, 0.9, {200, 160}};
