@@ -13,6 +13,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/text/utf8.h"
 #include "popup/image.h"
 #include "popup/path.h"
 #include "popup/units.h"
@@ -244,6 +245,36 @@ Box box_of(const DrawnPrint& print, const DrawnImage& drawn) {
     return box;
 }
 
+// Round its letters, each as wide as `each` times the height of capitals.
+Box box_of(const DrawnPrint& print, const DrawnText& drawn, double each) {
+    std::size_t letters = 0;
+    for (std::string_view rest = drawn.text; !rest.empty(); ++letters)
+        rest.remove_prefix(first_character(rest).bytes);
+    const Vec2 along =
+        (0.5 * each * drawn.height_mm * static_cast<double>(letters)) * direction_at(print.rotate_deg);
+    const Vec2 up = (0.5 * drawn.height_mm) * left_of(direction_at(print.rotate_deg));
+    Box box;
+    for (const Vec2 end : {along, -1.0 * along}) {
+        box.extend(print.at.at + end + up);
+        box.extend(print.at.at + end - up);
+    }
+    return box;
+}
+
+// Letters of most words are narrower, and hardly any are wider.
+constexpr double kUsualLetter = 0.8;
+constexpr double kWidestLetter = 1.5;
+
+// Where its letters end is known to writers alone: only what is beside the page for certain is told of.
+void tell_text(const DrawnPrint& print, const DrawnText& drawn, const Pages& pages, const Teller& tell) {
+    const Box box = box_of(print, drawn, kWidestLetter);
+    const Box reach = pages.reach(print.page);
+    if (box.min.x <= reach.max.x && box.max.x >= reach.min.x && box.min.y <= reach.max.y &&
+        box.max.y >= reach.min.y)
+        return;
+    tell.off_page("text", print.page, box_of(print, drawn, kUsualLetter), print.place);
+}
+
 void spread_text(const DrawnPrint& print, const DrawnText& drawn, Pages& pages, Assembly& assembly) {
     const std::vector<std::size_t>& plates = pages.plates(print.page);
     if (plates.empty()) return;
@@ -288,6 +319,7 @@ void spread_prints(const Skeleton& skeleton, const Design& design, const Assembl
                           print.place);
         } else {
             spread_text(print, std::get<DrawnText>(print.what), pages, assembly);
+            tell_text(drawn, std::get<DrawnText>(drawn.what), pages, tell);
         }
     }
     spread_lines(design, pages, assembly, tell);
