@@ -437,8 +437,8 @@ class Unfolder {
     }
 
     // The piece's name goes on one of its largest plates, after the number that its tabs have: in the order
-    // of these numbers pieces are glued, for none stands on a later one. The name alone where both are too
-    // long.
+    // of these numbers pieces are glued, for none stands on a later one. Where both are too long the name
+    // alone; of a piece that has no tab with the number, that is glued flat, the number.
     void name_piece(std::size_t number) {
         const Piece& from = in_.pieces[number];
         // Its source names it.
@@ -451,7 +451,10 @@ class Unfolder {
         if (!from.paper.empty()) return write_on_paper(number, name);
         const std::string& order = pieces_[number].piece.number;
         if (!order.empty() && write_on_piece(number, fmt::format("{}. {}", order, name))) return;
-        write_on_piece(number, name);
+        const std::vector<Label>& labels = pieces_[number].piece.labels;
+        const bool has_tab = std::any_of(labels.begin(), labels.end(),
+                                         [](const Label& one) { return one.kind == LabelKind::tab; });
+        write_on_piece(number, order.empty() || has_tab ? name : order);
     }
 
     // "3" of a piece with the tabs "3L" and "3R"; empty for one without tabs.

@@ -568,6 +568,33 @@ TEST(Pattern, WhatIsGluedToABackHasItsTargetThere) {
     EXPECT_EQ(labels, expected);
 }
 
+// It has no tab that says where it is glued.
+TEST(Pattern, SmallPiecesThatAreGluedFlatHaveTheirNumberAtLeast) {
+    Card card;
+    for (const double width : {10.0, 60.0}) {
+        Plate flat;
+        flat.name = width < 20.0 ? "small one" : "large one";
+        flat.piece = static_cast<int>(card.assembly.pieces.size());
+        flat.outline.outer = {{0, 0}, {width, 0}, {width, 12}, {0, 12}};
+        flat.lying = Lying::on_front;
+        const int plate = static_cast<int>(card.assembly.plates.size());
+        card.assembly.pieces.push_back({flat.name, {plate}});
+        card.assembly.plates.push_back(flat);
+        card.assembly.glued_areas.push_back(
+            {plate,
+             1,
+             {{{{20, width}, {30, width}, {30, 6 + width}, {20, 6 + width}}, {}}},
+             std::to_string(plate),
+             flat.name,
+             {}});
+    }
+    const Pattern pattern = card.pattern();
+    ASSERT_EQ(pattern.pieces[1].labels.size(), 1U);
+    EXPECT_EQ(pattern.pieces[1].labels[0].text, "2");
+    ASSERT_EQ(pattern.pieces[2].labels.size(), 1U);
+    EXPECT_EQ(pattern.pieces[2].labels[0].text, "3. large one");
+}
+
 TEST(Pattern, FillsStrokesAndPlateNamesAreCarried) {
     Card card;
     card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
