@@ -9,6 +9,7 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
+#include "base/text/utf8.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/machine_order.h"
@@ -39,6 +40,26 @@ double upright(double angle) {
     return turned;
 }
 
+std::size_t characters(std::string_view text) {
+    std::size_t count = 0;
+    for (; !text.empty(); ++count) text.remove_prefix(first_character(text).bytes);
+    return count;
+}
+
+// The label with the name of its design before it, and no wider than before; where that cannot be read, as it
+// is.
+Label of_design(Label label, std::string_view prefix) {
+    constexpr double kLeastTextMm = 1.5;
+    if (prefix.empty() || label.text.empty()) return label;
+    std::string text = fmt::format("{} {}", prefix, label.text);
+    const double height =
+        label.height_mm * static_cast<double>(characters(label.text)) / static_cast<double>(characters(text));
+    if (height < kLeastTextMm) return label;
+    label.text = std::move(text);
+    label.height_mm = height;
+    return label;
+}
+
 double turned(const Carrier& carrier, double angle) {
     return upright(carrier.back() ? std::numbers::pi - angle - carrier.angle() : angle + carrier.angle());
 }
@@ -56,6 +77,7 @@ class Drawer {
         drawn.name = visible(layout_.piece_name(placement));
         drawn.design = visible(design.stem);
         if (layout_.prefix_names) drawn.prefix = drawn.design + ":";
+        prefix_ = drawn.prefix;
         drawn.copy = placement.copy;
         drawn.plate_names = design.pattern.plate_names;
         carrier_ = Carrier(placement, drawing_.width_mm, view_.back);
@@ -69,8 +91,7 @@ class Drawer {
             return;
         number_ = -1;
         carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
-        const std::optional<LegendBox> legend =
-            legend_of(drawing_, layout_, placements, view_, options_);
+        const std::optional<LegendBox> legend = legend_of(drawing_, layout_, placements, view_, options_);
         if (!legend) return;
         for (const LegendLine& line : legend->lines) {
             begin(Operation::legend, -1, line.color, line.width_mm);
@@ -199,6 +220,10 @@ class Drawer {
         }
         if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
     }
+    // Names of pieces are told apart where sheets have pieces of several designs.
+    [[nodiscard]] Label labelled(const Label& label, bool has_name) const {
+        return has_name || label.kind == LabelKind::piece ? of_design(label, prefix_) : label;
+    }
     void marks(const PatternPiece& piece) {
         if (is_marked(LabelKind::target)) {
             for (const GlueTarget& target : piece.targets) {
@@ -212,7 +237,8 @@ class Drawer {
         // Where names stand by themselves no tab needs one.
         const NamedTab* named = piece.named_tab && !is_marked(LabelKind::piece) ? &*piece.named_tab : nullptr;
         for (std::size_t i = 0; i < piece.labels.size(); ++i) {
-            const Label& label = named != nullptr && named->label == i ? named->named : piece.labels[i];
+            const bool has_name = named != nullptr && named->label == i;
+            const Label label = labelled(has_name ? named->named : piece.labels[i], has_name);
             if (label.on_back && !view_.back) continue;
             if (is_marked(label.kind)) mark(label.text, label.at, label.height_mm, label.angle);
         }
@@ -289,7 +315,8 @@ class Drawer {
                 return lines(piece, operation);
             case Operation::label:
                 texts(piece, operation);
-                for (const Label& label : piece.labels) {
+                for (const Label& own : piece.labels) {
+                    const Label label = labelled(own, false);
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
                     if (is_marked(label.kind) || (label.on_back && !view_.back)) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);
@@ -320,6 +347,7 @@ class Drawer {
     const SheetView& view_;
     Carrier carrier_{Placement{}, 0.0, false};
     int number_ = -1;
+    std::string prefix_;  // of the piece's design
 };
 
 // Layer by layer; within a layer operations that look alike stay as they stand, piece by piece or in machine

@@ -131,6 +131,29 @@ TEST(GlueMarks, OfBacksAreOnBacksAlone) {
               "prints them on the backs");
 }
 
+// Numbers of pieces are those of their own card.
+TEST(GlueMarks, NameTheCardWhereSeveralAreOnTheSheets) {
+    Layout layout = test::example_layout();
+    layout.prefix_names = true;
+    const auto names = [&] {
+        const SheetDrawing drawing =
+            draw_sheet(layout, options_for("workshop", false, ScoreSide::front, false), view_of(0, false));
+        std::vector<SheetText> all;
+        for (const SheetText& one : drawing.texts) {
+            if (one.operation == Operation::label) all.push_back(one);
+        }
+        return all;
+    };
+    const std::vector<SheetText> named = names();
+    ASSERT_EQ(named.size(), 2U);
+    EXPECT_EQ(named[0].text, "page") << "too small to be read with it";
+    layout.designs[0].stem = "a";
+    const std::vector<SheetText> fits = names();
+    EXPECT_EQ(fits[0].text, "a: page");
+    EXPECT_NEAR(fits[0].cap_mm, 4.0 * 4.0 / 7.0, 1e-9);
+    EXPECT_EQ(fits[1].text, "1R");
+}
+
 TEST(StrokedText, IsCentredAndAsHighAsAsked) {
     const Vec2 at{30, 20};
     Box box;
