@@ -178,13 +178,37 @@ SpaceBox reach_box(const Cell& cell, const Linkage& linkage, int plate, std::spa
     return box_round(cell, linkage, plate, corners, distance_mm, arm, std::nullopt);
 }
 
-std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> reached, std::size_t most) {
+namespace {
+
+std::vector<std::pair<TreeBox, int>> tree_boxes(std::span<const SpaceBox> reached) {
     std::vector<std::pair<TreeBox, int>> boxes;
     boxes.reserve(reached.size());
     for (const auto& [low, high] : reached) {
         boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}},
                            static_cast<int>(boxes.size()));
     }
+    return boxes;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> near_earlier(std::span<const SpaceBox> reached, std::size_t most_each) {
+    bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree;
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& one : tree_boxes(reached)) {
+        std::size_t left = most_each;
+        for (auto it = tree.qbegin(bg::index::intersects(one.first)); it != tree.qend() && left > 0; ++it) {
+            pairs.emplace_back(it->second, one.second);
+            --left;
+        }
+        tree.insert(one);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> reached, std::size_t most) {
+    const std::vector<std::pair<TreeBox, int>> boxes = tree_boxes(reached);
     const bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree(boxes.begin(), boxes.end());
     std::vector<std::pair<int, int>> pairs;
     for (const auto& [box, number] : boxes) {

@@ -49,5 +49,7 @@ SpaceBox reach_box(const Cell& cell, const Linkage& linkage, int plate, std::spa
 // Pairs (a, b), a < b, in order, whose boxes touch: those plates may come near each other. Ends early after
 // more than `most`. Cost: n log n, pairs.
 std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> boxes, std::size_t most);
+// The same with at most `most_each` earlier plates to each, whatever heaps others lie in.
+std::vector<std::pair<int, int>> near_earlier(std::span<const SpaceBox> boxes, std::size_t most_each);
 
 }  // namespace popup

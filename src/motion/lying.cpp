@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -17,11 +18,12 @@ namespace {
 
 // Where it is looked, as shares of the sweep: half open, and once more at an angle that means nothing.
 constexpr std::array kShares{0.5, 0.37};
-constexpr double kSameSine = 1e-5;     // between planes that are one
-constexpr double kLeastMm2 = 1.0;      // of paper on paper
-constexpr double kFreeMm2 = 1e-3;      // less is left by a move that parts two
-constexpr double kInnerPointMm = 0.1;  // to which its middle is found
-constexpr std::size_t kMostNearPairs = 200;
+constexpr double kSameSine = 1e-5;      // between planes that are one
+constexpr double kLeastMm2 = 1.0;       // of paper on paper
+constexpr double kFreeMm2 = 1e-3;       // less is left by a move that parts two
+constexpr double kInnerPointMm = 0.1;   // to which its middle is found
+constexpr std::size_t kMostNear = 200;  // earlier plates that one is held against
+constexpr double kWhole = 0.999;        // of a plate
 
 Angle opening_of(const Sweep& sweep, double share) {
     return Angle::degrees(sweep.from_deg + share * (sweep.to_deg - sweep.from_deg));
@@ -77,11 +79,10 @@ std::optional<LyingPair> shared(const Assembly& assembly, int a, int b, std::spa
     return found;
 }
 
-// The pairs that share a plane at all openings that are looked at, and paper at the first of them.
-std::vector<LyingPair> lying_among(const Assembly& assembly, std::span<const PlateShape> shapes,
-                                   std::vector<std::pair<int, int>> pairs, std::vector<Frame> frames,
-                                   double least_mm2) {
-    std::vector<LyingPair> found;
+// The pairs that share a plane at all openings that are looked at.
+std::vector<std::pair<int, int>> in_plane_pairs(const Assembly& assembly, std::span<const PlateShape> shapes,
+                                                std::vector<std::pair<int, int>> pairs,
+                                                std::vector<Frame> frames) {
     for (const double share : kShares) {
         if (share != kShares.front() && !place(assembly, opening_of(assembly.sweep, share), frames))
             return {};
@@ -91,10 +92,7 @@ std::vector<LyingPair> lying_among(const Assembly& assembly, std::span<const Pla
         });
         if (pairs.empty()) return {};
     }
-    for (const auto& [a, b] : pairs) {
-        if (const auto one = shared(assembly, a, b, frames, least_mm2)) found.push_back(*one);
-    }
-    return found;
+    return pairs;
 }
 
 std::optional<std::vector<Frame>> half_open(const Assembly& assembly) {
@@ -110,7 +108,7 @@ bool may_lie(const Plate& plate) { return plate.lying != Lying::free || plate.ri
 std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linkage,
                                   std::span<const PlateShape> shapes) {
     if (assembly.covers.empty()) return {};
-    auto frames = half_open(assembly);
+    const auto frames = half_open(assembly);
     if (!frames) return {};
     std::vector<SpaceBox> boxes(shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -121,7 +119,7 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
             box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
         }
     }
-    std::vector<std::pair<int, int>> pairs = near_pairs(boxes, kMostNearPairs * shapes.size());
+    std::vector<std::pair<int, int>> pairs = near_earlier(boxes, kMostNear);
     // What is glued to a plate along a seam may lie flat on it.
     std::set<std::pair<int, int>> joined;
     for (const Hinge& hinge : assembly.hinges) joined.insert(std::minmax(hinge.a, hinge.b));
@@ -133,15 +131,37 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
                linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
                may_lie(plate(one.second));
     });
-    return lying_among(assembly, shapes, std::move(pairs), *std::move(frames), kLeastMm2);
+    pairs = in_plane_pairs(assembly, shapes, std::move(pairs), *frames);
+    std::map<int, LyingPair> worst;  // by the later joint
+    std::set<int> whole;             // joints of which a plate is covered: nothing is worse
+    for (const auto& [a, b] : pairs) {
+        const int later = std::max(linkage.joint_of(a), linkage.joint_of(b));
+        if (whole.contains(later)) continue;
+        const auto one = shared(assembly, a, b, *frames, kLeastMm2);
+        if (!one) continue;
+        const auto [at, is_new] = worst.try_emplace(later, *one);
+        if (!is_new && one->area_mm2 > at->second.area_mm2) at->second = *one;
+        const int own = linkage.joint_of(b) == later ? b : a;
+        if (one->area_mm2 >= kWhole * area(assembly.plates[static_cast<std::size_t>(own)].outline))
+            whole.insert(later);
+    }
+    std::vector<LyingPair> found;
+    for (const auto& [joint, one] : worst) found.push_back(one);
+    std::sort(found.begin(), found.end(), [](const LyingPair& p, const LyingPair& q) {
+        return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+    });
+    return found;
 }
 
 bool any_lies(const Assembly& assembly, std::span<const PlateShape> shapes,
               std::span<const std::pair<int, int>> pairs) {
     if (assembly.covers.empty()) return false;
-    auto frames = half_open(assembly);
-    return !frames ||
-           !lying_among(assembly, shapes, {pairs.begin(), pairs.end()}, *std::move(frames), kFreeMm2).empty();
+    const auto frames = half_open(assembly);
+    if (!frames) return true;
+    const auto in_plane = in_plane_pairs(assembly, shapes, {pairs.begin(), pairs.end()}, *frames);
+    return std::any_of(in_plane.begin(), in_plane.end(), [&](const std::pair<int, int>& one) {
+        return shared(assembly, one.first, one.second, *frames, kFreeMm2).has_value();
+    });
 }
 
 }  // namespace popup
