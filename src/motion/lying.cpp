@@ -120,16 +120,31 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
         }
     }
     std::vector<std::pair<int, int>> pairs = near_earlier(boxes, kMostNear);
-    // What is glued to a plate along a seam may lie flat on it.
+    // What is glued to a plate along a seam may lie flat on it, and two pieces that both do are a collage.
     std::set<std::pair<int, int>> joined;
-    for (const Hinge& hinge : assembly.hinges) joined.insert(std::minmax(hinge.a, hinge.b));
+    std::map<int, std::set<int>> bases;
+    for (const Hinge& hinge : assembly.hinges) {
+        joined.insert(std::minmax(hinge.a, hinge.b));
+        if (!hinge.glued) continue;
+        if (in_one_plane(frame_of(*frames, hinge.a), frame_of(*frames, hinge.b), shape_of(shapes, hinge.b))) {
+            bases[hinge.a].insert(hinge.b);
+            bases[hinge.b].insert(hinge.a);
+        }
+    }
+    const auto share_base = [&bases](int a, int b) {
+        const auto of_a = bases.find(a);
+        const auto of_b = bases.find(b);
+        return of_a != bases.end() && of_b != bases.end() &&
+               std::any_of(of_a->second.begin(), of_a->second.end(),
+                           [&](int base) { return of_b->second.contains(base); });
+    };
     std::erase_if(pairs, [&](const std::pair<int, int>& one) {
         const auto plate = [&](int i) -> const Plate& {
             return assembly.plates[static_cast<std::size_t>(i)];
         };
         return joined.contains(std::minmax(one.first, one.second)) ||
                linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
-               may_lie(plate(one.second));
+               may_lie(plate(one.second)) || share_base(one.first, one.second);
     });
     pairs = in_plane_pairs(assembly, shapes, std::move(pairs), *frames);
     std::map<int, LyingPair> worst;  // by the later joint

@@ -22,8 +22,9 @@ struct LyingPair {
 // Such pairs of plates of two elements, by a, b: of each element the one that shares most with an earlier
 // one, among the 200 earlier plates, at most, that each of its plates is held against. Two openings tell what
 // lies there from what only passes. Plates that lie flat on another by what they are (layers, discs), or are
-// turned by hand, are not meant. None of an assembly without covers, and none where the joints do not reach.
-// Cost: n log n in plates, and in pairs of parallel plates that are near each other.
+// turned by hand, are not meant, nor two that are glued flat to one plate. None of an assembly without
+// covers, and none where the joints do not reach. Cost: n log n in plates, and in pairs of parallel plates
+// that are near each other.
 std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linkage,
                                   std::span<const PlateShape> shapes);
 
