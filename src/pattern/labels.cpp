@@ -48,12 +48,13 @@ double text_width(std::string_view text, double cap_height) {
 
 namespace {
 
-// The place with the most depth for the largest text that fits; if none does, for the smallest.
+// The place with the most depth for the largest text that fits, with letters that reach `below` its line, as
+// a share of their height; if none does, for the smallest.
 struct TabPlace {
     std::optional<TextSpot> spot;
     bool fits = false;
 };
-TabPlace deepest_place(std::span<const Ring> parts, std::string_view text) {
+TabPlace deepest_place(std::span<const Ring> parts, std::string_view text, double below) {
     constexpr int kPlaces = 16;
     TabPlace place;
     for (const double height : kHeights) {
@@ -72,7 +73,7 @@ TabPlace deepest_place(std::span<const Ring> parts, std::string_view text) {
                 }
             }
         }
-        place.fits = place.spot && best_room >= height + 2.0 * kTabPadMm - 0.01;
+        place.fits = place.spot && best_room >= (1.0 + 2.0 * below) * height + 2.0 * kTabPadMm - 0.01;
         if (place.fits) return place;
     }
     return place;
@@ -81,12 +82,14 @@ TabPlace deepest_place(std::span<const Ring> parts, std::string_view text) {
 }  // namespace
 
 std::optional<TextSpot> place_if_it_fits(std::span<const Ring> parts, std::string_view text) {
-    const TabPlace place = deepest_place(parts, text);
+    // Names have letters that reach below the line, and stand in the middle of the tab by their capitals.
+    constexpr double kDescent = 0.34;  // of the capitals' height
+    const TabPlace place = deepest_place(parts, text, kDescent);
     return place.fits ? place.spot : std::nullopt;
 }
 
 std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_view text) {
-    const TabPlace place = deepest_place(parts, text);
+    const TabPlace place = deepest_place(parts, text, 0.0);
     if (place.fits) return place.spot;
     std::optional<TextSpot> best = place.spot;
     if (best && best->at.y > 0.0) return best;

@@ -495,6 +495,16 @@ TEST(Pattern, LabelsOfTabsFitIntoThem) {
     EXPECT_GE(spot->height, 2.0);
 }
 
+TEST(Pattern, NamesInTabsHaveRoomBelowTheirLine) {
+    for (const double depth : {3.6, 5.0, 7.0, 10.0}) {
+        const std::vector<Ring> parts{{{0, 0}, {80, 0}, {80, depth}, {0, depth}}};
+        const auto spot = place_if_it_fits(parts, "2L jumpy");
+        ASSERT_TRUE(spot) << depth;
+        EXPECT_GE(spot->at.y - (0.5 + 0.34) * spot->height, 0.39) << depth;
+    }
+    EXPECT_FALSE(place_if_it_fits(std::vector<Ring>{{{0, 0}, {80, 0}, {80, 2.5}, {0, 2.5}}}, "2L jumpy"));
+}
+
 TEST(Pattern, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
     Card card;
     card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
