@@ -40,6 +40,9 @@ struct JoinPart {
 struct Join {
     JoinKind kind = JoinKind::merge;
     std::vector<JoinPart> parts;  // of a merge two or more, no panel twice; else two panels
+    // Of the suggestion that it was, so that the same words accept nothing twice; 0: it was none.
+    int number = 0;
+    Place place = {};  // in the refinement file
 };
 
 // "merge sheet/front (20.00, 40.00) mm, sheet/lid (20.00, 120.00) mm".
@@ -48,6 +51,8 @@ std::string shown_join(const Join& join, const Ruler& ruler);
 struct RefineOptions {
     FoldOptions fold = {};
     std::vector<Join> joins = {};
+    // What is wrong with joins is told here, where they have places; null: with all the rest.
+    Diagnostics* of_joins = nullptr;
 };
 
 struct Refined {
@@ -77,11 +82,12 @@ struct SuggestOptions {
     // Corners this near are to be merged; > 0. None: a tenth of the sheet's longer side, and not more than 50
     // mm (the paper's).
     std::optional<double> near_mm = {};
+    Diagnostics* of_joins = nullptr;  // as RefineOptions has it
 };
 
 struct Suggestion {
     Join join;
-    int number = 0;            // within its kind, from 1
+    int number = 0;            // within its kind, from 1; none that an accepted join has
     double apart_mm = 0.0;     // now
     double residual_mm = 0.0;  // what accepting it, and what was accepted before, would leave open
     bool closes = false;       // as Refined::closes
@@ -125,15 +131,18 @@ struct AcceptOptions {
 // nearest first, that leaves nothing open together with those before. Then those of Suggestions::met that
 // leave nothing open either, so that what is joined does not part what has met. The remark `join-left` names
 // those that do not fit, of "all" and of what is alike; what is named itself is accepted whatever it leaves.
-// Error `no-such-suggestion`: nullopt.
+// What was accepted before under its number is so already. Error `no-such-suggestion`: nullopt.
 std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                               const Suggestions& found, std::string_view words,
                                               const AcceptOptions& accept, Diagnostics& diagnostics);
 
-// A refinement file: JSON, {"joins": [{"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …]}, {"paste":
-// ["sheet/glue-flap", "sheet/front"]}, …]}. What is written is read as the same joins. Lengths have five
-// decimals. Error `bad-refinement`, with its place: nullopt.
-std::string write_refinement(const std::vector<Join>& joins);
-std::optional<std::vector<Join>> read_refinement(const Source& source, Diagnostics& diagnostics);
+// A refinement file: JSON, {"joins": [{"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …], "number":
+// 1}, {"paste": ["sheet/glue-flap", "sheet/front"]}, …]}. Corners are as the ruler shows them, with five
+// decimals. What is written is read as the same joins. Error `bad-refinement`, with its place: nullopt.
+std::string write_refinement(const std::vector<Join>& joins, const Ruler& ruler);
+std::optional<std::vector<Join>> read_refinement(const Source& source, const Ruler& ruler,
+                                                 Diagnostics& diagnostics);
+// A corner as the ruler shows it, to five decimals.
+Vec2 corner_as_shown(const Ruler& ruler, Vec2 at);
 
 }  // namespace popup

@@ -49,14 +49,15 @@ std::string as_text(const Suggestions& found, const Ruler& ruler) {
     return text;
 }
 
-Json as_json(const Suggestions& found) {
+Json as_json(const Suggestions& found, const Ruler& ruler) {
     Json rows = Json::array();
     for (const Suggestion& row : found.rows) {
         Json parts = Json::array();
         for (const JoinPart& part : row.join.parts) {
             Json& one = parts.emplace_back(Json{{"panel", part.panel}});
-            if (row.join.kind == JoinKind::merge)
-                one["corner"] = {rounded(part.corner.x), rounded(part.corner.y)};
+            if (row.join.kind != JoinKind::merge) continue;
+            const Vec2 corner = corner_as_shown(ruler, part.corner);
+            one["corner"] = {rounded(corner.x), rounded(corner.y)};
         }
         rows.push_back({{"name", row.name()},
                         {"parts", std::move(parts)},
@@ -66,6 +67,7 @@ Json as_json(const Suggestions& found) {
                         {"like", row.like}});
     }
     return {{"near_mm", rounded(found.near_mm)},
+            {"unit", ruler.unit},  // of corners
             {"met", found.met.size()},
             {"left_out", found.left_out},
             {"suggestions", std::move(rows)}};
@@ -93,6 +95,8 @@ void check_suggest_usage(const Options& options) {
     }
     if (verb.json && !verb.accept.empty())
         throw UsageError("--json lists suggestions, and --accept accepts them", {"leave one out"});
+    if (verb.json && !options.build.outputs.empty())
+        throw UsageError("--json lists suggestions, and -o writes the refined sheet", {"leave one out"});
     if (is_standard_output(verb.refinement) || is_standard_output(verb.drawing))
         throw UsageError("suggest takes files by their names, not \"-\"");
 }
@@ -111,20 +115,18 @@ bool read_inputs(const Options& options, Inputs& in) {
     const SuggestVerbOptions& verb = options.suggest;
     in.of_drawing = Diagnostics(verb.drawing, options.policy);
     in.of_refinement = Diagnostics(verb.refinement, options.policy);
-    in.drawing = read_source(verb.drawing, in.trouble);
+    in.drawing = read_source(verb.drawing, in.of_drawing);
     // What is about to be written need not be there yet.
-    const bool is_new = !verb.accept.empty() && !std::filesystem::exists(verb.refinement);
+    // One that cannot be looked for is read, and that says why it cannot.
+    std::error_code no_look;
+    const bool is_new =
+        !verb.accept.empty() && !std::filesystem::exists(verb.refinement, no_look) && !no_look;
     if (!verb.refinement.empty() && !is_new) {
-        in.refinement = read_source(verb.refinement, in.trouble);
+        in.refinement = read_source(verb.refinement, in.of_refinement);
         in.usable = in.refinement.has_value();
     }
     in.usable = in.usable && in.drawing.has_value();
     if (!in.usable) return false;
-    if (in.refinement) {
-        auto joins = read_refinement(*in.refinement, in.of_refinement);
-        if (!joins) return false;
-        in.joins = std::move(*joins);
-    }
     Reading reading = read_source_text(*in.drawing, options.compile.read, in.of_drawing);
     if (!reading.creases) {
         if (!in.of_drawing.has_errors())
@@ -133,6 +135,11 @@ bool read_inputs(const Options& options, Inputs& in) {
         return false;
     }
     in.pattern = std::move(*reading.creases);
+    if (in.refinement) {
+        auto joins = read_refinement(*in.refinement, in.pattern.ruler, in.of_refinement);
+        if (!joins) return false;
+        in.joins = std::move(*joins);
+    }
     return true;
 }
 
@@ -147,11 +154,12 @@ std::optional<std::vector<PendingFile>> make_outputs(const Options& options, con
     one.diagnostics = Diagnostics(one.source.name, options.policy);
     one.creases = std::move(pattern);
     one.assembly = fold_sheet(*one.creases, compile.fold, one.diagnostics);
-    if (!one.assembly) return std::nullopt;
-    one.assembly->stem = one.stem;
-    one.motion = simulate_sheet(*one.assembly, compile.motion, one.diagnostics);
-    if (!one.motion) return std::nullopt;
-    one.pattern = make_pattern(*one.assembly, compile.pattern, one.diagnostics);
+    if (one.assembly) one.assembly->stem = one.stem;
+    if (one.assembly && moves(*one.assembly)) {
+        one.motion = simulate_sheet(*one.assembly, compile.motion, one.diagnostics);
+        if (!one.motion) return std::nullopt;
+    }
+    if (one.assembly) one.pattern = make_pattern(*one.assembly, compile.pattern, one.diagnostics);
     lay_out_run(run, compile);
     if (run.has_errors()) return std::nullopt;
     return files_of(plan, options, run);
@@ -161,13 +169,14 @@ std::optional<std::vector<PendingFile>> make_outputs(const Options& options, con
 bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilation& run, std::string& text,
           std::vector<PendingFile>& files) {
     const SuggestVerbOptions& verb = options.suggest;
-    SuggestOptions suggest{options.compile.fold, in.joins, verb.near_mm};
+    SuggestOptions suggest{options.compile.fold, in.joins, verb.near_mm, &in.of_refinement};
     Diagnostics again;  // the sheet says the same each time that it is folded
     if (!verb.accept.empty() || plan.outputs.empty()) {
         const auto found = suggest_joins(in.pattern, suggest, in.of_drawing);
         if (!found) return false;
         if (verb.accept.empty()) {
-            text = verb.json ? as_json(*found).dump(2) + "\n" : as_text(*found, in.pattern.ruler);
+            text = verb.json ? as_json(*found, in.pattern.ruler).dump(2) + "\n"
+                             : as_text(*found, in.pattern.ruler);
             return true;
         }
         auto joins = accept_joins(in.pattern, suggest, *found, verb.accept, {!verb.alone}, in.of_drawing);
@@ -175,7 +184,8 @@ bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilatio
         in.joins = std::move(*joins);
     }
     const bool heard = !verb.accept.empty();
-    auto refined = refine_shape(in.pattern, {options.compile.fold, in.joins}, heard ? again : in.of_drawing);
+    auto refined = refine_shape(in.pattern, {options.compile.fold, in.joins, &in.of_refinement},
+                                heard ? again : in.of_drawing);
     if (!refined) return false;
     if (heard) {
         for (const Diagnostic& one : again.sorted()) {
@@ -185,7 +195,8 @@ bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilatio
         }
     }
     text = as_text(in.joins, *refined, refined->enough_mm, in.pattern.ruler);
-    if (heard && !verb.refinement.empty()) files.push_back({verb.refinement, write_refinement(in.joins)});
+    if (heard && !verb.refinement.empty())
+        files.push_back({verb.refinement, write_refinement(in.joins, in.pattern.ruler)});
     if (plan.outputs.empty()) return true;
     auto made = make_outputs(options, plan, in, std::move(refined->pattern), run);
     if (!made) return false;
@@ -206,7 +217,12 @@ CLI::App* add_suggest(CLI::App& app, Options& options) {
     value(*verb, "--near", "LENGTH", "look this far (default: a tenth of the sheet, 50mm at most)", group,
           [&suggest](std::string_view text) { suggest.near_mm = length_option("--near", text, 0.1).mm; });
     value(*verb, "--accept", "WHAT", "accept these, and those alike: \"merge 3, paste 1\", or all", group,
-          [&suggest](std::string_view text) { suggest.accept = text; })
+          [&suggest](std::string_view text) {
+              if (text.find_first_not_of(" ,") == std::string_view::npos)
+                  throw UsageError(
+                      fmt::format("--accept takes suggestions or all, and \"{}\" names none", text));
+              suggest.accept = text;
+          })
         ->configurable(false);
     verb->add_flag("--alone", suggest.alone, "accept what is named, and not what is like it")->group(group);
     value(*verb, "--refinement", "FILE", "what was accepted before; --accept writes it anew", group,
@@ -239,16 +255,22 @@ int run_suggest(const Options& given) {
     options.inputs.names = {verb.drawing};
     if (!options.compile.read.drawing.as) options.compile.read.drawing.as = DrawnAs::folded;
     fit_layout(options.compile);
+    if (options.build.outputs.empty()) keep_apart(options);
     const OutputPlan plan = options.build.outputs.empty() ? OutputPlan{} : plan_of(options);
     ReadFiles read = files_read(options, {verb.drawing});
+    const bool writes = !verb.accept.empty() && !verb.refinement.empty();
+    if (writes) read.spare(verb.refinement, "--refinement");
+    read.add(verb.refinement, "the refinement file");
     spare(read, options);
-    if (!verb.accept.empty() && !verb.refinement.empty()) read.spare(verb.refinement, "--refinement");
     Inputs in;
     Compilation run;
     std::string text;
     std::vector<PendingFile> files;
     const bool done = read_inputs(options, in) && work(options, plan, in, run, text, files);
     bool written = true;
+    for (const PendingFile& file : files) {
+        if (file.path != verb.refinement) read.spare(file.path, "a further sheet");
+    }
     if (done && !files.empty()) {
         clear_litter({files.front().path});
         written = write_all(files, false, in.trouble);
@@ -256,9 +278,14 @@ int run_suggest(const Options& given) {
     const bool printed = !done || !written || print(text);
     std::vector<FileFindings> findings{
         {&in.of_drawing, in.drawing ? std::string_view(in.drawing->text) : std::string_view()}};
-    if (in.refinement) findings.push_back({&in.of_refinement, in.refinement->text, false});
+    if (!verb.refinement.empty()) {
+        findings.push_back({&in.of_refinement,
+                            in.refinement ? std::string_view(in.refinement->text) : std::string_view(),
+                            false});
+    }
     for (const CompiledDesign& one : run.designs)
         findings.push_back({&one.diagnostics, one.source.text, false});
+    findings.push_back({&run.run_diagnostics, {}, false});
     const bool told = report(options.messages, findings, in.trouble);
     if (!in.usable || !written || !printed || !told) return exit_unusable;
     return done ? exit_done : exit_findings;

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/shown.h"  // IWYU pragma: export
+
 namespace popup {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -22,8 +24,5 @@ bool is_wide_text(std::string_view text);
 
 // With ASCII letters in lower case.
 std::string lower(std::string_view text);
-
-// For messages: at most 40 characters of a text, one line, cut off with "...".
-std::string shown(std::string_view text);
 
 }  // namespace popup

@@ -74,6 +74,7 @@ OutputRequest request_of(const Options& options) {
     add(options.messages.file, {});
     add(dependency_file_name(options), "-MF");
     add(options.print.file, "--print");
+    if (!options.suggest.accept.empty()) add(options.suggest.refinement, "--refinement");
     return request;
 }
 
@@ -130,6 +131,11 @@ OutputPlan plan_of(const Options& options) {
             {"take it from there (\"stdout\"), or build something with -o"});
     }
     return *plan;
+}
+
+void keep_apart(const Options& options) {
+    Diagnostics told;
+    if (!plan_outputs(request_of(options), told)) refuse_usage(told);
 }
 
 void clear_litter(const std::vector<std::string>& files) {

@@ -23,6 +23,10 @@ void check_format_name(const std::string& name);
 // known not to have what --emit asks for.
 OutputPlan plan_of(const Options& options);
 
+// For verbs that need no output: UsageError where two files that are written beside outputs are the same, or
+// one is an input.
+void keep_apart(const Options& options);
+
 // Takes away what runs that were killed have left in the directories of these files; an empty name has none.
 void clear_litter(const std::vector<std::string>& files);
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
-#include "base/nth.h"
+#include "base/text/shown.h"
 #include "folded/carton/rough.h"
 #include "popup/refinement.h"
 
@@ -95,23 +96,38 @@ class Accepter {
     std::vector<std::size_t> left_;
 };
 
-// Rows that the words name; `all` is set where they say so. nullopt: a word names none.
-std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std::string_view words,
-                                                   bool& all, Diagnostics& diagnostics) {
+// Rows that the words name, without what was accepted before; `all` is set where they say so. nullopt: a word
+// names none.
+std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std::span<const Join> before,
+                                                   std::string_view words, bool& all,
+                                                   Diagnostics& diagnostics) {
+    const std::string_view whole = words;
     std::vector<std::size_t> rows;
     while (true) {
         const std::size_t comma = words.find(',');
         const std::string_view word = trimmed(words.substr(0, comma));
         const auto row = std::find_if(found.rows.begin(), found.rows.end(),
                                       [&](const Suggestion& one) { return one.name() == word; });
+        const bool is_old = std::any_of(before.begin(), before.end(), [&](const Join& one) {
+            return one.number > 0 && Suggestion{one, one.number}.name() == word;
+        });
         if (word == "all") {
             all = true;
+        } else if (is_old) {
+            // It is in the refinement file since it was accepted.
+        } else if (word.empty()) {
+            diagnostics
+                .error("no-such-suggestion", {},
+                       fmt::format("\"{}\" names nothing before or behind a comma", shown(whole)))
+                .hint("leave the comma out");
+            return std::nullopt;
         } else if (row != found.rows.end()) {
             rows.push_back(static_cast<std::size_t>(row - found.rows.begin()));
         } else {
             std::string names;
             for (const Suggestion& one : found.rows) names += (names.empty() ? "" : ", ") + one.name();
-            diagnostics.error("no-such-suggestion", {}, fmt::format("there is no suggestion \"{}\"", word))
+            diagnostics
+                .error("no-such-suggestion", {}, fmt::format("there is no suggestion \"{}\"", shown(word)))
                 .hint(names.empty() ? "there are none" : "there are " + names);
             return std::nullopt;
         }
@@ -120,18 +136,27 @@ std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std
     }
 }
 
+// Precondition: there is one.
+std::size_t merge_numbered(const Suggestions& found, int number) {
+    const auto row = std::find_if(found.rows.begin(), found.rows.end(), [number](const Suggestion& one) {
+        return one.join.kind == JoinKind::merge && one.number == number;
+    });
+    return static_cast<std::size_t>(row - found.rows.begin());
+}
+
 }  // namespace
 
 std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                               const Suggestions& found, std::string_view words,
                                               const AcceptOptions& accept, Diagnostics& diagnostics) {
     bool all = false;
-    const auto named = rows_named(found, words, all, diagnostics);
+    const auto named = rows_named(found, options.joins, words, all, diagnostics);
     if (!named) return std::nullopt;
     Diagnostics heard;  // the sheet has told what it had to tell when the suggestions were found
     const auto rough = folded::rough_shape(pattern, options.fold, heard);
     if (!rough) return std::nullopt;
-    auto before = folded::resolve(*rough, options.joins, pattern, diagnostics);
+    auto before = folded::resolve(*rough, options.joins, pattern,
+                                  options.of_joins != nullptr ? *options.of_joins : diagnostics);
     std::vector<Join> joins;
     for (const Suggestion& row : found.rows) joins.push_back(row.join);
     auto rows = folded::resolve(*rough, joins, pattern, diagnostics);
@@ -145,7 +170,7 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
     } else if (accept.alike) {
         std::set<std::size_t> alike;
         for (const std::size_t row : *named) {
-            for (const int number : found.rows[row].like) alike.insert(static_cast<std::size_t>(number) - 1);
+            for (const int number : found.rows[row].like) alike.insert(merge_numbered(found, number));
         }
         more.assign(alike.begin(), alike.end());
     }
@@ -158,6 +183,8 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
             .hint("--accept with its name takes one nevertheless, as near as it comes");
     }
     std::vector<Join> result = options.joins;
+    // The same words make the same file again.
+    if (!result.empty() && accepter.order().empty()) return result;
     for (const std::size_t row : accepter.order()) result.push_back(found.rows[row].join);
     const auto is_new = [&](const Join& join) {
         return std::none_of(options.joins.begin(), options.joins.end(), [&](const Join& old) {

@@ -65,7 +65,8 @@ std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOp
                                     Diagnostics& diagnostics) {
     const auto rough = folded::rough_shape(pattern, options.fold, diagnostics);
     if (!rough) return std::nullopt;
-    const auto joins = folded::resolve(*rough, options.joins, pattern, diagnostics);
+    Diagnostics& of_joins = options.of_joins != nullptr ? *options.of_joins : diagnostics;
+    const auto joins = folded::resolve(*rough, options.joins, pattern, of_joins);
     if (!joins) return std::nullopt;
     Refined refined;
     refined.enough_mm = rough->enough_mm();

@@ -2,9 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_tree.h"
+#include "base/text/place_at.h"
+#include "base/text/shown.h"
 #include "popup/refinement.h"
 
 namespace popup {
@@ -12,100 +16,164 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<std::size_t> kind_named(std::string_view name) {
+constexpr double kLargestCorner = 1e9;  // in units of the drawing; what is larger is a mistake
+constexpr double kLargestNumber = 1e6;  // of a suggestion
+constexpr std::string_view kNumber = "number";
+constexpr std::string_view kWhatJoinsAre =
+    R"(joins are {"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …]} or )"
+    R"({"paste": ["sheet/glue-flap", "sheet/front"]}, and may have a "number")";
+
+std::optional<JoinKind> kind_named(std::string_view name) {
     const auto* const found = std::find(kJoinKindNames.begin(), kJoinKindNames.end(), name);
     if (found == kJoinKindNames.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - kJoinKindNames.begin());
+    return static_cast<JoinKind>(found - kJoinKindNames.begin());
 }
 
-// The line of a byte, for errors of syntax.
-Place place_of(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte, text.size()));
-    Place place;
-    place.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-    const std::size_t last = before.rfind('\n');
-    place.column = static_cast<int>(before.size() - (last == std::string_view::npos ? 0 : last + 1)) + 1;
-    return place;
+// A member that `known` does not have; null: there is none.
+template <std::size_t N>
+const JsonMember* unknown_member(const JsonObject& object, const std::array<std::string_view, N>& known) {
+    const auto found = std::find_if(object.begin(), object.end(), [&](const JsonMember& one) {
+        return std::find(known.begin(), known.end(), one.name) == known.end();
+    });
+    return found == object.end() ? nullptr : &*found;
 }
 
-bool is_corner(const Json& value) {
-    return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
-}
+class Reader {
+ public:
+    Reader(const Source& source, const Ruler& ruler, Diagnostics& diagnostics)
+        : text_(source.text), ruler_(ruler), diagnostics_(diagnostics) {}
 
-std::optional<Join> join_of(const Json& value) {
-    if (!value.is_object() || value.size() != 1) return std::nullopt;
-    const auto kind = kind_named(value.begin().key());
-    const Json& parts = value.begin().value();
-    if (!kind || !parts.is_array()) return std::nullopt;
-    Join join;
-    join.kind = static_cast<JoinKind>(*kind);
-    const bool merges = join.kind == JoinKind::merge;
-    if (merges ? parts.size() < 2 : parts.size() != 2) return std::nullopt;
-    for (const Json& part : parts) {
-        if (!merges) {
-            if (!part.is_string()) return std::nullopt;
-            join.parts.push_back({part.get<std::string>(), {}});
-            continue;
-        }
-        if (!part.is_object() || !part.contains("panel") || !part["panel"].is_string() ||
-            !part.contains("corner") || !is_corner(part["corner"]))
+    std::optional<std::vector<Join>> run() {
+        const std::optional<JsonValue> tree = read_json(text_, "bad-refinement", diagnostics_);
+        if (!tree) return std::nullopt;
+        const JsonValue* const all = tree->member("joins");
+        const JsonList* const list = all == nullptr ? nullptr : all->list();
+        if (list == nullptr) {
+            refuse(tree->at, "a refinement file is an object with a list \"joins\"");
             return std::nullopt;
-        const Vec2 corner{part["corner"][0].get<double>(), part["corner"][1].get<double>()};
-        join.parts.push_back({part["panel"].get<std::string>(), corner});
+        }
+        if (const JsonMember* const odd = unknown_member<1>(*tree->object(), {"joins"})) {
+            refuse(odd->value.at,
+                   fmt::format("a refinement file has \"joins\" and nothing else, but this has "
+                               "\"{}\"",
+                               shown(odd->name)));
+            return std::nullopt;
+        }
+        std::vector<Join> joins;
+        for (const JsonValue& one : *list) {
+            Join& join = joins.emplace_back();
+            join.place = place_at(text_, one.at);
+            const std::string why = read(one, join);
+            if (why.empty()) continue;
+            diagnostics_.error("bad-refinement", join.place, fmt::format("join {} {}", joins.size(), why))
+                .hint(std::string(kWhatJoinsAre));
+            return std::nullopt;
+        }
+        return joins;
     }
-    return join;
-}
+
+ private:
+    void refuse(std::size_t at, std::string why) {
+        diagnostics_.error("bad-refinement", place_at(text_, at), std::move(why));
+    }
+
+    // What is wrong with a join, as the rest of a sentence; empty: nothing.
+    std::string read(const JsonValue& value, Join& join) const {
+        if (value.object() == nullptr) return "is no object";
+        const JsonList* parts = nullptr;
+        for (const JsonMember& member : *value.object()) {
+            if (member.name == kNumber) {
+                const double* const number = member.value.number();
+                if (number == nullptr || *number < 1.0 || *number > kLargestNumber ||
+                    *number != std::floor(*number))
+                    return "has a \"number\" that is no number of a suggestion";
+                join.number = static_cast<int>(*number);
+                continue;
+            }
+            const auto kind = kind_named(member.name);
+            if (!kind) return fmt::format("is a \"{}\", which is no way to join", shown(member.name));
+            if (parts != nullptr) return "is more than one: each has an object of its own";
+            parts = member.value.list();
+            if (parts == nullptr) return fmt::format("has a \"{}\" that is no list", member.name);
+            join.kind = *kind;
+        }
+        if (parts == nullptr) return "does not say what it joins";
+        return join.kind == JoinKind::merge ? read_corners(*parts, join) : read_panels(*parts, join);
+    }
+
+    static std::string read_panels(const JsonList& parts, Join& join) {
+        const std::string_view kind = kJoinKindNames.at(static_cast<std::size_t>(join.kind));
+        if (parts.size() != 2) return fmt::format("is a {} of {} panels instead of two", kind, parts.size());
+        for (const JsonValue& part : parts) {
+            if (part.text() == nullptr) return fmt::format("is a {} of what is no name of a panel", kind);
+            join.parts.push_back({*part.text(), {}});
+        }
+        return {};
+    }
+
+    std::string read_corners(const JsonList& parts, Join& join) const {
+        if (parts.size() < 2)
+            return fmt::format("is a merge of {} corners instead of two or more", parts.size());
+        for (const JsonValue& part : parts) {
+            const JsonValue* const panel = part.member("panel");
+            const JsonValue* const corner = part.member("corner");
+            if (panel == nullptr || panel->text() == nullptr || corner == nullptr)
+                return "is a merge of what has no \"panel\" or no \"corner\"";
+            if (const JsonMember* const odd = unknown_member<2>(*part.object(), {"panel", "corner"}))
+                return fmt::format("has a corner with \"{}\", which means nothing there", shown(odd->name));
+            const JsonList* const at = corner->list();
+            if (at == nullptr || at->size() != 2 || !is_length((*at)[0]) || !is_length((*at)[1]))
+                return "has a \"corner\" that is no place: two numbers, as findings print it";
+            join.parts.push_back({*panel->text(), in_mm({*(*at)[0].number(), *(*at)[1].number()})});
+        }
+        return {};
+    }
+    static bool is_length(const JsonValue& value) {
+        return value.number() != nullptr && std::abs(*value.number()) <= kLargestCorner;
+    }
+    [[nodiscard]] Vec2 in_mm(Vec2 shown_at) const {
+        const Vec2 off{shown_at.x, ruler_.y_down ? -shown_at.y : shown_at.y};
+        return ruler_.origin + (1.0 / ruler_.per_mm) * off;
+    }
+
+    std::string_view text_;
+    const Ruler& ruler_;
+    Diagnostics& diagnostics_;
+};
 
 // To five decimals, and never -0.
 double settled(double value) { return std::round(value * 1e5) / 1e5 + 0.0; }
 
 }  // namespace
 
-std::string write_refinement(const std::vector<Join>& joins) {
+Vec2 corner_as_shown(const Ruler& ruler, Vec2 at) {
+    const Vec2 off = ruler.per_mm * (at - ruler.origin);
+    return {settled(off.x), settled(ruler.y_down ? -off.y : off.y)};
+}
+
+std::string write_refinement(const std::vector<Join>& joins, const Ruler& ruler) {
     std::string text = "{\n  \"joins\": [";
     for (std::size_t i = 0; i < joins.size(); ++i) {
         Json parts = Json::array();
         for (const JoinPart& part : joins[i].parts) {
             if (joins[i].kind == JoinKind::merge) {
-                parts.push_back(
-                    {{"panel", part.panel}, {"corner", {settled(part.corner.x), settled(part.corner.y)}}});
+                const Vec2 corner = corner_as_shown(ruler, part.corner);
+                parts.push_back({{"panel", part.panel}, {"corner", {corner.x, corner.y}}});
             } else {
                 parts.push_back(part.panel);
             }
         }
-        text += fmt::format("{}\n    {{\"{}\": {}}}", i == 0 ? "" : ",",
+        text += fmt::format("{}\n    {{\"{}\": {}", i == 0 ? "" : ",",
                             kJoinKindNames.at(static_cast<std::size_t>(joins[i].kind)), parts.dump());
+        if (joins[i].number > 0) text += fmt::format(", \"{}\": {}", kNumber, joins[i].number);
+        text += "}";
     }
     return text + (joins.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
-std::optional<std::vector<Join>> read_refinement(const Source& source, Diagnostics& diagnostics) {
-    Json tree;
-    try {
-        tree = Json::parse(source.text);
-    } catch (const Json::parse_error& error) {
-        const std::size_t byte = error.byte == 0 ? 0 : error.byte - 1;
-        diagnostics.error("bad-refinement", place_of(source.text, byte), "this is no JSON from here on");
-        return std::nullopt;
-    }
-    if (!tree.is_object() || !tree.contains("joins") || !tree["joins"].is_array()) {
-        diagnostics.error("bad-refinement", {}, "a refinement file is an object with a list \"joins\"");
-        return std::nullopt;
-    }
-    std::vector<Join> joins;
-    for (const Json& one : tree["joins"]) {
-        std::optional<Join> join = join_of(one);
-        if (!join) {
-            diagnostics
-                .error("bad-refinement", {},
-                       fmt::format("join {} is none: {}", joins.size() + 1, one.dump().substr(0, 80)))
-                .hint(R"(joins are {"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …]} or )"
-                      R"({"paste": ["sheet/glue-flap", "sheet/front"]})");
-            return std::nullopt;
-        }
-        joins.push_back(std::move(*join));
-    }
-    return joins;
+std::optional<std::vector<Join>> read_refinement(const Source& source, const Ruler& ruler,
+                                                 Diagnostics& diagnostics) {
+    return Reader(source, ruler, diagnostics).run();
 }
 
 }  // namespace popup

@@ -6,8 +6,10 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "base/nth.h"
+#include "base/text/shown.h"
 #include "folded/path.h"
 #include "folded/refine.h"
 
@@ -56,13 +58,13 @@ class Resolver {
             numbers_.emplace(rough.names[i], static_cast<int>(i));
     }
 
-    bool add(const Join& join, PanelJoin& to) {
+    bool add(const Join& join, std::size_t number, PanelJoin& to) {
+        join_ = &join;
         const bool merges = join.kind == JoinKind::merge;
-        const std::string_view kind = kJoinKindNames.at(static_cast<std::size_t>(join.kind));
+        what_ = fmt::format("join {}: a {}", number, kJoinKindNames.at(static_cast<std::size_t>(join.kind)));
         if (join.parts.size() < 2 || (!merges && join.parts.size() != 2)) {
-            diagnostics_.error("no-such-panel", {},
-                               fmt::format("a {} joins {}, and this one names {}", kind,
-                                           merges ? "two corners or more" : "two panels", join.parts.size()));
+            refuse(fmt::format("{} joins {}, and this one names {}", what_,
+                               merges ? "two corners or more" : "two panels", join.parts.size()));
             return false;
         }
         std::set<int> seen;
@@ -70,14 +72,14 @@ class Resolver {
         for (const JoinPart& part : join.parts) {
             const auto found = numbers_.find(part.panel);
             if (found == numbers_.end()) {
-                refuse(kind, part);
+                refuse(
+                    fmt::format("{} names \"{}\", and the sheet has no such panel", what_, shown(part.panel)))
+                    .hint(all_names());
                 return false;
             }
             if (!seen.insert(found->second).second) {
-                diagnostics_.error(
-                    "no-such-panel", {},
-                    fmt::format("a {} names \"{}\" twice: what is joined is of different panels", kind,
-                                part.panel));
+                refuse(fmt::format("{} names \"{}\" twice: what is joined is of different panels", what_,
+                                   shown(part.panel)));
                 return false;
             }
             panels.push_back(found->second);
@@ -87,11 +89,10 @@ class Resolver {
                 return distance(rough_.sheet.at(a), part.corner) < distance(rough_.sheet.at(b), part.corner);
             });
             if (const double off = distance(rough_.sheet.at(corner), part.corner); off > kCornerMm) {
-                diagnostics_
-                    .error("no-such-panel", {},
-                           fmt::format("\"{}\" has no corner at {}; the nearest is at {}, {:.2f} mm away",
-                                       part.panel, shown_point(pattern_.ruler, part.corner),
-                                       shown_point(pattern_.ruler, rough_.sheet.at(corner)), off))
+                refuse(
+                    fmt::format("join {}: \"{}\" has no corner at {}; the nearest is at {}, {:.2f} mm away",
+                                number, shown(part.panel), shown_point(pattern_.ruler, part.corner),
+                                shown_point(pattern_.ruler, rough_.sheet.at(corner)), off))
                     .hint("if the drawing has changed, popupc suggest finds its corners anew");
                 return false;
             }
@@ -105,13 +106,18 @@ class Resolver {
     }
 
  private:
-    void refuse(std::string_view kind, const JoinPart& part) {
-        std::string names;
-        for (const std::string& name : rough_.names) names += (names.empty() ? "" : " ") + name;
-        diagnostics_
-            .error("no-such-panel", {},
-                   fmt::format("a {} names \"{}\", and the sheet has no such panel", kind, part.panel))
-            .hint("its panels: " + names);
+    Diagnostic& refuse(std::string why) {
+        return diagnostics_.error("no-such-panel", join_->place, std::move(why));
+    }
+    // The first ones, of sheets that have thousands.
+    [[nodiscard]] std::string all_names() const {
+        static constexpr std::size_t kMostNames = 40;
+        std::string names = "its panels:";
+        for (std::size_t i = 0; i < rough_.names.size() && i < kMostNames; ++i)
+            names += " " + shown(rough_.names[i]);
+        if (rough_.names.size() > kMostNames)
+            names += fmt::format(" and {} more", rough_.names.size() - kMostNames);
+        return names;
     }
 
     static constexpr double kCornerMm = 0.1;
@@ -119,6 +125,8 @@ class Resolver {
     const CreasePattern& pattern_;
     Diagnostics& diagnostics_;
     std::map<std::string, int, std::less<>> numbers_;
+    const Join* join_ = nullptr;
+    std::string what_;  // "join 3: a merge"
 };
 
 }  // namespace
@@ -128,7 +136,8 @@ std::optional<std::vector<PanelJoin>> resolve(const RoughShape& rough, std::span
     Resolver resolver(rough, pattern, diagnostics);
     std::vector<PanelJoin> result;
     for (const Join& join : joins) {
-        if (!resolver.add(join, result.emplace_back())) return std::nullopt;
+        const std::size_t number = result.size() + 1;
+        if (!resolver.add(join, number, result.emplace_back())) return std::nullopt;
     }
     return result;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -163,10 +164,12 @@ std::vector<SpotPair> near_pairs(const std::vector<Spot>& spots, double near) {
 
 class Finder {
  public:
-    Finder(const RoughShape& rough, const FoldedState& state, std::vector<PanelJoin> accepted, double near)
+    Finder(const RoughShape& rough, const FoldedState& state, std::vector<PanelJoin> accepted,
+           std::span<const Join> named, double near)
         : rough_(rough),
           state_(state),
           accepted_(std::move(accepted)),
+          named_(named),
           near_(near),
           spots_(Spots(state).run()) {
         for (const Fold& fold : rough.sheet.folds) folded_.insert(std::minmax(fold.left, fold.right));
@@ -272,7 +275,8 @@ class Finder {
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             for (std::size_t j = 0; j < shapes.size(); ++j) {
                 if (i != j && alike(shapes[i], shapes[j]))
-                    found_.rows[i].like.push_back(static_cast<int>(j) + 1);
+                    found_.rows[i].like.push_back(
+                        static_cast<int>(j));  // its row; number_rows() makes it a number
             }
         }
     }
@@ -399,12 +403,25 @@ class Finder {
 
     void number_rows() {
         std::array<int, kJoinKindNames.size()> numbers{};
-        for (Suggestion& row : found_.rows) row.number = ++nth(numbers, row.join.kind);
+        const auto is_taken = [&](JoinKind kind, int number) {
+            return std::any_of(named_.begin(), named_.end(),
+                               [&](const Join& one) { return one.kind == kind && one.number == number; });
+        };
+        for (Suggestion& row : found_.rows) {
+            int& number = nth(numbers, row.join.kind);
+            do ++number;
+            while (is_taken(row.join.kind, number));
+            row.number = row.join.number = number;
+        }
+        for (Suggestion& row : found_.rows) {
+            for (int& other : row.like) other = nth(found_.rows, other).number;
+        }
     }
 
     const RoughShape& rough_;
     const FoldedState& state_;
     std::vector<PanelJoin> accepted_;
+    std::span<const Join> named_;  // the same
     double near_;
     std::vector<Spot> spots_;
     std::vector<SpotPair> pairs_;
@@ -423,13 +440,14 @@ std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const Sug
                                          Diagnostics& diagnostics) {
     const auto rough = folded::rough_shape(pattern, options.fold, diagnostics);
     if (!rough) return std::nullopt;
-    auto joins = folded::resolve(*rough, options.joins, pattern, diagnostics);
+    Diagnostics& of_joins = options.of_joins != nullptr ? *options.of_joins : diagnostics;
+    auto joins = folded::resolve(*rough, options.joins, pattern, of_joins);
     if (!joins) return std::nullopt;
     const double near = options.near_mm.value_or(std::min(kPapersMm, kNearShare * rough->sheet.size()));
     std::vector<double> angles = rough->angles;
     if (!joins->empty()) angles = folded::close_joins(rough->state(), *joins, true).angles;
     const FoldedState state(rough->sheet, rough->tree, std::move(angles));
-    return Finder(*rough, state, std::move(*joins), near).run();
+    return Finder(*rough, state, std::move(*joins), options.joins, near).run();
 }
 
 }  // namespace popup

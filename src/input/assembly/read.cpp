@@ -17,7 +17,7 @@
 #include "base/text/base64.h"
 #include "base/text/place_at.h"
 #include "input/assembly/guarantees.h"
-#include "input/json_tree.h"
+#include "base/text/json_tree.h"
 #include "input/text.h"
 #include "popup/image.h"
 

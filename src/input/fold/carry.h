@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "input/json_tree.h"
+#include "base/text/json_tree.h"
 #include "popup/crease_pattern.h"
 
 namespace popup::fold {

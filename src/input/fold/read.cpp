@@ -12,7 +12,7 @@
 #include "base/nth.h"
 #include "base/text/place_at.h"
 #include "input/fold/carry.h"
-#include "input/json_tree.h"
+#include "base/text/json_tree.h"
 #include "input/text.h"
 
 namespace popup::fold {

@@ -13,7 +13,7 @@
 
 #include "base/geometry/regions.h"
 #include "base/text/place_at.h"
-#include "input/json_tree.h"
+#include "base/text/json_tree.h"
 #include "input/text.h"
 #include "parts/work.h"
 

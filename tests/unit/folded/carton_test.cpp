@@ -361,6 +361,28 @@ TEST(Carton, WhatIsLikeAnAcceptedMergeIsAcceptedToo) {
     }
 }
 
+// The same words, with what they accepted before, change nothing, and take no other suggestion.
+TEST(Carton, AcceptingAgainIsRepeatable) {
+    const CreasePattern pattern = pyramid(4, 40, 53);
+    Diagnostics diagnostics;
+    SuggestOptions options;
+    options.near_mm = 60.0;
+    const auto found = suggest_joins(pattern, options, diagnostics);
+    ASSERT_TRUE(found);
+    ASSERT_FALSE(found->rows.empty());
+    const auto once = accept_joins(pattern, options, *found, "merge 1", {false}, diagnostics);
+    ASSERT_TRUE(once);
+    options.joins = *once;
+    const auto then = suggest_joins(pattern, options, diagnostics);
+    ASSERT_TRUE(then);
+    for (const Suggestion& row : then->rows) EXPECT_NE(row.name(), "merge 1");
+    const auto twice = accept_joins(pattern, options, *then, "merge 1", {false}, diagnostics);
+    ASSERT_TRUE(twice);
+    EXPECT_EQ(write_refinement(*twice, {}), write_refinement(*once, {}));
+    EXPECT_FALSE(accept_joins(pattern, options, *then, "merge 1,", {}, diagnostics));
+    EXPECT_EQ(diagnostics.sorted().front().message, "\"merge 1,\" names nothing before or behind a comma");
+}
+
 TEST(Carton, AFlapIsPastedOnItsWall) {
     // Three walls and a glue flap: at right angles the flap is far from the plane of the first wall.
     const std::vector<double> widths{60, 60, 60, 12};
@@ -387,35 +409,63 @@ TEST(Carton, AFlapIsPastedOnItsWall) {
 }
 
 TEST(Carton, ARefinementFileIsReadAsItWasWritten) {
-    const std::vector<Join> joins{
+    std::vector<Join> joins{
         {JoinKind::merge, {{"sheet/front", {20, 40.5}}, {"sheet/\"lid\"", {-3.25, 1e-3}}}},
         {JoinKind::paste, {{"sheet/glue-flap", {}}, {"sheet/front", {}}}},
         {JoinKind::coplanar, {{"sheet/1", {}}, {"sheet/2", {}}}}};
-    const std::string text = write_refinement(joins);
-    Diagnostics diagnostics;
-    const auto read = read_refinement({"box.refine.json", text}, diagnostics);
-    ASSERT_TRUE(read);
-    EXPECT_EQ(write_refinement(*read), text);
-    ASSERT_EQ(read->size(), 3U);
-    EXPECT_EQ((*read)[0].parts[1].panel, "sheet/\"lid\"");
-    EXPECT_EQ((*read)[0].parts[1].corner.x, -3.25);
-    EXPECT_EQ(write_refinement({}), "{\n  \"joins\": []\n}\n");
+    joins[1].number = 3;
+    for (const Ruler& ruler : {Ruler{}, Ruler{{3, 70}, 2.0, true, "px"}}) {
+        const std::string text = write_refinement(joins, ruler);
+        Diagnostics diagnostics;
+        const auto read = read_refinement({"box.refine.json", text}, ruler, diagnostics);
+        ASSERT_TRUE(read);
+        EXPECT_EQ(write_refinement(*read, ruler), text);
+        ASSERT_EQ(read->size(), 3U);
+        EXPECT_EQ((*read)[0].parts[1].panel, "sheet/\"lid\"");
+        EXPECT_NEAR((*read)[0].parts[1].corner.x, -3.25, 1e-9);
+        EXPECT_NEAR((*read)[0].parts[0].corner.y, 40.5, 1e-9);
+        EXPECT_EQ((*read)[1].number, 3);
+        EXPECT_EQ((*read)[2].place, (Place{5, 5}));
+    }
+    // As findings show them: y goes down in drawings whose y does.
+    EXPECT_NE(write_refinement(joins, {{0, 100}, 1.0, true, "mm"}).find("[20.0,59.5]"), std::string::npos);
+    EXPECT_EQ(write_refinement({}, {}), "{\n  \"joins\": []\n}\n");
 }
 
 TEST(Carton, BadRefinementsAreTold) {
     const auto told = [](const std::string& text) {
         Diagnostics diagnostics("r.json");
-        EXPECT_FALSE(read_refinement({"r.json", text}, diagnostics)) << text;
+        EXPECT_FALSE(read_refinement({"r.json", text}, {}, diagnostics)) << text;
         EXPECT_EQ(diagnostics.sorted().size(), 1U);
         EXPECT_EQ(diagnostics.sorted().front().code, "bad-refinement");
+        EXPECT_GT(diagnostics.sorted().front().place.line, 0);
         return diagnostics.sorted().front().message;
     };
-    EXPECT_EQ(told("{\n  x"), "this is no JSON from here on");
+    EXPECT_TRUE(told("{\n  x").starts_with("this is not JSON: "));
+    EXPECT_TRUE(told(R"({"joins": [],})").starts_with("this is not JSON: "));
     EXPECT_EQ(told("[]"), "a refinement file is an object with a list \"joins\"");
-    EXPECT_EQ(told(R"({"joins": [{"glue": []}]})"), R"(join 1 is none: {"glue":[]})");
-    EXPECT_EQ(told(R"({"joins": [{"paste": ["a"]}]})"), R"(join 1 is none: {"paste":["a"]})");
+    EXPECT_EQ(told(R"({"joins": [], "near": 4})"),
+              "a refinement file has \"joins\" and nothing else, but this has \"near\"");
+    EXPECT_EQ(told(R"({"joins": [3]})"), "join 1 is no object");
+    EXPECT_EQ(told(R"({"joins": [{}]})"), "join 1 does not say what it joins");
+    EXPECT_EQ(told(R"({"joins": [{"glue": []}]})"), "join 1 is a \"glue\", which is no way to join");
+    EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"]}, {"paste": ["a"]}]})"),
+              "join 2 is a paste of 1 panels instead of two");
+    EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"], "number": 1.5}]})"),
+              "join 1 has a \"number\" that is no number of a suggestion");
     EXPECT_EQ(told(R"({"joins": [{"merge": [{"panel": "a"}, {"panel": "b"}]}]})"),
-              R"(join 1 is none: {"merge":[{"panel":"a"},{"panel":"b"}]})");
+              "join 1 is a merge of what has no \"panel\" or no \"corner\"");
+    // What is no length, and what is nested beyond all measure.
+    EXPECT_TRUE(told(R"({"joins": [{"merge": [{"panel": "a", "corner": [1e999, 0]}]}]})")
+                    .starts_with("this is not JSON: number overflow"));
+    EXPECT_EQ(told(R"({"joins": [{"merge": [{"panel": "a", "corner": [1e300, 0]}, {}]}]})"),
+              "join 1 has a \"corner\" that is no place: two numbers, as findings print it");
+    EXPECT_EQ(told("{\"joins\": [" + std::string(200'000, '[')), "values are nested more than 32 deep");
+    // Long names are cut between characters.
+    std::string name;
+    for (int i = 0; i < 60; ++i) name += "é";
+    EXPECT_EQ(told("{\"joins\": [{\"" + name + "\": []}]}"),
+              "join 1 is a \"" + name.substr(0, 80) + "...\", which is no way to join");
 }
 
 TEST(Carton, JoinsOfWhatIsNotThereAreTold) {
@@ -426,14 +476,14 @@ TEST(Carton, JoinsOfWhatIsNotThereAreTold) {
         return diagnostics.sorted().empty() ? std::string() : diagnostics.sorted().front().message;
     };
     EXPECT_EQ(told({JoinKind::paste, {{"sheet/lid", {}}, {"sheet/base", {}}}}),
-              "a paste names \"sheet/lid\", and the sheet has no such panel");
+              "join 1: a paste names \"sheet/lid\", and the sheet has no such panel");
     EXPECT_EQ(told({JoinKind::paste, {{"sheet/base", {}}, {"sheet/base", {}}}}),
-              "a paste names \"sheet/base\" twice: what is joined is of different panels");
+              "join 1: a paste names \"sheet/base\" twice: what is joined is of different panels");
     EXPECT_EQ(told({JoinKind::merge, {{"sheet/base", {}}}}),
-              "a merge joins two corners or more, and this one names 1");
+              "join 1: a merge joins two corners or more, and this one names 1");
     EXPECT_EQ(told({JoinKind::merge, {{"sheet/base", {40.5, 0}}, {"sheet/front", {40, 0}}}}),
-              "\"sheet/base\" has no corner at (40.50, 0.00) mm; the nearest is at (40.00, 0.00) mm, 0.50 mm "
-              "away");
+              "join 1: \"sheet/base\" has no corner at (40.50, 0.00) mm; the nearest is at (40.00, 0.00) mm, "
+              "0.50 mm away");
     Diagnostics diagnostics;
     const auto found = suggest_joins(pattern, {}, diagnostics);
     ASSERT_TRUE(found);

@@ -1,4 +1,4 @@
-#include "input/json_tree.h"
+#include "base/text/json_tree.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/place_at.h"
-#include "input/text.h"
+#include "base/text/shown.h"
 
 namespace popup {
 namespace {
