@@ -251,6 +251,9 @@ double closure_error(const Assembly& assembly, std::span<const Frame> frames, in
 // near linear in plates, for plates that each have few others near.
 Examination examine(const Assembly& assembly, const MotionOptions& options);
 
+// The same of a folded sheet in the state in which its motion ends, and of no other.
+Examination examine_folded(Assembly assembly, const MotionOptions& options);
+
 // Which plates the opening does not force, by their first plates; empty: it forces all of them. Each plate is
 // in at most one of the groups, and groups move independently of one another. A floating layer on a pillar
 // and two walls, all parallel and of one height, is one group of five plates and one way.

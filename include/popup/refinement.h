@@ -12,9 +12,12 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "popup/crease_pattern.h"
@@ -45,6 +48,9 @@ struct Join {
     Place place = {};  // in the refinement file
 };
 
+// Three digits, without exponents: "28.5 mm", "0.000209 mm".
+std::string shown_gap(double mm);
+
 // "merge sheet/front (20.00, 40.00) mm, sheet/lid (20.00, 120.00) mm".
 std::string shown_join(const Join& join, const Ruler& ruler);
 
@@ -58,7 +64,7 @@ struct RefineOptions {
 struct Refined {
     // The sheet with every fold at the angle that closes the joins: as cuts and folds of its own, mended as
     // fold_sheet() mends them. fold_sheet() folds it so that its motion ends in the refined shape; its
-    // FoldOptions must not name angles.
+    // FoldOptions must not name angles, nor a share of them.
     CreasePattern pattern;
     std::vector<double> apart_mm;  // by join: what it is left open by, while all panels are rigid
     double residual_mm = 0.0;      // the most of these, and of what loops of folds gape
@@ -69,10 +75,11 @@ inline constexpr double kRefined = 1e-6;
 
 // Refines the shape in which the motion of fold_sheet() ends. All panels stay rigid: only angles of folds
 // change, each as little as the joins let it. Joins that cannot all close are left open by a compromise, and
-// the warning `join-open` names the one that is open most, and by how much. Errors `no-such-panel` (a join
-// names a panel or corner that the sheet does not have), `not-refined` (the sheet does not fold rigidly), and
-// those of fold_sheet() give nullopt. Cost: that of some dozens of sparse factorisations with three unknowns
-// a corner.
+// the warning `join-open` names the one that is open most, and by how much. The warning `join-swings` says
+// that a fold turns by more than 15° although little is open: the joins hardly say where it should be. Errors
+// `no-such-panel` (a join names a panel or corner that the sheet does not have), `not-refined` (the sheet
+// does not fold rigidly), and those of fold_sheet() give nullopt. Cost: that of some dozens of sparse
+// factorisations with three unknowns a corner.
 std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOptions& options,
                                     Diagnostics& diagnostics);
 
@@ -90,7 +97,10 @@ struct Suggestion {
     int number = 0;            // within its kind, from 1; none that an accepted join has
     double apart_mm = 0.0;     // now
     double residual_mm = 0.0;  // what accepting it, and what was accepted before, would leave open
-    bool closes = false;       // as Refined::closes
+    bool settled = true;       // false: or less, for the search has ended before it could tell
+    double turn_deg = 0.0;     // the most that a fold turns for it
+    bool swings = false;       // as the warning `join-swings` has it
+    bool closes = false;       // as Refined::closes, and swings nothing
     // Merges that are like this one: as many corners, with as many edges, as long (the paper's symmetric
     // groups); numbers, ascending.
     std::vector<int> like = {};
@@ -103,7 +113,7 @@ struct Suggestions {
     // Merges of corners that go together as above and are in one place already, to 0.01 mm. Accepting keeps
     // them there.
     std::vector<Join> met;
-    std::size_t left_out = 0;  // beyond kMostSuggestions
+    std::size_t left_out = 0;  // candidates beyond kMostSuggestions, or beyond the work that is done at most
 };
 inline constexpr std::size_t kMostSuggestions = 200;
 
@@ -117,18 +127,26 @@ inline constexpr std::size_t kMostSuggestions = 200;
 //   further from the larger's plane, their fronts nearly the same way (0.85).
 //
 // What two corners, or two panels, would leave open by more than a twentieth of near_mm is not suggested, nor
-// what is joined already, by a fold or because it is in place to 0.01 mm. The same drawing has the same
+// what can come hardly nearer than it is, as panels that are a board apart, nor what is joined already, by a
+// fold or because it is in place to 0.01 mm. The same drawing has the same
 // numbers. nullopt as refine_shape(). Cost: near linear in corners, as long as few are near one
 // another, and a refinement of the panels in between for each suggestion.
 std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                          Diagnostics& diagnostics);
 
+// Pairs of panels, by their names, that pass through each other.
+using Crossings = std::set<std::pair<std::string, std::string>>;
+
 struct AcceptOptions {
     bool alike = true;  // accepts what is like an accepted merge, too, where it closes
+    // What crosses in a refined sheet, folded, and if `whole_way` while it is folded. Called a hundred times
+    // at most, a few of them for the whole way. Empty: nobody looks.
+    std::function<Crossings(const CreasePattern& refined, bool whole_way)> crossings = {};
 };
 
 // The joins of `options`, and the suggestions that `words` name: "merge 3, paste 1", or "all": each, the
-// nearest first, that leaves nothing open together with those before. Then those of Suggestions::met that
+// nearest first, that leaves nothing open together with those before, swings nothing, and brings no crossing
+// that was not there. Then those of Suggestions::met that
 // leave nothing open either, so that what is joined does not part what has met. The remark `join-left` names
 // those that do not fit, of "all" and of what is alike; what is named itself is accepted whatever it leaves.
 // What was accepted before under its number is so already. Error `no-such-suggestion`: nullopt.

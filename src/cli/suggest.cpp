@@ -23,8 +23,11 @@ using Json = nlohmann::ordered_json;
 
 double rounded(double mm) { return std::round(mm * 1e4) / 1e4 + 0.0; }
 
-std::string left_open(bool closes, double mm) {
-    return closes ? "closes" : fmt::format("leaves {:.2f} mm", mm);
+std::string left_open(bool closes, double mm) { return closes ? "closes" : "leaves " + shown_gap(mm); }
+
+std::string outcome(const Suggestion& row) {
+    if (row.swings) return fmt::format("swings a fold by {:.0f}°", row.turn_deg);
+    return left_open(row.closes, row.residual_mm) + (row.settled ? "" : " or less");
 }
 
 std::string like_text(const Suggestion& row) {
@@ -38,8 +41,8 @@ std::string as_text(const Suggestions& found, const Ruler& ruler) {
                                    found.met.size(), found.met.size() == 1 ? "" : "s");
     if (found.left_out > 0) text += fmt::format("{} more are left out\n", found.left_out);
     for (const Suggestion& row : found.rows) {
-        text += fmt::format("{:<12}{:>7.2f} mm apart, {}{}\n", row.name(), row.apart_mm,
-                            left_open(row.closes, row.residual_mm), like_text(row));
+        text += fmt::format("{:<12}{:>7.2f} mm apart, {}{}\n", row.name(), row.apart_mm, outcome(row),
+                            like_text(row));
         for (const JoinPart& part : row.join.parts) {
             text += "    " + part.panel;
             if (row.join.kind == JoinKind::merge) text += " " + shown_point(ruler, part.corner);
@@ -62,7 +65,8 @@ Json as_json(const Suggestions& found, const Ruler& ruler) {
         rows.push_back({{"name", row.name()},
                         {"parts", std::move(parts)},
                         {"apart_mm", rounded(row.apart_mm)},
-                        {"residual_mm", row.closes ? 0.0 : rounded(row.residual_mm)},
+                        {"residual_mm", row.closes ? 0.0 : std::round(row.residual_mm * 1e7) / 1e7},
+                        {"turn_deg", std::round(row.turn_deg * 1e2) / 1e2},
                         {"closes", row.closes},
                         {"like", row.like}});
     }
@@ -143,11 +147,41 @@ bool read_inputs(const Options& options, Inputs& in) {
     return true;
 }
 
+// What crosses in a refined sheet. One that stops on its way is told by names that no panel has.
+Crossings crossings_in(const CreasePattern& refined, bool whole_way, const CompileOptions& options) {
+    Diagnostics heard;
+    FoldOptions fold = options.fold;
+    fold.fold_angles.clear();
+    fold.to = 1.0;
+    auto assembly = fold_sheet(refined, fold, heard);
+    if (!assembly || !moves(*assembly)) return {};
+    std::vector<Contact> contacts;
+    if (whole_way) {
+        const auto motion = simulate_sheet(*assembly, options.motion, heard);
+        if (!motion) return {{"", "stops"}};
+        if (motion->examination) contacts = motion->examination->contacts;
+    } else {
+        contacts = examine_folded(*assembly, options.motion).contacts;
+    }
+    Crossings found;
+    const auto name = [&](int plate) { return assembly->plates[static_cast<std::size_t>(plate)].name; };
+    for (const Contact& one : contacts) found.insert(std::minmax(name(one.a), name(one.b)));
+    return found;
+}
+
+AcceptOptions accept_options(const Options& options) {
+    return {!options.suggest.alone,
+            [&compile = options.compile](const CreasePattern& refined, bool whole_way) {
+                return crossings_in(refined, whole_way, compile);
+            }};
+}
+
 // The files that -o asks for, of the refined sheet; nullopt: something is wrong with it.
 std::optional<std::vector<PendingFile>> make_outputs(const Options& options, const OutputPlan& plan,
                                                      Inputs& in, CreasePattern pattern, Compilation& run) {
     CompileOptions compile = options.compile;
-    compile.fold.fold_angles.clear();  // the pattern says them all
+    compile.fold.fold_angles.clear();  // the pattern says them all, and their share
+    compile.fold.to = 1.0;
     CompiledDesign& one = run.designs.emplace_back();
     one.source = *in.drawing;
     one.stem = one.source.stem();
@@ -179,7 +213,8 @@ bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilatio
                              : as_text(*found, in.pattern.ruler);
             return true;
         }
-        auto joins = accept_joins(in.pattern, suggest, *found, verb.accept, {!verb.alone}, in.of_drawing);
+        auto joins =
+            accept_joins(in.pattern, suggest, *found, verb.accept, accept_options(options), in.of_drawing);
         if (!joins) return false;
         in.joins = std::move(*joins);
     }
@@ -189,7 +224,7 @@ bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilatio
     if (!refined) return false;
     if (heard) {
         for (const Diagnostic& one : again.sorted()) {
-            if (one.code != "join-open") continue;
+            if (one.code != "join-open" && one.code != "join-swings") continue;
             Diagnostic& told = in.of_drawing.warning(one.code, one.place, one.message);
             for (const std::string& hint : one.hints) told.hint(hint);
         }

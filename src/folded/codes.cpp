@@ -106,13 +106,19 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "question, and answered without --flat."},
     {"join-left", Severity::remark, "suggestions that were not accepted",
      "Of what was to be accepted, the named suggestions do not go together with the others: panels would "
-     "have to bend. The rest was accepted. A suggestion that is accepted by its own name is kept "
+     "have to bend, or to turn far although next to nothing is open, or would pass through others that they "
+     "do not pass through now. The rest was accepted. A suggestion that is accepted by its own name is kept "
      "nevertheless, and then the shape is a compromise."},
     {"join-open", Severity::warning, "joins that cannot all close",
      "Corners are to meet, or panels to lie in one plane, and no angles of the folds bring them there while "
      "all panels stay flat. The shape is the one that leaves the least open, in least squares; the message "
      "names the join that is open most, and by how much. Lengths that should agree and do not are the usual "
      "reason: board takes up room, and drawings allow for it. Leave the join out, or mend the lengths."},
+    {"join-swings", Severity::warning, "joins that swing folds far",
+     "Corners or panels are next to each other already, and to bring them wholly together a fold turns by "
+     "more than 15 degrees, and moves what hangs on it many times as far as they were apart. That is seldom "
+     "meant: mostly they are a board apart because they lie upon each other, or another join is missing that "
+     "says where the fold should be. The message names the fold."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "

@@ -25,9 +25,10 @@ namespace popup {
 namespace {
 
 constexpr double kFlatDeg = 180.0;
-// More parts than this are not put in an order, and no more poses are looked at.
+// More parts than this are not put in an order, and no more poses are looked at. Cartons of the kit take some
+// 1,000 to 14,000 poses a part.
 constexpr std::size_t kMostParts = 64;
-constexpr std::size_t kMostPoses = 4'000'000;
+constexpr std::size_t kMostPosesAPart = 30'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
 // How far a lid rises while the flap on it stays upright, degrees.
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
@@ -200,6 +201,8 @@ class Order {
 
     void set_all(Doing doing) { doing_.assign(parts_.size(), doing); }
 
+    [[nodiscard]] bool has_work_left() const { return poses_ <= kMostPosesAPart * parts_.size(); }
+
     // False when the work ran out.
     bool look() {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -215,7 +218,7 @@ class Order {
         }
         found_ = examine(work_, options_);
         poses_ += found_.poses;
-        return poses_ <= kMostPoses;
+        return has_work_left();
     }
 
     bool is_clear() { return look() && shows_clear(found_); }
@@ -236,7 +239,7 @@ class Order {
                          [this](int a, int b) { return nth(parts_, a).area < nth(parts_, b).area; });
         set_all(kFolded);
         std::vector<Step> steps;
-        while (!left.empty() && poses_ <= kMostPoses) {
+        while (!left.empty() && has_work_left()) {
             const auto found = std::find_if(left.begin(), left.end(), [this](int part) {
                 return is_clear_with({{part, kMoves}});
             });
@@ -306,11 +309,13 @@ class Order {
         const double lid_deg = turned_deg(lid, 1.0);
         const double flap_deg = turned_deg(flap, 1.0);
         for (const double by : kUprightDeg) {
-            if (by >= lid_deg || flap_deg + by > kFlatDeg || poses_ > kMostPoses) return false;
+            if (by >= lid_deg || flap_deg + by > kFlatDeg || !has_work_left()) return false;
             const double risen = 1.0 - by / lid_deg;
             const double turned = 1.0 + by / flap_deg;
             const Step lifts{{flap, {turned, 1.0}}, {lid, {risen, 1.0}}};
-            if (!is_clear_with(lifts) || !is_clear_with({{flap, {turned, turned}}, {lid, {0.0, risen}}}) ||
+            // Further up it would go the same way first.
+            if (!is_clear_with(lifts)) return false;
+            if (!is_clear_with({{flap, {turned, turned}}, {lid, {0.0, risen}}}) ||
                 !is_clear_with({{flap, {0.0, turned}}, {lid, kFlat}})) {
                 continue;
             }
@@ -326,7 +331,7 @@ class Order {
 
     // Steps that can go at once with the one before do.
     void join(std::vector<Step>& steps) {
-        for (std::size_t i = 0; i + 1 < steps.size() && poses_ <= kMostPoses;) {
+        for (std::size_t i = 0; i + 1 < steps.size() && has_work_left();) {
             set_all(kFlat);
             for (std::size_t k = 0; k < i; ++k) {
                 for (const Move& move : steps[k]) nth(doing_, move.part) = {move.doing.end, move.doing.end};
@@ -380,6 +385,16 @@ std::string names_of(const Assembly& assembly, const Order& order, const Step& s
 }
 
 }  // namespace
+
+Examination examine_folded(Assembly assembly, const MotionOptions& options) {
+    for (Joint& joint : assembly.joints) {
+        Law* const law = law_of(joint);
+        if (law == nullptr) continue;
+        const double folded = law->front().y;
+        *law = {{0.0, folded}, {kFlatDeg, folded}};
+    }
+    return examine(assembly, options);
+}
 
 bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& diagnostics,
                  const Examination* at_once) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <span>
 #include <utility>
@@ -22,9 +23,14 @@ std::string_view trimmed(std::string_view text) {
 
 class Accepter {
  public:
-    Accepter(const folded::RoughShape& rough, const Suggestions& found, std::vector<PanelJoin> before,
-             std::vector<PanelJoin> rows)
-        : rough_(rough), found_(found), joins_(std::move(before)), rows_(std::move(rows)) {}
+    Accepter(const CreasePattern& pattern, const folded::RoughShape& rough, const Suggestions& found,
+             std::vector<PanelJoin> before, std::vector<PanelJoin> rows, const AcceptOptions& options)
+        : pattern_(pattern),
+          rough_(rough),
+          found_(found),
+          options_(options),
+          joins_(std::move(before)),
+          rows_(std::move(rows)) {}
 
     void take(std::size_t row) {
         if (!taken_.insert(row).second) return;
@@ -32,7 +38,7 @@ class Accepter {
         order_.push_back(row);
     }
 
-    // Those that leave nothing open together with what is taken; the nearest first.
+    // Those that leave nothing open together with what is taken, and bring no crossing; the nearest first.
     void try_all(std::vector<std::size_t> rows) {
         std::erase_if(rows, [&](std::size_t row) {
             if (taken_.contains(row)) return true;
@@ -40,23 +46,31 @@ class Accepter {
             left_.push_back(row);
             return true;
         });
+        if (rows.empty()) return;
         std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
             return found_.rows[a].apart_mm < found_.rows[b].apart_mm - 1e-6;
         });
-        // Mostly all of them fit.
-        std::vector<PanelJoin> whole = joins_;
-        for (const std::size_t row : rows) whole.push_back(rows_[row]);
-        const bool all_fit = closes(whole);
-        for (const std::size_t row : rows) {
-            joins_.push_back(rows_[row]);
-            const bool fits = all_fit || closes(joins_);
-            joins_.pop_back();
-            if (fits) {
-                take(row);
-            } else {
-                left_.push_back(row);
+        const std::vector<PanelJoin> before = joins_;
+        allow_what_crosses_now();
+        // Mostly all of them fit; where they do not, halves are tried, the nearer one first.
+        std::vector<std::vector<std::size_t>> groups{rows};
+        std::vector<std::size_t> fitting;
+        while (!groups.empty()) {
+            const std::vector<std::size_t> group = std::move(groups.back());
+            groups.pop_back();
+            if (fits(with(before, fitting, group), false)) {
+                fitting.insert(fitting.end(), group.begin(), group.end());
+            } else if (group.size() > 1) {
+                const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() + 1) / 2;
+                groups.emplace_back(middle, group.end());
+                groups.emplace_back(group.begin(), middle);
             }
         }
+        keep_ways_clear(before, fitting);
+        for (const std::size_t row : rows) {
+            if (std::find(fitting.begin(), fitting.end(), row) == fitting.end()) left_.push_back(row);
+        }
+        for (const std::size_t row : fitting) take(row);
     }
 
     // Those of what has met that can stay so; numbers, ascending.
@@ -84,16 +98,79 @@ class Accepter {
 
  private:
     [[nodiscard]] bool closes(const std::vector<PanelJoin>& joins) const {
-        return joins.empty() || close_joins(rough_.state(), joins, true).residual_mm <= rough_.enough_mm();
+        if (joins.empty()) return true;
+        const folded::Closed closed = close_joins(rough_.state(), joins, true);
+        return closed.residual_mm <= rough_.enough_mm() && !closed.swings;
     }
 
+    [[nodiscard]] std::vector<PanelJoin> with(std::vector<PanelJoin> joins,
+                                              const std::vector<std::size_t>& some,
+                                              const std::vector<std::size_t>& more) const {
+        for (const std::size_t row : some) joins.push_back(rows_[row]);
+        for (const std::size_t row : more) joins.push_back(rows_[row]);
+        return joins;
+    }
+
+    [[nodiscard]] Crossings crossings(const std::vector<double>& angles, bool whole_way) const {
+        return options_.crossings(folded::pattern_of(pattern_, rough_, angles), whole_way);
+    }
+    // What crosses as it is drawn, and with what was named, is not the fault of what is tried.
+    void allow_what_crosses_now() {
+        if (!options_.crossings) return;
+        std::vector<double> angles = rough_.angles;
+        if (!joins_.empty()) angles = close_joins(rough_.state(), joins_, true).angles;
+        allowed_[0] = crossings(angles, false);
+        allowed_[1] = crossings(angles, true);
+        allowed_[1].insert(allowed_[0].begin(), allowed_[0].end());
+    }
+
+    // Whether these joins close, and what they bring crosses nowhere.
+    bool fits(const std::vector<PanelJoin>& joins, bool whole_way) {
+        new_.clear();
+        const folded::Closed closed = close_joins(rough_.state(), joins, true);
+        if (closed.residual_mm > rough_.enough_mm() || closed.swings) return false;
+        if (!options_.crossings) return true;
+        if (++looks_ > kMostLooks) return false;
+        const Crossings& allowed = allowed_.at(whole_way ? 1 : 0);
+        for (const auto& pair : crossings(closed.angles, whole_way)) {
+            if (!allowed.contains(pair)) new_.insert(pair);
+        }
+        return new_.empty();
+    }
+
+    // Leaves out what concerns panels that cross while the sheet is folded; in the end, all of it.
+    void keep_ways_clear(const std::vector<PanelJoin>& before, std::vector<std::size_t>& fitting) {
+        for (int i = 0; i < kMostWaysLookedAt && !fitting.empty() && options_.crossings; ++i) {
+            if (fits(with(before, fitting, {}), true)) return;
+            const auto crosses = [&](const std::string& panel) {
+                return std::any_of(new_.begin(), new_.end(), [&](const auto& pair) {
+                    return pair.first == panel || pair.second == panel;
+                });
+            };
+            const std::size_t count = std::erase_if(fitting, [&](std::size_t row) {
+                const std::vector<JoinPart>& parts = found_.rows[row].join.parts;
+                return std::any_of(parts.begin(), parts.end(),
+                                   [&](const JoinPart& part) { return crosses(part.panel); });
+            });
+            if (count == 0) break;
+        }
+        if (options_.crossings) fitting.clear();
+    }
+
+    static constexpr int kMostLooks = 100;
+    static constexpr int kMostWaysLookedAt = 4;
+    const CreasePattern& pattern_;
     const folded::RoughShape& rough_;
     const Suggestions& found_;
+    const AcceptOptions& options_;
     std::vector<PanelJoin> joins_;
     std::vector<PanelJoin> rows_;
     std::set<std::size_t> taken_;
     std::vector<std::size_t> order_;
     std::vector<std::size_t> left_;
+    std::array<Crossings, 2> allowed_;  // folded, and on the whole way
+    Crossings new_;                     // what fits() has found
+    int looks_ = 0;
 };
 
 // Rows that the words name, without what was accepted before; `all` is set where they say so. nullopt: a word
@@ -162,7 +239,7 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
     auto rows = folded::resolve(*rough, joins, pattern, diagnostics);
     const auto met = folded::resolve(*rough, found.met, pattern, diagnostics);
     if (!before || !rows || !met) return std::nullopt;
-    Accepter accepter(*rough, found, std::move(*before), std::move(*rows));
+    Accepter accepter(pattern, *rough, found, std::move(*before), std::move(*rows), accept);
     for (const std::size_t row : *named) accepter.take(row);
     std::vector<std::size_t> more;
     if (all) {
@@ -179,7 +256,9 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
     for (const std::size_t row : accepter.left()) left += (left.empty() ? "" : ", ") + found.rows[row].name();
     if (!left.empty()) {
         diagnostics
-            .remark("join-left", {}, fmt::format("not accepted, because panels would have to bend: {}", left))
+            .remark(
+                "join-left", {},
+                fmt::format("not accepted, because panels would have to bend, swing far or cross: {}", left))
             .hint("--accept with its name takes one nevertheless, as near as it comes");
     }
     std::vector<Join> result = options.joins;

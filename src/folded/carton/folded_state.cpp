@@ -265,6 +265,8 @@ Closed close_joins(const FoldedState& state, std::span<const PanelJoin> joins, b
     Closed closed;
     closed.angles = state.angles();
     closed.steps = solved.steps;
+    closed.panels = shape.panels.size();
+    closed.settled = solved.settled;
     for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
         const Fold& fold = sheet.folds[i];
         const int left = maker.number(fold.left);
@@ -272,6 +274,20 @@ Closed close_joins(const FoldedState& state, std::span<const PanelJoin> joins, b
         if (left < 0 || right < 0) continue;
         closed.angles[i] = angle_between(sheet, fold, nth(turns, left), nth(turns, right), closed.angles[i]);
     }
+    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+        const double turn = std::abs(closed.angles[i] - state.angles()[i]);
+        if (turn <= closed.turn) continue;
+        closed.turn = turn;
+        closed.turned = static_cast<int>(i);
+    }
+    double moved = 0.0;
+    for (std::size_t i = 0; i < shape.at.size(); ++i)
+        moved = std::max(moved, distance(shape.at[i], solved.at[i]));
+    for (const PanelJoin& join : joins)
+        closed.were_apart_mm = std::max(closed.were_apart_mm, state.apart(join));
+    // Through half a turn a panel goes through the one that it hangs on.
+    closed.swings =
+        closed.turn > kPi || (closed.turn > kMostTurnRad && moved > kMostWay * closed.were_apart_mm);
     const FoldedState after(sheet, state.tree(), closed.angles);
     closed.residual_mm = after.gape();
     double most = -1.0;

@@ -57,7 +57,18 @@ struct Closed {
     double residual_mm = 0.0;      // the most of these, and of how far loops gape
     int worst = -1;                // join
     int steps = 0;
+    std::size_t panels = 0;      // that may move
+    bool settled = true;         // false: it might come nearer still
+    double turn = 0.0;           // the most that a fold turns on the way there, radians
+    int turned = -1;             // that fold
+    double were_apart_mm = 0.0;  // the most that a join is open in the state
+    bool swings = false;  // it turns far although next to nothing is open, or from one side to the other
 };
+
+// Folds turn by at most that, or what they move goes hardly further than the joins are apart: else what is
+// found swings. Where a corner moves square to a join, it goes about sqrt(2 * apart * reach).
+inline constexpr double kMostTurnRad = 0.2617993877991494;  // 15°
+inline constexpr double kMostWay = 4.0;
 
 // Angles near those of the state that close the joins, as far as panels allow that stay rigid. Only panels on
 // the way between what is joined move against one another, unless `all` of them may. Cost: that of

@@ -28,9 +28,41 @@ CreaseLine line_like(const CreasePattern& pattern, int line, Segment at) {
     return made;
 }
 
-// The sheet as lines, its folds at these angles.
-CreasePattern pattern_of(const CreasePattern& from, const RoughShape& rough,
-                         const std::vector<double>& angles) {
+void tell(const CreasePattern& pattern, const RefineOptions& options, const RoughShape& rough,
+          const Closed& closed, Diagnostics& diagnostics) {
+    if (closed.residual_mm > rough.enough_mm()) {
+        const Join& join = nth(options.joins, closed.worst);
+        const std::string what = options.joins.size() == 1
+                                     ? std::string("the join cannot close while panels stay flat, and")
+                                     : fmt::format(
+                                           "{} joins cannot all close while panels stay flat; the worst, "
+                                           "join {},",
+                                           options.joins.size(), closed.worst + 1);
+        const bool has_place = options.of_joins != nullptr && join.place.line > 0;
+        (has_place ? *options.of_joins : diagnostics)
+            .warning(
+                "join-open", join.place,
+                fmt::format("{} is left open by {}: {}", what, shown_gap(nth(closed.apart_mm, closed.worst)),
+                            shown_join(join, pattern.ruler)))
+            .hint("leave it out, or change the lengths that do not agree");
+        return;
+    }
+    if (!closed.swings) return;
+    const Fold& fold = nth(rough.sheet.folds, closed.turned);
+    diagnostics
+        .warning("join-swings", nth(pattern.lines, fold.line).place,
+                 fmt::format("to close what is open by {}, the fold between {} and {} turns by {:.0f}°",
+                             shown_gap(closed.were_apart_mm), nth(rough.names, fold.left),
+                             nth(rough.names, fold.right), closed.turn / kDegree))
+        .hint(
+            "leave out joins of what lies upon each other a board apart, or join what says where that fold "
+            "should be");
+}
+
+}  // namespace
+
+CreasePattern folded::pattern_of(const CreasePattern& from, const RoughShape& rough,
+                                 const std::vector<double>& angles) {
     CreasePattern to = from;
     to.lines.clear();
     for (const std::vector<folded::Stretch>& piece : rough.sheet.cuts) {
@@ -41,15 +73,22 @@ CreasePattern pattern_of(const CreasePattern& from, const RoughShape& rough,
         const Fold& fold = rough.sheet.folds[i];
         for (const folded::Stretch stretch : fold.stretches) {
             CreaseLine line = line_like(from, fold.line, rough.sheet.segment(stretch));
-            line.use = angles[i] < 0.0 ? CreaseUse::mountain : CreaseUse::valley;
-            line.fold_deg = std::clamp(std::abs(angles[i]) / kDegree, kLeastDeg, 180.0);
+            const double deg = std::abs(angles[i]) / kDegree;
+            // The sign of nothing is that of how it was drawn.
+            const CreaseUse drawn = nth(from.lines, fold.line).use;
+            const bool is_mountain = deg <= kLeastDeg ? drawn == CreaseUse::mountain : angles[i] < 0.0;
+            line.use = is_mountain ? CreaseUse::mountain : CreaseUse::valley;
+            line.fold_deg = std::clamp(deg, kLeastDeg, 180.0);
             to.lines.push_back(std::move(line));
         }
     }
     return to;
 }
 
-}  // namespace
+std::string shown_gap(double mm) {
+    const int digits = static_cast<int>(std::floor(std::log10(std::max(mm, 1e-9))));
+    return fmt::format("{:.{}f} mm", mm, std::clamp(2 - digits, 0, 9));
+}
 
 std::string shown_join(const Join& join, const Ruler& ruler) {
     std::string text(kJoinKindNames.at(static_cast<std::size_t>(join.kind)));
@@ -81,16 +120,7 @@ std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOp
     refined.apart_mm = closed.apart_mm;
     refined.residual_mm = closed.residual_mm;
     refined.closes = closed.residual_mm <= rough->enough_mm();
-    if (!refined.closes) {
-        diagnostics
-            .warning(
-                "join-open", {},
-                fmt::format("{} joins cannot all close while panels stay flat; the worst is left open by "
-                            "{:.2f} mm: {}",
-                            joins->size(), nth(closed.apart_mm, closed.worst),
-                            shown_join(nth(options.joins, closed.worst), pattern.ruler)))
-            .hint("leave it out, or change the lengths that do not agree");
-    }
+    tell(pattern, options, *rough, closed, diagnostics);
     return refined;
 }
 

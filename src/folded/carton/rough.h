@@ -27,6 +27,10 @@ struct RoughShape {
 std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, const FoldOptions& options,
                                               Diagnostics& diagnostics);
 
+// The sheet as cuts and folds of its own, these folded by certain angles, radians.
+CreasePattern pattern_of(const CreasePattern& from, const RoughShape& rough,
+                         const std::vector<double>& angles);
+
 // The joins by numbers; nullopt: one names what is not there (`no-such-panel`).
 std::optional<std::vector<PanelJoin>> resolve(const RoughShape& rough, std::span<const Join> joins,
                                               const CreasePattern& pattern, Diagnostics& diagnostics);

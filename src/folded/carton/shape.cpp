@@ -23,6 +23,7 @@ constexpr double kJoinWeight = 4.0;
 constexpr double kLeastDamping = 1e-12;
 constexpr double kNoHope = 1e8;        // so much damping, and no step helps
 constexpr double kStandsStill = 1e-3;  // a step gains less than this share
+constexpr double kSmallStep = 1e-5;    // of the size
 
 Vec3 place_of(const Vector& x, int vertex) {
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(vertex);
@@ -159,26 +160,29 @@ class Solver {
             start_[at + 1] = shape.at[i].y;
             start_[at + 2] = shape.at[i].z;
         }
-        hold_irrelevant();
     }
 
     Solved run() {
         Vector x = search(start_);
         double left = most(conditions_.evaluate(x, nullptr));
         bool projected = false;
+        bool settled = settled_;
         if (left > enough()) {
             Vector second = search(project());
             if (const double other = most(conditions_.evaluate(second, nullptr)); other < left) {
                 left = other;
                 x = std::move(second);
                 projected = true;
+                settled = settled_;
             }
         }
+        settled_ = settled;
         return told(x, projected);
     }
 
  private:
     [[nodiscard]] double enough() const { return options_.enough * options_.size_mm; }
+    [[nodiscard]] double hold() const { return options_.hold * options_.hold; }
 
     Solved told(const Vector& x, bool projected) {
         const Vector residuals = conditions_.evaluate(x, nullptr);
@@ -189,35 +193,13 @@ class Solver {
         result.closes = result.residual_mm <= enough();
         result.steps = steps_;
         result.projected = projected;
+        result.settled = settled_ || result.closes;
         if (!result.closes) {
             Eigen::Index row = 0;
             residuals.cwiseAbs().maxCoeff(&row);
             std::tie(result.worst, result.number) = conditions_.owner(row);
         }
         return result;
-    }
-
-    // Those of panels that no join concerns stay where they are, as far as they can.
-    void hold_irrelevant() {
-        std::vector<char> joined(shape_.at.size(), 0);
-        for (const std::vector<int>& group : joins_.merged) {
-            for (const int vertex : group) nth(joined, vertex) = 1;
-        }
-        std::vector<char> moves(shape_.panels.size(), 0);
-        for (const auto& [a, b] : joins_.in_a_plane) nth(moves, a) = nth(moves, b) = 1;
-        std::vector<char> free(shape_.at.size(), 0);
-        for (std::size_t i = 0; i < shape_.panels.size(); ++i) {
-            const std::vector<int>& vertices = shape_.panels[i].vertices;
-            if (moves[i] == 0 && std::none_of(vertices.begin(), vertices.end(),
-                                              [&](int vertex) { return nth(joined, vertex) != 0; }))
-                continue;
-            for (const int vertex : vertices) nth(free, vertex) = 1;
-        }
-        hold_ = Vector::Zero(start_.size());
-        for (std::size_t i = 0; i < free.size(); ++i) {
-            if (free[i] == 0)
-                hold_.segment(3 * static_cast<Eigen::Index>(i), 3).setConstant(options_.hold * options_.hold);
-        }
     }
 
     // One step from x; false where none helps. `held`: the soft conditions count.
@@ -229,16 +211,15 @@ class Solver {
         Vector slope = jacobian.transpose() * residuals;
         const auto cost_of = [&](const Vector& at, const Vector& left) {
             double cost = left.squaredNorm();
-            if (held) cost += hold_.dot((at - start_).cwiseAbs2());
+            if (held) cost += hold() * (at - start_).squaredNorm();
             return cost;
         };
-        if (held) slope += hold_.cwiseProduct(x - start_);
+        if (held) slope += hold() * (x - start_);
         const double before = cost_of(x, residuals);
         Eigen::SparseMatrix<double> unit(x.size(), x.size());
         for (; damping < kNoHope; damping *= 8.0) {
             unit.setIdentity();
-            for (Eigen::Index i = 0; i < x.size(); ++i)
-                unit.coeffRef(i, i) = damping + (held ? hold_[i] : 0.0);
+            for (Eigen::Index i = 0; i < x.size(); ++i) unit.coeffRef(i, i) = damping + (held ? hold() : 0.0);
             const Eigen::SparseMatrix<double> whole = product + unit;
             if (steps_ == 0 || !analysed_) {
                 factors_.analyzePattern(whole);
@@ -250,6 +231,7 @@ class Solver {
             const double after = cost_of(next, conditions_.evaluate(next, nullptr));
             if (!(after < before)) continue;
             gain = 1.0 - after / before;
+            moved_ = (next - x).lpNorm<Eigen::Infinity>();
             x = next;
             damping = std::max(kLeastDamping, damping / 8.0);
             return true;
@@ -268,11 +250,14 @@ class Solver {
         }
         // The soft conditions have a share in every place: without them the rest closes to the last digit.
         damping = 1e-6;
+        settled_ = true;
         slow = 0;
         for (int i = 0; i < options_.steps_at_most && slow < 5; ++i, ++steps_) {
             if (most(conditions_.evaluate(x, nullptr)) <= 1e-3 * enough()) break;
             if (!step(x, damping, false, gain)) break;
-            slow = gain < kStandsStill ? slow + 1 : 0;
+            // Where conditions are tangent, little is gained by steps that lead far nevertheless.
+            slow = gain < kStandsStill && moved_ < kSmallStep * options_.size_mm ? slow + 1 : 0;
+            settled_ = i + 1 < options_.steps_at_most;
         }
         return x;
     }
@@ -335,8 +320,8 @@ class Solver {
             project_panels(at, sums);
             project_joins(at, sums);
             for (Eigen::Index j = 0; j < count; ++j) {
-                sums.add(static_cast<int>(j), begin.col(j), hold_[3 * j]);
-                if (sums.weights[j] > 0.0) at.col(j) = sums.places.col(j) / sums.weights[j];
+                sums.add(static_cast<int>(j), begin.col(j), hold());
+                at.col(j) = sums.places.col(j) / sums.weights[j];
             }
         }
         return Eigen::Map<const Vector>(at.data(), at.size());
@@ -347,11 +332,12 @@ class Solver {
     const SolveOptions& options_;
     Conditions conditions_;
     Vector start_;
-    Vector hold_;  // by coordinate: the square of its weight
     std::vector<Triplet> slopes_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
     bool analysed_ = false;
     int steps_ = 0;
+    double moved_ = 0.0;   // by the last step
+    bool settled_ = true;  // the last search did not end because it had made all its steps
 };
 
 }  // namespace

@@ -29,9 +29,9 @@ struct ShapeJoins {
 };
 
 struct SolveOptions {
-    double size_mm = 0.0;  // of the sheet; > 0
-    double enough = 1e-9;  // of the size: conditions that are left open by no more are closed
-    double hold = 1e-3;    // the weight of vertices that no join concerns, where they began (the paper's w)
+    double size_mm = 0.0;     // of the sheet; > 0
+    double enough = 1e-9;     // of the size: conditions that are left open by no more are closed
+    double hold = 1e-3;       // the weight of vertices where they began (the paper's w)
     int steps_at_most = 120;  // of each of the two searches
 };
 
@@ -44,6 +44,7 @@ struct Solved {
     int number = -1;         // of that panel, merge or pair
     int steps = 0;           // of Levenberg-Marquardt
     bool projected = false;  // it took projections to come near
+    bool settled = true;     // false: it might come nearer still, but has made all its steps
 };
 
 // Looks for the places nearest to where the vertices began at which
@@ -54,9 +55,10 @@ struct Solved {
 // * merged vertices are in one place;
 // * the corners of two panels lie in one plane.
 //
-// Levenberg-Marquardt on all of them with the vertices that no join concerns held softly; then the same with
-// every vertex held where it is, which takes the bias of the soft conditions out again and converges faster
-// than linearly where the conditions can all hold. Where that does not close, it begins again behind rounds
+// Levenberg-Marquardt on all of them with all vertices held softly: the paper holds those that no join
+// concerns, but the others may drift far where a join says little. Then the same with every vertex held where
+// it is, which takes the bias of the soft conditions out again and converges faster than linearly where the
+// conditions can all hold. Where that does not close, it begins again behind rounds
 // of projections (Bouaziz et al., Shape-Up, 2012: panels to their best fit, vertices to their mean, planes by
 // the eigenvectors of the covariance); the better of both counts. Where neither closes, `at` is a compromise
 // in least squares, in which panels are stretched, too. Cost: that of a sparse factorisation a step.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <span>
@@ -30,10 +31,14 @@ constexpr double kNearShare = 0.1;      // of the sheet
 constexpr double kEqualLengths = 0.01;  // of the longer edge
 constexpr double kCornerTurn = 0.26;    // sine: an outline that turns by less has no corner
 constexpr double kMetMm = 0.01;
-constexpr double kLeftShare = 0.05;   // of what is near: what leaves more open is not suggested
-constexpr double kFrontsAlike = 0.5;  // the paper's
+constexpr double kLeftShare = 0.05;    // of what is near: what leaves more open is not suggested
+constexpr double kHardlyNearer = 0.9;  // of what is apart: what leaves more is not suggested
+constexpr double kFrontsAlike = 0.5;   // the paper's
 constexpr double kFrontsNearlyOne = 0.85;
 constexpr std::size_t kMostPairs = 20'000;  // the nearest ones are looked at
+// So many panels may be moved to find out what joins leave, all joins together: of what stands in long rows,
+// near one another, there is no end else.
+constexpr std::size_t kMostMoved = 20'000;
 
 bool are_equal(double a, double b) { return std::abs(a - b) <= kEqualLengths * std::max(a, b); }
 
@@ -141,6 +146,11 @@ std::vector<SpotPair> near_pairs(const std::vector<Spot>& spots, double near) {
     using Cell = std::array<std::int64_t, 3>;
     std::map<Cell, std::vector<std::size_t>> cells;
     std::vector<SpotPair> pairs;
+    double furthest = HUGE_VAL;
+    const auto keep_nearest = [&pairs] {
+        std::sort(pairs.begin(), pairs.end());
+        if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+    };
     const auto cell_of = [near](double x) { return static_cast<std::int64_t>(std::floor(x / near)); };
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Cell own{cell_of(spots[i].at.x), cell_of(spots[i].at.y), cell_of(spots[i].at.z)};
@@ -150,15 +160,17 @@ std::vector<SpotPair> near_pairs(const std::vector<Spot>& spots, double near) {
             if (found == cells.end()) continue;
             for (const std::size_t j : found->second) {
                 const double apart = distance(spots[i].at, spots[j].at);
+                if (apart > furthest || apart >= near) continue;
                 // Rounded, so that what is equal but for the last digits keeps the order of the drawing.
-                if (apart < near && !spots[i].shares_panel(spots[j]))
-                    pairs.push_back({std::round(apart * 1e6) / 1e6, j, i});
+                if (!spots[i].shares_panel(spots[j])) pairs.push_back({std::round(apart * 1e6) / 1e6, j, i});
+                if (pairs.size() < 2 * kMostPairs) continue;
+                keep_nearest();
+                furthest = pairs.back().apart + 1e-6;
             }
         }
         cells[own].push_back(i);
     }
-    std::sort(pairs.begin(), pairs.end());
-    if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+    keep_nearest();
     return pairs;
 }
 
@@ -185,11 +197,19 @@ class Finder {
     }
 
  private:
-    Closed leaves(const PanelJoin& join) const {
-        if (accepted_.empty()) return close_joins(state_, std::span(&join, 1), false);
+    // What a join leaves open, with those accepted; nullopt when the work has run out.
+    std::optional<Closed> leaves(const PanelJoin& join) {
+        if (moved_ > kMostMoved) return std::nullopt;
         std::vector<PanelJoin> joins = accepted_;
         joins.push_back(join);
-        return close_joins(state_, joins, true);
+        Closed closed = close_joins(state_, joins, !accepted_.empty());
+        moved_ += closed.panels;
+        return closed;
+    }
+    [[nodiscard]] bool is_worth_while(const PanelJoin& join, const Closed& left) const {
+        return left.residual_mm <= rough_.enough_mm() ||
+               (left.residual_mm <= kLeftShare * near_ &&
+                left.residual_mm <= kHardlyNearer * state_.apart(join));
     }
     [[nodiscard]] PanelJoin merge_of(const std::vector<std::size_t>& group) const {
         PanelJoin join;
@@ -212,7 +232,11 @@ class Finder {
             std::size_t other = group_of[pair.b];
             if (one == other) continue;
             if (share_panel(groups[one], groups[other])) continue;
-            if (!met && leaves(merge_of({pair.a, pair.b})).residual_mm > kLeftShare * near_) continue;
+            const PanelJoin two = merge_of({pair.a, pair.b});
+            if (!met) {
+                const std::optional<Closed> left = leaves(two);
+                if (!left || !is_worth_while(two, *left)) continue;
+            }
             if (one > other) std::swap(one, other);
             for (const std::size_t spot : groups[other]) group_of[spot] = one;
             groups[one].insert(groups[one].end(), groups[other].begin(), groups[other].end());
@@ -387,17 +411,23 @@ class Finder {
     }
 
     bool add(JoinKind kind, const PanelJoin& join) {
-        const Closed left = leaves(join);
-        if (left.residual_mm > kLeftShare * near_) return false;
-        if (found_.rows.size() >= kMostSuggestions) {
+        // Beyond what is listed, they are counted, and nobody looks whether they close.
+        const std::optional<Closed> looked =
+            found_.rows.size() < kMostSuggestions ? leaves(join) : std::nullopt;
+        if (!looked) {
             ++found_.left_out;
             return false;
         }
+        const Closed& left = *looked;
+        if (!is_worth_while(join, left)) return false;
         Suggestion& row = found_.rows.emplace_back();
         row.join = join_of(kind, join);
         row.apart_mm = state_.apart(join);
         row.residual_mm = left.residual_mm;
-        row.closes = left.residual_mm <= rough_.enough_mm();
+        row.settled = left.settled;
+        row.turn_deg = left.turn * 180.0 / std::numbers::pi;
+        row.swings = left.swings;
+        row.closes = left.residual_mm <= rough_.enough_mm() && !left.swings;
         return true;
     }
 
@@ -427,6 +457,7 @@ class Finder {
     std::vector<SpotPair> pairs_;
     std::set<std::pair<int, int>> folded_;
     std::vector<std::vector<std::size_t>> merged_;  // by row
+    std::size_t moved_ = 0;                         // panels, in all that leaves() has tried
     Suggestions found_;
 };
 
