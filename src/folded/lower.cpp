@@ -66,7 +66,7 @@ Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, co
         for (const Stretch cut : sheet.cuts[i])
             out.lines.push_back({LineKind::cut, sheet.segment(cut), static_cast<int>(i), -1, -1});
     }
-    const std::vector<std::string> names = name_panels(sheet, tree);
+    const std::vector<std::string> names = name_panels(pattern, sheet, tree);
     std::vector<int> numbers(out.pieces.size(), 0);
     for (std::size_t i = 0; i < tree.order.size(); ++i) {
         const Panel& from = nth(sheet.panels, tree.order[i]);

@@ -81,7 +81,7 @@ class Accepter {
         std::vector<std::size_t> kept;
         for (std::size_t i = 0; i < met.size(); ++i) {
             joins_.push_back(met[i]);
-            if (all_fit || closes(joins_)) {
+            if (all_fit || (may_look() && closes(joins_))) {
                 kept.push_back(i);
             } else {
                 joins_.pop_back();
@@ -114,6 +114,11 @@ class Accepter {
     [[nodiscard]] Crossings crossings(const std::vector<double>& angles, bool whole_way) const {
         return options_.crossings(folded::pattern_of(pattern_, rough_, angles), whole_way);
     }
+    // False when that has been done often enough: each time, all panels are moved.
+    bool may_look() {
+        const std::size_t panels = std::max<std::size_t>(rough_.sheet.panels.size(), 1);
+        return ++looks_ <= std::min(kMostLooks, kMostMoved / panels);
+    }
     // What crosses as it is drawn, and with what was named, is not the fault of what is tried.
     void allow_what_crosses_now() {
         if (!options_.crossings) return;
@@ -127,10 +132,10 @@ class Accepter {
     // Whether these joins close, and what they bring crosses nowhere.
     bool fits(const std::vector<PanelJoin>& joins, bool whole_way) {
         new_.clear();
+        if (!may_look()) return false;
         const folded::Closed closed = close_joins(rough_.state(), joins, true);
         if (closed.residual_mm > rough_.enough_mm() || closed.swings) return false;
         if (!options_.crossings) return true;
-        if (++looks_ > kMostLooks) return false;
         const Crossings& allowed = allowed_.at(whole_way ? 1 : 0);
         for (const auto& pair : crossings(closed.angles, whole_way)) {
             if (!allowed.contains(pair)) new_.insert(pair);
@@ -157,7 +162,8 @@ class Accepter {
         if (options_.crossings) fitting.clear();
     }
 
-    static constexpr int kMostLooks = 100;
+    static constexpr std::size_t kMostLooks = 100;
+    static constexpr std::size_t kMostMoved = 20'000;  // panels
     static constexpr int kMostWaysLookedAt = 4;
     const CreasePattern& pattern_;
     const folded::RoughShape& rough_;
@@ -170,7 +176,7 @@ class Accepter {
     std::vector<std::size_t> left_;
     std::array<Crossings, 2> allowed_;  // folded, and on the whole way
     Crossings new_;                     // what fits() has found
-    int looks_ = 0;
+    std::size_t looks_ = 0;
 };
 
 // Rows that the words name, without what was accepted before; `all` is set where they say so. nullopt: a word

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -23,13 +22,25 @@ constexpr double kOddNarrow = 0.9;
 constexpr double kCloses = 0.85;        // of the depth of the box: what is as deep closes it
 constexpr double kLockShare = 0.1;      // of the panel that it hangs on: a lock is smaller
 constexpr double kAsLargeAsBase = 0.7;  // a lid
-constexpr double kUprightRad = 0.17;
+constexpr double kUprightDeg = 170.0;   // a fold that is drawn folded by more stands on nothing
+constexpr double kGussetDeg = 10.0;     // one by less parts a wall
+constexpr double kAsWide = 0.08;        // walls of a ring differ by less: by boards
+constexpr double kAsHigh = 0.15;
+constexpr double kAsLarge = 0.01;   // areas that differ by less are one
+constexpr double kBaseShare = 0.5;  // of the largest panel: a base has more
 constexpr std::size_t kMostWalls = 64;
 
 class Namer {
  public:
-    Namer(const Sheet& sheet, const Tree& tree)
-        : sheet_(sheet), tree_(tree), folds_(folds_by_panel(sheet)), names_(sheet.panels.size()) {}
+    Namer(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree)
+        : pattern_(pattern),
+          sheet_(sheet),
+          tree_(tree),
+          folds_(folds_by_panel(sheet)),
+          names_(sheet.panels.size()) {
+        panels_of_.resize(sheet.cuts.size());
+        for (const int panel : tree.order) nth(panels_of_, nth(sheet.panels, panel).piece).push_back(panel);
+    }
 
     std::vector<std::string> run() {
         std::vector<char> has_loop(sheet_.cuts.size(), 0);
@@ -47,23 +58,42 @@ class Namer {
  private:
     struct Wall {
         int panel = 0;
-        double width = 0.0;  // across the folds between the walls
+        double width = 0.0;   // across the folds between the walls
+        int other_half = -1;  // of a wall that a crease parts
+    };
+    struct Tube {
+        std::vector<Wall> walls;  // without the glue flap
+        Vec2 along;
+        double front = 1.0;       // as front_
+        int glue_flap = -1;       // panel
+        bool glue_first = false;  // it is before the first wall
+        bool is_ring = false;
+        double area = 0.0;
     };
 
     void name_piece(int root) {
         taken_.clear();
+        const std::vector<int>& panels = nth(panels_of_, nth(sheet_.panels, root).piece);
         // A box may be drawn from its inside or from its outside, as valleys or as mountains.
-        front_ = 1.0;
-        bool is_carton = name_tube(root) || name_tray(root);
-        if (!is_carton) {
-            front_ = -1.0;
-            is_carton = name_tube(root) || name_tray(root);
+        std::optional<Tube> tube;
+        for (const double front : {1.0, -1.0}) {
+            front_ = front;
+            for (const int panel : panels) {
+                for (const Vec2 dir : directions_of(panel)) consider(panel, dir, root, tube);
+            }
         }
+        bool is_carton = tube && tube->is_ring;
+        for (const double front : {1.0, -1.0}) {
+            front_ = front;
+            is_carton = is_carton || name_tray(panels);
+            if (is_carton) break;
+        }
+        is_carton = is_carton || tube;
+        if (is_carton && taken_.empty()) name_tube(*tube);
         if (!is_carton) return;
         // Parents come before what hangs on them.
         std::size_t number = 0;
-        for (const int panel : tree_.order) {
-            if (nth(sheet_.panels, panel).piece != nth(sheet_.panels, root).piece) continue;
+        for (const int panel : panels) {
             ++number;
             if (!nth(names_, panel).empty()) continue;
             const int parent = parent_of(panel);
@@ -110,20 +140,36 @@ class Namer {
         return std::max(reach.y - at, at - reach.x);
     }
 
-    // What is folded to the front, neither hardly nor flat: a box's walls are.
-    [[nodiscard]] bool stands_up(int fold) const {
-        const double target = nth(sheet_.folds, fold).target * front_;
-        return target > kUprightRad && target < std::numbers::pi - kUprightRad;
+    // 1 of valleys, -1 of mountains: as they are drawn, however far they are folded.
+    [[nodiscard]] double sense(const Fold& fold) const {
+        const CreaseUse use = nth(pattern_.lines, fold.line).use;
+        if (use == CreaseUse::valley) return 1.0;
+        if (use == CreaseUse::mountain) return -1.0;
+        return fold.target < 0.0 ? -1.0 : fold.target > 0.0 ? 1.0 : 0.0;
+    }
+    [[nodiscard]] double drawn_deg(const Fold& fold) const {
+        return nth(pattern_.lines, fold.line).fold_deg.value_or(90.0);
+    }
+    enum class Folded {
+        up,      // to the front, and not flat: a box's walls are
+        over,    // to the front, and perhaps flat: hems
+        gusset,  // what parts a wall: to the back, and flat in the end
+    };
+    [[nodiscard]] bool is_folded(int fold, Folded how) const {
+        const Fold& one = nth(sheet_.folds, fold);
+        if (how == Folded::gusset) return sense(one) == -front_ && drawn_deg(one) < kGussetDeg;
+        return sense(one) == front_ && (how == Folded::over || drawn_deg(one) < kUprightDeg);
     }
 
     // The longest fold of a panel that is parallel to `along`, `length` long at least, on the side of
     // `across` beyond its middle; -1 for none.
-    [[nodiscard]] int fold_on(int panel, Vec2 along, Vec2 across, double least, int but) const {
+    [[nodiscard]] int fold_on(int panel, Vec2 along, Vec2 across, double least, int but,
+                              Folded how = Folded::up) const {
         const Vec2 reach = extent(panel, across);
         int best = -1;
         double longest = least;
         for (const int number : nth(folds_, panel)) {
-            if (number == but || !stands_up(number)) continue;
+            if (number == but || !is_folded(number, how)) continue;
             const Segment line = sheet_.line_of(nth(sheet_.folds, number));
             const Vec2 way = line.b - line.a;
             if (std::abs(cross(along, way)) > kParallel * length(way)) continue;
@@ -133,6 +179,14 @@ class Namer {
             best = number;
         }
         return best;
+    }
+
+    [[nodiscard]] double width_of(int panel, Vec2 across) const {
+        const Vec2 wide = extent(panel, across);
+        return wide.y - wide.x;
+    }
+    [[nodiscard]] bool is_full(int panel, Vec2 along, Vec2 across) const {
+        return area_of(panel) >= kFull * width_of(panel, across) * width_of(panel, along);
     }
 
     // Walls side by side from one on, itself left out.
@@ -147,11 +201,17 @@ class Namer {
             if (by < 0) break;
             panel = other_side(by, panel);
             came_by = by;
-            const Vec2 wide = extent(panel, across);
-            const Vec2 high = extent(panel, along);
             // What tapers is a lid or a tip, and no wall.
-            if (area_of(panel) < kFull * (wide.y - wide.x) * (high.y - high.x)) break;
-            walls.push_back({panel, wide.y - wide.x});
+            if (!is_full(panel, along, across)) break;
+            walls.push_back({panel, width_of(panel, across)});
+            const int crease = fold_on(panel, along, across, least, came_by, Folded::gusset);
+            if (crease < 0) continue;
+            const int half = other_side(crease, panel);
+            if (!is_full(half, along, across)) continue;
+            walls.back().other_half = half;
+            walls.back().width += width_of(half, across);
+            panel = half;
+            came_by = crease;
         }
         return walls;
     }
@@ -179,23 +239,28 @@ class Namer {
         return found;
     }
 
-    [[nodiscard]] double area_of_all(const std::vector<Wall>& walls) const {
-        double sum = 0.0;
-        for (const Wall& wall : walls) sum += area_of(wall.panel);
-        return sum;
+    // Of rings rather one with a glue flap, then the larger one; else what is around the root is best.
+    [[nodiscard]] static bool is_better(const Tube& one, const Tube& other) {
+        if (one.is_ring != other.is_ring) return one.is_ring;
+        if (one.is_ring && (one.glue_flap >= 0) != (other.glue_flap >= 0)) return one.glue_flap >= 0;
+        return one.area > other.area * (1.0 + kAsLarge);
     }
 
-    bool name_tube(int root) {
-        std::vector<Wall> walls;
-        Vec2 along;
-        for (const Vec2 dir : directions_of(root)) {
-            std::vector<Wall> found = walls_along(root, dir);
-            // A tube whose ends have tucks is as many panels long as around.
-            if (area_of_all(found) <= area_of_all(walls)) continue;
-            walls = std::move(found);
-            along = dir;
-        }
-        if (walls.size() < 4) return false;
+    void consider(int first, Vec2 along, int root, std::optional<Tube>& best) const {
+        Tube tube;
+        tube.along = along;
+        tube.front = front_;
+        tube.walls = walls_along(first, along);
+        if (tube.walls.size() < 4) return;
+        for (const Wall& wall : tube.walls) tube.area += area_of(wall.panel);
+        find_glue_flap(tube);
+        tube.is_ring = is_ring(tube);
+        if (!tube.is_ring && first != root) return;
+        if (!best || is_better(tube, *best)) best = std::move(tube);
+    }
+
+    void find_glue_flap(Tube& tube) const {
+        std::vector<Wall>& walls = tube.walls;
         const auto narrowest_but = [&](std::size_t one) {
             double width = HUGE_VAL;
             for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -206,21 +271,51 @@ class Namer {
         // Walls that go around are even in number mostly, so that one too many is to be glued.
         const double narrow = walls.size() % 2 == 1 ? kOddNarrow : kNarrow;
         for (const std::size_t end : {walls.size() - 1, std::size_t{0}}) {
-            if (walls[end].panel == root || walls[end].width >= narrow * narrowest_but(end)) continue;
-            give(walls[end].panel, "glue-flap");
+            if (nth(folds_, walls[end].panel).size() != 1) continue;
+            if (walls[end].width >= narrow * narrowest_but(end)) continue;
+            tube.glue_flap = walls[end].panel;
+            tube.glue_first = end == 0;
             walls.erase(walls.begin() + static_cast<std::ptrdiff_t>(end));
-            break;
+            return;
         }
-        name_walls(root, walls);
-        name_end(walls, along, "top");
-        name_end(walls, -along, "bottom");
+    }
+
+    // Walls that go around: as high as one another, and opposite ones as wide.
+    [[nodiscard]] bool is_ring(const Tube& tube) const {
+        const std::size_t count = tube.walls.size();
+        if (count < 3 || (count % 2 == 1 && tube.glue_flap < 0)) return false;
+        const auto like = [](double a, double b, double share) {
+            return std::abs(a - b) <= share * std::max(a, b);
+        };
+        const double height = width_of(tube.walls.front().panel, tube.along);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Wall& other = tube.walls[count % 2 == 0 ? (i + count / 2) % count : 0];
+            if (!like(tube.walls[i].width, other.width, kAsWide) ||
+                !like(width_of(tube.walls[i].panel, tube.along), height, kAsHigh))
+                return false;
+        }
         return true;
     }
 
-    void name_walls(int root, const std::vector<Wall>& walls) {
-        const std::size_t count = walls.size();
+    void name_tube(const Tube& tube) {
+        front_ = tube.front;
+        if (tube.glue_flap >= 0) give(tube.glue_flap, "glue-flap");
         std::size_t front = 0;
-        while (walls[front].panel != root) ++front;
+        if (tube.glue_flap >= 0) {
+            front = tube.glue_first ? 0 : tube.walls.size() - 1;
+        } else {
+            for (std::size_t i = 1; i < tube.walls.size(); ++i) {
+                if (area_of(tube.walls[i].panel) > area_of(tube.walls[front].panel) * (1.0 + kAsLarge))
+                    front = i;
+            }
+        }
+        name_walls(front, tube.walls);
+        name_end(tube.walls, tube.along, "top");
+        name_end(tube.walls, -tube.along, "bottom");
+    }
+
+    void name_walls(std::size_t front, const std::vector<Wall>& walls) {
+        const std::size_t count = walls.size();
         static constexpr std::array<std::string_view, 4> kFour{"front", "right", "back", "left"};
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t turn = (i + count - front) % count;
@@ -232,6 +327,10 @@ class Namer {
             } else if (2 * turn == count) {
                 name = "back";
             }
+            if (walls[i].other_half >= 0) {
+                give(walls[i].other_half, name + "-2");
+                name += "-1";
+            }
             give(walls[i].panel, std::move(name));
         }
     }
@@ -242,30 +341,35 @@ class Namer {
         struct Flap {
             int panel = 0, fold = 0;
             std::size_t wall = 0;
+            int on = 0;  // the panel of that wall
             bool closes = false;
         };
         std::vector<Flap> flaps;
         for (std::size_t i = 0; i < walls.size(); ++i) {
-            const int fold = fold_on(walls[i].panel, along, up, kNarrow * walls[i].width, -1);
-            if (fold < 0) continue;
-            const int panel = other_side(fold, walls[i].panel);
-            // As deep as the box is there: the walls beside it say how deep that is.
-            const double beside = std::min(walls[(i + 1) % walls.size()].width,
-                                           walls[(i + walls.size() - 1) % walls.size()].width);
-            flaps.push_back({panel, fold, i, depth_from(fold, panel) >= kCloses * beside});
+            for (const int wall : {walls[i].panel, walls[i].other_half}) {
+                if (wall < 0) continue;
+                const int fold = fold_on(wall, along, up, kNarrow * width_of(wall, along), -1, Folded::over);
+                if (fold < 0) continue;
+                const int panel = other_side(fold, wall);
+                // As deep as the box is there: the walls beside it say how deep that is.
+                const double beside = std::min(walls[(i + 1) % walls.size()].width,
+                                               walls[(i + walls.size() - 1) % walls.size()].width);
+                flaps.push_back({panel, fold, i, wall, depth_from(fold, panel) >= kCloses * beside});
+            }
         }
         const auto closing =
             std::find_if(flaps.begin(), flaps.end(), [](const Flap& one) { return one.closes; });
         const auto others =
             std::count_if(flaps.begin(), flaps.end(), [](const Flap& one) { return one.closes; });
-        const bool one_closes = walls.size() == 4 && others == 1;
+        const bool one_closes = walls.size() >= 4 && others == 1;
         for (const Flap& flap : flaps) {
-            const std::string& wall = nth(names_, walls[flap.wall].panel);
+            const std::string& wall = nth(names_, flap.on);
             if (one_closes && &flap == &*closing) {
                 give(flap.panel, std::string(end));
                 name_far_edge(flap.panel, flap.fold, fmt::format("{}-tuck", end));
             } else {
-                const bool opposite = one_closes && (flap.wall + closing->wall) % 2 == 0;
+                const bool opposite =
+                    one_closes && (flap.wall + walls.size() / 2) % walls.size() == closing->wall;
                 give(flap.panel, one_closes && !opposite ? fmt::format("{}-dust-flap-{}", end, wall)
                                                          : fmt::format("{}-flap-{}", end, wall));
                 name_far_edge(flap.panel, flap.fold, fmt::format("{}-tuck", nth(names_, flap.panel)));
@@ -284,6 +388,15 @@ class Namer {
         if (far < 0) return -1;
         const int next = other_side(far, panel);
         return give(next, std::move(name)) ? next : -1;
+    }
+
+    // The first of the panels that has walls around it, and is large enough.
+    bool name_tray(const std::vector<int>& panels) {
+        double largest = 0.0;
+        for (const int panel : panels) largest = std::max(largest, area_of(panel));
+        return std::any_of(panels.begin(), panels.end(), [&](int panel) {
+            return area_of(panel) >= kBaseShare * largest && name_tray(panel);
+        });
     }
 
     bool name_tray(int root) {
@@ -338,9 +451,11 @@ class Namer {
         }
     }
 
+    const CreasePattern& pattern_;
     const Sheet& sheet_;
     const Tree& tree_;
     std::vector<std::vector<int>> folds_;
+    std::vector<std::vector<int>> panels_of_;  // by piece, in the order of the tree
     std::vector<std::string> names_;
     std::set<std::string> taken_;
     double front_ = 1.0;  // -1: walls stand up to the back
@@ -348,8 +463,8 @@ class Namer {
 
 }  // namespace
 
-std::vector<std::string> name_panels(const Sheet& sheet, const Tree& tree) {
-    return Namer(sheet, tree).run();
+std::vector<std::string> name_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree) {
+    return Namer(pattern, sheet, tree).run();
 }
 
 }  // namespace popup::folded

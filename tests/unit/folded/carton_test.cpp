@@ -173,7 +173,7 @@ TEST(Carton, TucksDustFlapsAndLocksAreNamed) {
     cut({{125, 20}, {125, 30}, {140, 30}, {140, 20}});
     fold({125, 20}, {140, 20});
     EXPECT_EQ(names_of(box),
-              (std::vector<std::string>{"sheet/back", "sheet/front", "sheet/front-lock", "sheet/glue-flap",
+              (std::vector<std::string>{"sheet/back", "sheet/back-lock", "sheet/front", "sheet/glue-flap",
                                         "sheet/left", "sheet/right", "sheet/top", "sheet/top-dust-flap-left",
                                         "sheet/top-dust-flap-right", "sheet/top-tuck"}));
 }
@@ -205,6 +205,65 @@ TEST(Carton, PanelsOfATrayAreNamed) {
     EXPECT_EQ(names_of(tray),
               (std::vector<std::string>{"sheet/back", "sheet/base", "sheet/front", "sheet/front-corner-right",
                                         "sheet/left", "sheet/right"}));
+}
+
+struct NamedCarton {
+    const char* file;
+    const char* names;  // in the order of the sheet's tree
+};
+constexpr NamedCarton kNamedCartons[]{
+    {"auto-lock-bottom",
+     "back right left top bottom-flap-back front top-dust-flap-right bottom-flap-right top-dust-flap-left "
+     "bottom-flap-left top-tuck glue-flap bottom-flap-front panel-14 panel-15"},
+    {"fefco-0201",
+     "back right left bottom-flap-back top-flap-back front bottom-flap-right top-flap-right "
+     "bottom-flap-left top-flap-left glue-flap bottom-flap-front top-flap-front"},
+    {"fefco-0215",
+     "front right glue-flap bottom-flap-front back top-dust-flap-right bottom-flap-right left top "
+     "bottom-flap-back top-dust-flap-left bottom-flap-left top-tuck"},
+    {"fefco-0427",
+     "base front back left right front-corner-left front-corner-right back-corner-left back-corner-right "
+     "lid left-lining right-lining lid-tuck panel-14 panel-15 panel-16 panel-17"},
+    {"gift-bag",
+     "back right-1 left-1 top-flap-back bottom-flap-back right-2 top-flap-right-1 bottom-flap-right-1 "
+     "left-2 top-flap-left-1 bottom-flap-left-1 front top-flap-right-2 bottom-flap-right-2 top-flap-left-2 "
+     "bottom-flap-left-2 glue-flap top-flap-front bottom-flap-front"},
+    {"hexagonal-box",
+     "bottom back bottom-tuck wall-3 wall-5 top wall-2 bottom-dust-flap-wall-3 top-dust-flap-wall-3 wall-6 "
+     "bottom-dust-flap-wall-5 top-dust-flap-wall-5 top-tuck front bottom-dust-flap-wall-2 "
+     "top-dust-flap-wall-2 bottom-dust-flap-wall-6 top-dust-flap-wall-6 glue-flap"},
+    {"reverse-tuck-end",
+     "back right left top front bottom-dust-flap-right top-dust-flap-right bottom-dust-flap-left "
+     "top-dust-flap-left top-tuck glue-flap bottom bottom-tuck"},
+    {"sleeve", "back right left front glue-flap"},
+    {"straight-tuck-end",
+     "bottom back bottom-tuck right left top front bottom-dust-flap-right top-dust-flap-right "
+     "bottom-dust-flap-left top-dust-flap-left top-tuck glue-flap"},
+    {"tray-with-lid",
+     "base back front left right left-corner-front left-corner-back right-corner-front right-corner-back "
+     "base back front left right left-corner-front left-corner-back right-corner-front right-corner-back"},
+};
+
+// However far the folds go in the end, and with last digits that differ.
+TEST(Carton, PanelsOfTheKitsCartonsAreNamed) {
+    for (const auto& [file, names] : kNamedCartons) {
+        const auto drawn = drawing(kCartons / (std::string(file) + ".fl"));
+        ASSERT_TRUE(drawn) << file;
+        for (const double share : {1.0, 0.2}) {
+            CreasePattern pattern = *drawn;
+            for (CreaseLine& line : pattern.lines) {
+                if (line.fold_deg) *line.fold_deg *= line.fold_deg < 170.0 ? share : 1.0;
+                for (Vec2& point : line.points) point = (1.0 + 1e-9) * point;
+            }
+            Diagnostics diagnostics;
+            const auto assembly = fold_sheet(pattern, {}, diagnostics);
+            ASSERT_TRUE(assembly) << file;
+            std::string all;
+            for (const Plate& plate : assembly->plates)
+                all += (all.empty() ? "" : " ") + plate.name.substr(plate.name.find('/') + 1);
+            EXPECT_EQ(all, names) << file << " folded to " << share;
+        }
+    }
 }
 
 // Accordions, and what loops hold, are no boxes: their panels keep their numbers.
