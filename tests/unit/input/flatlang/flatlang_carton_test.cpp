@@ -260,6 +260,18 @@ TEST(FlatLangCartons, TuckTheirFlapsInWithoutPassingThroughAnything) {
     }
 }
 
+// The sizes that are just admitted, and some that are odd: tucks have no more depth than the box.
+TEST(FlatLangCartons, ShallowBoxesCloseAsWell) {
+    for (const std::string call :
+         {"straight_tuck_end(80, 50, 6, 0.5)", "straight_tuck_end(20, 80, 10, 0.5)",
+          "straight_tuck_end(10, 10, 5, 0.5)", "reverse_tuck_end(80, 50, 5, 0.5)",
+          "auto_lock_bottom(80, 50, 5, 0.5)", "auto_lock_bottom(30, 80, 10, 0.5)",
+          "fefco_0215(80, 50, 5, 0.5)", "fefco_0215(300, 10, 5, 0.5)", "hexagonal_box(60, 5, 0.5)",
+          "hexagonal_box(20, 5, 0.5)", "fefco_0201(80, 50, 5, 0.5)", "fefco_0427(80, 50, 5, 0.5)",
+          "tray_with_lid(10, 10, 5, 5, 0.5)", "gift_bag(10, 80, 5, 0.5)"})
+        expect_closes(call);
+}
+
 TEST(FlatLangCartons, RefuseWhatIsNoBox) {
     const CompiledDesign one = compiled_carton("straight_tuck_end(80, 5, 30, 0.5)");
     ASSERT_EQ(one.diagnostics.sorted().size(), 1u);
