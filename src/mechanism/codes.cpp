@@ -28,7 +28,8 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "
      "longer."},
     {"drawn-off-page", Severity::warning, "nothing of what is drawn lies on the paper of its page",
-     "A line, an area, a picture or a text is printed where it lies on the paper of its page. None of this one does, "
+     "A line, an area, a picture or a text is printed where it lies on the paper of its page. None of this "
+     "one does, "
      "so nothing of it is printed. Points are measured from the middle of the page, with y upwards, in the "
      "unit of the document. Often the page is another one, the unit is another one, or the points were "
      "measured from a corner. A line that begins and ends in one point prints nothing either. Move it onto "

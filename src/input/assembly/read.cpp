@@ -15,9 +15,9 @@
 #include "assembly/settle.h"
 #include "base/system/digest.h"
 #include "base/text/base64.h"
+#include "base/text/json_tree.h"
 #include "base/text/place_at.h"
 #include "input/assembly/guarantees.h"
-#include "base/text/json_tree.h"
 #include "input/text.h"
 #include "popup/image.h"
 

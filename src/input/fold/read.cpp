@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/nth.h"
+#include "base/text/json_tree.h"
 #include "base/text/place_at.h"
 #include "input/fold/carry.h"
-#include "base/text/json_tree.h"
 #include "input/text.h"
 
 namespace popup::fold {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "base/geometry/regions.h"
-#include "base/text/place_at.h"
 #include "base/text/json_tree.h"
+#include "base/text/place_at.h"
 #include "input/text.h"
 #include "parts/work.h"
 
