@@ -132,7 +132,7 @@ class Findings {
                 "protrusion", element.place,
                 fmt::format("\"{}\" sticks out of the closed card by {}", name(one->plate), how_far(*one)));
             finding.about(element.name);
-            std::optional<Move> move;
+            std::optional<ElementMove> move;
             if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates)
                 move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_);
             if (move) finding.hint(in_words(*move, "keeps it inside the closed card"));
@@ -231,7 +231,7 @@ class Findings {
     // What is printed with two decimals: never "-0.00".
     static double in_hundredths(double mm) { return std::round(mm * 100.0) / 100.0 + 0.0; }
 
-    [[nodiscard]] std::string in_words(const Move& move, std::string_view does) const {
+    [[nodiscard]] std::string in_words(const ElementMove& move, std::string_view does) const {
         return fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, {}",
                            assembly_.joints[static_cast<std::size_t>(move.joint)].name,
                            in_hundredths(length(move.by)), move.along, in_hundredths(move.by.x),

@@ -32,7 +32,7 @@ class Slide {
         moved_ = joint;
         return trial_;
     }
-    [[nodiscard]] Move as_move(int joint, double mm) const {
+    [[nodiscard]] ElementMove as_move(int joint, double mm) const {
         const auto there = slid(assembly_.joints[static_cast<std::size_t>(joint)], mm);
         return {joint, there->by, there->along};
     }
@@ -81,10 +81,10 @@ std::optional<double> shortest_that_frees(Slide& slide, Trials& trials, int join
 
 }  // namespace
 
-std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
-                                 std::span<const PlateShape> shapes,
-                                 std::span<const std::pair<int, int>> pairs,
-                                 std::span<const Contact> contacts, MoveBudget& budget) {
+std::optional<ElementMove> freeing_move(const Assembly& assembly, const Linkage& linkage,
+                                        std::span<const PlateShape> shapes,
+                                        std::span<const std::pair<int, int>> pairs,
+                                        std::span<const Contact> contacts, MoveBudget& budget) {
     std::vector<std::pair<int, double>> ways;  // element and sense
     for (const int joint : {linkage.joint_of(pairs[0].first), linkage.joint_of(pairs[0].second)}) {
         if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) continue;
@@ -96,14 +96,14 @@ std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkag
     Surroundings surroundings(assembly, linkage, shapes, contacts, budget);
     Slide slide(assembly);
     // Further and further in all ways at once; of those that are free first, the shortest.
-    std::optional<Move> best;
+    std::optional<ElementMove> best;
     double before = 0.0;
     while (!best && before < kFurthestMm && trials.any_left()) {
         double shortest = std::clamp(2.0 * before, kFirstMm, kFurthestMm);
         for (const auto& [joint, sense] : ways) {
             const auto found = shortest_that_frees(slide, trials, joint, sense, before, shortest);
             if (!found) continue;
-            const Move move = slide.as_move(joint, sense * *found);
+            const ElementMove move = slide.as_move(joint, sense * *found);
             if (!surroundings.allow(slide.moved(joint, sense * *found), joint, move.by)) continue;
             shortest = *found;
             best = move;
@@ -113,10 +113,10 @@ std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkag
     return best;
 }
 
-std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage,
-                                 std::span<const PlateShape> shapes, int joint,
-                                 std::span<const Protrusion> before, std::span<const Contact> contacts,
-                                 MoveBudget& budget) {
+std::optional<ElementMove> tucking_move(const Assembly& assembly, const Linkage& linkage,
+                                        std::span<const PlateShape> shapes, int joint,
+                                        std::span<const Protrusion> before, std::span<const Contact> contacts,
+                                        MoveBudget& budget) {
     if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) return std::nullopt;
     std::vector<int> out;  // plates that may stick out
     for (const Protrusion& one : before) {
@@ -140,7 +140,7 @@ std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkag
                 (is_tucked(sense * middle) ? shortest : not_tucked) = middle;
             }
             shortest = rounded_up(shortest);
-            const Move move = slide.as_move(joint, sense * shortest);
+            const ElementMove move = slide.as_move(joint, sense * shortest);
             if (surroundings.allow(slide.moved(joint, sense * shortest), joint, move.by)) return move;
         }
     }

@@ -13,7 +13,7 @@
 namespace popup {
 
 // An element moved along its parent fold, as if its points had been drawn there, by whole hundredths.
-struct Move {
+struct ElementMove {
     int joint = 0;           // which element
     Vec2 by;                 // mm, on the page of its left driving plate
     std::string_view along;  // what it moves along: "fold"
@@ -32,18 +32,18 @@ struct MoveBudget {
 // closed card. None when there is no such move or the budget is used up before one is found. `linkage`: of
 // the assembly; `contacts`: all of it as it is. Cost: that of examining the pairs, and what comes near them,
 // a few times, and a glance at some thirty poses for each of a few dozen trials.
-std::optional<Move> freeing_move(const Assembly& assembly, const Linkage& linkage,
-                                 std::span<const PlateShape> shapes,
-                                 std::span<const std::pair<int, int>> pairs,
-                                 std::span<const Contact> contacts, MoveBudget& budget);
+std::optional<ElementMove> freeing_move(const Assembly& assembly, const Linkage& linkage,
+                                        std::span<const PlateShape> shapes,
+                                        std::span<const std::pair<int, int>> pairs,
+                                        std::span<const Contact> contacts, MoveBudget& budget);
 
 // The shortest move, to 0.02 mm and up to 100 mm, of an element after which none of its plates sticks out of
 // the closed card, and none that did not stick out before; it stays on its paper and meets nothing new. None
 // when there is no such move. `before`: what sticks out now. Cost: a few dozen times find_protrusions(), and
 // examining what comes near the element.
-std::optional<Move> tucking_move(const Assembly& assembly, const Linkage& linkage,
-                                 std::span<const PlateShape> shapes, int joint,
-                                 std::span<const Protrusion> before, std::span<const Contact> contacts,
-                                 MoveBudget& budget);
+std::optional<ElementMove> tucking_move(const Assembly& assembly, const Linkage& linkage,
+                                        std::span<const PlateShape> shapes, int joint,
+                                        std::span<const Protrusion> before, std::span<const Contact> contacts,
+                                        MoveBudget& budget);
 
 }  // namespace popup
