@@ -27,7 +27,6 @@ namespace popup {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const std::filesystem::path kCartons = std::filesystem::path(POPUP_SOURCE_DIR) / "samples/cartons";
 const int kPrisms = test::sanitized_count(300, 30);
 
 void add(CreasePattern& pattern, std::vector<Vec2> points, bool closed, CreaseUse use) {
@@ -205,65 +204,6 @@ TEST(Carton, PanelsOfATrayAreNamed) {
     EXPECT_EQ(names_of(tray),
               (std::vector<std::string>{"sheet/back", "sheet/base", "sheet/front", "sheet/front-corner-right",
                                         "sheet/left", "sheet/right"}));
-}
-
-struct NamedCarton {
-    const char* file;
-    const char* names;  // in the order of the sheet's tree
-};
-constexpr NamedCarton kNamedCartons[]{
-    {"auto-lock-bottom",
-     "back right left top bottom-flap-back front top-dust-flap-right bottom-flap-right top-dust-flap-left "
-     "bottom-flap-left top-tuck glue-flap bottom-flap-front panel-14 panel-15"},
-    {"fefco-0201",
-     "back right left bottom-flap-back top-flap-back front bottom-flap-right top-flap-right "
-     "bottom-flap-left top-flap-left glue-flap bottom-flap-front top-flap-front"},
-    {"fefco-0215",
-     "front right glue-flap bottom-flap-front back top-dust-flap-right bottom-flap-right left top "
-     "bottom-flap-back top-dust-flap-left bottom-flap-left top-tuck"},
-    {"fefco-0427",
-     "base front back left right front-corner-left front-corner-right back-corner-left back-corner-right "
-     "lid left-lining right-lining lid-tuck panel-14 panel-15 panel-16 panel-17"},
-    {"gift-bag",
-     "back right-1 left-1 top-flap-back bottom-flap-back right-2 top-flap-right-1 bottom-flap-right-1 "
-     "left-2 top-flap-left-1 bottom-flap-left-1 front top-flap-right-2 bottom-flap-right-2 top-flap-left-2 "
-     "bottom-flap-left-2 glue-flap top-flap-front bottom-flap-front"},
-    {"hexagonal-box",
-     "bottom back bottom-tuck wall-3 wall-5 top wall-2 bottom-dust-flap-wall-3 top-dust-flap-wall-3 wall-6 "
-     "bottom-dust-flap-wall-5 top-dust-flap-wall-5 top-tuck front bottom-dust-flap-wall-2 "
-     "top-dust-flap-wall-2 bottom-dust-flap-wall-6 top-dust-flap-wall-6 glue-flap"},
-    {"reverse-tuck-end",
-     "back right left top front bottom-dust-flap-right top-dust-flap-right bottom-dust-flap-left "
-     "top-dust-flap-left top-tuck glue-flap bottom bottom-tuck"},
-    {"sleeve", "back right left front glue-flap"},
-    {"straight-tuck-end",
-     "bottom back bottom-tuck right left top front bottom-dust-flap-right top-dust-flap-right "
-     "bottom-dust-flap-left top-dust-flap-left top-tuck glue-flap"},
-    {"tray-with-lid",
-     "base back front left right left-corner-front left-corner-back right-corner-front right-corner-back "
-     "base back front left right left-corner-front left-corner-back right-corner-front right-corner-back"},
-};
-
-// However far the folds go in the end, and with last digits that differ.
-TEST(Carton, PanelsOfTheKitsCartonsAreNamed) {
-    for (const auto& [file, names] : kNamedCartons) {
-        const auto drawn = drawing(kCartons / (std::string(file) + ".fl"));
-        ASSERT_TRUE(drawn) << file;
-        for (const double share : {1.0, 0.2}) {
-            CreasePattern pattern = *drawn;
-            for (CreaseLine& line : pattern.lines) {
-                if (line.fold_deg) *line.fold_deg *= line.fold_deg < 170.0 ? share : 1.0;
-                for (Vec2& point : line.points) point = (1.0 + 1e-9) * point;
-            }
-            Diagnostics diagnostics;
-            const auto assembly = fold_sheet(pattern, {}, diagnostics);
-            ASSERT_TRUE(assembly) << file;
-            std::string all;
-            for (const Plate& plate : assembly->plates)
-                all += (all.empty() ? "" : " ") + plate.name.substr(plate.name.find('/') + 1);
-            EXPECT_EQ(all, names) << file << " folded to " << share;
-        }
-    }
 }
 
 // Accordions, and what loops hold, are no boxes: their panels keep their numbers.
@@ -470,66 +410,6 @@ TEST(Carton, AFlapIsPastedOnItsWall) {
     for (const double turn : turns) EXPECT_NEAR(turn, 2.0 * kPi / 3.0, 1e-6);
 }
 
-TEST(Carton, ARefinementFileIsReadAsItWasWritten) {
-    std::vector<Join> joins{
-        {JoinKind::merge, {{"sheet/front", {20, 40.5}}, {"sheet/\"lid\"", {-3.25, 1e-3}}}},
-        {JoinKind::paste, {{"sheet/glue-flap", {}}, {"sheet/front", {}}}},
-        {JoinKind::coplanar, {{"sheet/1", {}}, {"sheet/2", {}}}}};
-    joins[1].number = 3;
-    for (const Ruler& ruler : {Ruler{}, Ruler{{3, 70}, 2.0, true, "px"}}) {
-        const std::string text = write_refinement(joins, ruler);
-        Diagnostics diagnostics;
-        const auto read = read_refinement({"box.refine.json", text}, ruler, diagnostics);
-        ASSERT_TRUE(read);
-        EXPECT_EQ(write_refinement(*read, ruler), text);
-        ASSERT_EQ(read->size(), 3U);
-        EXPECT_EQ((*read)[0].parts[1].panel, "sheet/\"lid\"");
-        EXPECT_NEAR((*read)[0].parts[1].corner.x, -3.25, 1e-9);
-        EXPECT_NEAR((*read)[0].parts[0].corner.y, 40.5, 1e-9);
-        EXPECT_EQ((*read)[1].number, 3);
-        EXPECT_EQ((*read)[2].place, (Place{5, 5}));
-    }
-    // As findings show them: y goes down in drawings whose y does.
-    EXPECT_NE(write_refinement(joins, {{0, 100}, 1.0, true, "mm"}).find("[20.0,59.5]"), std::string::npos);
-    EXPECT_EQ(write_refinement({}, {}), "{\n  \"joins\": []\n}\n");
-}
-
-TEST(Carton, BadRefinementsAreTold) {
-    const auto told = [](const std::string& text) {
-        Diagnostics diagnostics("r.json");
-        EXPECT_FALSE(read_refinement({"r.json", text}, {}, diagnostics)) << text;
-        EXPECT_EQ(diagnostics.sorted().size(), 1U);
-        EXPECT_EQ(diagnostics.sorted().front().code, "bad-refinement");
-        EXPECT_GT(diagnostics.sorted().front().place.line, 0);
-        return diagnostics.sorted().front().message;
-    };
-    EXPECT_TRUE(told("{\n  x").starts_with("this is not JSON: "));
-    EXPECT_TRUE(told(R"({"joins": [],})").starts_with("this is not JSON: "));
-    EXPECT_EQ(told("[]"), "a refinement file is an object with a list \"joins\"");
-    EXPECT_EQ(told(R"({"joins": [], "near": 4})"),
-              "a refinement file has \"joins\" and nothing else, but this has \"near\"");
-    EXPECT_EQ(told(R"({"joins": [3]})"), "join 1 is no object");
-    EXPECT_EQ(told(R"({"joins": [{}]})"), "join 1 does not say what it joins");
-    EXPECT_EQ(told(R"({"joins": [{"glue": []}]})"), "join 1 is a \"glue\", which is no way to join");
-    EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"]}, {"paste": ["a"]}]})"),
-              "join 2 is a paste of 1 panels instead of two");
-    EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"], "number": 1.5}]})"),
-              "join 1 has a \"number\" that is no number of a suggestion");
-    EXPECT_EQ(told(R"({"joins": [{"merge": [{"panel": "a"}, {"panel": "b"}]}]})"),
-              "join 1 is a merge of what has no \"panel\" or no \"corner\"");
-    // What is no length, and what is nested beyond all measure.
-    EXPECT_TRUE(told(R"({"joins": [{"merge": [{"panel": "a", "corner": [1e999, 0]}]}]})")
-                    .starts_with("this is not JSON: number overflow"));
-    EXPECT_EQ(told(R"({"joins": [{"merge": [{"panel": "a", "corner": [1e300, 0]}, {}]}]})"),
-              "join 1 has a \"corner\" that is no place: two numbers, as findings print it");
-    EXPECT_EQ(told("{\"joins\": [" + std::string(200'000, '[')), "values are nested more than 32 deep");
-    // Long names are cut between characters.
-    std::string name;
-    for (int i = 0; i < 60; ++i) name += "é";
-    EXPECT_EQ(told("{\"joins\": [{\"" + name + "\": []}]}"),
-              "join 1 is a \"" + name.substr(0, 80) + "...\", which is no way to join");
-}
-
 TEST(Carton, JoinsOfWhatIsNotThereAreTold) {
     const CreasePattern pattern = pyramid(4, 40, 60);
     const auto told = [&](const Join& join) {
@@ -551,74 +431,6 @@ TEST(Carton, JoinsOfWhatIsNotThereAreTold) {
     ASSERT_TRUE(found);
     EXPECT_FALSE(accept_joins(pattern, {}, *found, "merge 99", {}, diagnostics));
     EXPECT_EQ(diagnostics.sorted().front().message, "there is no suggestion \"merge 99\"");
-}
-
-// What crosses in a sheet while it is folded, by the names of the panels.
-Crossings crossings_of(const CreasePattern& pattern, bool whole_way) {
-    Diagnostics diagnostics;
-    Crossings found;
-    auto assembly = fold_sheet(pattern, {}, diagnostics);
-    if (!assembly) return found;
-    std::optional<Motion> motion;
-    if (whole_way) motion = simulate_sheet(*assembly, {}, diagnostics);
-    const Examination seen = motion ? motion->examination.value() : examine_folded(*assembly, {});
-    for (const Contact& one : seen.contacts) {
-        const auto name = [&](int plate) { return assembly->plates[static_cast<std::size_t>(plate)].name; };
-        found.insert(std::minmax(name(one.a), name(one.b)));
-    }
-    return found;
-}
-
-// All of the kit's cartons: what is accepted of all closes, swings nothing, and brings no crossing.
-TEST(Carton, AllOfTheKitsCartonsMayBeAccepted) {
-    int seen = 0;
-    for (const auto& file : std::filesystem::directory_iterator(kCartons)) {
-        if (file.path().extension() != ".fl") continue;
-        const auto pattern = drawing(file.path());
-        ASSERT_TRUE(pattern) << file.path();
-        Diagnostics diagnostics;
-        const auto found = suggest_joins(*pattern, {}, diagnostics);
-        ASSERT_TRUE(found) << file.path();
-        for (const Suggestion& row : found->rows) {
-            EXPECT_TRUE(row.closes || row.residual_mm < 0.95 * row.apart_mm || row.swings)
-                << file.path() << ": " << row.name() << " leaves " << row.residual_mm << " of "
-                << row.apart_mm;
-            EXPECT_FALSE(row.closes && row.turn_deg > 180.0) << file.path() << ": " << row.name();
-        }
-        const auto joins = accept_joins(*pattern, {}, *found, "all", {true, crossings_of}, diagnostics);
-        ASSERT_TRUE(joins) << file.path();
-        const auto refined = refine_shape(*pattern, {{}, *joins}, diagnostics);
-        ASSERT_TRUE(refined) << file.path();
-        EXPECT_TRUE(refined->closes) << file.path();
-        EXPECT_LE(refined->residual_mm, refined->enough_mm) << file.path();
-        // As they are drawn, nothing crosses in any of them: other tests see to that.
-        for (const auto& [a, b] : crossings_of(refined->pattern, true))
-            ADD_FAILURE() << file.path() << ": " << a << " crosses " << b;
-        EXPECT_FALSE(diagnostics.has_findings()) << file.path();
-        ++seen;
-    }
-    EXPECT_EQ(seen, 10);
-}
-
-// A flap of the bottom and the lid upon it, a board apart: to bring them into one plane the walls would have
-// to swing by two thirds of a right angle.
-TEST(Carton, WhatSwingsFarDoesNotClose) {
-    const auto pattern = drawing(kCartons / "reverse-tuck-end.fl");
-    ASSERT_TRUE(pattern);
-    Diagnostics diagnostics;
-    const auto found = suggest_joins(*pattern, {}, diagnostics);
-    ASSERT_TRUE(found);
-    int swinging = 0;
-    for (const Suggestion& row : found->rows) {
-        if (row.join.kind != JoinKind::paste || !row.swings) continue;
-        ++swinging;
-        EXPECT_FALSE(row.closes);
-        EXPECT_GT(row.turn_deg, 60.0);
-        const auto refined = refine_shape(*pattern, {{}, {row.join}}, diagnostics);
-        ASSERT_TRUE(refined);
-        EXPECT_EQ(diagnostics.sorted().front().code, "join-swings");
-    }
-    EXPECT_EQ(swinging, 1);
 }
 
 // A fold that is drawn flat stays what it was drawn as.
