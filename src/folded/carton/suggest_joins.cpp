@@ -36,9 +36,9 @@ constexpr double kHardlyNearer = 0.9;  // of what is apart: what leaves more is 
 constexpr double kFrontsAlike = 0.5;   // the paper's
 constexpr double kFrontsNearlyOne = 0.85;
 constexpr std::size_t kMostPairs = 20'000;  // the nearest ones are looked at
-// So many panels may be moved to find out what joins leave, all joins together: of what stands in long rows,
-// near one another, there is no end else.
-constexpr std::size_t kMostMoved = 20'000;
+// So often may a panel be moved a step to find out what joins leave, all panels and joins together: of what
+// stands in long rows, near one another, and of nets that fold as one there is no end else.
+constexpr std::size_t kMostMoved = 200'000;
 
 bool are_equal(double a, double b) { return std::abs(a - b) <= kEqualLengths * std::max(a, b); }
 
@@ -203,7 +203,7 @@ class Finder {
         std::vector<PanelJoin> joins = accepted_;
         joins.push_back(join);
         Closed closed = close_joins(state_, joins, !accepted_.empty());
-        moved_ += closed.panels;
+        moved_ += closed.panels * static_cast<std::size_t>(std::max(closed.steps, 1));
         return closed;
     }
     [[nodiscard]] bool is_worth_while(const PanelJoin& join, const Closed& left) const {
@@ -457,7 +457,7 @@ class Finder {
     std::vector<SpotPair> pairs_;
     std::set<std::pair<int, int>> folded_;
     std::vector<std::vector<std::size_t>> merged_;  // by row
-    std::size_t moved_ = 0;                         // panels, in all that leaves() has tried
+    std::size_t moved_ = 0;                         // panels by a step, in all that leaves() has tried
     Suggestions found_;
 };
 
