@@ -6,14 +6,13 @@ namespace popup {
 namespace {
 
 constexpr std::array kPatternCodes = std::to_array<CodeInfo>({
-    {"glue-overlaps", Severity::warning, "two elements are glued in the same place",
-     "Each glue tab, and each piece that is glued flat, needs its own place on the side of the plate it is "
-     "glued to. Here more than 5 mm, or a quarter, of a seam lies where an earlier element is glued, so "
-     "nothing is left there of the later tab, and the joint may not hold; or more than a quarter of a piece "
-     "that is glued flat lies on what is glued there before. The message says which two these are and where "
-     "they meet; an element has one finding, of the earlier one that is most in its way. Move one of the two "
-     "elements, turn the seam so that its tab lies on the other side, make the tabs less deep with "
-     "--tab-depth, or, if the same element is there twice, take one of them out."},
+    {"glue-overlaps", Severity::warning, "tabs of two elements want the same place",
+     "Each glue tab needs its own place on the plate it is glued to. Here more than 5 mm, or a quarter, of a "
+     "seam "
+     "lies where the tab of an earlier element is glued, so nothing is left there of the later tab, and the "
+     "joint may not hold. The message says which tabs these are and where they meet. Move one of the two "
+     "elements, turn the seam so that its tab lies on the other side, or make the tabs less deep with "
+     "--tab-depth."},
     {"tab-too-small", Severity::warning, "little is left of a glue tab",
      "A glue tab runs along each seam of a piece, and its target on the plate it is glued to. Both are "
      "trimmed so that they stay 1 mm clear of folds, cuts, edges and earlier tabs. Of this one less than 3 "
