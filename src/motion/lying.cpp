@@ -161,6 +161,7 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
             whole.insert(later);
     }
     std::vector<LyingPair> found;
+    found.reserve(worst.size());
     for (const auto& [joint, one] : worst) found.push_back(one);
     std::sort(found.begin(), found.end(), [](const LyingPair& p, const LyingPair& q) {
         return std::pair(p.a, p.b) < std::pair(q.a, q.b);

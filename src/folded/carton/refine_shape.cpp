@@ -13,7 +13,6 @@ namespace {
 
 using folded::Closed;
 using folded::Fold;
-using folded::PanelJoin;
 using folded::RoughShape;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
