@@ -14,7 +14,7 @@
 namespace popup {
 namespace {
 
-constexpr double kFarMm = 10.0;  // further than joints look round
+constexpr double kBeyondJointsMm = 10.0;  // further than joints look round
 
 // Where the piece is folded and cut inside, on the sheet: a joint would tear folds where they run out, and
 // the narrow strip between a hole and the edge.
@@ -37,7 +37,7 @@ EdgeIndex torn_round_hole(const PatternPiece& piece, const Carrier& carrier, con
                           std::span<const Vec2> hole) {
     Box around;
     for (const Vec2 p : hole) around.extend(p);
-    const Vec2 far{kFarMm, kFarMm};
+    const Vec2 far{kBeyondJointsMm, kBeyondJointsMm};
     const Box near{around.min - far, around.max + far};
     std::vector<Segment> lines;
     const auto add = [&](Vec2 a, Vec2 b) {
@@ -56,8 +56,9 @@ EdgeIndex torn_round_hole(const PatternPiece& piece, const Carrier& carrier, con
         for (const Vec2 p : cut.points) points.push_back(carrier.at(p));
         Box box;
         for (const Vec2 p : points) box.extend(p);
-        constexpr double kSameMm = 0.5;  // more than a kerf moves it
-        if (cut.closed && distance(box.min, around.min) < kSameMm && distance(box.max, around.max) < kSameMm)
+        constexpr double kAboutSameMm = 0.5;  // more than a kerf moves it
+        if (cut.closed && distance(box.min, around.min) < kAboutSameMm &&
+            distance(box.max, around.max) < kAboutSameMm)
             continue;
         for (std::size_t i = 0; i + 1 < points.size(); ++i) add(points[i], points[i + 1]);
         if (cut.closed) add(points.back(), points.front());

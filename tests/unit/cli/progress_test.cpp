@@ -79,9 +79,9 @@ void make_designs(const std::filesystem::path& where, int count, const std::stri
 TEST(Progress, OnATerminalThereIsABarThatFitsAndIsTakenAway) {
     const test::ScratchDirectory designs;
     // Its examination takes long enough for a bar to be drawn at least once.
-    const int kCount = test::sanitized_count(4, 2);
+    const int kCount = test::sanitized_count(10, 5);
     const std::string all = std::to_string(kCount);
-    make_designs(designs.path(), kCount, "/tests/cases/found/collide.xml");
+    make_designs(designs.path(), kCount, "/samples/whale.xml");
     for (const unsigned short columns : {40, 100}) {
         const std::string shown = on_terminal({"check", "-j1", "--color", "never", designs.path()}, columns);
         const std::string erased = "\r\x1b[K";

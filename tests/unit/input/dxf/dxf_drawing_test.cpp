@@ -35,7 +35,8 @@ void expect_at(Vec2 p, double x, double y) {
 // --- blocks
 
 constexpr std::string_view kFlag =
-    "0 BLOCK|8 0|2 FLAG|70 0|10 1|20 0|0 LINE|8 0|62 0|10 1|20 0|11 3|21 0|0 LINE|8 MARK|10 1|20 0|11 1|21 "
+    "0 BLOCK|8 0|2 FLAG|70 0|10 1|20 0|0 LINE|8 0|62 0|10 1|20 0|11 3|21 0|0 LINE|8 FLAGPOLE|10 1|20 0|11 "
+    "1|21 "
     "1|0 ENDBLK";
 
 TEST(DxfBlocks, ArePutScaledTurnedAndMirrored) {
