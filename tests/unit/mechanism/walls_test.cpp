@@ -117,8 +117,9 @@ TEST(Box, IsOneStripWithThreeTabs) {
     std::size_t tabs = 0;
     for (const auto& label : strip.labels) tabs += label.kind == LabelKind::tab ? 1U : 0U;
     EXPECT_EQ(tabs, 3U);
-    // The tab that closes it lies behind the first wall, where no target is seen.
-    EXPECT_TRUE(strip.targets.empty());
+    // The tab that closes it lies behind the first wall.
+    ASSERT_EQ(strip.targets.size(), 1U);
+    EXPECT_TRUE(strip.targets[0].on_back);
     EXPECT_EQ(pattern->pieces[0].targets.size(), 2U);
 }
 
@@ -169,7 +170,8 @@ TEST(FloatingLayer, IsAStripAndAPillar) {
     EXPECT_EQ(pattern->pieces[2].name, "e1/pillar");
     // Both walls and the pillar's foot on the page; its head is glued from below.
     EXPECT_EQ(pattern->pieces[0].targets.size(), 3U);
-    EXPECT_TRUE(pattern->pieces[1].targets.empty());
+    ASSERT_EQ(pattern->pieces[1].targets.size(), 1U);
+    EXPECT_TRUE(pattern->pieces[1].targets[0].on_back);
 }
 
 }  // namespace
