@@ -53,11 +53,7 @@ SpaceBox box_round(const Cell& cell, const Linkage& linkage, int plate, std::spa
             at = turns[static_cast<std::size_t>(turn)].other;
         }
         if (drift) reach = std::min(reach, drift->of(p));
-        reach += 0.5 * distance_mm;
-        box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach),
-                   std::min(box.low.z, p.z - reach)};
-        box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach),
-                    std::max(box.high.z, p.z + reach)};
+        box.extend(p, reach + 0.5 * distance_mm);
     }
     return box;
 }

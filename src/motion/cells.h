@@ -1,6 +1,7 @@
 // The opening cut into ranges of angles, and which plates come near each other in each.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -28,6 +29,11 @@ struct SpaceBox {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
     Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
+    // Makes it hold a point, and all within `reach` mm of it.
+    void extend(Vec3 p, double reach = 0.0) {
+        low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach), std::min(low.z, p.z - reach)};
+        high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach), std::max(high.z, p.z + reach)};
+    }
     [[nodiscard]] bool meets(const SpaceBox& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
                other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;

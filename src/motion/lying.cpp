@@ -112,12 +112,7 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
     if (!frames) return {};
     std::vector<SpaceBox> boxes(shapes.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        SpaceBox& box = boxes[i];
-        for (const Vec2 corner : shapes[i].hull) {
-            const Vec3 p = (*frames)[i].point(corner);
-            box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-            box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-        }
+        for (const Vec2 corner : shapes[i].hull) boxes[i].extend((*frames)[i].point(corner));
     }
     std::vector<std::pair<int, int>> pairs = near_earlier(boxes, kMostNear);
     // What is glued to a plate along a seam may lie flat on it, and two pieces that both do are a collage.

@@ -21,11 +21,7 @@ constexpr double kOnPaperMm = 0.02;
 
 SpaceBox box_of(const PlateShape& shape, const Frame& frame) {
     SpaceBox box;
-    for (const Vec2 corner : shape.hull) {
-        const Vec3 p = frame.point(corner);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
+    for (const Vec2 corner : shape.hull) box.extend(frame.point(corner));
     return box;
 }
 
