@@ -29,6 +29,22 @@ bool finite(const FoldLines& lines) {
 
 }  // namespace
 
+// Looks along a fold, and says whether the element lies beside an end of it, by more than `slack` mm.
+Checker::Foothold Checker::look(Placing& placing, const FoldMatch& match, double slack) const {
+    const Fold& fold = fold_of(match);
+    placing.look_along(match, fold);
+    const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
+    const double from = std::max(0.0, std::min(lo, hi));
+    const double to = std::min(fold.length(), std::max(lo, hi));
+    if (!(from <= to + slack)) return Foothold::beside;  // or not a number
+    if (match.ghost) return Foothold::stands;
+    const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
+    const auto alive = fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
+    if (!alive) return Foothold::cut_away;
+    placing.stand_between(*alive, fold.length());
+    return Foothold::stands;
+}
+
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
     std::vector<FoldMatch> matches;
     if (structure.finds_ground) {
@@ -46,102 +62,15 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
     const FoldMatch* dead = nullptr;
     for (const double slack : {options.tolerances.rounding_mm, options.tolerances.snap_mm}) {
         for (const FoldMatch& match : matches) {
-            const Fold& fold = fold_of(match);
-            placing.look_along(match, fold);
-            const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
-            const double from = std::max(0.0, std::min(lo, hi));
-            const double to = std::min(fold.length(), std::max(lo, hi));
-            if (!(from <= to + slack)) continue;  // beside its ends, or not a number
+            const Foothold standing = look(placing, match, slack);
+            if (standing == Foothold::beside) continue;
             placing.found = match;
-            if (match.ghost) return match;
-            const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
-            const auto alive =
-                fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
-            if (!alive) {
-                if (dead == nullptr) dead = &match;
-                continue;
-            }
-            placing.stand_between(*alive, fold.length());
-            placing.found = match;
-            return match;
+            if (standing == Foothold::stands) return match;
+            if (dead == nullptr) dead = &match;
         }
     }
     no_fold(structure, placing, dead);
     return std::nullopt;
-}
-
-void Checker::no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead) {
-    if (dead != nullptr) {
-        const Fold& fold = fold_of(*dead);
-        Placing there = placing;
-        there.look_along(*dead, fold);
-        const auto [lo, hi] = element_row(*placing.element.info).stands_on(there.element);
-        double middle = std::clamp(0.5 * (lo + hi), 0.0, fold.length());
-        if (there.element.site.reversed) middle = fold.length() - middle;
-        const CutSpan* cut = fold.cut_within(middle - 1e-6, middle + 1e-6);
-        diagnostics
-            .error("fold-cut-away", structure.fold.place,
-                   fmt::format("where \"{}\" stands, its parent fold has been cut away by \"{}\"",
-                               structure.id, cut != nullptr ? cut->by : fold.owner))
-            .hint(fmt::format("stand it on a fold of \"{}\", or move it along the fold",
-                              cut != nullptr ? cut->by : fold.owner))
-            .about(structure.id);
-        return;
-    }
-    if (structure.named().given()) {
-        const Fold& fold = fold_of(*named_fold(structure));
-        const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
-        const double over = std::max(-std::max(lo, hi), std::min(lo, hi) - fold.length());
-        diagnostics
-            .error("fold-not-found", structure.fold.place,
-                   fmt::format("\"{}\" lies {} beyond the end of {}, which is {} long", structure.id,
-                               mm(over), structure.named().text, mm(fold.length())))
-            .hint("y of its points is measured along the fold from its middle")
-            .about(structure.id);
-        return;
-    }
-    if (beyond_its_fold(structure, placing)) return;
-    std::string nearest = "there is no fold within 500 mm of it";
-    if (const auto near = index.nearest(structure.fold.page, placing.begin, placing.end, 500.0)) {
-        const Fold& fold = near->ghost ? ghosts[static_cast<std::size_t>(near->fold)]
-                                       : skeleton->folds[static_cast<std::size_t>(near->fold)];
-        nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold",
-                              fold.owner, mm(near->distance));
-    }
-    diagnostics
-        .error("fold-not-found", structure.fold.place,
-               fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line "
-                           "from {} to {}; {}",
-                           structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
-                           placing.text(placing.begin), placing.text(placing.end), nearest))
-        .hint("give two points of a fold or seam that an earlier structure, or the page, makes")
-        .about(structure.id);
-}
-
-// The line that it names is a fold, but the element lies beyond an end of it; then that is said.
-bool Checker::beyond_its_fold(const Structure& structure, const Placing& placing) {
-    Box named;
-    named.extend(placing.begin);
-    named.extend(placing.end);
-    for (const FoldMatch& match :
-         index.matches(structure.fold.page, placing.begin, placing.end, named, options.tolerances.snap_mm)) {
-        const Fold& fold = fold_of(match);
-        Placing there = placing;
-        there.look_along(match, fold);
-        const auto [lo, hi] = element_row(*placing.element.info).stands_on(there.element);
-        const double over = std::max(-std::max(lo, hi), std::min(lo, hi) - fold.length());
-        if (!(over > 0.0)) continue;
-        diagnostics
-            .error("fold-not-found", structure.fold.place,
-                   fmt::format(
-                       "\"{}\" lies {} beyond the end of the {} of \"{}\" that its parent fold names, "
-                       "which is {} long",
-                       structure.id, mm(over), fold.seam ? "seam" : "fold", fold.owner, mm(fold.length())))
-            .hint("move it along the fold until it lies beside it, or name another fold")
-            .about(structure.id);
-        return true;
-    }
-    return false;
 }
 
 bool Checker::may_stand(const Structure& structure, const Placing& placing) {
@@ -267,10 +196,13 @@ std::string Checker::owner_of(int plate) const {
     return name.substr(0, name.rfind('/'));
 }
 
+std::optional<PlateMatch> Checker::plate_of(const Structure& structure, const Placing& placing) const {
+    if (structure.named().given()) return named_plate(structure);
+    return plates.find(*skeleton, structure.ground_page(), placing.begin, options.tolerances.rounding_mm);
+}
+
 bool Checker::stand_on_plate(Structure& structure, Placing& placing) {
-    const auto match = structure.named().given() ? named_plate(structure)
-                                                 : plates.find(*skeleton, structure.ground_page(),
-                                                               placing.begin, options.tolerances.rounding_mm);
+    const auto match = plate_of(structure, placing);
     if (!match) {
         no_plate(structure, placing);
         placing.look_along_given_line();
@@ -356,29 +288,30 @@ bool Checker::make(Structure& structure, Placing& placing) {
     const PaperQuery query = query_of(element);
     element.paper = &query;
     bool degenerate = false;
+    bool failed = false;
+    std::vector<Told> findings;
     element.failed = [&](std::string_view code, std::string what, std::string hint) {
         degenerate = code == "degenerate";
         if (degenerate && options.drop) return;
-        diagnostics.error(code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
-            .hint(std::move(hint))
-            .about(structure.id);
+        failed = true;
+        findings.push_back({Severity::error, std::string(code), std::move(what), std::move(hint), {}});
     };
     element.repaired = [&](std::string_view code, std::string what, std::string hint) {
         const Severity severity = options.repair ? Severity::warning : Severity::error;
-        const Change change = placing.take_change(options.tolerances);
-        diagnostics.add(severity, code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
-            .hint(std::move(hint))
-            .about(structure.id)
-            .changed(change.before, change.after);
+        findings.push_back({severity, std::string(code), std::move(what), std::move(hint),
+                            placing.take_change(options.tolerances)});
     };
     element.remarked = [&](std::string_view code, std::string what, std::string hint) {
-        diagnostics.remark(code, structure.place, fmt::format("\"{}\": {}", structure.id, what))
-            .hint(std::move(hint))
-            .about(structure.id);
+        findings.push_back({Severity::remark, std::string(code), std::move(what), std::move(hint), {}});
     };
-    if (!stand(structure, placing)) return false;
+    if (!stand(structure, placing)) {
+        tell(structure, placing, std::move(findings), false);
+        return false;
+    }
     const Element before = placing.authored_element();
-    if (!element_row(*element.info).constrain(element)) {
+    const bool made = element_row(*element.info).constrain(element);
+    tell(structure, placing, std::move(findings), failed);
+    if (!made) {
         keep_ghost(before);
         if (degenerate && options.drop) drop(structure);
         return false;
@@ -402,7 +335,7 @@ void Checker::lower(const Placing& placing, const Element& before) {
     made[current].plate = static_cast<int>(first_plate);
     element_row(info).lower(element, builder);
     POPUP_INVARIANT(skeleton->folds.size() >= first_fold + info.folds.size());
-    paper.update(*skeleton);
+    paper.update(*skeleton, static_cast<int>(current));
     const FoldLines was = lines_of(element_row(info), before);
     const bool known = finite(was);
     std::vector<RigidMove> moves(skeleton->draft.plates.size() - first_plate);
@@ -433,6 +366,8 @@ void Checker::check_structure(std::size_t number) {
     const ElementInfo* info = find_element(structure.type);
     POPUP_INVARIANT(info != nullptr && structure.points.size() == info->points.size());
     const int extra_page = info->glued ? pages++ : -1;
+    if (!info->glued && !structure.points.empty())
+        same_points.emplace(hash_of_points(authored.structures[number]), number);
     if (info->glued) {
         skeleton->page_mirrored.push_back(false);
         redrawn.push_back(false);
@@ -472,7 +407,7 @@ std::optional<CheckedDesign> Checker::run() {
     skeleton->draft.stem = design.stem;
     const Fold& gutter = skeleton->folds.front();
     index.add(0, gutter, {gutter.on_left, gutter.on_right}, false, options.tolerances.rounding_mm);
-    paper.update(*skeleton);
+    paper.update(*skeleton, -1);
     plates.add(*skeleton, 0, std::vector<RigidMove>(skeleton->draft.plates.size()), "page");
     for (std::size_t i = 0; i < design.structures.size(); ++i) check_structure(i);
     for (DrawnLine& line : design.lines) {

@@ -16,6 +16,9 @@
 
 namespace popup {
 
+// Equal where all points are.
+std::size_t hash_of_points(const Structure& structure);
+
 struct Checker {
     const Design& authored;
     const CheckOptions& options;
@@ -38,6 +41,8 @@ struct Checker {
         int fold = -1, ghost = -1, plate = -1;
     };
     std::vector<Made> made;
+    // Structures that are cut from their page, by hash_of_points().
+    std::unordered_multimap<std::size_t, std::size_t> same_points;
     // For folds_of_card(): filled as structures are reached.
     CardFolds* names = nullptr;
     std::vector<std::optional<std::size_t>> which_of;  // of each structure, the fold of its owner's row
@@ -58,12 +63,27 @@ struct Checker {
     void check_structure(std::size_t number);
     bool ground_is_named(const Structure& structure, const ElementInfo& info, const Placing& placing);
     bool stand(Structure& structure, Placing& placing);
+    std::optional<PlateMatch> plate_of(const Structure& structure, const Placing& placing) const;
     bool stand_on_plate(Structure& structure, Placing& placing);
     void no_plate(const Structure& structure, const Placing& placing);
     PaperQuery query_of(const Element& element) const;
     bool make(Structure& structure, Placing& placing);
+    // What is said of an element once it is known whether it can be made.
+    struct Told {
+        Severity severity;
+        std::string code, what, hint;
+        std::optional<Change> change;
+    };
+    void tell(const Structure& structure, const Placing& placing, std::vector<Told> findings, bool failed);
+    std::string neighbours(const Placing& placing, std::vector<Related>& related) const;
+    std::vector<int> pages_with_its_fold(const Structure& structure, const Placing& placing) const;
+    const Structure* original_of(const Structure& structure) const;
+    bool points_are_exchanged(const Structure& structure, const Placing& placing, const FoldMatch* match);
+    bool needs_no_repair(const Structure& trial, const Placing& of, const FoldMatch* match);
     void lower(const Placing& placing, const Element& before);
     std::string owner_of(int plate) const;
+    enum class Foothold { beside, cut_away, stands };
+    Foothold look(Placing& placing, const FoldMatch& match, double slack) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
     bool beyond_its_fold(const Structure& structure, const Placing& placing);
     void no_fold(const Structure& structure, const Placing& placing, const FoldMatch* dead);

@@ -6,6 +6,10 @@ namespace popup {
 namespace {
 
 constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
+    {"copy-on-original", Severity::warning, "a copy was not moved",
+     "Two elements that are cut from one page have the same points. The first takes the paper there, so the "
+     "second comes to stand on the folds of the first, in another form and size than it was drawn with, or "
+     "cannot be made. Move one of them along the fold, or delete it."},
     {"cut-on-seam", Severity::error, "a 90° element stands on a glued seam",
      "Steps, beaks and angled steps are cut across the fold they stand on. A seam is two pieces of paper "
      "glued together, so the cut would go through the glue and part what holds the design together. Stand "
@@ -63,6 +67,10 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "The plates on both sides of this seam lie in one plane, facing the same way, when the card is "
      "closed. Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley "
      "folds do open and close."},
+    {"points-exchanged", Severity::error, "points were given in each other's places",
+     "The element cannot be made of its points in the order given, and could be made without moving any if "
+     "two, or twice two, of them changed places. The hint names the fewest that do. The manual page popup(5) "
+     "gives the order of the points for each type."},
     {"sides-exchanged", Severity::warning, "left and right points were exchanged",
      "Left is the left-hand side when looking from the parent fold's begin to its end. All points given as "
      "left lie right of it and the other way round, so the points changed places; the colours stay with "

@@ -57,10 +57,11 @@ PaperMap::PageEdges& PaperMap::page(int number) {
 void PaperMap::add(int page_number, const Segment& at, int plate, bool seam) {
     PageEdges& page_edges = page(page_number);
     page_edges.edges.insert(at, false);
-    page_edges.obstacles.push_back({plate, seam});
+    page_edges.obstacles.push_back({plate, seam, owner_});
 }
 
-void PaperMap::update(const Skeleton& skeleton) {
+void PaperMap::update(const Skeleton& skeleton, int owner) {
+    owner_ = owner;
     const auto add_ring = [&](int number, const Ring& ring, int plate) {
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
             add(number, {ring[j], ring[i]}, plate, false);
@@ -158,6 +159,17 @@ bool PaperMap::seam_near(int page_number, const Ring& ring) const {
         return page_edges.obstacles[static_cast<std::size_t>(number)].seam &&
                region_distance(ring, page_edges.edges[number]) <= tolerances_.rounding_mm;
     });
+}
+
+void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& owners) const {
+    if (page_number < 0 || static_cast<std::size_t>(page_number) >= pages_.size() || ring.size() < 3) return;
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    std::vector<int> found;
+    page_edges.edges.query(box_around(ring, tolerances_.paper_mm), found);
+    for (const int number : found) {
+        if (region_distance(ring, page_edges.edges[number]) < tolerances_.paper_mm)
+            owners.push_back(page_edges.obstacles[static_cast<std::size_t>(number)].owner);
+    }
 }
 
 std::optional<Segment> PaperMap::edge_along(int plate, int page_number, const Segment& at) const {

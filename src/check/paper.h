@@ -17,8 +17,8 @@ class PaperMap {
     explicit PaperMap(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
     // Takes in the plates, cut-outs, seams and glued areas that were added to the skeleton since the last
-    // call.
-    void update(const Skeleton& skeleton);
+    // call; `owner` is the number of the structure that made them, or -1 for the page.
+    void update(const Skeleton& skeleton, int owner);
 
     // See PaperQuery. `line` is the parent fold on that side's page; edges along it are no obstacle.
     // Nor are edges along `open`, if it is given.
@@ -29,6 +29,9 @@ class PaperMap {
     [[nodiscard]] std::vector<Polygon> paper_near(int plate, int page, double inset, const Box& near) const;
     // Whether something is glued on the page within or on the ring.
     [[nodiscard]] bool seam_near(int page, const Ring& ring) const;
+    // The owners of what ends, is cut or is glued on the page within the ring, or too near to it; each
+    // perhaps several times.
+    void owners_near(int page, const Ring& ring, std::vector<int>& owners) const;
     // Without `line` no edge is passed over.
     [[nodiscard]] bool may_glue(int plate, int page, const DirectedLine* line, const Segment& seam,
                                 Fit fit) const;
@@ -37,6 +40,7 @@ class PaperMap {
     struct Obstacle {
         int plate;
         bool seam;
+        int owner;
     };
     struct PageEdges {
         EdgeIndex edges;
@@ -51,6 +55,7 @@ class PaperMap {
     std::vector<PageEdges> pages_;
     std::vector<Polygon> outlines_;       // raw, of each plate
     std::vector<std::size_t> cuts_seen_;  // of each plate
+    int owner_ = -1;                      // of what is taken in
     std::size_t folds_seen_ = 0;
     std::size_t areas_seen_ = 0, feet_seen_ = 0, holes_seen_ = 0;
 };

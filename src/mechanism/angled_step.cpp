@@ -89,7 +89,7 @@ bool constrain(Element& e) {
         const Segment cf{e.site.on_page(Side::left, e.on[C]), e.site.on_page(Side::right, e.on[F])};
         const Vec2 at = proper_crossing(bg, cf).value_or(0.5 * (bg.a + bg.b));
         e.failed("outline-crosses", "the cuts B–G and C–F cross at " + at_mm(at),
-                 "exchange G and F, so that B and G are the inner points and C and F the outer ones");
+                 "put B and G at the ends of the cut near the apex, C and F at those of the other");
         return false;
     }
     const double l = meets_at(e.on[B], e.on[C]);

@@ -74,7 +74,7 @@ bool constrain(Element& e) {
         const Segment bh{e.site.on_page(Side::left, e.on[B]), e.site.on_page(Side::right, e.on[H])};
         const Vec2 at = proper_crossing(ag, bh).value_or(0.5 * (ag.a + ag.b));
         e.failed("outline-crosses", "the cuts A–G and B–H cross at " + at_mm(at),
-                 "exchange G and H, so that A and G are ends of one cut, B and H of the other");
+                 "put A and G at the ends of one cut, B and H at those of the other");
         return false;
     }
     make_parallel(e, A, B, "the left fold A–B");

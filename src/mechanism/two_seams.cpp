@@ -201,7 +201,7 @@ bool constrain_page(Element& e) {
     if (heading(e) * (e.on[F].s - e.on[E].s) < 0.0) {
         e.failed("outline-crosses",
                  "the seams A–B and E–F run in opposite directions, so that the free edges cross",
-                 e.extra.empty() ? "exchange E with F" : "exchange E with F, and K with L");
+                 "put A and E at one end of the seams, B and F at the other");
         return false;
     }
     return fit_seam(e, Side::left, A, B, "A–B") && fit_seam(e, Side::right, E, F, "E–F");
@@ -216,7 +216,7 @@ bool constrain_piece(Element& e) {
     if (dot(e.extra[H] - e.extra[G], e.extra[L] - e.extra[K]) < 0.0) {
         e.failed("outline-crosses",
                  "the seams G–H and K–L of its piece run in opposite directions, so that G–K and H–L cross",
-                 "exchange K and L");
+                 "put G and K at one end of the piece, H and L at the other");
         return false;
     }
     if (width(e) < 0.0) {

@@ -397,7 +397,7 @@ TEST(Check, WhatStandsOnABrokenElementIsNotComplainedAbout) {
     add(design, "step", {{-40, -30}, {-40, 30}, {40, 30}, {40, -30}});  // cuts cross
     add(design, "step", {{-50, -5}, {-50, 5}, {-30, -5}, {-30, 5}}, {-40, -30}, {-40, 30});
     const Checked result = run(design);
-    EXPECT_EQ(codes(result.diagnostics), Codes{"outline-crosses"}) << findings(result.diagnostics);
+    EXPECT_EQ(codes(result.diagnostics), Codes{"points-exchanged"}) << findings(result.diagnostics);
 }
 
 TEST(Check, WithoutRepairEveryRepairIsAnError) {
