@@ -15,7 +15,7 @@ constexpr Color kGreen{0x00, 0xff, 0x00};
 constexpr Color kBlue{0x00, 0x00, 0xff};
 constexpr Color kMagenta{0xff, 0x00, 0xff};
 constexpr Color kCyan{0x00, 0xff, 0xff};
-constexpr Color kTarget{0xa6, 0xa6, 0xa6};
+constexpr Color kTarget{0x8c, 0x8c, 0x8c};  // 3.4 : 1 on white
 constexpr Color kText{0x73, 0x73, 0x73};
 
 // Drivers that tell cutting from engraving by the width take no wider lines as cuts: 0.001 inch.

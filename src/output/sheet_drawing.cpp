@@ -12,6 +12,7 @@
 #include "base/text/utf8.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
+#include "output/halos.h"
 #include "output/machine_order.h"
 #include "output/sheet_carrier.h"
 #include "output/sheet_curves.h"
@@ -81,9 +82,14 @@ class Drawer {
         drawn.copy = placement.copy;
         drawn.plate_names = design.pattern.plate_names;
         carrier_ = Carrier(placement, drawing_.width_mm, view_.back);
+        const std::size_t first_shape = drawing_.shapes.size();
+        const std::size_t first_text = drawing_.texts.size();
         for (const Operation operation : kOperations) {
             if (is_shown(operation, options_, view_)) draw(piece, operation);
         }
+        // What a machine follows is not printed.
+        if (!drawing_.profile.machine_order || view_.part == SheetView::Part::print)
+            put_halos(drawing_, first_shape, first_text);
     }
 
     void legend(std::span<const Placement> placements) {

@@ -250,6 +250,11 @@ void SvgText::text(const SheetText& text) {
         color(text.color);
         raw("\" ");
     }
+    if (text.operation == Operation::label && text.color != profile_.pen(Operation::label).color) {
+        raw("fill=\"");
+        color(text.color);
+        raw("\" ");
+    }
     if (text.operation == Operation::draw) raw(font_attributes(text.font));
     raw("x=\"");
     number(middle.x);
