@@ -121,6 +121,8 @@ void lay_out_run(Compilation& run, const CompileOptions& options) {
     }
     if (patterns.empty() || run.has_errors()) return;
     LayoutOptions layout = options.layout;
+    if (const auto& first = run.designs.front().assembly; first && layout.papers == PaperFamily::automatic)
+        layout.papers = papers_for(first->units);
     layout.nesting.threads = options.threads;
     layout.nesting.may_start_thread = options.may_start_thread;
     layout.nesting.thread_ended = options.thread_ended;

@@ -126,9 +126,18 @@ struct Trace {
     std::vector<std::vector<Vec3>> lines;  // mm; each has at least two points
 };
 
+// What its author measures with; which papers are at hand follows from it (LayoutOptions::papers).
+enum class UnitSystem { unknown, metric, inches };
+
+// How models are to stand: with the spine upright, as a greeting card on a shelf, or flat on a table, the
+// open card facing up.
+enum class Orientation { upright, flat };
+
 struct Assembly {
     std::string file;
     std::string stem;
+    UnitSystem units = UnitSystem::unknown;  // of documents, by their unit
+    Orientation orientation = Orientation::upright;
     std::vector<Piece> pieces;
     std::vector<Plate> plates;
     std::vector<Line> lines;

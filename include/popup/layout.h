@@ -21,12 +21,14 @@ std::vector<Paper> const& paper_table();  // letter, a4, tabloid, a3, a2, a1, a0
 
 // Which papers `auto` tries.
 enum class PaperFamily {
-    automatic,  // nobody has said which: any
+    automatic,  // of a run: by the units of its first design; of lay_out(), and where that is unknown: any
     iso,        // a4, a3, a2, a1, a0
     us,         // letter, tabloid; then, for what is larger, a2, a1, a0
     any         // all of the table
 };
 std::vector<Paper> papers_of(PaperFamily family);
+// Those that are at hand where somebody measures so; any, where it is not known how.
+PaperFamily papers_for(UnitSystem units);
 
 // What pieces are put on. `name` "auto" picks the first paper that takes the largest piece; another name of
 // the table takes that paper, turned as the largest piece needs (landscape if either way serves); empty:

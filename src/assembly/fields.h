@@ -42,6 +42,8 @@ inline constexpr int kVersion = 1;
 inline constexpr std::array<std::string_view, 5> kLineNames{"cut", "mountain", "valley", "seam", "mark"};
 inline constexpr std::array<std::string_view, std::variant_size_v<Print>> kPrintNames{"area", "stroke",
                                                                                       "text", "image"};
+inline constexpr std::array<std::string_view, 3> kUnitSystemNames{"unknown", "metric", "inches"};
+inline constexpr std::array<std::string_view, 2> kOrientationNames{"upright", "flat"};
 
 // A T, whether it may be changed or not.
 template <typename Self, typename T>
@@ -190,6 +192,8 @@ template <Of<Assembly> Self, typename To>
 void fields(Self& assembly, To& to) {
     to.text("file", assembly.file);
     to.text("stem", assembly.stem);
+    to.word_if_any("units", assembly.units, kUnitSystemNames);
+    to.word_if_any("orientation", assembly.orientation, kOrientationNames);
     to.list("pieces", assembly.pieces);
     to.list("plates", assembly.plates);
     to.list("lines", assembly.lines);

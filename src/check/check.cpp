@@ -405,6 +405,8 @@ std::optional<CheckedDesign> Checker::run() {
     builder.add_base_page(design.width_mm, design.height_mm, design.left, design.right);
     skeleton->draft.file = design.file;
     skeleton->draft.stem = design.stem;
+    skeleton->draft.units = design.unit.name == "in" ? UnitSystem::inches : UnitSystem::metric;
+    skeleton->draft.orientation = design.orientation;
     const Fold& gutter = skeleton->folds.front();
     index.add(0, gutter, {gutter.on_left, gutter.on_right}, false, options.tolerances.rounding_mm);
     paper.update(*skeleton, -1);

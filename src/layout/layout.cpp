@@ -228,7 +228,7 @@ class Layouter {
     bool make_job() {
         // Pieces of one outline and the same turns are of one kind, whatever design they come from.
         std::map<std::vector<double>, int> known;
-        bool all_fit = true;
+        std::vector<const PieceSource*> too_large;
         const double smallest = smallest_outline();
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             PieceSource& source = sources_[i];
@@ -249,9 +249,9 @@ class Layouter {
                                    [&](Angle turn) { return fits(source.hull, turn, area); });
             });
             if (fits_one || all_locked(source)) continue;
-            complain_of_size(source);
-            all_fit = false;
+            too_large.push_back(&source);
         }
+        complain_of_size(too_large);
         const int designs = static_cast<int>(layout_.designs.size());
         for (int copy = 0; copy < options_.copies; ++copy) {
             for (const PieceSource& source : sources_) {
@@ -263,7 +263,7 @@ class Layouter {
             job_.stock.push_back({areas_[r].width, areas_[r].height, rows_[r].count});
         job_.spacing = options_.spacing.mm;
         job_.use_holes = options_.part_in_hole;
-        return apply_rules() && all_fit;
+        return apply_rules() && too_large.empty();
     }
 
     // The area of the smallest part of any piece, its holes counted in.
@@ -355,7 +355,7 @@ class Layouter {
                                     : fmt::format("\"{}\" (copy {})", name, copy + 1);
     }
 
-    void complain_of_size(const PieceSource& source) {
+    void complain_of_size(const PieceSource& source, const std::vector<std::string>& hints) {
         const PatternPiece& piece = piece_of(source);
         std::string sheets;
         for (std::size_t i = 0; i < areas_.size(); ++i) {
@@ -369,24 +369,44 @@ class Layouter {
                 name_of(source), piece.bounds.width(), piece.bounds.height(), sheets));
         finding.about(piece.name);
         finding.file = nth(layout_.designs, source.design).file;
+        for (const std::string& hint : hints) finding.hint(hint);
+    }
+
+    // What would make all of them fit: one paper and one scale, because a run has one.
+    [[nodiscard]] std::vector<std::string> hints_of_size(const std::vector<const PieceSource*>& large) const {
+        std::vector<std::string> hints;
+        const std::string_view them = large.size() == 1 ? "it" : "all of them";
         for (const Paper& paper : papers_of(options_.papers)) {
             if (!in_bed({paper.width_mm, paper.height_mm, -1})) continue;
-            if (takes({paper.height_mm, paper.width_mm, -1}, source) ||
-                takes({paper.width_mm, paper.height_mm, -1}, source)) {
-                finding.hint(fmt::format("--sheet {} would take it", paper.name));
-                break;
-            }
+            const bool takes_all = std::all_of(large.begin(), large.end(), [&](const PieceSource* source) {
+                return takes({paper.height_mm, paper.width_mm, -1}, *source) ||
+                       takes({paper.width_mm, paper.height_mm, -1}, *source);
+            });
+            if (!takes_all) continue;
+            hints.push_back(fmt::format("--sheet {} would take {}", paper.name, them));
+            break;
         }
-        double scale = 0.0;
-        for (const SheetArea& area : areas_) {
-            for (const Angle turn : source.turns) {
-                const GridBox box = turned_box(source.hull, turn);
-                scale = std::max(scale, options_.scale * std::min(area.width / from_grid(box.width()),
-                                                                  area.height / from_grid(box.height())));
+        double least = HUGE_VAL;
+        for (const PieceSource* source : large) {
+            double scale = 0.0;
+            for (const SheetArea& area : areas_) {
+                for (const Angle turn : source->turns) {
+                    const GridBox box = turned_box(source->hull, turn);
+                    scale = std::max(scale, options_.scale * std::min(area.width / from_grid(box.width()),
+                                                                      area.height / from_grid(box.height())));
+                }
             }
+            least = std::min(least, scale);
         }
-        const double rounded = std::floor(100.0 * scale + 1e-6) / 100.0;
-        if (rounded > 0.0) finding.hint(fmt::format("--scale {:.2f} would make it fit", rounded));
+        const double rounded = std::floor(100.0 * least + 1e-6) / 100.0;
+        if (rounded > 0.0) hints.push_back(fmt::format("--scale {:.2f} would make {} fit", rounded, them));
+        return hints;
+    }
+
+    void complain_of_size(const std::vector<const PieceSource*>& large) {
+        if (large.empty()) return;
+        const std::vector<std::string> hints = hints_of_size(large);
+        for (const PieceSource* source : large) complain_of_size(*source, hints);
     }
 
     void complain(const NestRefusal& refusal) {
@@ -398,9 +418,11 @@ class Layouter {
             names += fmt::format(" and {} more", refusal.items.size() - kNamed);
         const bool one = refusal.items.size() == 1;
         switch (refusal.reason) {
-            case NestRefusal::Reason::too_large:
-                for (const int item : refusal.items) complain_of_size(source_of(item));
-                return;
+            case NestRefusal::Reason::too_large: {
+                std::vector<const PieceSource*> large;
+                for (const int item : refusal.items) large.push_back(&source_of(item));
+                return complain_of_size(large);
+            }
             case NestRefusal::Reason::lock_outside:
                 diagnostics_
                     .error(

@@ -46,6 +46,18 @@ std::vector<Paper> papers_of(PaperFamily family) {
     return papers;
 }
 
+PaperFamily papers_for(UnitSystem units) {
+    switch (units) {
+        case UnitSystem::metric:
+            return PaperFamily::iso;
+        case UnitSystem::inches:
+            return PaperFamily::us;
+        case UnitSystem::unknown:
+            break;
+    }
+    return PaperFamily::any;
+}
+
 std::optional<SheetChoice> parse_sheet(std::string_view text) {
     if (same_word(text, "auto")) return SheetChoice{};
     for (const Paper& paper : paper_table()) {

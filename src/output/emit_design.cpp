@@ -120,6 +120,8 @@ std::string emit_design(const Design& design) {
               {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
               {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}};
     if (design.opens_deg < 180.0) made["opens_deg"] = design.opens_deg;
+    if (design.says_orientation)
+        made["orientation"] = design.orientation == Orientation::flat ? "flat" : "upright";
     if (!design.prints.empty())
         made["prints"] = list(design.prints, [](const DrawnPrint& print) { return json(print); });
     return json_text(made);

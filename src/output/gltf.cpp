@@ -25,7 +25,8 @@ namespace popup {
 namespace {
 
 constexpr double kMetre = 1000.0;
-constexpr Color kCollision{255, 0, 0};  // of plates that cross others
+constexpr double kHalfRoot = 0.7071067811865476;  // sin and cos of 45°: half of a quarter turn
+constexpr Color kCollision{255, 0, 0};            // of plates that cross others
 constexpr Color kTraceColor{0, 0, 0};
 constexpr int kLengthDecimals = 6;
 constexpr std::size_t kSharedIndices = 24;
@@ -353,6 +354,12 @@ class SceneBuilder {
         node.name = valid_utf8(name);
         if (node.name.empty()) node.name = moves(*card.assembly) ? "card" : "parts";
         if (shift != 0.0) node.translation = metres(Vec3{shift, 0.0, 0.0});
+        // In glTF y points up. So it does on the pages of a card that stands; of one that lies, their front
+        // does.
+        const bool flat = card.assembly->orientation == Orientation::flat;
+        if (flat) node.rotation = {-kHalfRoot, 0.0, 0.0, kHalfRoot};
+        node.extras =
+            tinygltf::Value({{"orientation", tinygltf::Value(std::string(flat ? "flat" : "upright"))}});
         model_.nodes.push_back(std::move(node));
         return static_cast<int>(model_.nodes.size()) - 1;
     }

@@ -10,14 +10,16 @@
 namespace popup {
 
 // One scene of all cards: metres, +Y up, (x, y, z) mm at (x, y, z)/1000, so that an open card faces +Z with
-// its gutter along Y. A card is a node, its plates are nodes below it in the hinge tree: a plate's node has
-// its origin at the plate's pivot, so opening only turns it. Names and extras as the command line's
-// documentation says. At rest the cards stand open at 90°. The animation `open` runs from closed to open in
-// options.duration_s, the angle growing evenly; its extras.angles_deg lists the opening angle of every key.
-// Keys are chosen so that between them, too, no fold opens by more than 0.05 mm (see keys.h). Several cards
-// stand side by side along +X, 20 mm apart at their widest. Drawn lines are parts of a plate's mesh, 0.02 mm
-// before its front. Plates that cross others are of one material, `collision`, whatever their paper, and
-// their extras.collisions lists {with, from_deg, to_deg, depth_mm}.
+// its gutter along Y. A card whose orientation is flat is turned so that its open pages face +Y instead;
+// its node's extras.orientation says which it is. A card is a node, its plates are nodes below it in the
+// hinge tree: a plate's node has its origin at the plate's pivot, so opening only turns it. Names and
+// extras as the command line's documentation says. At rest the cards stand open at 90°. The animation
+// `open` runs from closed to open in options.duration_s, the angle growing evenly; its extras.angles_deg
+// lists the opening angle of every key. Keys are chosen so that between them, too, no fold opens by more
+// than 0.05 mm (see keys.h). Several cards stand side by side along +X, 20 mm apart at their widest. Drawn
+// lines are parts of a plate's mesh, 0.02 mm before its front. Plates that cross others are of one
+// material, `collision`, whatever their paper, and their extras.collisions lists {with, from_deg, to_deg,
+// depth_mm}.
 //
 // Plates that stand still are a node a piece, below the one of their source's name: as triangles, white where
 // they have no fill and visible from both sides, and the traces they were drawn with as lines, black

@@ -188,11 +188,14 @@ void add_sheet_options(CLI::App& verb, Options& options) {
               layout.sheet = *sheet;
               given = true;
           });
-    value(verb, "--paper-family", "FAMILY", "papers of --sheet auto: any (default), iso or us", "Sheet",
+    value(verb, "--paper-family", "FAMILY",
+          "papers of --sheet auto: auto (default: by the document's unit), iso, us or any", "Sheet",
           [&layout](std::string_view text) {
-              layout.papers = choose<PaperFamily>(
-                  "--paper-family", text,
-                  {{"iso", PaperFamily::iso}, {"us", PaperFamily::us}, {"any", PaperFamily::any}});
+              layout.papers = choose<PaperFamily>("--paper-family", text,
+                                                  {{"auto", PaperFamily::automatic},
+                                                   {"iso", PaperFamily::iso},
+                                                   {"us", PaperFamily::us},
+                                                   {"any", PaperFamily::any}});
           });
     value(verb, "--margin", "LENGTH", "free edge of the sheet (default 5mm)", "Sheet",
           [&layout, &given, &options](std::string_view text) {
