@@ -76,6 +76,7 @@ struct Checker {
     };
     void tell(const Structure& structure, const Placing& placing, std::vector<Told> findings, bool failed);
     std::string neighbours(const Placing& placing, std::vector<Related>& related) const;
+    std::string page_word(int page) const;
     std::vector<int> pages_with_its_fold(const Structure& structure, const Placing& placing) const;
     const Structure* original_of(const Structure& structure) const;
     bool points_are_exchanged(const Structure& structure, const Placing& placing, const FoldMatch* match);

@@ -76,13 +76,20 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
         nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold",
                               fold.owner, mm(near->distance));
     }
-    diagnostics
-        .error("fold-not-found", structure.fold.place,
-               fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line "
-                           "from {} to {}; {}",
-                           structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
-                           placing.text(placing.begin), placing.text(placing.end), nearest))
-        .hint("give two points of a fold or seam that an earlier structure, or the page, makes")
+    Diagnostic& made = diagnostics.error(
+        "fold-not-found", structure.fold.place,
+        fmt::format("there is no fold where \"{}\" should stand, on page {} within {} of the line "
+                    "from {} to {}; {}",
+                    structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
+                    placing.text(placing.begin), placing.text(placing.end), nearest));
+    for (const int page : pages_with_its_fold(structure, placing)) {
+        made.hint(
+            fmt::format("page {0} has such a fold: perhaps page=\"{0}\" is meant; each glued element that is "
+                        "put in shifts "
+                        "the numbers of later pages",
+                        page_word(page)));
+    }
+    made.hint("give two points of a fold or seam that an earlier structure, or the page, makes")
         .about(structure.id);
 }
 
@@ -213,6 +220,17 @@ std::string Checker::neighbours(const Placing& placing, std::vector<Related>& re
     return text.empty() ? text : fmt::format(" ({})", text);
 }
 
+// What a document would write for a page: in version 3.0 the id of the element whose piece it is.
+std::string Checker::page_word(int page) const {
+    int number = 0;
+    for (const Structure& structure : design.structures) {
+        const ElementInfo* info = structure.dropped ? nullptr : find_element(structure.type);
+        if (info == nullptr || !info->glued || ++number != page) continue;
+        if (structure.id_given && design.version >= "3.0") return structure.id;
+    }
+    return fmt::format("{}", page);
+}
+
 // Other pages that have the very fold that it names, on which it would keep its form.
 std::vector<int> Checker::pages_with_its_fold(const Structure& structure, const Placing& placing) const {
     std::vector<int> found;
@@ -277,11 +295,12 @@ void Checker::tell(const Structure& structure, const Placing& placing, std::vect
         Diagnostic& made = diagnostics.add(told.severity, told.code, structure.place,
                                            fmt::format("\"{}\": {}", structure.id, told.what));
         if (told.code == "wrong-form" || told.code == "fold-snapped") {
-            for (const int page : pages_with_its_fold(structure, placing))
+            for (const int page : pages_with_its_fold(structure, placing)) {
                 made.hint(
-                    fmt::format("page {} has the very fold: perhaps its parent fold is meant to be there, "
-                                "page=\"{}\"",
-                                page, page));
+                    fmt::format("page {0} has the very fold: perhaps its parent fold is meant to be there, "
+                                "page=\"{0}\"",
+                                page_word(page)));
+            }
         }
         made.hint(told.hint).about(structure.id);
         if (told.change) made.changed(told.change->before, told.change->after);

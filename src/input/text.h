@@ -15,6 +15,8 @@ std::string_view trimmed(std::string_view text);
 
 // Can be an element's id: [A-Za-z_][A-Za-z0-9_.-]*
 bool is_id(std::string_view text);
+// What the base page is called; no element has it as its id.
+inline constexpr std::string_view kBasePage = "page";
 inline constexpr std::string_view kIdHint =
     "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and \"-\"";
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "input/xml/number.h"
+#include "input/xml/page_names.h"
 #include "input/xml/path_text.h"
 #include "input/xml/structure_text.h"
 #include "output/markup.h"
@@ -18,15 +19,20 @@ namespace {
 
 class DocumentText {
  public:
-    DocumentText(const Design& design, std::string_view source) : design_(design), source_(source) {}
+    DocumentText(const Design& design, std::string_view source)
+        : design_(design), source_(source), version_(version_of(design)), pages_(design, version_) {}
 
     std::string run() {
         line(0, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-        line(0, "<popup version=\"{}\" units=\"{}\">", version(), design_.unit.name);
-        const std::string opens =
-            opens_less() ? fmt::format(" opens=\"{}\"", xml::format_number(design_.opens_deg)) : "";
+        line(0, "<popup version=\"{}\" units=\"{}\">", version_, design_.unit.name);
+        std::string facts =
+            opens_less(design_) ? fmt::format(" opens=\"{}\"", xml::format_number(design_.opens_deg)) : "";
+        if (design_.says_orientation) {
+            facts += fmt::format(" orientation=\"{}\"",
+                                 design_.orientation == Orientation::flat ? "flat" : "upright");
+        }
         line(1, "<mainpage width=\"{}\" height=\"{}\"{}{}", length(design_.width_mm),
-             length(design_.height_mm), opens, design_.left || design_.right ? ">" : "/>");
+             length(design_.height_mm), facts, design_.left || design_.right ? ">" : "/>");
         if (design_.left || design_.right) {
             color(2, "leftcolor", design_.left);
             color(2, "rightcolor", design_.right);
@@ -54,18 +60,19 @@ class DocumentText {
         return *info;
     }
 
-    [[nodiscard]] bool opens_less() const { return design_.opens_deg < 180.0; }
+    static bool opens_less(const Design& design) { return design.opens_deg < 180.0; }
 
     // Elements that Popup Workshop did not have need the newer version.
-    [[nodiscard]] std::string_view version() const {
-        std::string_view version = design_.version;
-        for (const Structure& s : design_.structures) {
+    static std::string_view version_of(const Design& design) {
+        std::string_view version = design.version;
+        for (const Structure& s : design.structures) {
             if (s.dropped) continue;
             version = std::max(version, version_needed(info_of(s), s.arguments));
             if (s.named().given()) version = std::max(version, std::string_view("3.0"));
         }
         const auto kept = [](const DrawnPrint& print) { return !print.dropped; };
-        if (opens_less() || std::any_of(design_.prints.begin(), design_.prints.end(), kept))
+        if (opens_less(design) || design.says_orientation ||
+            std::any_of(design.prints.begin(), design.prints.end(), kept))
             version = std::max(version, std::string_view("3.0"));
         return version;
     }
@@ -86,14 +93,14 @@ class DocumentText {
             // An automatic id is left to the reader, unless it would now give another.
             ++number;
             const bool automatic = !s.id_given && s.id == fmt::format("e{}", number);
-            out_.append(xml::structure_text(design_, s, "    ", automatic, source_));
+            out_.append(xml::structure_text(design_, s, pages_, "    ", automatic, source_));
         }
         line(1, "</structurelist>");
     }
 
     // The attributes of a place on a page.
     [[nodiscard]] std::string at(const DrawnPrint& print) const {
-        return fmt::format(" page=\"{}\" x=\"{}\" y=\"{}\"", print.page, length(print.at.at.x),
+        return fmt::format(" page=\"{}\" x=\"{}\" y=\"{}\"", pages_.of(print.page), length(print.at.at.x),
                            length(print.at.at.y));
     }
     static std::string turn(const DrawnPrint& print) {
@@ -119,7 +126,7 @@ class DocumentText {
     }
 
     void printed(const DrawnPrint& print, const DrawnArea& area) {
-        line(2, "<area page=\"{}\" fill=\"{}\" d=\"{}\"/>", print.page, to_string(area.fill),
+        line(2, "<area page=\"{}\" fill=\"{}\" d=\"{}\"/>", pages_.of(print.page), to_string(area.fill),
              as_markup(xml::path_text(area.shape, design_.unit)));
     }
 
@@ -134,7 +141,7 @@ class DocumentText {
         }
         for (const DrawnLine& l : design_.lines) {
             if (l.dropped) continue;
-            line(2, "<drawnline page=\"{}\" thickness=\"{}\" color=\"{}\">", l.page,
+            line(2, "<drawnline page=\"{}\" thickness=\"{}\" color=\"{}\">", pages_.of(l.page),
                  xml::format_number(l.thickness_pt), to_string(l.color));
             for (const DesignPoint& p : l.points) point(3, p);
             line(2, "</drawnline>");
@@ -144,6 +151,8 @@ class DocumentText {
 
     const Design& design_;
     std::string_view source_;
+    std::string_view version_;
+    xml::PageNames pages_;
     fmt::memory_buffer out_;
 };
 

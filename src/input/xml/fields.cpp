@@ -34,6 +34,13 @@ bool is_foreign(std::string_view attribute) {
            attribute.starts_with("xsi:");
 }
 
+// What the sheets lack because an element of such a place is not known.
+std::string_view missing_for(Name place) {
+    if (place == Name::drawnlinelist) return "; nothing is printed for it";
+    if (place == Name::structurelist) return "; nothing is cut or folded for it";
+    return "";
+}
+
 // After this many, Diagnostics only counts: then hints need not be looked for.
 constexpr std::size_t kShownUnknowns = 100;
 
@@ -59,11 +66,14 @@ void Reporter::unknown_name(Name context, std::string_view name, Place place, bo
         add(severity, "unknown-markup", place, {});
         return;
     }
-    Diagnostic& made = add(severity, "unknown-markup", place,
-                           fmt::format("the {} '{}' is not known in '{}'",
-                                       attribute ? "attribute" : "element", shown(name), canonical(context)));
-    if (const Name home = home_of(context, name); home != Name::unknown) {
-        made.hint(fmt::format("popupc ignores it here; '{}' belongs in '{}'", shown(name), canonical(home)));
+    const Name home = home_of(context, name);
+    Diagnostic& made =
+        add(severity, "unknown-markup", place,
+            fmt::format("the {} '{}' is not known in '{}'{}", attribute ? "attribute" : "element",
+                        shown(name), canonical(context),
+                        attribute ? "" : missing_for(home == Name::drawnlinelist ? home : context)));
+    if (home != Name::unknown) {
+        made.hint(fmt::format("'{}' belongs in '{}'", shown(name), canonical(home)));
         return;
     }
     const std::vector<std::string> near = nearest(lower(name), names_in(context), 1);

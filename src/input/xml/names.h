@@ -18,6 +18,7 @@ enum class Name : std::uint8_t {
     width,
     height,
     opens,
+    orientation,
     leftcolor,
     rightcolor,
     lefttabcolor,

@@ -9,6 +9,7 @@
 
 #include "input/text.h"
 #include "input/xml/number.h"
+#include "input/xml/page_names.h"
 #include "input/xml/path_text.h"
 #include "input/xml/read.h"
 #include "input/xml/structure_text.h"
@@ -19,7 +20,8 @@ namespace {
 
 class Patch {
  public:
-    Patch(std::string_view text, const Design& design) : text_(text), design_(design) {}
+    Patch(std::string_view text, const Design& design)
+        : text_(text), design_(design), pages_(design, design.version) {}
 
     std::vector<PatchEdit> run(std::span<const TextRange> gone) {
         for (const TextRange& one : gone) remove(one);
@@ -38,7 +40,7 @@ class Patch {
                 remove(line.tag_text);
                 continue;
             }
-            if (line.page_changed) number(line.page_text, line.page);
+            page_number(line.page_text, line.page);
             for (const DesignPoint& point : line.points) point_edits(point, line.page);
         }
         for (const DrawnPrint& print : design_.prints) print_edits(print);
@@ -97,7 +99,7 @@ class Patch {
         std::string inside;
         for (const Structure& structure : design_.structures) {
             if (structure.added && !structure.dropped)
-                inside += structure_text(design_, structure, indent, false);
+                inside += structure_text(design_, structure, pages_, indent, false);
         }
         if (inside.empty()) return;
         if (list.present()) return append_to(list, "structurelist", inside);
@@ -123,17 +125,17 @@ class Patch {
         if (structure.plate) return plate_edits(*structure.plate);
         if (structure.finds_ground) return;
         const ParentFold& fold = structure.fold;
-        if (fold.page_changed) page(fold.page_text, fold.tag_text, fold.page);
+        page(fold.page_text, fold.page_changed ? fold.tag_text : TextRange{}, fold.page);
         for (const DesignPoint* end : {&fold.begin, &fold.end}) {
             // Where an end of the fold names the page as well, the two must go on agreeing.
-            if (fold.page_changed) number(end->page_text, fold.page);
+            page_number(end->page_text, fold.page);
             if (end->changed) coordinates(*end);
         }
     }
 
     void print_edits(const DrawnPrint& print) {
         if (print.dropped) return remove(print.tag_text);
-        if (print.page_changed) number(print.page_text, print.page);
+        page_number(print.page_text, print.page);
         if (print.at.changed) {
             coordinates(print.at);
             number(print.rotate_text, print.rotate_deg);
@@ -144,7 +146,7 @@ class Patch {
 
     void plate_edits(const ParentPlate& plate) {
         if (plate.at.changed) coordinates(plate.at);
-        if (plate.page_changed) page(plate.page_text, plate.tag_text, plate.page);
+        page(plate.page_text, plate.page_changed ? plate.tag_text : TextRange{}, plate.page);
     }
 
     void argument_edits(const Structure& structure) {
@@ -152,13 +154,13 @@ class Patch {
         POPUP_INVARIANT(info != nullptr && structure.arguments.size() <= info->parameters.size());
         for (std::size_t i = 0; i < structure.arguments.size(); ++i) {
             const Argument& argument = structure.arguments[i];
+            if (argument.page) page_number(argument.page_text, *argument.page);
             if (!argument.changed) continue;
             if (!argument.given()) {
                 take_out(argument);
                 continue;
             }
             const ParameterInfo& parameter = info->parameters[i];
-            if (argument.page && argument.page_text.present()) number(argument.page_text, *argument.page);
             if (const auto* points = std::get_if<std::vector<DesignPoint>>(&argument.value)) {
                 for (const DesignPoint& point : *points) coordinates(point);
             } else if (const auto* value = std::get_if<double>(&argument.value)) {
@@ -210,11 +212,11 @@ class Patch {
     }
 
     void point_edits(const DesignPoint& point, int default_page) {
+        page_number(point.page_text, point.page.value_or(default_page));
         if (!point.changed) return;
         coordinates(point);
-        if (point.page || point.page_text.present()) {
-            page(point.page_text, point.tag_text, point.page.value_or(default_page));
-        }
+        if (point.page)
+            page(TextRange{}, point.page_text.present() ? TextRange{} : point.tag_text, *point.page);
     }
 
     void coordinates(const DesignPoint& point) {
@@ -231,10 +233,22 @@ class Patch {
         edits_.push_back({at.offset, at.offset + at.length, std::move(text)});
     }
 
+    // A page that is written as the id of its element goes on being so, whatever that is called now; one that
+    // is written as a number, too.
+    void page_number(TextRange at, int value) {
+        if (!at.present()) return;
+        const std::string_view old = text_.substr(at.offset, at.length);
+        if ((old.front() >= '0' && old.front() <= '9') || value == 0) {
+            if (value != 0 || old != kBasePage) number(at, value);
+        } else if (std::string name = pages_.of(value); name != old) {
+            replace(at, std::move(name));
+        }
+    }
+
     // A page that was not written becomes the last attribute of the start tag.
     void page(TextRange at, TextRange start_tag, int value) {
-        if (at.present()) return number(at, value);
-        attribute(start_tag, "page", std::to_string(value));
+        if (at.present()) return page_number(at, value);
+        attribute(start_tag, "page", pages_.of(value));
     }
 
     void attribute(TextRange start_tag, std::string_view name, const std::string& value) {
@@ -279,6 +293,7 @@ class Patch {
 
     std::string_view text_;
     const Design& design_;
+    PageNames pages_;
     std::vector<PatchEdit> edits_;
 };
 

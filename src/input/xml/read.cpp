@@ -98,6 +98,7 @@ class DocumentReader {
         }
 
         read_version(fields.find(Name::version));
+        values_.set_pages(pages_, design_.version >= "3.0");
         read_units(fields.find(Name::units));
         if (const Field* field = element_field(fields, Name::mainpage)) read_mainpage(field->node);
         if (const Field* field = element_field(fields, Name::structurelist)) {
@@ -187,8 +188,26 @@ class DocumentReader {
         design_.right = values_.color(fields.find(Name::rightcolor));
         const bool has_width = read_page_size(fields.find(Name::width), design_.width_mm);
         const bool has_height = read_page_size(fields.find(Name::height), design_.height_mm);
-        if (has_width && has_height) doubt_page_size();
+        if (has_width && has_height)
+            doubt_page_size(design_.width_mm, design_.height_mm, design_.unit, design_.page_place, reporter_);
         if (const Field* field = fields.find(Name::opens)) read_opening(*field);
+        if (const Field* field = fields.find(Name::orientation)) read_orientation(*field);
+    }
+
+    void read_orientation(const Field& field) {
+        const auto text = value_of(field, reporter_);
+        if (!text) return;
+        const std::string word = lower(trimmed(text->decoded));
+        if (word != "upright" && word != "flat") {
+            reporter_
+                .error("bad-choice", text->place,
+                       fmt::format("'{}' is no orientation of a card", shown(trimmed(text->decoded))))
+                .hint("write upright, for a model that stands on its edge, or flat, for one that lies open");
+            return;
+        }
+        design_.orientation = word == "flat" ? Orientation::flat : Orientation::upright;
+        design_.says_orientation = true;
+        warn_of_version(field, "orientation");
     }
 
     void read_opening(const Field& field) {
@@ -202,31 +221,15 @@ class DocumentReader {
             return;
         }
         design_.opens_deg = *degrees;
+        warn_of_version(field, "opens");
+    }
+
+    void warn_of_version(const Field& field, std::string_view name) {
         if (design_.version >= "3.0") return;
         reporter_
             .warning("newer-element", field.place,
-                     fmt::format("a mainpage has no opens in version {}", design_.version))
+                     fmt::format("a mainpage has no {} in version {}", name, design_.version))
             .hint("write version=\"3.0\"");
-    }
-
-    // A unit that was forgotten makes cards as large as rooms.
-    void doubt_page_size() {
-        const double longer = std::max(design_.width_mm, design_.height_mm);
-        if (longer >= kSmallestLikelyMm && longer <= kLargestLikelyMm) return;
-        const auto size = [this](const Unit& unit) {
-            return fmt::format("{} × {} {}", format_number(design_.width_mm / design_.unit.mm),
-                               format_number(design_.height_mm / design_.unit.mm), unit.name);
-        };
-        const double m = longer / 1000.0;
-        Diagnostic& made =
-            reporter_.warning("page-size-unlikely", design_.page_place,
-                              fmt::format("the open card is {}, {}", size(design_.unit),
-                                          m > 1.0 ? fmt::format("{:.2f} m on its longer side", m)
-                                                  : fmt::format("{:.2f} mm on its longer side", longer)));
-        const Unit* likely = likely_unit(longer / design_.unit.mm);
-        if (likely != nullptr && likely->name != design_.unit.name) {
-            made.hint(fmt::format("units=\"{}\" in <popup> would make it {}", likely->name, size(*likely)));
-        }
     }
 
     // False after an error.
@@ -255,6 +258,9 @@ class DocumentReader {
         made.start_tag = node.start_tag();
         read_id(fields.find(Name::id), made);
         const ElementInfo* info = read_type(fields.find(Name::type), made);
+        const bool glued = info != nullptr && info->glued;
+        pages_made_ += glued ? 1 : 0;
+        if (made.id_given) pages_.emplace(made.id, glued ? pages_made_ : -1);
         read_outer_points(fields, made, info);
         if (info) read_arguments(fields, made, *info);
         read_ground(fields, made, info);
@@ -388,7 +394,7 @@ class DocumentReader {
                 .hint(std::string(kIdHint));
             return;
         }
-        if (id == "page") {
+        if (id == kBasePage) {
             reporter_.error("bad-id", text->place, "the id 'page' is kept for the base page");
             return;
         }
@@ -550,6 +556,8 @@ class DocumentReader {
     Values values_;
     PictureFiles pictures_;
     Design design_;
+    Values::Pages pages_;  // of the elements read so far; only looked up, never walked
+    int pages_made_ = 0;
     std::unordered_map<std::string, Place> ids_;  // given ids; only looked up, never walked
 };
 

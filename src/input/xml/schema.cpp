@@ -190,6 +190,17 @@ constexpr std::string_view kStructure = R"xsd(
         </xs:restriction>
       </xs:simpleType>
     </xs:attribute>
+    <xs:attribute name="orientation" default="upright">
+      <xs:annotation>
+        <xs:documentation>How models of it stand: upright, with the spine vertical, or flat. From version 3.0 on.</xs:documentation>
+      </xs:annotation>
+      <xs:simpleType>
+        <xs:restriction base="xs:token">
+          <xs:enumeration value="upright"/>
+          <xs:enumeration value="flat"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:attribute>
   </xs:complexType>
 
   <xs:complexType name="point">
@@ -225,9 +236,16 @@ constexpr std::string_view kStructure = R"xsd(
   </xs:simpleType>
 
   <xs:simpleType name="page">
-    <xs:restriction base="xs:nonNegativeInteger">
-      <xs:maxInclusive value="{}"/>
-    </xs:restriction>
+    <xs:annotation>
+      <xs:documentation>A number, or from version 3.0 on the id of the element whose piece it is; the base page is 0 or page.</xs:documentation>
+    </xs:annotation>
+    <xs:union memberTypes="id">
+      <xs:simpleType>
+        <xs:restriction base="xs:nonNegativeInteger">
+          <xs:maxInclusive value="{}"/>
+        </xs:restriction>
+      </xs:simpleType>
+    </xs:union>
   </xs:simpleType>
 
   <xs:simpleType name="color">

@@ -14,8 +14,9 @@ namespace {
 
 class StructureText {
  public:
-    StructureText(const Design& design, const std::string& indent, std::string_view source)
-        : design_(design), indent_(indent), source_(source) {}
+    StructureText(const Design& design, const PageNames& pages, const std::string& indent,
+                  std::string_view source)
+        : design_(design), pages_(pages), indent_(indent), source_(source) {}
 
     std::string run(const Structure& s, bool automatic) {
         const std::string id = automatic ? std::string() : fmt::format(" id=\"{}\"", s.id);
@@ -81,7 +82,7 @@ class StructureText {
             const Argument& argument = s.arguments[i];
             const std::string_view name = info.parameters[i].name;
             const std::string page =
-                argument.page ? fmt::format(" page=\"{}\"", *argument.page) : std::string();
+                argument.page ? fmt::format(" page=\"{}\"", pages_.of(*argument.page)) : std::string();
             if (const auto* tint = std::get_if<Color>(&argument.value)) {
                 color(1, name, *tint);
             } else if (is_in_file(argument)) {
@@ -110,11 +111,11 @@ class StructureText {
             return;
         }
         if (s.plate) {
-            line(1, "<parentplate page=\"{}\" x=\"{}\" y=\"{}\"/>", s.plate->page, length(s.plate->at.at.x),
-                 length(s.plate->at.at.y));
+            line(1, "<parentplate page=\"{}\" x=\"{}\" y=\"{}\"/>", pages_.of(s.plate->page),
+                 length(s.plate->at.at.x), length(s.plate->at.at.y));
             return;
         }
-        line(1, "<parentfold page=\"{}\">", s.fold.page);
+        line(1, "<parentfold page=\"{}\">", pages_.of(s.fold.page));
         point(2, "begin", s.fold.begin, false);
         point(2, "end", s.fold.end, false);
         line(1, "</parentfold>");
@@ -125,11 +126,13 @@ class StructureText {
     }
 
     void point(int depth, std::string_view name, const DesignPoint& p, bool with_page) {
-        const std::string page = with_page && p.page ? fmt::format(" page=\"{}\"", *p.page) : std::string();
+        const std::string page =
+            with_page && p.page ? fmt::format(" page=\"{}\"", pages_.of(*p.page)) : std::string();
         line(depth, "<{} x=\"{}\" y=\"{}\"{}/>", name, length(p.at.x), length(p.at.y), page);
     }
 
     const Design& design_;
+    const PageNames& pages_;
     const std::string& indent_;
     std::string_view source_;
     fmt::memory_buffer out_;
@@ -137,9 +140,9 @@ class StructureText {
 
 }  // namespace
 
-std::string structure_text(const Design& design, const Structure& structure, const std::string& indent,
-                           bool automatic, std::string_view source) {
-    return StructureText(design, indent, source).run(structure, automatic);
+std::string structure_text(const Design& design, const Structure& structure, const PageNames& pages,
+                           const std::string& indent, bool automatic, std::string_view source) {
+    return StructureText(design, pages, indent, source).run(structure, automatic);
 }
 
 }  // namespace popup::xml

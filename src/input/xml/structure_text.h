@@ -4,14 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "input/xml/page_names.h"
 #include "popup/design.h"
 
 namespace popup::xml {
 
 // Its lines, each with a final line break. The first begins with `indent`; what is inside of it stands two
-// blanks further in a level. `automatic`: an id that was not given is left to the reader. `source`: the text
-// that the design was read from; what it draws out of a file then stays so, and else becomes path data.
-std::string structure_text(const Design& design, const Structure& structure, const std::string& indent,
-                           bool automatic, std::string_view source = {});
+// blanks further in a level. `pages`: of the document that is written. `automatic`: an id that was not given
+// is left to the reader. `source`: the text that the design was read from; what it draws out of a file then
+// stays so, and else becomes path data.
+std::string structure_text(const Design& design, const Structure& structure, const PageNames& pages,
+                           const std::string& indent, bool automatic, std::string_view source = {});
 
 }  // namespace popup::xml

@@ -1,5 +1,7 @@
 #include "input/xml/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -28,6 +30,18 @@ bool has_word(std::string_view words, std::string_view word) {
     return false;
 }
 
+// The first unit in which a longer side of that many units is that of a card to hold in the hands; null:
+// none.
+const Unit* likely_unit(double longer) {
+    constexpr double kLeastHeldMm = 60.0;
+    constexpr double kMostHeldMm = 700.0;
+    for (const UnitRow& row : kUnits) {
+        const double mm = longer * row.unit.mm;
+        if (mm >= kLeastHeldMm && mm <= kMostHeldMm) return &row.unit;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::span<const UnitRow> unit_table() { return kUnits; }
@@ -48,14 +62,24 @@ const Unit* unit_behind_number(std::string_view text) {
     return find_unit(trimmed(text.substr(digit + 1)));
 }
 
-const Unit* likely_unit(double longer) {
-    constexpr double kLeastHeldMm = 60.0;
-    constexpr double kMostHeldMm = 700.0;
-    for (const UnitRow& row : kUnits) {
-        const double mm = longer * row.unit.mm;
-        if (mm >= kLeastHeldMm && mm <= kMostHeldMm) return &row.unit;
-    }
-    return nullptr;
+void doubt_page_size(double width_mm, double height_mm, const Unit& unit, Place place, Reporter& reporter) {
+    constexpr double kLargestLikelyMm = 1200.0;
+    constexpr double kSmallestLikelyMm = 30.0;
+    const double longer = std::max(width_mm, height_mm);
+    if (longer >= kSmallestLikelyMm && longer <= kLargestLikelyMm) return;
+    const auto size_in = [&](const Unit& named) {
+        return fmt::format("{} × {} {}", format_number(width_mm / unit.mm),
+                           format_number(height_mm / unit.mm), named.name);
+    };
+    const double m = longer / 1000.0;
+    Diagnostic& made =
+        reporter.warning("page-size-unlikely", place,
+                         fmt::format("the open card is {}, {}", size_in(unit),
+                                     m > 1.0 ? fmt::format("{:.2f} m on its longer side", m)
+                                             : fmt::format("{:.2f} mm on its longer side", longer)));
+    const Unit* likely = likely_unit(longer / unit.mm);
+    if (likely != nullptr && likely->name != unit.name)
+        made.hint(fmt::format("units=\"{}\" in <popup> would make it {}", likely->name, size_in(*likely)));
 }
 
 }  // namespace popup::xml

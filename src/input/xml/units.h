@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "input/xml/fields.h"
 #include "popup/design.h"
 
 namespace popup::xml {
@@ -19,11 +20,9 @@ const Unit* find_unit(std::string_view name);
 // The unit at the end of a text such as "200 mm" or "8in", behind a number; null: it has none.
 const Unit* unit_behind_number(std::string_view text);
 
-// Open cards are seldom larger or smaller than this, on their longer side.
-inline constexpr double kLargestLikelyMm = 1200.0;
-inline constexpr double kSmallestLikelyMm = 30.0;
-// The first unit in which a longer side of that many units is that of a card to hold in the hands, from 60 to
-// 700 mm; null: none is.
-const Unit* likely_unit(double longer);
+// Warns of an open card of over 1.2 m or under 30 mm on its longer side, as a unit that was forgotten makes
+// it: `page-size-unlikely`, with the first unit in which it would be one to hold in the hands, from 60 to 700
+// mm.
+void doubt_page_size(double width_mm, double height_mm, const Unit& unit, Place place, Reporter& reporter);
 
 }  // namespace popup::xml

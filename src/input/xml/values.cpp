@@ -104,6 +104,11 @@ std::optional<int> Values::page(const Field* field, TextRange* range) {
     const std::optional<Text> text = value_of(*field, reporter_);
     if (!text) return std::nullopt;
     const std::string_view digits = trimmed(text->decoded);
+    if (is_id(digits)) {
+        const auto named = named_page(*text, digits);
+        if (named && range) *range = tight(*text);
+        return named;
+    }
     int page = -1;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), page);
     if (error != std::errc{} || stop != digits.data() + digits.size() || page < 0 || page > kPageLimit) {
@@ -116,6 +121,28 @@ std::optional<int> Values::page(const Field* field, TextRange* range) {
     }
     if (range) *range = tight(*text);
     return page;
+}
+
+std::optional<int> Values::named_page(const Text& text, std::string_view name) {
+    if (!newer_) {
+        reporter_.warning("newer-element", text.place, "pages are numbers in version 2.0, and have no names")
+            .hint("write version=\"3.0\"");
+    }
+    if (name == kBasePage) return 0;
+    const auto found = pages_ == nullptr ? Pages::const_iterator() : pages_->find(std::string(name));
+    if (pages_ != nullptr && found != pages_->end() && found->second > 0) return found->second;
+    if (pages_ != nullptr && found != pages_->end()) {
+        reporter_
+            .error("bad-page", text.place,
+                   fmt::format("\"{}\" is no page: it is cut from the page that it stands on", name))
+            .hint("pages are those of glued elements, and the base page, which is 0");
+        return std::nullopt;
+    }
+    reporter_
+        .error("bad-page", text.place,
+               fmt::format("there is no page '{}': no element up to here has that id", shown(name)))
+        .hint("a page is a number, or the id of an earlier element that has a piece of its own");
+    return std::nullopt;
 }
 
 std::vector<Values::Token> Values::tokens(const Text& text, std::size_t most) const {

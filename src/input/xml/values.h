@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "input/design_limits.h"
@@ -32,7 +34,14 @@ class Values {
     std::optional<double> number(const Field& field);
     std::optional<Color> color(const Field* field);
     std::optional<Color> color(const Text& text, std::string_view what);
-    // A whole number from 0 to kPageLimit; `range` (if given) is where it stands.
+    // Pages by the ids of the elements whose pieces they are; of those without a piece -1. Must outlive this.
+    using Pages = std::unordered_map<std::string, int>;
+    void set_pages(const Pages& pages, bool newer) {
+        pages_ = &pages;
+        newer_ = newer;
+    }
+    // A whole number from 0 to kPageLimit, or the id of an element that has a piece, from version 3.0 on
+    // ("page": the base page); `range` (if given) is where it stands.
     std::optional<int> page(const Field* field, TextRange* range = nullptr);
     // The value of a parameter, of the kind and in the limits that its row gives.
     std::optional<Argument> argument(const Field& field, const ParameterInfo& parameter);
@@ -66,7 +75,11 @@ class Values {
     DesignPoint point(Node node, Name context);
     std::optional<DesignPoint> point_of(const Text& text, std::string_view what);
 
+    std::optional<int> named_page(const Text& text, std::string_view name);
+
     std::string_view source_;
+    const Pages* pages_ = nullptr;
+    bool newer_ = false;  // the document's version has pages with names
     Unit unit_;
     Reporter& reporter_;
     PictureFiles* files_ = nullptr;

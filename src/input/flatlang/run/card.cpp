@@ -393,7 +393,7 @@ void paint_element(Card& card, std::size_t structure, const Paint& paint) {
 
 std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {
     if (!is_id(id)) return Refusal{fmt::format("cannot give the name '{}'", shown(id)), std::string(kIdHint)};
-    if (id == "page") return Refusal{"cannot give the name 'page', which is kept for the base page"};
+    if (id == kBasePage) return Refusal{"cannot give the name 'page', which is kept for the base page"};
     Structure& made = card.design->structures[structure];
     if (made.id == id) return std::nullopt;
     if (!card.ids.insert(id).second) {
