@@ -12,27 +12,20 @@ namespace {
 
 constexpr double kParallel = 1e-9;  // sine of the angle between planes that never meet
 constexpr double kFar = 20.0;       // how far from an edge is far enough
-// How exactly the point furthest inside is found, if that does not take too many looks.
-constexpr double kInsideMm = 1e-4;
-constexpr double kInsideShare = 0.02;
-constexpr int kMostLooks = 400;
+constexpr int kFew = 48;            // edges that are looked at without asking where they are
 // Edges this near to the line run along it.
 constexpr double kAlongMm = 1e-6;
 
-// Where an outline passes the line, and how far it reaches from there to either side before it comes back.
-struct Passage {
-    double along = 0.0;
-    double reach_right = 0.0, reach_left = 0.0;
-};
+using Passage = CrossingTest::Passage;
+using Stretch = CrossingTest::Stretch;
 
 // A line on a page.
 struct CutLine {
     Vec2 at, along;  // along: unit
     [[nodiscard]] double across(Vec2 p) const { return cross(along, p - at); }
-};
-
-struct Stretch {
-    double from = 0.0, to = 0.0;
+    [[nodiscard]] Vec2 point(double t) const { return at + t * along; }
+    // In coordinates in which the line is the x axis.
+    [[nodiscard]] Vec2 seen(Vec2 p) const { return {dot(along, p - at), across(p)}; }
 };
 
 // Where edges of the outline run along the line: no point there is inside.
@@ -81,12 +74,11 @@ void cut(const Ring& ring, const CutLine& line, std::vector<Passage>& passages) 
     (left ? begin.reach_left : begin.reach_right) = reach;
 }
 
-std::vector<Passage> cut(const PlateShape& shape, const CutLine& line) {
-    std::vector<Passage> passages;
+void cut(const PlateShape& shape, const CutLine& line, std::vector<Passage>& passages) {
+    passages.clear();
     for (const Ring& ring : shape.rings) cut(ring, line, passages);
     std::sort(passages.begin(), passages.end(),
               [](const Passage& a, const Passage& b) { return a.along < b.along; });
-    return passages;
 }
 
 double reach_of(const Passage& from, const Passage& to) {
@@ -112,40 +104,12 @@ bool each_between(const std::vector<Stretch>& runs, double from, double to, cons
     return any;
 }
 
-// Where a function that rises and falls no faster than its argument is highest: halves what may still be
-// higher than what was seen. `bound`: it is nowhere higher.
-struct Highest {
-    double at, value, bound;
-};
-template <typename Function>
-Highest highest(const Function& value, double from, double to) {
-    struct Part {
-        double middle, half, value;
-        [[nodiscard]] double bound() const { return value + half; }
-    };
-    const auto look = [&](double middle, double half) { return Part{middle, half, value(middle)}; };
-    const auto lower = [](const Part& p, const Part& q) { return p.bound() < q.bound(); };
-    std::vector<Part> parts{look(0.5 * (from + to), 0.5 * (to - from))};
-    Part best = parts.front();
-    const auto enough = [&] { return best.value + std::max(kInsideMm, kInsideShare * best.value); };
-    for (int looks = 1; looks < kMostLooks && parts.front().bound() > enough(); looks += 2) {
-        std::pop_heap(parts.begin(), parts.end(), lower);
-        const Part part = parts.back();
-        parts.pop_back();
-        for (const double way : {-0.5, 0.5}) {
-            parts.push_back(look(part.middle + way * part.half, 0.5 * part.half));
-            if (parts.back().value > best.value) best = parts.back();
-            std::push_heap(parts.begin(), parts.end(), lower);
-        }
-    }
-    return {best.middle, best.value, std::max(best.value, parts.front().bound())};
-}
-
 }  // namespace
 
 double sine_between(const Frame& b_in_a) { return std::hypot(b_in_a.normal().x, b_in_a.normal().y); }
 
-std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const Frame& b_in_a) {
+std::optional<Crossing> CrossingTest::operator()(const PlateShape& a, const PlateShape& b,
+                                                 const Frame& b_in_a) {
     const Vec3 normal = b_in_a.normal();
     const Vec2 tilt{normal.x, normal.y};
     const double sine = length(tilt);
@@ -154,48 +118,71 @@ std::optional<Crossing> crossing(const PlateShape& a, const PlateShape& b, const
     CutLine on_a;
     on_a.at = (dot(normal, b_in_a.origin) / sine) * across;
     on_a.along = left_of(across);
+    cut(a, on_a, of_a_);
+    if (of_a_.empty()) return std::nullopt;
     CutLine on_b;
     const Vec3 along = direction_in_frame(b_in_a, {on_a.along.x, on_a.along.y, 0.0});
     on_b.at = on_page(b_in_a, {on_a.at.x, on_a.at.y, 0.0});
     on_b.along = {along.x, along.y};
-    const std::vector<Passage> of_a = cut(a, on_a);
-    const std::vector<Passage> of_b = cut(b, on_b);
+    cut(b, on_b, of_b_);
     // Left out of the search: where plates turn about an edge, these are long, and all looks would go there.
-    std::vector<Stretch> runs;
-    for (const Ring& ring : a.rings) add_runs(ring, on_a, runs);
-    for (const Ring& ring : b.rings) add_runs(ring, on_b, runs);
-    std::sort(runs.begin(), runs.end(), [](const Stretch& s, const Stretch& t) { return s.from < t.from; });
+    runs_.clear();
+    for (const Ring& ring : a.rings) add_runs(ring, on_a, runs_);
+    for (const Ring& ring : b.rings) add_runs(ring, on_b, runs_);
+    std::sort(runs_.begin(), runs_.end(), [](const Stretch& s, const Stretch& t) { return s.from < t.from; });
 
     const auto inside = [&](double t) {
-        const double from_a = a.to_edge(on_a.at + t * on_a.along, kFar);
-        return std::min(from_a, b.to_edge(on_b.at + t * on_b.along, std::min(from_a, kFar)));
+        const double from_a = a.to_edge(on_a.point(t), kFar);
+        return std::min(from_a, b.to_edge(on_b.point(t), std::min(from_a, kFar)));
+    };
+    const auto furthest = [&](double from, double to) {
+        furthest_.clear();
+        // What is further from the line is nowhere the nearest.
+        const bool few = a.edges.size() <= kFew && b.edges.size() <= kFew;
+        const double near = few ? kFar : std::min(kFar, inside(0.5 * (from + to)) + 0.5 * (to - from));
+        for (const auto& [shape, line] : {std::pair(&a, &on_a), std::pair(&b, &on_b)}) {
+            const auto add = [&furthest = furthest_, line = line](const Segment& edge) {
+                furthest.add({line->seen(edge.a), line->seen(edge.b)});
+            };
+            if (few) {
+                for (int i = 0; i < shape->edges.size(); ++i) add(shape->edges[i]);
+                continue;
+            }
+            Box box;
+            for (const double t : {from, to}) {
+                box.extend(line->point(t) - Vec2{near, near});
+                box.extend(line->point(t) + Vec2{near, near});
+            }
+            shape->edges.query(box, edges_);
+            for (const int number : edges_) add(shape->edges[number]);
+        }
+        return furthest_.find(from, to, kFar);
     };
     std::optional<Crossing> best;
     double at_most = 0.0;
-    for (std::size_t i = 0, k = 0; i + 1 < of_a.size() && k + 1 < of_b.size();) {
-        const double from = std::max(of_a[i].along, of_b[k].along);
-        const double to = std::min(of_a[i + 1].along, of_b[k + 1].along);
-        const auto keep = [&](const Highest& there) {
-            at_most = std::max(at_most, there.bound);
-            if (best && there.value <= best->inside_mm) return;
+    for (std::size_t i = 0, k = 0; i + 1 < of_a_.size() && k + 1 < of_b_.size();) {
+        const double from = std::max(of_a_[i].along, of_b_[k].along);
+        const double to = std::min(of_a_[i + 1].along, of_b_[k + 1].along);
+        const auto keep = [&](const FurthestInside::Found& there) {
+            at_most = std::max(at_most, there.at_most_mm);
+            if (best && there.inside_mm <= best->inside_mm) return;
             Crossing found;
-            const Vec2 p = on_a.at + there.at * on_a.along;
+            const Vec2 p = on_a.point(there.at);
             found.point = {p.x, p.y, 0.0};
-            found.inside_mm = there.value;
-            const double reach_a = reach_of(of_a[i], of_a[i + 1]);
-            const double reach_b = reach_of(of_b[k], of_b[k + 1]);
+            found.inside_mm = there.inside_mm;
+            const double reach_a = reach_of(of_a_[i], of_a_[i + 1]);
+            const double reach_b = reach_of(of_b_[k], of_b_[k + 1]);
             found.b_is_longer = reach_b < reach_a;
             found.excess_mm = std::min(reach_a, reach_b);
             found.sine = sine;
             best = found;
         };
-        if (from < to && !each_between(runs, from, to, [&](double begin, double end) {
-                keep(highest(inside, begin, end));
-            })) {
+        if (from < to &&
+            !each_between(runs_, from, to, [&](double begin, double end) { keep(furthest(begin, end)); })) {
             const double middle = 0.5 * (from + to);
             keep({middle, inside(middle), kAlongMm});
         }
-        if (of_a[i + 1].along <= of_b[k + 1].along) {
+        if (of_a_[i + 1].along <= of_b_[k + 1].along) {
             i += 2;
         } else {
             k += 2;

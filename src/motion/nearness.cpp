@@ -144,7 +144,8 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
             behind = std::min(behind, -height - s * size);
         }
         if (std::max(before, behind) > distance_mm * size) continue;
-        if (surely_apart(fixed, piece.corners, distance_mm + most)) continue;
+        // The whole triangle has been looked at so.
+        if (piece.level > 0 && surely_apart(fixed, piece.corners, distance_mm + most)) continue;
         const ClosestPoints closest = closest_points(fixed, piece.corners);
         if (closest.distance > distance_mm + most) continue;
         found.least_mm = std::min(found.least_mm, closest.distance);
@@ -214,7 +215,7 @@ Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool wh
             return reach;
         },
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
-            if (surely_apart(fixed, moving, reach)) return true;  // most are
+            if (surely_apart(fixed, moving, reach)) return true;  // most are; cleared() relies on it
             Found here;
             if (cleared(fixed, moving, moves(moving_is_a), distance_mm, here)) return true;
             if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||

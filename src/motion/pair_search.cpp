@@ -13,9 +13,11 @@ constexpr double kLeastNearDeg = 1e-3;  // for approaches
 // What is firmer than this may be called crossing, what is softer than kFirmMm touching: so that what stays
 // in between can be called something.
 constexpr double kNearlyFirmMm = 0.5 * kFirmMm;
-constexpr int kMostPoses = 20000;           // of one pair in one cell
-constexpr std::size_t kCrossingWork = 100;  // of one look, in turns of a way
-constexpr std::size_t kLongWay = 3;         // turns, from which their directions are looked at
+constexpr double kInBothMm = 1.1 * kTouchMm;  // inside: in both cores, whatever these are rounded to
+constexpr double kSurely = 0.999;             // of what is enough
+constexpr int kMostPoses = 20000;             // of one pair in one cell
+constexpr std::size_t kCrossingWork = 100;    // of one look, in turns of a way
+constexpr std::size_t kLongWay = 3;           // turns, from which their directions are looked at
 
 double degrees_between(double from, double to) { return 0.5 * (from + to); }
 
@@ -164,6 +166,7 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRan
         found.back().to = range.to;
         found.back().firm = found.back().firm || firm;
     };
+    bool crossed = false;
     Range range{};
     while (next(range, cell)) {
         if (!reached_) {
@@ -176,11 +179,17 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRan
             add(range, ContactRange::touching);
             continue;
         }
-        const Found near = nearness_(pose_, 0.0, false);
-        if (near.nearness == Nearness::clear) continue;
+        // Where plates cross in what was looked at last, they mostly do here, which is seen at less cost than
+        // that they are not clear. Points so far inside are of both cores.
+        std::optional<Crossing> here;
+        if (crossed) here = crossing_(*pose_.a, *pose_.b, pose_.b_in_a);
+        const bool looked = crossed;
+        crossed = here && here->inside_mm > kInBothMm;
+        if (!crossed && nearness_(pose_, 0.0, false).nearness == Nearness::clear) continue;
+        if (!looked) here = crossing_(*pose_.a, *pose_.b, pose_.b_in_a);
+        crossed = here && here->inside_mm > kInBothMm;
         const double width = range.to - range.from;
         work_ += kCrossingWork;
-        const auto here = crossing(*pose_.a, *pose_.b, pose_.b_in_a);
         const bool firm = here && here->firm();
         const double turns = std::min(pose_.from_a.turns(), pose_.from_b.turns());
         if (here && here->firmness_mm() > kNearlyFirmMm &&
@@ -234,14 +243,17 @@ bool PairSearch::one_hinge_keeps_apart(const Range& range) const {
     return std::min(left, right) <= kRoundingMm;
 }
 
-// A straight line of half the length d to either side of the point, steepest against the other plate, stays
-// inside the edges of its own. Until points have moved as far as its ends stand off the other plate it goes
-// through that, and where it does, that one's edges are still ahead.
+// A straight line on one plate through the point, steepest against the other plate, that reaches l to either
+// side of it. Until its points have moved by l * sine, which is how far its ends stand off the other plate,
+// it goes through the plane of that. Where it does is within l * cosine of the point, and as much further as
+// it has moved: on the other plate, if that is no more than d, by which the point is inside. The longest such
+// line has l = d / (sine + cosine), and may be on either plate.
 bool PairSearch::crosses_throughout(const Crossing& here, double turns) const {
     const double d = here.inside_mm;
     const double moved =
-        std::max(stray(here.point, pose_.from_b), stray(here.point, pose_.from_a)) + turns * d;
-    return moved < 0.5 * d * here.sine;
+        std::min(stray(here.point, pose_.from_b), stray(here.point, pose_.from_a)) + turns * d;
+    const double cosine = std::sqrt(std::max(0.0, 1.0 - here.sine * here.sine));
+    return moved < kSurely * d * here.sine / (here.sine + cosine);
 }
 
 // Say the plates had a common point x at some angle of the range, with circles of radius r round it on both.
@@ -295,8 +307,8 @@ PairSearch::At PairSearch::frames_at(int a, int b, double deg) {
 PairSearch::At PairSearch::at(int a, int b, double deg) {
     At result = frames_at(a, b, deg);
     if (result.reached) {
-        result.crossing = crossing(shapes_[static_cast<std::size_t>(a)], shapes_[static_cast<std::size_t>(b)],
-                                   result.b_in_a);
+        result.crossing = crossing_(shapes_[static_cast<std::size_t>(a)],
+                                    shapes_[static_cast<std::size_t>(b)], result.b_in_a);
     }
     return result;
 }

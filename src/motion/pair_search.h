@@ -91,6 +91,7 @@ class PairSearch {
     Linkage& linkage_;
     std::span<const PlateShape> shapes_;
     NearnessTest nearness_;
+    CrossingTest crossing_;
     std::size_t poses_ = 0;
     std::size_t work_ = 0;
 

@@ -92,7 +92,7 @@ bool Trials::crosses_at(const Assembly& trial, double deg) {
         const PlateShape& other_shape = shapes_[static_cast<std::size_t>(b)];
         if (!box.meets(box_of(other_shape, other))) continue;
         spend(1);
-        const auto found = popup::crossing(shape, other_shape, relative(frame, other));
+        const auto found = crossing_(shape, other_shape, relative(frame, other));
         if (found && found->firm()) return true;
     }
     return false;

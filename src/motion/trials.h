@@ -44,6 +44,7 @@ class Trials {
     std::vector<std::size_t> joints_;  // under the plates of the pairs
     std::vector<double> openings_;     // for glances: first where the last trial crossed
     std::vector<Frame> frames_;
+    CrossingTest crossing_;
 };
 
 // What is round an element: a move must leave it on its paper, let nothing stick out of the closed card that

@@ -42,7 +42,7 @@ TEST(Crossing, IsFoundBehindTheEndOfAnEdgeThatRunsAlongTheLine) {
     for (const Ring& outline : {drawn, mirrored}) {
         const PlateShape a = shape_of(outline);
         for (const double angle : {0.3, 1.0, 1.6, 2.8}) {
-            const auto found = crossing(a, b, turned(angle));
+            const auto found = CrossingTest()(a, b, turned(angle));
             ASSERT_TRUE(found) << angle;
             EXPECT_NEAR(found->inside_mm, furthest, 0.02 * furthest + 1e-4) << angle;
             EXPECT_GE(found->inside_at_most_mm, furthest - 1e-9) << angle;
@@ -57,7 +57,7 @@ TEST(Crossing, IsNoneInsideWhereAnEdgeRunsAlongTheLine) {
     const PlateShape a = shape_of({{0.0, 0.0}, {10.0, 0.0}, {10.0, 200.0}, {0.0, 200.0}});
     const PlateShape b = shape_of({{-5.0, -10.0}, {5.0, -10.0}, {5.0, 210.0}, {-5.0, 210.0}});
     for (const double angle : {0.3, 1.6, 2.8}) {
-        const auto found = crossing(a, b, turned(angle));
+        const auto found = CrossingTest()(a, b, turned(angle));
         if (!found) continue;
         EXPECT_LE(found->inside_mm, 1e-6);
         EXPECT_LE(found->inside_at_most_mm, 1e-6);
