@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "cli/options/command_line.h"
 #include "cli/program_view.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
@@ -175,14 +176,11 @@ CLI::App* add_manual(CLI::App& app, Options& options) {
     CLI::App* verb = app.add_subcommand("manual", "The manual page of a verb");
     verb->add_option_function<std::string>(
             "VERB",
-            [&app, &options](const std::string& text) {
-                std::vector<std::string> names;
-                for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
-                    names.push_back(one->get_name());
-                }
+            [&options](const std::string& text) {
+                std::vector<std::string_view> known;
+                for (const Verb& one : verb_table()) known.push_back(one.name);
                 options.topic = text;
-                if (std::find(names.begin(), names.end(), text) != names.end()) return;
-                const std::vector<std::string_view> known(names.begin(), names.end());
+                if (std::find(known.begin(), known.end(), text) != known.end()) return;
                 auto hints = did_you_mean(text, known);
                 hints.push_back(fmt::format("verbs: {}", fmt::join(known, " ")));
                 throw UsageError(fmt::format("there is no verb \"{}\"", text), hints, known);

@@ -56,7 +56,7 @@ VerbView view_verb(CLI::App& app) {
 
 ProgramView view_program() {
     Options scratch;
-    const std::unique_ptr<CLI::App> app = declare_program(scratch);
+    const std::unique_ptr<CLI::App> app = declare_program(scratch, verb_table());
     ProgramView program;
     program.self = view_verb(*app);
     for (CLI::App* verb : app->get_subcommands([](CLI::App*) { return true; })) {

@@ -18,33 +18,33 @@
 namespace popup::cli {
 
 std::span<const Verb> verb_table() {
-    static constexpr Verb kVerbs[] = {{add_build, run_build},
-                                      {add_check, run_check},
-                                      {add_view, run_view},
-                                      {add_fix, run_fix},
-                                      {add_edit, run_edit},
-                                      {add_show, run_show},
-                                      {add_new, run_new},
-                                      {add_fmt, run_fmt},
-                                      {add_batch, run_batch},
-                                      {add_merge_reports, run_merge_reports},
-                                      {add_gallery, run_gallery},
-                                      {add_trace, run_trace},
-                                      {add_suggest, run_suggest},
-                                      {add_lsp, run_lsp},
-                                      {add_explain, run_explain},
-                                      {add_list, run_list},
-                                      {add_completions, run_completions},
-                                      {add_manual, run_manual}};
+    static constexpr Verb kVerbs[] = {{"build", add_build, run_build},
+                                      {"check", add_check, run_check},
+                                      {"view", add_view, run_view},
+                                      {"fix", add_fix, run_fix},
+                                      {"edit", add_edit, run_edit},
+                                      {"show", add_show, run_show},
+                                      {"new", add_new, run_new},
+                                      {"fmt", add_fmt, run_fmt},
+                                      {"batch", add_batch, run_batch},
+                                      {"merge-reports", add_merge_reports, run_merge_reports},
+                                      {"gallery", add_gallery, run_gallery},
+                                      {"trace", add_trace, run_trace},
+                                      {"suggest", add_suggest, run_suggest},
+                                      {"lsp", add_lsp, run_lsp},
+                                      {"explain", add_explain, run_explain},
+                                      {"list", add_list, run_list},
+                                      {"completions", add_completions, run_completions},
+                                      {"manual", add_manual, run_manual}};
     return kVerbs;
 }
 
-std::unique_ptr<CLI::App> declare_program(Options& options) {
+std::unique_ptr<CLI::App> declare_program(Options& options, std::span<const Verb> verbs) {
     auto app = std::make_unique<CLI::App>(
         "A batch compiler for pop-up paper designs: documents in, cut sheets and a moving model out",
         "popupc");
     set_up_help(*app);
-    for (const Verb& verb : verb_table()) verb.add(*app, options)->get_help_ptr()->group("Other");
+    for (const Verb& verb : verbs) verb.add(*app, options)->get_help_ptr()->group("Other");
     app->require_subcommand(1);
     return app;
 }
@@ -61,6 +61,18 @@ void protect_brackets(std::vector<std::string>& arguments) {
     }
 }
 
+// The verbs that a command line can mean: the one that it begins with, else all. Options of a verb are some
+// hundred, and take a parser as long to declare as a small card takes to compile.
+std::span<const Verb> meant(const std::vector<std::string>& arguments) {
+    const std::span<const Verb> all = verb_table();
+    if (arguments.empty()) return all;
+    if (arguments.size() == 1 && arguments.front() == "--version") return {};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (arguments.front() == all[i].name) return all.subspan(i, 1);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::variant<Command, std::string> read_command(std::vector<std::string> arguments) {
@@ -70,7 +82,8 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     arguments = expand_response_files(arguments, options.settings_files);
     arguments = with_long_dependency_options(arguments);
     protect_brackets(arguments);
-    const std::unique_ptr<CLI::App> program = declare_program(options);
+    const std::span<const Verb> rows = meant(arguments);
+    const std::unique_ptr<CLI::App> program = declare_program(options, rows);
     CLI::App& app = *program;
     const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
     // Settings can be looked at before there is anything to do with them.
@@ -93,11 +106,11 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         if (!verbs[i]->parsed()) continue;
         if (verbs[i]->get_name() == "edit") options.edit.words = verbs[i]->remaining();
-        command.verb = &verb_table()[i];
+        command.verb = &rows[i];
         for (const CLI::Option* option : verbs[i]->get_options()) {
             if (option->count() > 0) options.given.insert(traits_of(*option).key);
         }
-        const Settings settings = apply_settings(app, *verbs[i], options);
+        const Settings settings = apply_settings(*verbs[i], options);
         for (const CLI::Option* option : verbs[i]->get_options()) {
             if (option->count() > 0) options.settings[traits_of(*option).key] = option->results();
         }

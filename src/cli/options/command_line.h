@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -11,8 +12,9 @@
 
 namespace popup::cli {
 
-// One row a verb: how it is declared to the parser, and what does it. `run` returns the exit code.
+// One row a verb: its name, how it is declared to the parser, and what does it. `run` returns the exit code.
 struct Verb {
+    std::string_view name;
     CLI::App* (*add)(CLI::App&, Options&);
     int (*run)(const Options&);
 };
@@ -24,9 +26,9 @@ struct Command {
     Options options;
 };
 
-// The program as the parser knows it, with all verbs in the order of the table and all their options, which
-// write into `options`; these must outlive it.
-std::unique_ptr<CLI::App> declare_program(Options& options);
+// The program as the parser knows it, with these verbs in their order and all their options, which write into
+// `options`; these must outlive it.
+std::unique_ptr<CLI::App> declare_program(Options& options, std::span<const Verb> verbs);
 
 // Reads the arguments, the program's name not among them: response files in them, the options they give, and
 // for what they do not give the environment (POPUPC_*) and the popupc.toml of the inputs. A text is what

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include "cli/options/command_line.h"
 #include "cli/options/config_file.h"
 #include "cli/options/value_option.h"
 
@@ -169,7 +171,7 @@ void apply_values(const ConfigFile& file, bool own, CLI::App& verb, Level& level
 }
 
 // Variables that look like ours and are no option's of any verb.
-std::vector<std::string> unknown_variables(const CLI::App& app) {
+std::vector<std::string> unknown_variables() {
     std::vector<std::string> unknown;
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text = *entry;
@@ -178,7 +180,9 @@ std::vector<std::string> unknown_variables(const CLI::App& app) {
     }
     if (unknown.empty()) return unknown;
     std::set<std::string> known{variable_of("config"), variable_of("no-config")};
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    Options scratch;
+    const std::unique_ptr<CLI::App> program = declare_program(scratch, verb_table());
+    for (const CLI::App* verb : program->get_subcommands([](const CLI::App*) { return true; })) {
         for (const CLI::Option* option : verb->get_options())
             known.insert(variable_of(traits_of(*option).key));
     }
@@ -229,7 +233,7 @@ std::string variable_of(std::string_view key) {
     return name;
 }
 
-Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
+Settings apply_settings(CLI::App& verb, Options& options) {
     Settings settings;
     if (!is_configurable(verb)) return settings;
     // What is said of the sheet for every run, whatever its verb, does not ask a check to lay anything out.
@@ -240,7 +244,11 @@ Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
     settings.file = config_of(options);
     if (settings.file) {
         options.settings_files.push_back(*settings.file);
-        const ConfigFile file = read_config(*settings.file, app, verb);
+        // It speaks of all verbs, not only of this one.
+        Options scratch;
+        const std::unique_ptr<CLI::App> program = declare_program(scratch, verb_table());
+        const ConfigFile file =
+            read_config(*settings.file, *program, *program->get_subcommand(verb.get_name()));
         Level level(verb, settings);
         Diagnostics trouble(file.name);
         apply_values(file, false, verb, level, trouble);
@@ -251,7 +259,7 @@ Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options) {
         options.sheet_given = sheet_given;
     }
     options.jobs_given = jobs_given;
-    options.unknown_variables = unknown_variables(app);
+    options.unknown_variables = unknown_variables();
     return settings;
 }
 

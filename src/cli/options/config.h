@@ -17,13 +17,13 @@ struct Settings {
         origins;  // by the option's key: "POPUPC_SHEET", "designs/popupc.toml:3"
 };
 
-// Gives the options of `verb`, which has been parsed as a part of `app`, what environment and configuration
-// say, so that they read it as if it were on the command line; what was given there stays. An option that
-// stands instead of one that was given, or excludes it, is left alone likewise. Appends the configuration
-// that was used to `options.settings_files`, and variables that set nothing to `options.unknown_variables`.
-// UsageError for everything wrong in the file, for a value that
-// its option does not take, with its place or variable, and for inputs that find different configurations.
-Settings apply_settings(const CLI::App& app, CLI::App& verb, Options& options);
+// Gives the options of `verb`, which has been parsed, what environment and configuration say, so that they
+// read it as if it were on the command line; what was given there stays. An option that stands instead of one
+// that was given, or excludes it, is left alone likewise. Appends the configuration that was used to
+// `options.settings_files`, and variables that set nothing to `options.unknown_variables`. UsageError for
+// everything wrong in the file, for a value that its option does not take, with its place or variable, and
+// for inputs that find different configurations.
+Settings apply_settings(CLI::App& verb, Options& options);
 
 // The settings of the verb as a popupc.toml, each with where it comes from as a comment; those that are not
 // made follow as comments.
