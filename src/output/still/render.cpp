@@ -208,7 +208,7 @@ class Picture {
     // Of the ground in a row of pixels, from `from` up to `to`.
     void shade_ground(int y, int from, int to) {
         each_rays(
-            from, to, kGroundStep, [&](int x) { return ground_rays(x, y); },
+            from, to, ground_above_, [&](int x) { return ground_rays(x, y); },
             [&](int x, int rays) {
                 if (rays < Sun::kRays) put(x, y, tones_.of(scaled(row_light_, ground_light(rays))));
             });
@@ -218,18 +218,33 @@ class Picture {
         shade_ground(y, std::max(from, shade_.low_x), std::min(to, shade_.high_x));
     }
 
+    // By `step` columns: whether the sun reached some of them in the row above, and others not or less.
+    struct Above {
+        int step;
+        std::vector<char> uneven;
+    };
     // Calls visit(x, rays) for each pixel of a row from `from` up to `to`. Where all or none of the sun
-    // reaches two pixels that are `step` apart, it does between them: shadows have wider edges.
+    // reaches two pixels that are a step apart, it does between them: shadows have wider edges. What is
+    // smaller is looked for in the same columns of all rows, wherever they begin, and followed down from
+    // where it is seen.
     template <typename Rays, typename Visit>
-    static void each_rays(int from, int to, int step, const Rays& rays, const Visit& visit) {
+    static void each_rays(int from, int to, Above& above, const Rays& rays, const Visit& visit) {
         if (from >= to) return;
         int known = rays(from);
         visit(from, known);
         for (int x = from; x + 1 < to;) {
-            const int next = std::min(x + step, to - 1);
+            char& uneven = above.uneven[index(x / above.step)];
+            const int next = std::min(x - x % above.step + above.step, to - 1);
             const int there = rays(next);
             const bool is_even = there == known && (there == 0 || there == Sun::kRays);
-            for (++x; x < next; ++x) visit(x, is_even ? there : rays(x));
+            const bool is_filled = is_even && uneven == 0;
+            bool is_same = is_even;
+            for (++x; x < next; ++x) {
+                const int here = is_filled ? there : rays(x);
+                is_same = is_same && here == there;
+                visit(x, here);
+            }
+            uneven = is_same ? 0 : 1;
             visit(next, there);
             known = there;
         }
@@ -275,7 +290,7 @@ class Picture {
         const Face& face = model_.faces[number];
         const double sy = (y + 0.5) * kOver;
         each_rays(
-            from, to, kPaperStep,
+            from, to, paper_above_,
             [&](int x) { return sun_at(look, (x + 0.5) * kOver, sy, samples_.middle(x, y)); },
             [&](int x, int rays) {
                 if (face.texture == nullptr && (rays == 0 || rays == Sun::kRays))
@@ -343,6 +358,8 @@ class Picture {
     Sun sun_;
     Samples samples_;
     Sun::Surface ground_;
+    Above paper_above_{kPaperStep, std::vector<char>(index(width_ / kPaperStep + 1))};
+    Above ground_above_{kGroundStep, std::vector<char>(index(width_ / kGroundStep + 1))};
     // As the sun sees them: the eye, and the ways from it to what is seen in the picture's corner, a sample
     // further across and a sample further down.
     Vec3 eye_, corner_, across_, down_;
