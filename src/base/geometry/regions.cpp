@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <polyclipping/clipper.hpp>
+#include <utility>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/simple_rings.h"
 #include "base/geometry/tolerances.h"
 #include "popup/diagnostics.h"
 
@@ -179,6 +182,28 @@ std::vector<Polygon> to_polygons(Paths paths) {
     return polygons;
 }
 
+// What rings enclose by the even-odd rule where no two edges meet: the same as the clipper makes of them.
+std::optional<Paths> enclosed_by_simple(const Paths& paths) {
+    std::vector<GridRing> rings;
+    for (const Path& path : paths) {
+        GridRing ring;
+        ring.reserve(path.size());
+        for (const IntPoint& p : path) ring.push_back({p.X, p.Y});
+        ring = without_straight_corners(ring);
+        if (!ring.empty()) rings.push_back(std::move(ring));
+    }
+    const auto holes = holes_of_simple_rings(rings);
+    if (!holes) return std::nullopt;
+    Paths made;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        Path& path = made.emplace_back();
+        path.reserve(rings[i].size());
+        for (const GridPoint& p : rings[i]) path.emplace_back(p.x, p.y);
+        if (ClipperLib::Orientation(path) == (*holes)[i]) std::reverse(path.begin(), path.end());
+    }
+    return made;
+}
+
 // The paths of a boolean. The library calls nothing-to-do a failure; that is sorted out first.
 Paths run(ClipperLib::ClipType type, const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
     // Nothing is common to both outside the box of either: a small region in a large one costs little.
@@ -219,6 +244,9 @@ std::vector<Polygon> filled(const std::vector<Ring>& rings, FillRule rule) {
         Path& path = paths.emplace_back();
         path.reserve(ring.size());
         for (const Vec2 p : ring) path.push_back(to_int(p));
+    }
+    if (rule == FillRule::even_odd) {
+        if (auto simple = enclosed_by_simple(paths)) return to_polygons(std::move(*simple));
     }
     ClipperLib::Clipper clipper;
     if (!clipper.AddPaths(paths, ClipperLib::ptSubject, true)) return {};

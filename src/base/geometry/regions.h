@@ -5,7 +5,7 @@
 // leftmost corner, polygons ordered by that corner; no corner in the middle of a straight edge (up to the
 // grid), no ring without an area. So the same regions give the same bytes whatever their order. Coordinates
 // must be finite and within ±1e9 mm. Cost: near linear in corners and crossings for drawings whose horizontal
-// lines meet few edges.
+// lines meet few edges; filled() by the even-odd rule is n log n for all whose edges do not meet.
 #pragma once
 
 #include <span>

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/simple_rings.h"
 
 namespace popup {
 namespace {
@@ -265,6 +267,74 @@ TEST(Regions, FilledTellsRingsByTheirDirectionsOrByHowManyThereAre) {
     EXPECT_DOUBLE_EQ(filled_area({eight}, FillRule::non_zero), 50.0);
     EXPECT_TRUE(filled({}, FillRule::non_zero).empty());
     EXPECT_TRUE(filled({{{0, 0}, {1, 1}}}, FillRule::non_zero).empty());
+}
+
+// Rings that do not meet are told apart without the clipper; what it makes of them one by one is the same.
+TEST(Regions, FilledMakesOfSimpleRingsWhatTheClipperDoes) {
+    std::mt19937 random(11);
+    for (int round = 0; round < 30; ++round) {
+        std::vector<Ring> rings;
+        for (int cell = 0; cell < 6; ++cell) {
+            const Vec2 centre{200.0 * cell, 0.0};
+            const int corners = 5 + static_cast<int>(random() % 40);
+            Ring star;  // its centre sees all of it, so that it does not meet itself made smaller
+            for (int i = 0; i < corners; ++i) {
+                const double angle = 2.0 * 3.141592653589793 * i / corners;
+                star.push_back((20.0 + static_cast<double>(random() % 60)) *
+                               Vec2{std::cos(angle), std::sin(angle)});
+            }
+            for (double share = 1.0; share > 0.1; share *= 0.6) {  // each in the one before
+                Ring ring;
+                for (const Vec2 p : star) ring.push_back(on_grid(centre + share * p));
+                ring.push_back(ring.back());                           // doubled
+                ring.push_back(lerp(ring.back(), ring.front(), 0.5));  // nearly or wholly straight
+                if (random() % 2 == 0) std::reverse(ring.begin(), ring.end());
+                rings.push_back(ring);
+            }
+        }
+        std::shuffle(rings.begin(), rings.end(), random);
+        std::vector<Polygon> expected;
+        for (const Ring& ring : rings) {
+            const std::vector<Polygon> one = unite({{ring, {}}});
+            std::vector<Polygon> either = subtract(expected, one);
+            for (Polygon& rest : subtract(one, expected)) either.push_back(std::move(rest));
+            expected = unite(either);
+        }
+        const std::vector<Polygon> made = filled(rings, FillRule::even_odd);
+        ASSERT_EQ(made.size(), expected.size());
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            EXPECT_EQ(made[i].outer, expected[i].outer);
+            EXPECT_EQ(made[i].holes, expected[i].holes);
+        }
+    }
+}
+
+// Rings that touch in a corner, along an edge, or cross, are left to the clipper.
+TEST(SimpleRings, AreTheOnesOfWhichNoTwoEdgesMeet) {
+    const GridRing square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const auto holes = [](const std::vector<GridRing>& rings) { return holes_of_simple_rings(rings); };
+    EXPECT_EQ(holes({square}), std::vector<bool>({false}));
+    EXPECT_EQ(holes({{{2, 2}, {4, 2}, {4, 4}}, square, {{11, 0}, {12, 0}, {12, 20}}}),
+              std::vector<bool>({true, false, false}));
+    EXPECT_EQ(holes({{{3, 3}, {5, 3}, {4, 4}}, {{2, 2}, {7, 2}, {4, 7}}, square}),
+              std::vector<bool>({false, true, false}));
+    const std::vector<std::pair<const char*, GridRing>> meeting{
+        {"corner in corner", {{10, 10}, {20, 10}, {20, 20}}},
+        {"corner on edge", {{10, 5}, {20, 0}, {20, 10}}},
+        {"corner on edge, from within", {{0, 5}, {5, 2}, {5, 7}}},
+        {"edge on edge", {{10, 2}, {20, 2}, {20, 8}, {10, 8}}},
+        {"across", {{5, -5}, {6, -5}, {6, 15}}},
+        {"the same", square}};
+    for (const auto& [name, other] : meeting) {
+        EXPECT_EQ(holes({square, other}), std::nullopt) << name;
+        EXPECT_EQ(holes({other, square}), std::nullopt) << name;
+    }
+    EXPECT_EQ(holes({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}}), std::nullopt);                  // an eight
+    EXPECT_EQ(holes({{{0, 0}, {10, 0}, {5, 0}, {5, 5}}}), std::nullopt);                     // a spike
+    EXPECT_EQ(holes({{{0, 0}, {5, 9}, {10, 0}, {10, 20}, {5, 9}, {0, 20}}}), std::nullopt);  // a waist
+    EXPECT_EQ(without_straight_corners({{5, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}),
+              GridRing({{10, 0}, {10, 10}, {0, 10}, {0, 0}}));
+    EXPECT_TRUE(without_straight_corners({{0, 0}, {5, 0}, {10, 0}}).size() < 3);
 }
 
 TEST(EdgeIndex, WindingCountsRingsAndNothingElse) {
