@@ -13,7 +13,13 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
     {"drawing-cut", Severity::remark, "a drawn silhouette that was cut off at its lower end",
      "`popupc edit card.xml outline ID --from FILE` stands a drawing on the seams of the piece. One "
      "with a straight lower edge stands on that. Of a round one the lowest part is cut off, at the first "
-     "level that is half as wide as the drawing. A straight edge along its lower end keeps all of it."},
+     "level that is half as wide as the drawing. A straight edge along its lower end keeps all of it. An "
+     "edge "
+     "or a corner that lies deeper than the seams is cut off where they are."},
+    {"drawing-twice", Severity::remark, "a line that a drawing has twice",
+     "`popupc edit card.xml outline ID --from FILE` takes what a drawing encloses. A line that lies on "
+     "another one, all along, such as a copy left in its place, would take away what the first encloses. "
+     "It is taken once."},
     {"edit-refused", Severity::error, "an edit that would break the card",
      "popupc checks the document that the edits make. It would have an error that it does not have now; "
      "another message names that error. Nothing is written. Often "

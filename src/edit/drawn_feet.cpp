@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace popup::edit {
 namespace {
 
-// What is no further from the end of a drawing, in shares of its height or width, lies on its edge there.
-constexpr double kEdgeShare = 0.005;
 // What is straight for at least this share of the drawing is an edge that it can stand on.
 constexpr double kBaseShare = 0.2;
 // A drawing that is round below is cut where it is so wide, and no higher up than that.
@@ -22,10 +21,67 @@ Vec2 at(const DrawnStep& step, double t) {
     return step.curve ? step.line.at(t) : lerp(step.line.from, step.line.to, t);
 }
 
-bool straight_on(const DrawnStep& a, const DrawnStep& b) {
-    const Vec2 u = a.line.to - a.line.from;
-    const Vec2 v = b.line.to - b.line.from;
-    return std::abs(cross(u, v)) <= 1e-3 * length(u) * length(v) && dot(u, v) > 0.0;
+// Grows a straight line step by step: all points stay within a width of the ray through the last one. Steps
+// that each go on nearly straight may bend a long way together, so it is the whole that is looked at.
+class Straight {
+ public:
+    Straight(Vec2 from, double within) : from_(from), within_(within) {}
+
+    // Whether it goes on to p; then it does.
+    bool take(Vec2 p) {
+        const Vec2 way = p - from_;
+        const double far = length(way);
+        if (far < furthest_ || far == 0.0) return far == furthest_;
+        if (furthest_ == 0.0) along_ = unit(way);
+        // The directions in which the ray passes the point nearly enough.
+        const double at = std::atan2(cross(along_, way), dot(along_, way));
+        const double half = std::asin(std::min(1.0, within_ / far));
+        if (at < low_ || at > high_) return false;
+        low_ = std::max(low_, at - half);
+        high_ = std::min(high_, at + half);
+        furthest_ = far;
+        return true;
+    }
+
+ private:
+    Vec2 from_, along_;
+    double within_, furthest_ = 0.0;
+    double low_ = -0.25 * std::numbers::pi, high_ = 0.25 * std::numbers::pi;
+};
+
+// A run of lines that are one straight line: its first and last step.
+struct Run {
+    std::size_t first = 0, last = 0;
+};
+
+std::vector<Run> straight_runs(const DrawnOutline& outline, double within) {
+    std::vector<Run> runs;
+    std::optional<Straight> line;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (outline[i].curve) {
+            line.reset();
+            continue;
+        }
+        if (line && line->take(outline[i].line.to)) {
+            runs.back().last = i;
+            continue;
+        }
+        line.emplace(outline[i].line.from, within);
+        line->take(outline[i].line.to);
+        runs.push_back({i, i});
+    }
+    // The outline may begin in the middle of a line.
+    if (runs.size() < 2 || runs.front().first != 0 || runs.back().last + 1 != outline.size()) return runs;
+    Straight joined(outline[runs.back().first].line.from, within);
+    bool straight = true;
+    for (std::size_t i = runs.back().first; straight && i <= runs.back().last; ++i)
+        straight = joined.take(outline[i].line.to);
+    for (std::size_t i = 0; straight && i <= runs.front().last; ++i)
+        straight = joined.take(outline[i].line.to);
+    if (!straight) return runs;
+    runs.front().first = runs.back().first;
+    runs.pop_back();
+    return runs;
 }
 
 // Where the outline crosses a level: furthest left going down, and furthest right going up.
@@ -80,8 +136,24 @@ DrawnOutline reversed(const DrawnOutline& outline) {
 Box box_of(const DrawnOutline& outline) {
     Box box;
     for (const DrawnStep& step : outline) {
-        const int parts = step.curve ? kPartsOfCurve : 1;
-        for (int k = 0; k < parts; ++k) box.extend(at(step, static_cast<double>(k) / parts));
+        const Cubic& c = step.line;
+        box.extend(c.from);
+        box.extend(c.to);
+        if (!step.curve) continue;
+        // Where it turns back: its derivative is 0 in x or in y.
+        for (const auto axis : {&Vec2::x, &Vec2::y}) {
+            const double a = c.control_1.*axis - c.from.*axis;
+            const double b = c.control_2.*axis - c.control_1.*axis;
+            const double d = c.to.*axis - c.control_2.*axis;
+            const double root =
+                (b - a) * (b - a) - a * (a - 2.0 * b + d);  // of (a − 2b + d) t² + 2(b − a) t + a
+            if (root < 0.0) continue;
+            // Both without a difference of what is nearly equal.
+            const double q = (a - b) + std::copysign(std::sqrt(root), a - b);
+            for (const double t : {q / (a - 2.0 * b + d), a / q}) {
+                if (t > 0.0 && t < 1.0) box.extend(c.at(t));
+            }
+        }
     }
     return box;
 }
@@ -112,26 +184,11 @@ PlaneMap onto(Vec2 a, Vec2 b, Vec2 p, Vec2 q, double scale) {
     return map;
 }
 
-std::optional<Foot> corner_of(const DrawnOutline& outline, const Box& box, std::span<const Vec2> chain) {
+std::optional<Foot> corner_of(const DrawnOutline& outline, const Box& box, std::span<const Vec2> chain,
+                              double within) {
     if (chain.size() != 3) return std::nullopt;
-    // Runs of lines that go straight on are one line.
-    std::vector<std::pair<std::size_t, std::size_t>> runs;  // first and last step
+    const std::vector<Run> runs = straight_runs(outline, within);
     const std::size_t count = outline.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (outline[i].curve) continue;
-        const bool goes_on =
-            !runs.empty() && runs.back().second + 1 == i && straight_on(outline[i - 1], outline[i]);
-        if (goes_on) {
-            runs.back().second = i;
-        } else {
-            runs.emplace_back(i, i);
-        }
-    }
-    if (runs.size() > 1 && runs.front().first == 0 && runs.back().second + 1 == count &&
-        straight_on(outline.back(), outline.front())) {
-        runs.front().first = runs.back().first;
-        runs.pop_back();
-    }
     std::optional<Foot> best;
     double best_off = kMeantMm;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -141,7 +198,7 @@ std::optional<Foot> corner_of(const DrawnOutline& outline, const Box& box, std::
         const Vec2 g = outline[first].line.from;
         const Vec2 e = outline[next].line.from;
         const Vec2 h = outline[end].line.to;
-        if (distance(g, h) == 0.0) continue;
+        if (distance(g, h) < kBaseShare * box.width() || distance(g, h) == 0.0) continue;
         const PlaneMap map =
             onto(g, h, chain.front(), chain.back(), distance(chain.front(), chain.back()) / distance(g, h));
         double off = distance(map(e), chain[1]);
@@ -157,8 +214,8 @@ std::optional<Foot> corner_of(const DrawnOutline& outline, const Box& box, std::
     return best;
 }
 
-std::optional<Foot> base_of(const DrawnOutline& outline, const Box& box) {
-    const double level = box.min.y + kEdgeShare * box.height();
+std::optional<Foot> base_of(const DrawnOutline& outline, const Box& box, double within) {
+    const double level = box.min.y + within;
     const auto low = [&](const DrawnStep& step) {
         const Cubic& c = step.line;
         return c.from.y <= level && c.to.y <= level &&
@@ -228,23 +285,44 @@ std::optional<Foot> cut_of(const DrawnOutline& outline, const Box& box) {
     return lowest;
 }
 
-std::optional<Foot> left_edge(const DrawnOutline& outline) {
+std::optional<Foot> left_edge(const DrawnOutline& outline, double within) {
     // Turned by a quarter the left end is the lower one.
     const DrawnOutline turned = mapped(outline, [](Vec2 p) { return left_of(p); });
-    auto foot = base_of(turned, box_of(turned));
+    auto foot = base_of(turned, box_of(turned), within);
     if (!foot) return std::nullopt;
     foot->begin.at = right_of(foot->begin.at);
     foot->end.at = right_of(foot->end.at);
     return foot;
 }
 
-std::optional<Foot> right_edge(const DrawnOutline& outline) {
+std::optional<Foot> right_edge(const DrawnOutline& outline, double within) {
     const DrawnOutline turned = mapped(outline, [](Vec2 p) { return -p; });
-    auto foot = left_edge(turned);
+    auto foot = left_edge(turned, within);
     if (!foot) return std::nullopt;
     foot->begin.at = -foot->begin.at;
     foot->end.at = -foot->end.at;
     return foot;
+}
+
+double lost_beyond(const DrawnOutline& outline, const Foot& foot, std::span<const Vec2> chain) {
+    double most = 0.0;
+    for (const DrawnStep& step : between(outline, foot.begin, foot.end)) {
+        const int parts = step.curve ? kPartsOfCurve : 1;
+        for (int k = 1; k <= parts; ++k) {
+            const Vec2 p = at(step, static_cast<double>(k) / parts);
+            double nearest = HUGE_VAL;
+            bool beyond = false;  // beside the line that is nearest
+            for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+                const Segment line{chain[i], chain[i + 1]};
+                const double off = distance(p, line);
+                if (off >= nearest) continue;
+                nearest = off;
+                beyond = cross(line.b - line.a, p - line.a) < 0.0;
+            }
+            if (beyond) most = std::max(most, nearest);
+        }
+    }
+    return most;
 }
 
 }  // namespace popup::edit

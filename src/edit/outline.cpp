@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "edit/drawn_feet.h"
+#include "edit/drawn_once.h"
 #include "edit/session.h"
 #include "edit/stand_drawing.h"
 #include "input/text.h"
@@ -47,12 +49,16 @@ std::optional<DrawingFit> fit_of(Session& session, const Command& command) {
     return std::nullopt;
 }
 
+std::string mm_text(double mm) { return fmt::format("{:.1f} mm", mm); }
+std::string text_of(Vec2 p) { return fmt::format("({:.1f}, {:.1f})", p.x, p.y); }
+
 // On a piece without seams: the middle of its lower end stays where that of the box is.
 Path fitted(const Path& drawn, const Box& place, DrawingFit fit) {
     Box box;
     for (const Subpath& line : drawn.subpaths()) {
-        box.extend(line.start);
-        for (const PathStep& step : line.steps) box.extend(step.to);
+        const Box one = box_of(outline_of(line));
+        box.extend(one.min);
+        box.extend(one.max);
     }
     Vec2 scale{1.0, 1.0};
     const bool has_size = box.width() > 0.0 && box.height() > 0.0 && !place.empty();
@@ -83,12 +89,22 @@ std::optional<Path> placed(Session& session, std::size_t n, const xml::OutlineDr
                      stood.refusal.hint);
         return std::nullopt;
     }
-    if (stood.cut_mm > 0.05) {
-        session.remark("drawing-cut",
-                       fmt::format("the drawing in {} has no straight edge to stand on; its lowest {:.1f} mm "
-                                   "were cut off where it is wide enough for {}",
-                                   from, stood.cut_mm, chains.front().name),
-                       "draw a straight edge along its lower end to keep all of it");
+    for (const StoodDrawing::Cut& cut : stood.cuts) {
+        const std::string where =
+            fmt::format("between {} and {} mm on its page", text_of(cut.from), text_of(cut.to));
+        if (cut.round && cut.mm > 0.05) {
+            session.remark("drawing-cut",
+                           fmt::format("the drawing in {} has no straight edge to stand on that is a fifth "
+                                       "as wide as it is; its lowest {:.1f} "
+                                       "mm were cut off, {}, where it is wide enough for {}",
+                                       from, cut.mm, where, cut.on),
+                           "draw a straight edge along its lower end to keep all of it");
+        } else if (!cut.round && cut.mm > kMeantMm) {
+            session.remark("drawing-cut",
+                           fmt::format("the drawing in {} reaches {:.1f} mm beyond {}, {}; that was cut off",
+                                       from, cut.mm, cut.on, where),
+                           "draw that edge as the seams lie to keep all of it");
+        }
     }
     return std::move(stood.path);
 }
@@ -116,6 +132,18 @@ bool outline(Session& session, const Command& command) {
         return session.fail("bad-edit", fmt::format("{} has no outline: {}", *from, refusal));
     const auto fit = fit_of(session, command);
     if (!fit) return false;
+    std::vector<Vec2> repeated;
+    drawing.path = drawn_once(drawing.path, repeated);
+    if (!repeated.empty()) {
+        session.remark(
+            "drawing-twice",
+            fmt::format("the drawing in {} has {} twice, {} from its left and {} above its lower "
+                        "end; {} taken once",
+                        *from, repeated.size() == 1 ? "a line" : fmt::format("{} lines", repeated.size()),
+                        mm_text(repeated.front().x), mm_text(repeated.front().y),
+                        repeated.size() == 1 ? "it is" : "each is"),
+            "take one of the two out of the drawing");
+    }
     const auto path = placed(session, *n, drawing, *from, place_of(structure, info, *parameter), *fit);
     if (!path) return false;
     DrawnPath made;

@@ -15,7 +15,8 @@
 namespace popup::edit {
 namespace {
 
-// The outline with the chains in place of its feet.
+// The outline with the chains in place of its feet. What begins or ends as near to the end of a seam as makes
+// it that end, lies there: the check would move it, and speak of it as of something that the author drew.
 Subpath joined(const DrawnOutline& outline, std::span<const Foot> feet, std::span<const GlueChain> chains) {
     Subpath made;
     made.start = chains.front().points.front();
@@ -26,25 +27,32 @@ Subpath joined(const DrawnOutline& outline, std::span<const Foot> feet, std::spa
         made.steps.push_back({p, false, {}, {}});
         last = p;
     };
+    const auto is_meant = [](Vec2 p, Vec2 end) { return distance(p, end) <= kMeantMm; };
+    const auto lies_at = [&](const DrawnStep& step, Vec2 end) {
+        return is_meant(step.line.from, end) && is_meant(step.line.to, end) &&
+               (!step.curve || (is_meant(step.line.control_1, end) && is_meant(step.line.control_2, end)));
+    };
     for (std::size_t k = 0; k < feet.size(); ++k) {
         for (const Vec2 p : chains[k].points) line_to(p);
         const Foot& next = feet[(k + 1) % feet.size()];
         const Vec2 next_point = chains[(k + 1) % feet.size()].points.front();
-        // A corner that is as good as the end of a seam is that.
-        const bool meant = distance(feet[k].end.at, last) <= kMeantMm;
-        if (!meant) line_to(feet[k].end.at);
         const DrawnOutline rest = between(outline, feet[k].end, next.begin);
-        for (std::size_t i = 0; i < rest.size(); ++i) {
-            const bool ends = i + 1 == rest.size();
-            const Vec2 to =
-                ends && distance(next.begin.at, next_point) <= kMeantMm ? next_point : rest[i].line.to;
+        std::size_t first = 0;
+        std::size_t end = rest.size();
+        while (first < end && lies_at(rest[first], last)) ++first;
+        while (end > first && lies_at(rest[end - 1], next_point)) --end;
+        if (first == end) continue;
+        if (!is_meant(rest[first].line.from, last)) line_to(rest[first].line.from);
+        for (std::size_t i = first; i < end; ++i) {
+            const Vec2 from = rest[i].line.from;
+            const bool ends = i + 1 == end && is_meant(rest[i].line.to, next_point);
+            const Vec2 to = ends ? next_point : rest[i].line.to;
             if (!rest[i].curve) {
                 line_to(to);
                 continue;
             }
-            const Vec2 began = i == 0 && meant ? last - rest[i].line.from : Vec2{};
-            made.steps.push_back(
-                {to, true, rest[i].line.control_1 + began, rest[i].line.control_2 + (to - rest[i].line.to)});
+            made.steps.push_back({to, true, rest[i].line.control_1 + (last - from),
+                                  rest[i].line.control_2 + (to - rest[i].line.to)});
             last = to;
         }
     }
@@ -64,13 +72,16 @@ StoodDrawing refused(std::string what, std::string hint) {
     return made;
 }
 
+// Points that are no further from a line belong to it.
+constexpr double kStraightLineMm = 0.05;
+
 constexpr std::string_view kUnite = "unite its shapes into one, in Inkscape by Path, Union";
 
 // Why it is none, or nothing.
 std::optional<StoodDrawing> take_apart(const Path& drawn, Shape& shape) {
     Enclosed inside;
     if (enclose(drawn, inside) != FlatteningFault::none || inside.areas.empty())
-        return refused("encloses nothing", "draw a closed line");
+        return refused("encloses nothing", "draw a closed line that has an area");
     if (inside.areas.size() != 1) {
         return refused(fmt::format("has {} areas that do not hang together", inside.areas.size()),
                        std::string(kUnite) + "; or draw one of them alone");
@@ -113,7 +124,9 @@ double scale_of(DrawingFit fit, const Box& box, const Box& place) {
 struct Stood {
     Shape shape;
     std::vector<Foot> feet;
-    double cut_mm = 0.0;
+    std::vector<double>
+        lost;  // of each foot: how far it goes below its chain, or below itself where it is round
+    bool round = false;
 };
 
 Stood moved(const Shape& shape, std::vector<Foot> feet, const PlaneMap& map) {
@@ -135,12 +148,47 @@ Stood moved(const Shape& shape, std::vector<Foot> feet, const PlaneMap& map) {
 
 std::string mm_text(double mm) { return fmt::format("{:.1f} mm", mm); }
 
+// The drawing, with a foot of it turned onto the chain.
+Stood stood_on(const Shape& shape, const Foot& foot, const GlueChain& chain, DrawingFit fit, const Box& box,
+               const Box& place) {
+    const Vec2 begin = chain.points.front();
+    const Vec2 end = chain.points.back();
+    if (fit == DrawingFit::both) {
+        PlaneMap map;
+        map.x.x = place.width() / box.width();
+        map.y.y = place.height() / box.height();
+        Stood stretched = moved(shape, {foot}, map);
+        const Foot& on = stretched.feet.front();
+        return moved(stretched.shape, {on}, onto(on.begin.at, on.end.at, begin, end, 1.0));
+    }
+    const double scale = fit == DrawingFit::seams
+                             ? distance(begin, end) / distance(foot.begin.at, foot.end.at)
+                             : scale_of(fit, box, place);
+    return moved(shape, {foot}, onto(foot.begin.at, foot.end.at, begin, end, scale));
+}
+
 std::optional<StoodDrawing> on_one(const Shape& shape, const GlueChain& chain, DrawingFit fit,
                                    const Box& place, Stood& made) {
     const Box box = box_of(shape.outline);
-    auto foot = corner_of(shape.outline, box, chain.points);
-    if (!foot) foot = base_of(shape.outline, box);
-    const bool flat = foot.has_value();
+    // About how large it will be.
+    const double scale = fit == DrawingFit::seams
+                             ? distance(chain.points.front(), chain.points.back()) / box.width()
+                             : scale_of(fit, box, place);
+    auto foot = corner_of(shape.outline, box, chain.points, kStraightLineMm / scale);
+    if (!foot) {
+        // An edge of a large drawing may be a round end: what of it is not straight would be lost.
+        double within = kEdgeShare * box.height();
+        for (int attempt = 0; attempt < 3; ++attempt) {
+            foot = base_of(shape.outline, box, within);
+            if (!foot) break;
+            made = stood_on(shape, *foot, chain, fit, box, place);
+            const auto [above, below] = strays(made.shape.outline, made.feet.front());
+            if (below <= kMeantMm || above > kMeantMm) break;
+            within *= 0.9 * kMeantMm / below;
+            foot.reset();
+        }
+    }
+    const bool round = !foot;
     if (!foot) foot = cut_of(shape.outline, box);
     if (!foot) {
         return refused(
@@ -148,22 +196,9 @@ std::optional<StoodDrawing> on_one(const Shape& shape, const GlueChain& chain, D
                         mm_text(box.width())),
             "draw a straight edge along its lower end; " + chain.name + " will be glued there");
     }
-    const Vec2 begin = chain.points.front();
-    const Vec2 end = chain.points.back();
-    PlaneMap map;
-    if (fit == DrawingFit::both) {
-        map.x.x = place.width() / box.width();
-        map.y.y = place.height() / box.height();
-        Stood stretched = moved(shape, {*foot}, map);
-        const Foot& on = stretched.feet.front();
-        made = moved(stretched.shape, {on}, onto(on.begin.at, on.end.at, begin, end, 1.0));
-    } else {
-        const double scale = fit == DrawingFit::seams
-                                 ? distance(begin, end) / distance(foot->begin.at, foot->end.at)
-                                 : scale_of(fit, box, place);
-        made = moved(shape, {*foot}, onto(foot->begin.at, foot->end.at, begin, end, scale));
-    }
-    const auto [above, below] = strays(made.shape.outline, made.feet.front());
+    made = stood_on(shape, *foot, chain, fit, box, place);
+    const Foot& stands = made.feet.front();
+    const auto [above, below] = strays(made.shape.outline, stands);
     if (above > kMeantMm) {
         return refused(
             fmt::format("is open at its lower end: between its feet it rises {} above them, and {} must be "
@@ -172,7 +207,8 @@ std::optional<StoodDrawing> on_one(const Shape& shape, const GlueChain& chain, D
             "draw a line across between the feet, so that the gap becomes a hole with a strip of paper "
             "below");
     }
-    if (!flat) made.cut_mm = below;
+    made.round = round;
+    made.lost.push_back(round ? below : lost_beyond(made.shape.outline, stands, chain.points));
     return std::nullopt;
 }
 
@@ -195,8 +231,12 @@ double least_height(std::span<const Stretch, 2> edges, std::span<const Stretch, 
 
 std::optional<StoodDrawing> on_two(const Shape& shape, std::span<const GlueChain> chains, DrawingFit fit,
                                    const Box& place, Stood& made) {
-    const auto left = left_edge(shape.outline);
-    const auto right = right_edge(shape.outline);
+    const Box box = box_of(shape.outline);
+    const double within =
+        std::min(kEdgeShare * box.width(),
+                 0.9 * kMeantMm * box.width() / distance(chains[0].points.front(), chains[1].points.front()));
+    const auto left = left_edge(shape.outline, within);
+    const auto right = right_edge(shape.outline, within);
     for (const auto& [edge, chain, side] :
          {std::tuple(&left, &chains[0], "left"), std::tuple(&right, &chains[1], "right")}) {
         if (*edge) continue;
@@ -222,7 +262,7 @@ std::optional<StoodDrawing> on_two(const Shape& shape, std::span<const GlueChain
     const double drawn_wide = right->begin.at.x - from;
     const double scale = wide / drawn_wide;
     if (fit == DrawingFit::height || fit == DrawingFit::none) {
-        const double wanted = fit == DrawingFit::none ? 1.0 : scale_of(fit, box_of(shape.outline), place);
+        const double wanted = fit == DrawingFit::none ? 1.0 : scale_of(fit, box, place);
         if (std::abs(wanted - scale) * drawn_wide > kMeantMm) {
             return refused(
                 fmt::format("would be {} wide from edge to edge, and {} and {} are {} apart",
@@ -254,6 +294,7 @@ std::optional<StoodDrawing> on_two(const Shape& shape, std::span<const GlueChain
                                        mm_text(gap), k == 0 ? "left" : "right", chains[k].name),
                            "draw that edge straight, without a gap");
         }
+        made.lost.push_back(lost_beyond(made.shape.outline, foot, chains[k].points));
     }
     return std::nullopt;
 }
@@ -290,7 +331,9 @@ StoodDrawing stand_drawing(const Path& drawn, std::span<const GlueChain> chains,
                                       : on_two(shape, chains, fit, place, stood);
     if (refusal) return *refusal;
     StoodDrawing made;
-    made.cut_mm = stood.cut_mm;
+    for (std::size_t k = 0; k < stood.feet.size(); ++k)
+        made.cuts.push_back(
+            {stood.lost[k], stood.round, stood.feet[k].begin.at, stood.feet[k].end.at, chains[k].name});
     const auto append = [&](const Subpath& line) {
         made.path.move(line.start);
         for (const PathStep& step : line.steps) {

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -211,8 +215,79 @@ TEST(DrawnOutline, SaysWhatItCannotStandOn) {
     }
     EXPECT_NE(outlined(kCard, "bird", svg(kBird))
                   .said.find("remark drawing-cut: the drawing in drawing.svg has "
-                             "no straight edge to stand on; its lowest"),
+                             "no straight edge to stand on that is a fifth as wide as it is; its lowest"),
               std::string::npos);
+}
+
+// An ellipse as a polyline of so many points.
+std::string fine_ellipse(int points, double rx, double ry) {
+    std::string d = "M";
+    for (int i = 0; i < points; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / points;
+        d += fmt::format(" {:.4f},{:.4f}", 100.0 + rx * std::cos(angle), 150.0 + ry * std::sin(angle));
+    }
+    return d + " Z";
+}
+
+// However finely it is drawn, a round end is not taken for an edge or a corner; what is lost is told, with
+// its size and place. Corners beside the ends of seams are the program's own: nobody is asked to draw better.
+TEST(DrawnOutline, TellsOfRoundEndsHoweverFineTheyAre) {
+    for (const auto& [points, rx, ry, lost] :
+         {std::tuple(60, 30.0, 40.0, "its lowest 9.2 mm were cut off"),
+          std::tuple(1000, 30.0, 40.0, "its lowest 9.2 mm were cut off"),
+          std::tuple(50'000, 30.0, 40.0, "its lowest 9.2 mm were cut off"),
+          std::tuple(400, 10.0, 120.0, "its lowest 83.0 mm were cut off"),
+          std::tuple(12, 30.0, 40.0, "reaches 4.7 mm beyond bird.left and bird.right")}) {
+        const Done done = outlined(kCard, "bird", svg(fine_ellipse(points, rx, ry)));
+        ASSERT_NE(done.text, "") << done.said;
+        EXPECT_NE(done.said.find(lost), std::string::npos) << done.said;
+        EXPECT_NE(done.said.find("between (-25.7, 4.5) and (25.7, 4.5) mm on its page"), std::string::npos)
+            << done.said;
+        EXPECT_EQ(done.said.find("outline-snapped"), std::string::npos) << done.said;
+        EXPECT_TRUE(goes_through(silhouette(done.text, "bird").area.outer, kSeams));
+        expect_built(done.text);
+    }
+}
+
+// Fine points along straight walls and a straight base are that base.
+TEST(DrawnOutline, TakesAFineLineForALine) {
+    std::string d = "M 0,0";
+    for (int i = 1; i <= 4000; ++i) d += fmt::format(" {:.4f},{:.4f}", i * 0.02, 1e-4 * (i % 3));
+    for (int i = 1; i <= 2000; ++i) d += fmt::format(" {:.4f},{:.4f}", 80.0, -i * 0.02);
+    const Done done = outlined(kCard, "bird", svg(d + " L 0,-40 Z"));
+    ASSERT_NE(done.text, "") << done.said;
+    EXPECT_EQ(done.said, "");
+    EXPECT_NEAR(silhouette(done.text, "bird").width, 2 * 25.711504, 1e-3);
+    expect_built(done.text);
+}
+
+TEST(DrawnOutline, TakesALineOnceThatIsDrawnTwice) {
+    const std::string house = "M60,200 v-50 h-8 l48,-35 48,35 h-8 v50 z";
+    const std::string other_way = "M140,150 h8 L100,115 L52,150 h8 v50 h80 z";
+    const Done once = outlined(kCard, "bird", svg(house));
+    for (const std::string& again : {house, other_way}) {
+        const Done twice = outlined(kCard, "bird", svg(house + " " + again));
+        EXPECT_EQ(twice.text, once.text);
+        EXPECT_EQ(twice.said.substr(0, 68),
+                  "remark drawing-twice: the drawing in drawing.svg has a line twice, 8");
+    }
+    // The same hole drawn twice is a hole.
+    const Done hole = outlined(kCard, "bird", svg(house + " M80,180 h9 v9 h-9 z M80,180 h9 v9 h-9 z"));
+    EXPECT_EQ(silhouette(hole.text, "bird").area.holes.size(), 1U) << hole.said;
+}
+
+// What bulges beyond the ends of its curves counts: the piece is as wide as its drawing is to be.
+TEST(DrawnOutline, MeasuresCurvesByWhatTheyReach) {
+    const std::string card = R"(<popup version="3.0" units="mm">
+  <mainpage width="200" height="140"/>
+  <structurelist>
+    <structure type="hole" id="sun"><outline d="M 20 0 H 60 V 30 H 20 Z"/></structure>
+  </structurelist>
+</popup>
+)";
+    const Done done = outlined(card, "sun", svg("M 50,100 C 10,60 130,60 90,100 Z"), "width");
+    ASSERT_NE(done.text, "") << done.said;
+    EXPECT_NEAR(silhouette(done.text, "sun").width, 40.0, 0.01);
 }
 
 // Pieces of all shapes: a drawing stands on them, or it is said why not; never a broken card.
