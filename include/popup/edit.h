@@ -42,16 +42,18 @@ struct EditOptions {
 };
 
 struct Edited {
-    std::string text;      // of the whole document; places of `of_document` are in it
-    bool refused = false;  // it would have a new error: nothing is to be written
+    std::string text;                // of the whole document; places of `of_document` are in it
+    bool refused = false;            // it would have a new error: nothing is to be written
+    std::vector<std::string> files;  // others that the document reads
 };
 
 // All edits, in their order, or none. Each sees what those before it made. Then the document is read and
 // checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
 // `of_edits`, and the errors in `of_document`, unless it is forced. What else the checks newly find is in
-// `of_document` too. The two may be one object. nullopt: there is no such document. Cost: two readings of
-// the document, a check of what it becomes and, where that finds anything, of what it was, and one look at
-// what stands on what; edits that change what a later one stands on cost one more.
+// `of_document` too. The two may be one object. nullopt: there is no such document. Cost:
+// one reading of the document, one look at what stands on what, and a check of what it becomes. Where that
+// finds anything, both documents are read, checked and moved as a whole; edits that change what a later one
+// stands on cost another look.
 std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
                                     const EditOptions& options, Diagnostics& of_edits,
                                     Diagnostics& of_document);

@@ -114,7 +114,6 @@ int run_edit(const Options& options) {
         }
     }
     spare_inputs();
-    if (source) check_loaded(*source, options.compile.read, {verb.output.output, options.messages.file});
     Diagnostics of_document(verb.document, options.policy);
     std::optional<Edited> edited;
     EditOptions edit;
@@ -123,6 +122,11 @@ int run_edit(const Options& options) {
     if (readable && !of_edits.has_errors()) {
         Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
         edited = edit_document(*source, edits, edit, heard, of_document);
+    }
+    if (edited) {
+        check_loaded(edited->files, {verb.output.output, options.messages.file});
+    } else if (source) {
+        check_loaded(*source, options.compile.read, {options.messages.file});
     }
     const bool accepted = edited && !edited->refused;
     bool written = true;

@@ -7,9 +7,11 @@
 #include <array>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
+#include "edit/quick_look.h"
 #include "edit/session.h"
 #include "input/text.h"
 #include "input/xml/read.h"
@@ -147,8 +149,10 @@ std::optional<Design> read_document(const Source& source, const EditOptions& opt
 }
 
 // Checks and closes a design: with what its reading says, everything that can be an error of it. How far it
-// was when the last finding came: looking no further finds the same codes.
-Until look_at(const Design& design, Until until, const EditOptions& options, Diagnostics& found) {
+// was when the last finding came: looking no further finds the same codes. `edits`: a design
+// before and after them, of which this one was read; what moves as before is not moved again.
+Until look_at(const Design& design, Until until, const EditOptions& options, Diagnostics& found,
+              std::optional<std::pair<const Design*, const Design*>> edits = {}) {
     Until last = Until::reading;
     std::size_t count = found.sorted().size();
     const auto now = [&](Until stage) {
@@ -162,7 +166,10 @@ Until look_at(const Design& design, Until until, const EditOptions& options, Dia
     now(Until::check);
     if (!checked || until == Until::check) return last;
     const auto assembly = assemble(*checked, {}, found);
-    if (assembly) {
+    const bool moves =
+        assembly && edits &&
+        moves_without_findings(*edits->first, *edits->second, design, *assembly, options.check);
+    if (assembly && !moves) {
         MotionOptions motion;
         motion.examine = false;
         simulate(*assembly, motion, found);
@@ -235,12 +242,15 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     }
     Edited made;
     made.text = xml::patch(source, session.design, session.gone);
+    made.files = std::move(reading.files);
     if (made.text == source.text) return made;
+    if (edit::finds_nothing(before_edits, session.design, options.check)) return made;
 
     Diagnostics after(source.name);
     edit::Until last = edit::Until::reading;
     if (const auto design = edit::read_document({source.name, made.text}, options, after))
-        last = edit::look_at(*design, edit::Until::motion, options, after);
+        last = edit::look_at(*design, edit::Until::motion, options, after,
+                             std::pair(&before_edits, &session.design));
     const std::vector<Diagnostic> found = after.sorted();
     // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before;

@@ -174,6 +174,13 @@ void check_loaded(const Source& source, const ReadOptions& options,
     }
 }
 
+void check_loaded(const std::vector<std::string>& loaded, std::initializer_list<std::string_view> outputs) {
+    for (const std::string_view output : outputs) {
+        Diagnostics told;
+        if (!output.empty() && !spares_loaded(std::string(output), loaded, told)) refuse_usage(told);
+    }
+}
+
 std::vector<std::string> loaded_files(const Run& run) {
     std::vector<std::string> files;
     std::set<std::string_view> seen;

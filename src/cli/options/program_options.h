@@ -53,6 +53,9 @@ void check_loaded(const Run& run, const std::string& output);
 void check_loaded(const Source& source, const ReadOptions& options,
                   std::initializer_list<std::string_view> outputs);
 
+// The same of what it has loaded.
+void check_loaded(const std::vector<std::string>& loaded, std::initializer_list<std::string_view> outputs);
+
 // All files that programs have loaded, in the order in which they were, each once.
 std::vector<std::string> loaded_files(const Run& run);
 
