@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "check/checker.h"
 #include "check/crossed.h"
@@ -45,6 +46,28 @@ Checker::Foothold Checker::look(Placing& placing, const FoldMatch& match, double
     return Foothold::stands;
 }
 
+// Where a line lies beside all folds, and is one that an element has made there before it was moved, what
+// stands on it needs to follow, as a whole.
+void Checker::follow(const Placing& placing, int page, std::vector<FoldMatch>& matches) const {
+    constexpr double kFollowsMm = 50.0;
+    if (!matches.empty() && matches.front().off <= options.tolerances.rounding_mm) return;
+    const Element& element = placing.element;
+    const auto suits = [&](int number) {
+        const Fold& fold = skeleton->folds[static_cast<std::size_t>(number)];
+        // Of a seam it is not known how it has moved on its other page.
+        if (fold.seam || fold.owner == "page") return false;
+        const bool any_form = element.info->glued || !has_inverse(*element.info);
+        return any_form || element.inverted == (fold.closed_deg == 360);
+    };
+    const auto moved = index.moved_from(page, placing.begin, placing.end, kFollowsMm, suits);
+    if (!moved) return;
+    // One that is near, but another one, was meant rather than one that is far.
+    if (!matches.empty() && matches.front().fold != moved->fold) return;
+    FoldMatch match = *moved;
+    match.follows_mm = std::exchange(match.off, 0.0);
+    matches.assign(1, match);
+}
+
 std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing& placing) {
     std::vector<FoldMatch> matches;
     if (structure.finds_ground) {
@@ -57,6 +80,7 @@ std::optional<FoldMatch> Checker::find_fold(const Structure& structure, Placing&
     } else {
         matches = index.matches(structure.fold.page, placing.begin, placing.end, placing.place_on_line(),
                                 options.tolerances.snap_mm);
+        follow(placing, structure.fold.page, matches);
     }
     // A fold that the element stands on wins over one that it nearly reaches: neighbours often share a line.
     const FoldMatch* dead = nullptr;
@@ -161,6 +185,10 @@ bool Checker::ground_is_named(const Structure& structure, const ElementInfo& inf
                    fmt::format("\"{}\" stands on page {}, but when it is built there are pages 0 to {} only",
                                structure.id, page, pages - (info.glued ? 2 : 1)))
             .hint("list the structure whose piece is that page first: every glued element adds one page")
+            .hint(
+                fmt::format("if that structure was taken out, the fold \"{}\" stood on is gone: take \"{}\" "
+                            "out too, or stand it on another page",
+                            structure.id, structure.id))
             .about(structure.id);
         return false;
     }

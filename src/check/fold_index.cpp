@@ -97,6 +97,46 @@ std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const 
     return result;
 }
 
+std::optional<FoldMatch> FoldIndex::moved_from(int page, Vec2 begin, Vec2 end, double reach,
+                                               const std::function<bool(int)>& suits) const {
+    if (page < 0 || static_cast<std::size_t>(page) >= pages_.size()) return std::nullopt;
+    constexpr double kSameLengthMm = 2e-3;
+    constexpr double kClearlyNearer = 1.5;
+    const PageFolds& folds = pages_[static_cast<std::size_t>(page)];
+    Box place;
+    place.extend(begin);
+    place.extend(end);
+    std::vector<int> found;
+    folds.lines.query({place.min - Vec2{reach, reach}, place.max + Vec2{reach, reach}}, found);
+    std::optional<FoldMatch> best;
+    double second = HUGE_VAL;
+    for (const int number : found) {
+        const Segment& line = folds.lines[number];
+        const double size = distance(begin, end);
+        if (std::abs(distance(line.a, line.b) - size) > kSameLengthMm) continue;
+        const bool reversed = dot(line.b - line.a, end - begin) < 0.0;
+        const Segment along = reversed ? Segment{line.b, line.a} : line;
+        if (std::abs(cross(along.b - along.a, end - begin)) > 0.3 * size * size) continue;
+        const double off = std::max(distance(along.a, begin), distance(along.b, end));
+        const Entry& entry = folds.entries[static_cast<std::size_t>(number)];
+        if (off > reach || !entry.left.identity || !entry.right.identity) continue;
+        if (entry.ghost || !suits(entry.fold)) continue;
+        if (best && off >= best->off) {
+            if (entry.fold != best->fold) second = std::min(second, off);
+            continue;
+        }
+        if (best && entry.fold != best->fold) second = best->off;
+        best.emplace();
+        best->fold = entry.fold;
+        best->right_page = entry.right_page;
+        best->reversed = reversed;
+        best->off = off;
+        best->left = best->right = move_of({begin, end}, along);
+    }
+    if (!best || second < kClearlyNearer * best->off) return std::nullopt;
+    return best;
+}
+
 std::vector<FoldMatch> FoldIndex::crossed(int page, const Box& box) const {
     std::vector<FoldMatch> result;
     if (page < 0 || static_cast<std::size_t>(page) >= pages_.size() || box.empty()) return result;

@@ -1,6 +1,7 @@
 // Finds the fold that a document means: by where its author saw it, not by where repairs have moved it since.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct FoldMatch {
     bool right_page = false;  // the line was given on the fold's right page
     bool reversed = false;    // against the fold's own direction
     double off = 0.0;         // mm between the line given and the fold
+    double follows_mm = 0.0;  // > 0: how far the fold has been moved away from the line given
     RigidMove left, right;    // of points on the left and on the right page
 };
 
@@ -39,6 +41,12 @@ class FoldIndex {
     // first, younger before older where they are equally near.
     [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place,
                                                  double reach) const;
+    // The fold that suits on `page` that the line was drawn along before it was moved: it is as long as the
+    // line, and turned from it by less than 17°. Its ends are at most `reach` mm away, and those of other
+    // such folds half as far again at least. `left` and `right` bring the line onto it; on a seam that of the
+    // page alone.
+    [[nodiscard]] std::optional<FoldMatch> moved_from(int page, Vec2 begin, Vec2 end, double reach,
+                                                      const std::function<bool(int)>& suits) const;
     // All folds on `page` whose lines come into the box, as they run; youngest first. A fold that a repair
     // has moved comes once where its author saw it, and once where it is.
     [[nodiscard]] std::vector<FoldMatch> crossed(int page, const Box& box) const;

@@ -211,7 +211,15 @@ bool Placing::settle(const FoldMatch& match, const Fold& fold, const Tolerances&
     const Vec2 written = read_mirrored(structure_->fold.page) ? mirrored(fold_begin_) : fold_begin_;
     fold_moved_ = distance(written, structure_->fold.begin.at) > 0.0 || !fold_move.identity;
     to_site();
-    if (points_moved(tolerances) || drawn_moved()) {
+    if (match.follows_mm > 0.0) {
+        element.repaired(
+            "moved-with-fold",
+            fmt::format("the fold of \"{}\" that it stood on now lies {} away; it follows as a whole",
+                        fold.owner, mm(match.follows_mm)),
+            fmt::format("move what stands on \"{}\" along with it, as popupc edit does with "
+                        "--follow",
+                        fold.owner));
+    } else if (points_moved(tolerances) || drawn_moved()) {
         element.repaired(
             "moved-with-fold",
             fmt::format("the fold of \"{}\" it stands on was moved by a repair; it keeps its place on it",

@@ -24,6 +24,22 @@ bool same_place(const Structure& a, const Structure& b) {
            std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), same);
 }
 
+// Whether a line where there is no fold lies as one that an element on `fold` would make: along it, beside a
+// part of it. A line nearly as long as the whole fold is a slip in its points rather.
+bool lies_where_a_fold_was(const Fold& fold, int page, Vec2 begin, Vec2 end, double snap_mm) {
+    constexpr double kAlong = 0.02;  // the sine of the angle between them
+    constexpr double kMostOfIt = 0.75;
+    const Segment& line = page == fold.left_page ? fold.on_left : fold.on_right;
+    const double long_mm = distance(line.a, line.b);
+    const double given_mm = distance(begin, end);
+    if (given_mm == 0.0 || given_mm > kMostOfIt * long_mm) return false;
+    const Vec2 along = unit(line.b - line.a);
+    if (std::abs(cross(along, end - begin)) > kAlong * given_mm) return false;
+    const double one = dot(along, begin - line.a);
+    const double other = dot(along, end - line.a);
+    return std::min(one, other) > -snap_mm && std::max(one, other) < long_mm + snap_mm;
+}
+
 }  // namespace
 
 std::size_t hash_of_points(const Structure& structure) {
@@ -69,10 +85,31 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
         return;
     }
     if (beyond_its_fold(structure, placing)) return;
+    const std::vector<int> elsewhere = pages_with_its_fold(structure, placing);
     std::string nearest = "there is no fold within 500 mm of it";
     if (const auto near = index.nearest(structure.fold.page, placing.begin, placing.end, 500.0)) {
         const Fold& fold = near->ghost ? ghosts[static_cast<std::size_t>(near->fold)]
                                        : skeleton->folds[static_cast<std::size_t>(near->fold)];
+        if (elsewhere.empty() && lies_where_a_fold_was(fold, structure.fold.page, placing.begin, placing.end,
+                                                       options.tolerances.snap_mm)) {
+            const std::string on = fold.owner == "page"
+                                       ? "gutter"
+                                       : fmt::format("{} of \"{}\"", fold.seam ? "seam" : "fold", fold.owner);
+            diagnostics
+                .error(
+                    "fold-not-found", structure.fold.place,
+                    fmt::format("the fold that \"{}\" stood on is gone: on page {} there is none within {} "
+                                "of the line from {} to {}; most likely an element made it that stood on "
+                                "the {}, {} beside it, and was {} long",
+                                structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
+                                placing.text(placing.begin), placing.text(placing.end), on,
+                                mm(near->distance), mm(distance(placing.begin, placing.end))))
+                .hint(fmt::format("put that element back before \"{}\", take \"{}\" out too, or give two "
+                                  "points of another fold or seam",
+                                  structure.id, structure.id))
+                .about(structure.id);
+            return;
+        }
         nearest = fmt::format("the nearest is a {} of \"{}\", {} away", fold.seam ? "seam" : "fold",
                               fold.owner, mm(near->distance));
     }
@@ -82,7 +119,7 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
                     "from {} to {}; {}",
                     structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
                     placing.text(placing.begin), placing.text(placing.end), nearest));
-    for (const int page : pages_with_its_fold(structure, placing)) {
+    for (const int page : elsewhere) {
         made.hint(
             fmt::format("page {0} has such a fold: perhaps page=\"{0}\" is meant; each glued element that is "
                         "put in shifts "

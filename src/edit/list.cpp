@@ -425,13 +425,18 @@ bool take_out(Session& session, const Command& command) {
         all.push_back(i);
     }
     if (all.size() > 1 && !command.has("with-children")) {
-        const std::string& first = session.design.structures[all[1]].id;
-        return session.fail("bad-edit",
-                            fmt::format("\"{}\" carries {}", command.words.front(),
-                                        all.size() == 2 ? fmt::format("\"{}\"", first)
-                                                        : fmt::format("{} elements, \"{}\" among them",
-                                                                      all.size() - 1, first)),
-                            "--with-children takes them out with it");
+        constexpr std::size_t kMostNamed = 6;
+        std::vector<std::string> named;
+        for (std::size_t i = 1; i < all.size() && named.size() < kMostNamed; ++i)
+            named.push_back(fmt::format("\"{}\"", session.design.structures[all[i]].id));
+        if (all.size() - 1 > kMostNamed) named.push_back(fmt::format("{} more", all.size() - 1 - kMostNamed));
+        const std::string last = named.back();
+        named.pop_back();
+        return session.fail(
+            "bad-edit",
+            fmt::format("\"{}\" carries {}{}{}, which would stand on nothing", command.words.front(),
+                        fmt::join(named, ", "), named.empty() ? "" : " and ", last),
+            "--with-children takes them out with it");
     }
     for (auto i = all.rbegin(); i != all.rend(); ++i) session.take_out(*i);
     return true;

@@ -150,14 +150,21 @@ void GroundNames::unknown(std::size_t number, std::size_t dot) {
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const std::vector<std::string> near = nearest(text, candidates, 1);
     const std::string id = text.substr(0, dot);
-    reporter_
-        .error("unknown-ground", plates ? structure.plate->place : structure.fold.place,
-               fmt::format("there is no {} '{}': no structure has the id '{}'", plates ? "plate" : "fold",
-                           shown(text), shown(id)))
-        .hint(near.empty()
-                  ? fmt::format("names are such as {}, or the id of a structure before it with its {}",
-                                plates ? "page.left" : "gutter", plates ? "plate" : "fold")
-                  : fmt::format("perhaps '{}' is meant", near.front()));
+    Diagnostic& told =
+        reporter_
+            .error("unknown-ground", plates ? structure.plate->place : structure.fold.place,
+                   fmt::format("there is no {} '{}': no structure has the id '{}'", plates ? "plate" : "fold",
+                               shown(text), shown(id)))
+            .hint(near.empty()
+                      ? fmt::format("names are such as {}, or the id of a structure before it with its {}",
+                                    plates ? "page.left" : "gutter", plates ? "plate" : "fold")
+                      : fmt::format("perhaps '{}' is meant", near.front()));
+    if (dot < text.size()) {
+        told.hint(
+            fmt::format("if \"{}\" was taken out, the {} \"{}\" stood on is gone: take \"{}\" out too, "
+                        "or stand it on another",
+                        shown(id), plates ? "plate" : "fold", structure.id, structure.id));
+    }
 }
 
 }  // namespace popup::xml

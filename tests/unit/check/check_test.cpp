@@ -287,6 +287,47 @@ TEST(Check, FoldIsFoundWithinFiveMillimetresAndOtherwiseNamed) {
         << findings(far.diagnostics);
 }
 
+// What stood on a step that was moved, and still names its old fold, follows as a whole: it is not bent.
+TEST(Check, WhatStoodOnAMovedFoldFollowsAsAWhole) {
+    for (const Vec2 by : {Vec2{4, 0}, Vec2{10, 0}, Vec2{10, 7}, Vec2{-12, -3}}) {
+        Design design = card();
+        add(design, "step", {{-30, -20}, {-30, 20}, {30, -20}, {30, 20}});
+        add(design, "step", {{-36, -8}, {-36, 8}, {-25, -8}, {-25, 8}}, {-30, -20}, {-30, 20});
+        ASSERT_EQ(codes(run(design).diagnostics), Codes{});
+        for (DesignPoint& point : design.structures[0].points) point.at = point.at + by;
+        const Checked result = run(design);
+        EXPECT_EQ(codes(result.diagnostics), Codes{"moved-with-fold"}) << findings(result.diagnostics);
+        ASSERT_TRUE(result.design);
+        const Structure& child = result.design->design().structures[1];
+        for (std::size_t i = 0; i < child.points.size(); ++i)
+            EXPECT_LT(distance(child.points[i].at, design.structures[1].points[i].at + by), 1e-9);
+        expect_settled(result);
+    }
+    // Two steps of one length, alike far away: nobody knows which it was.
+    Design design = card();
+    add(design, "step", {{-30, -20}, {-30, 20}, {30, -20}, {30, 20}});
+    add(design, "step", {{-48, -8}, {-48, 8}, {-42, -8}, {-42, 8}}, {-45, -20}, {-45, 20});
+    EXPECT_EQ(codes(run(design).diagnostics), Codes{"moved-with-fold"});
+    design.structures[1].fold.begin.at.x = design.structures[1].fold.end.at.x = 5.5;
+    EXPECT_EQ(codes(run(design).diagnostics), Codes{"fold-not-found"});
+}
+
+TEST(Check, AFoldThatIsGoneIsSaidToBeGone) {
+    Design design = card();
+    add(design, "step", {{-36, -8}, {-36, 8}, {-25, -8}, {-25, 8}}, {-30, -20}, {-30, 20});
+    const Checked result = run(design);
+    EXPECT_FALSE(result.design);
+    EXPECT_EQ(findings(result.diagnostics).substr(0, 58),
+              "error fold-not-found: the fold that \"e1\" stood on is gone:")
+        << findings(result.diagnostics);
+    EXPECT_NE(
+        findings(result.diagnostics)
+            .find("most likely an element made it that stood on the gutter, 30.00 mm beside it, and was "
+                  "40.00 mm long"),
+        std::string::npos)
+        << findings(result.diagnostics);
+}
+
 TEST(Check, FoldCutAwayIsAnErrorThatNamesTheCutter) {
     Design design = card();
     add(design, "step",
