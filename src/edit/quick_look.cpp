@@ -15,7 +15,7 @@
 namespace popup::edit {
 namespace {
 
-// What is written has six decimals, and is read again so.
+// What is written has six decimals, and is read again so: then nothing of it has been changed.
 Design as_written(Design design) {
     const double mm = design.unit.mm;
     const auto rounded = [mm](double& length) {
@@ -35,6 +35,8 @@ Design as_written(Design design) {
         round_point(structure.fold.begin);
         round_point(structure.fold.end);
         if (structure.plate) round_point(structure.plate->at);
+        for (DesignPoint& point : structure.points) point.changed = false;
+        for (Argument& argument : structure.arguments) argument.changed = false;
     }
     return design;
 }
