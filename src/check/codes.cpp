@@ -73,8 +73,9 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "gives the order of the points for each type."},
     {"sides-exchanged", Severity::warning, "left and right points were exchanged",
      "Left is the left-hand side when looking from the parent fold's begin to its end. All points given as "
-     "left lie right of it and the other way round, so the points changed places; the colours stay with "
-     "the sides they are named for."},
+     "left lie right of it and the other way round, so the points changed places. The colours go with them: "
+     "a plate that was mirrored with its points keeps its colour. Of a piece whose own points are drawn the "
+     "right way round, the colours stay where they are."},
     {"wrong-ground", Severity::error, "an element stands on what it cannot stand on",
      "Some elements stand on folds or seams, which parentfold names, and some on plates, which parentplate "
      "names by any point of them. `popupc list elements` and popup(5) say which."},

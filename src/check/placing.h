@@ -101,6 +101,7 @@ struct Placing {
     void write_ground(Structure& structure) const;
     void exchange(bool extra_too);
     void exchange_arguments();
+    bool exchange_values();
     void to_site();
     [[nodiscard]] std::size_t index_on(std::size_t point) const;
     [[nodiscard]] std::size_t index_extra(std::size_t point) const;

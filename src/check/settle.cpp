@@ -116,7 +116,7 @@ bool Placing::points_moved(const Tolerances& tolerances) const {
 
 bool Placing::drawn_moved() const {
     return std::any_of(element.arguments.begin(), element.arguments.end(),
-                       [](const Argument& a) { return a.changed; });
+                       [](const Argument& a) { return a.changed && is_drawn(a); });
 }
 
 void Placing::snap_to(const FoldMatch& match, const Fold& fold, const Tolerances& tolerances) {
@@ -158,15 +158,37 @@ bool Placing::all_on_wrong_side(const Tolerances& tolerances) const {
     return any;
 }
 
-// Points are where they are; their names may have to change.
+// What the author gave one side is now given the other, and is written so. Whether there was any.
+bool Placing::exchange_values() {
+    const auto parameters = element.info->parameters;
+    bool any = false;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto partner = find_parameter(*element.info, parameters[i].partner);
+        if (!partner || *partner <= i || *partner >= element.arguments.size()) continue;
+        Argument& one = element.arguments[i];
+        Argument& other = element.arguments[*partner];
+        if (is_drawn(one) || is_drawn(other) || (!one.given() && !other.given())) continue;
+        std::swap(one.value, other.value);
+        one.changed = other.changed = any = true;
+    }
+    std::swap(element.paint.left, element.paint.right);
+    std::swap(element.paint.left_tab, element.paint.right_tab);
+    return any;
+}
+
+// Points are where they are; their names may have to change. What is between them keeps its colour: of an
+// element that is drawn the other way round, the plate that was its left one is its right one now.
 void Placing::exchange_sides(const Tolerances& tolerances) {
     if (!all_on_wrong_side(tolerances)) return;
     const ElementRow& row = element_row(*element.info);
-    exchange(row.front != nullptr && row.front(element) < 0.0);
+    const bool extra_too = row.front != nullptr && row.front(element) < 0.0;
+    exchange(extra_too);
     to_site();
+    const bool coloured = (extra_too || !element.info->glued) && exchange_values();
     element.repaired("sides-exchanged",
-                     "its left points lie right of the parent fold and its right points left of it; they "
-                     "were exchanged",
+                     fmt::format("its left points lie right of the parent fold and its right points left of "
+                                 "it; they were exchanged{}",
+                                 coloured ? ", with the colours of the two sides" : ""),
                      "left is the left-hand side when looking from the fold's begin to its end");
 }
 

@@ -220,15 +220,37 @@ TEST(Check, OneWrongTentSeamEndMovesAlone) {
     expect_settled(result);
 }
 
-TEST(Check, SwappedSidesAreExchangedAndColoursStay) {
+// Whose points are mirrored is drawn the other way round: its red plate is on the right now.
+TEST(Check, SwappedSidesAreExchangedWithTheirColours) {
     Design design = card();
     Structure& step = add(design, "step", {{40, -30}, {40, 30}, {-30, -30}, {-30, 30}});
     step.argument(0).value = Color{1, 2, 3};
     const Checked result = run(design);
     EXPECT_EQ(codes(result.diagnostics), Codes{"sides-exchanged"});
     EXPECT_EQ(result.point(0, 0), (Vec2{-30, -30}));
-    EXPECT_EQ(result.design->skeleton().draft.plates[2].fill, (Color{1, 2, 3})) << "e1/left keeps leftcolor";
+    EXPECT_EQ(result.design->skeleton().draft.plates[2].fill, std::nullopt);
+    EXPECT_EQ(result.design->skeleton().draft.plates[3].fill, (Color{1, 2, 3})) << "e1/right";
+    const Structure& written = result.design->design().structures[0];
+    EXPECT_FALSE(written.arguments[0].given());
+    EXPECT_EQ(std::get<Color>(written.arguments[1].value), (Color{1, 2, 3}));
     expect_settled(result);
+}
+
+// A piece of which only the points on the page are mirrored lies as it did: so do its colours.
+TEST(Check, APieceThatIsNotMirroredKeepsItsColours) {
+    for (const bool piece_too : {false, true}) {
+        Design design = card();
+        auto points = v_fold(60, 50, 150);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i < 3 || piece_too) points[i].x = -points[i].x;
+        }
+        add(design, "v-fold", points).argument(0).value = Color{1, 2, 3};
+        const Checked result = run(design);
+        EXPECT_EQ(codes(result.diagnostics), Codes{"sides-exchanged"}) << findings(result.diagnostics);
+        ASSERT_TRUE(result.design);
+        EXPECT_EQ(result.design->design().structures[0].arguments[piece_too ? 1 : 0].value.index(), 1U);
+        expect_settled(result);
+    }
 }
 
 TEST(Check, GutterGivenDownwardsIsOneRemarkAndNoChange) {
