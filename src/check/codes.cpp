@@ -33,7 +33,8 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "A structure names its parent fold by two points of it. No fold or seam of the page or of an earlier "
      "structure lies within 5 mm of that line beside the element. The list is in build order, parents "
      "first, and the points are in the coordinates of the page given. The message names the nearest fold "
-     "and its distance."},
+     "and its distance. Where the line lies along a part of a fold, beside it, an element that stood on that "
+     "fold has most likely been taken out: then the message says so."},
     {"fold-snapped", Severity::warning, "the parent fold was given a little beside the real one",
      "The two points given for the parent fold lie up to 5 mm beside a fold or seam, so that one is meant. "
      "The element's own points stay where they are; its parent fold now runs along the real fold."},
@@ -47,7 +48,9 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "the rounding of a drawing. Give the two ends of the fold."},
     {"moved-with-fold", Severity::warning, "an element moved because its fold was repaired",
      "Elements keep their place relative to the fold they stand on. A repair moved that fold, so the "
-     "element was moved, or turned, with it. Mending the element below makes this repair unnecessary."},
+     "element was moved, or turned, with it. Mending the element below makes this repair unnecessary. The "
+     "same is done where an element still names the place at which its fold was before somebody moved what "
+     "makes it: one fold of the same length is clearly the nearest, at most 50 mm away."},
     {"no-fold-crossed", Severity::error, "an outline lies across no fold",
      "An element that is cut from one sheet stands on the fold that its outline crosses exactly twice, once "
      "on "
