@@ -107,6 +107,9 @@ struct Suggestion {
     [[nodiscard]] std::string name() const;  // "merge 3"
 };
 
+// "closes", "leaves 0.31 mm or less", "swings a fold by 27°".
+std::string shown_outcome(const Suggestion& suggestion);
+
 struct Suggestions {
     double near_mm = 0.0;
     std::vector<Suggestion> rows;  // merges, then pastes, then coplanar ones; in the order of the drawing

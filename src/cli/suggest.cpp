@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "output/book/suggestions.h"
 #include "popup/files.h"
 #include "popup/refinement.h"
 
@@ -25,11 +27,6 @@ double rounded(double mm) { return std::round(mm * 1e4) / 1e4 + 0.0; }
 
 std::string left_open(bool closes, double mm) { return closes ? "closes" : "leaves " + shown_gap(mm); }
 
-std::string outcome(const Suggestion& row) {
-    if (row.swings) return fmt::format("swings a fold by {:.0f}°", row.turn_deg);
-    return left_open(row.closes, row.residual_mm) + (row.settled ? "" : " or less");
-}
-
 std::string like_text(const Suggestion& row) {
     if (row.like.empty()) return {};
     return fmt::format("; like merge {}", fmt::join(row.like, ", "));
@@ -41,7 +38,7 @@ std::string as_text(const Suggestions& found, const Ruler& ruler) {
                                    found.met.size(), found.met.size() == 1 ? "" : "s");
     if (found.left_out > 0) text += fmt::format("{} more are left out\n", found.left_out);
     for (const Suggestion& row : found.rows) {
-        text += fmt::format("{:<12}{:>7.2f} mm apart, {}{}\n", row.name(), row.apart_mm, outcome(row),
+        text += fmt::format("{:<12}{:>7.2f} mm apart, {}{}\n", row.name(), row.apart_mm, shown_outcome(row),
                             like_text(row));
         for (const JoinPart& part : row.join.parts) {
             text += "    " + part.panel;
@@ -88,6 +85,17 @@ std::string as_text(const std::vector<Join>& joins, const Refined& refined, doub
     return text;
 }
 
+// Whether a file is of suggestions, by its name: "suggestions.html", "box.suggestions.pdf".
+bool shows_suggestions(std::string_view path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    return name == "suggestions.html" || name == "suggestions.pdf" || name.ends_with(".suggestions.html") ||
+           name.ends_with(".suggestions.pdf");
+}
+bool shows_suggestions(const Options& options) {
+    return std::any_of(options.build.outputs.begin(), options.build.outputs.end(),
+                       [](const std::string& path) { return shows_suggestions(path); });
+}
+
 void check_suggest_usage(const Options& options) {
     const SuggestVerbOptions& verb = options.suggest;
     const bool prints = options.build.outputs.end() !=
@@ -99,7 +107,19 @@ void check_suggest_usage(const Options& options) {
     }
     if (verb.json && !verb.accept.empty())
         throw UsageError("--json lists suggestions, and --accept accepts them", {"leave one out"});
-    if (verb.json && !options.build.outputs.empty())
+    const auto of_sheet = std::find_if(options.build.outputs.begin(), options.build.outputs.end(),
+                                       [](const std::string& path) { return !shows_suggestions(path); });
+    const bool refines = of_sheet != options.build.outputs.end();
+    if (shows_suggestions(options) && !verb.accept.empty())
+        throw UsageError("pages of suggestions show what is not accepted yet, and --accept accepts it",
+                         {"leave one out, or name the output otherwise"});
+    if (shows_suggestions(options) && refines)
+        throw UsageError(
+            fmt::format(
+                "pages of suggestions show what is not accepted yet, and -o {} writes the refined sheet",
+                *of_sheet),
+            {"make two commands of it, or call pages *.suggestions.html or *.suggestions.pdf"});
+    if (verb.json && refines)
         throw UsageError("--json lists suggestions, and -o writes the refined sheet", {"leave one out"});
     if (is_standard_output(verb.refinement) || is_standard_output(verb.drawing))
         throw UsageError("suggest takes files by their names, not \"-\"");
@@ -199,19 +219,51 @@ std::optional<std::vector<PendingFile>> make_outputs(const Options& options, con
     return files_of(plan, options, run);
 }
 
+// The sheet as suggestions are for it: folded by what was accepted before.
+std::optional<Assembly> folded_so_far(const Options& options, const Inputs& in) {
+    Diagnostics told;  // of the same sheet, once more
+    FoldOptions fold = options.compile.fold;
+    if (in.joins.empty()) return fold_sheet(in.pattern, fold, told);
+    const auto refined = refine_shape(in.pattern, {fold, in.joins, nullptr}, told);
+    if (!refined) return std::nullopt;
+    fold.fold_angles.clear();  // the pattern says them all, and their share
+    fold.to = 1.0;
+    return fold_sheet(refined->pattern, fold, told);
+}
+
+// Pages with a picture of each suggestion; false: one could not be made, and that is told.
+bool make_pages(const Options& options, const OutputPlan& plan, Inputs& in, const Suggestions& found,
+                std::vector<PendingFile>& files) {
+    const std::optional<Assembly> assembly = folded_so_far(options, in);
+    POPUP_INVARIANT(assembly.has_value());
+    SceneCard card;
+    card.assembly = &*assembly;
+    const bool inches = in.pattern.ruler.unit == "in";
+    const book::SuggestionsOf shown{found, card, in.pattern.ruler, in.drawing->stem(), inches};
+    for (const PlannedOutput& output : plan.outputs) {
+        const bool is_pdf = output.path.ends_with(".pdf");
+        auto bytes = is_pdf ? book::suggestions_pdf(shown, in.of_drawing)
+                            : book::suggestions_html(shown, in.of_drawing);
+        if (!bytes) return false;
+        files.push_back({output.path, std::move(*bytes)});
+    }
+    return true;
+}
+
 // What is to be printed, and all files; false: something is wrong, and told.
 bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilation& run, std::string& text,
           std::vector<PendingFile>& files) {
     const SuggestVerbOptions& verb = options.suggest;
     SuggestOptions suggest{options.compile.fold, in.joins, verb.near_mm, &in.of_refinement};
     Diagnostics again;  // the sheet says the same each time that it is folded
-    if (!verb.accept.empty() || plan.outputs.empty()) {
+    const bool has_pages = shows_suggestions(options);
+    if (!verb.accept.empty() || plan.outputs.empty() || has_pages) {
         const auto found = suggest_joins(in.pattern, suggest, in.of_drawing);
         if (!found) return false;
         if (verb.accept.empty()) {
             text = verb.json ? as_json(*found, in.pattern.ruler).dump(2) + "\n"
                              : as_text(*found, in.pattern.ruler);
-            return true;
+            return !has_pages || make_pages(options, plan, in, *found, files);
         }
         auto joins =
             accept_joins(in.pattern, suggest, *found, verb.accept, accept_options(options), in.of_drawing);
@@ -264,8 +316,9 @@ CLI::App* add_suggest(CLI::App& app, Options& options) {
           [&suggest](std::string_view text) { suggest.refinement = text; })
         ->configurable(false);
     verb->add_flag("--json", suggest.json, "list suggestions as JSON")->configurable(false)->group(group);
-    verb->add_option("-o,--output", options.build.outputs,
-                     "write the refined sheet to this file; its suffix picks the format. Repeatable")
+    verb->add_option(
+            "-o,--output", options.build.outputs,
+            "write the refined sheet, by its suffix, or pictures: suggestions.html or .pdf. Repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->configurable(false)
@@ -277,6 +330,7 @@ CLI::App* add_suggest(CLI::App& app, Options& options) {
     verb->footer(
         "Examples:\n"
         "  popupc suggest box.svg\n"
+        "  popupc suggest box.svg -o suggestions.html\n"
         "  popupc suggest box.svg --accept all --refinement box.refine.json\n"
         "  popupc suggest box.svg --refinement box.refine.json -o box.glb -o box.pdf\n"
         "\nExit status 0 when it was done, 1 when the sheet cannot be folded or a suggestion is not there.");

@@ -467,6 +467,12 @@ std::string Suggestion::name() const {
     return fmt::format("{} {}", kJoinKindNames.at(static_cast<std::size_t>(join.kind)), number);
 }
 
+std::string shown_outcome(const Suggestion& suggestion) {
+    if (suggestion.swings) return fmt::format("swings a fold by {:.0f}°", suggestion.turn_deg);
+    if (suggestion.closes) return "closes";
+    return "leaves " + shown_gap(suggestion.residual_mm) + (suggestion.settled ? "" : " or less");
+}
+
 std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                          Diagnostics& diagnostics) {
     const auto rough = folded::rough_shape(pattern, options.fold, diagnostics);

@@ -33,6 +33,7 @@ struct Step {
     std::vector<std::string> captions;  // of each scene
     std::vector<Figure> figures;
     bool large_figures = false;  // there is much on them
+    bool lettered = false;       // actions are what pictures show with letters: a, b, c
 };
 
 struct Chapter {
@@ -61,6 +62,8 @@ struct SheetPart {
 };
 
 struct Book {
+    std::string kind = "assembly book";  // after the title
+    std::string needs_title = "What is needed";
     std::string title;
     std::string subtitle;
     std::vector<Scene> cover;                                // one of each card that can be seen

@@ -30,12 +30,12 @@ class Page {
 
     bool write() {
         if (!cover()) return false;
-        begin("What is needed");
+        begin(book_.needs_title);
         add("<dl>\n");
         for (const auto& [name, value] : book_.needs)
             add("<dt>{}</dt><dd>{}</dd>\n", told_html(name), told_html(value));
         add("</dl>\n");
-        begin("Before you begin");
+        if (!book_.first.empty()) begin("Before you begin");
         list("ul", book_.first);
         sheets();
         if (!std::all_of(book_.cards.begin(), book_.cards.end(),
@@ -68,7 +68,7 @@ class Page {
         if (texts.empty()) return;
         add("<{}>\n", kind);
         for (const std::string& text : texts) add("<li>{}</li>\n", told_html(text));
-        add("</{}>\n", kind);
+        add("</{}>\n", kind.substr(0, kind.find(' ')));
     }
 
     static std::string number(double value) { return number_text(value, kFigureDecimals); }
@@ -171,8 +171,8 @@ class Page {
                 drawing(sheet.figure, 190.0), told_html(sheet.title));
     }
 
-    bool card(const CardPart& part) {
-        const std::string of = book_.cards.size() > 1 ? part.title + ": " : std::string();
+    void pieces(const CardPart& part, const std::string& of) {
+        if (part.parts.empty()) return;
         begin(of + "Pieces");
         add("<table>\n<thead><tr><th scope=\"col\">No.</th><th scope=\"col\">Piece</th><th "
             "scope=\"col\">Sheet</th><th "
@@ -182,6 +182,11 @@ class Page {
                 told_html(row.number), told_html(row.name), told_html(row.sheets), told_html(row.folds),
                 told_html(row.tabs));
         add("</tbody>\n</table>\n");
+    }
+
+    bool card(const CardPart& part) {
+        const std::string of = book_.cards.size() > 1 ? part.title + ": " : std::string();
+        pieces(part, of);
         for (const Chapter& chapter : part.chapters) {
             if (chapter.steps.empty()) continue;
             begin(of + chapter.title);
@@ -208,7 +213,7 @@ class Page {
             add("</div>\n");
         }
         if (!step.lies.empty()) add("<p class=\"lies\">{}</p>\n", told_html(step.lies));
-        list("ol", step.actions);
+        list(step.lettered ? "ol class=\"letters\"" : "ol", step.actions);
         for (const std::string& note : step.notes) add("<p class=\"note\">{}</p>\n", told_html(note));
         add("</article>\n");
         return true;
@@ -242,27 +247,32 @@ class Page {
 }  // namespace
 }  // namespace book
 
-std::optional<std::string> write_book_html(const RunPage& page, const OutputOptions& options,
-                                           Diagnostics& diagnostics) {
-    const book::Book book = book::make_book(page, options);
-    book::Pictures pictures(page.cards, diagnostics);
-    book::Page made(book, pictures);
+std::optional<std::string> book::html_of(const Book& book, std::span<const SceneCard> cards,
+                                         Diagnostics& diagnostics) {
+    Pictures pictures(cards, diagnostics);
+    Page made(book, pictures);
     if (!made.write()) return std::nullopt;
-    const std::string style = "\n" + std::string(page_file(book::book_files(), "book.css"));
+    const std::string style = "\n" + std::string(page_file(book_files(), "book.css"));
     const std::string policy =
         fmt::format("default-src 'none'; style-src {}; img-src data:; base-uri 'none'; form-action 'none'",
                     policy_source(style));
-    std::string html = page_head(policy, told_html(book.title) + ": assembly book", style) + "<body>\n";
+    std::string html =
+        page_head(policy, told_html(book.title) + ": " + told_html(book.kind), style) + "<body>\n";
     html += made.header() + made.contents() + made.body();
     html += fmt::format("<footer>{}</footer>\n</body>\n</html>\n", generator());
-    if (html.size() <= book::kMostBookBytes) return html;
+    if (html.size() <= kMostBookBytes) return html;
     diagnostics
-        .error("model-too-large", {},
-               fmt::format("the book would be {:.0f} MB, {:.0f} MB are the most",
-                           1e-6 * static_cast<double>(html.size()),
-                           1e-6 * static_cast<double>(book::kMostBookBytes)))
+        .error(
+            "model-too-large", {},
+            fmt::format("the book would be {:.0f} MB, {:.0f} MB are the most",
+                        1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBookBytes)))
         .hint("write fewer designs into one book, or a .book.pdf");
     return std::nullopt;
+}
+
+std::optional<std::string> write_book_html(const RunPage& page, const OutputOptions& options,
+                                           Diagnostics& diagnostics) {
+    return book::html_of(book::make_book(page, options), page.cards, diagnostics);
 }
 
 }  // namespace popup

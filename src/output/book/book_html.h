@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
+#include "output/book/book.h"
 #include "popup/output.h"
 
 namespace popup {
@@ -16,5 +18,11 @@ namespace popup {
 // of book::make_book(). Cost: that of make_book(), and two pictures a step.
 std::optional<std::string> write_book_html(const RunPage& page, const OutputOptions& options,
                                            Diagnostics& diagnostics);
+
+// The same of a book that somebody else has made; its scenes show these cards.
+namespace book {
+std::optional<std::string> html_of(const Book& book, std::span<const SceneCard> cards,
+                                   Diagnostics& diagnostics);
+}  // namespace book
 
 }  // namespace popup

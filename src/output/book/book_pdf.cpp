@@ -112,7 +112,7 @@ class Writer {
     }
 
     void needs() {
-        chapter("What is needed", 40.0, CAIRO_PDF_OUTLINE_ROOT);
+        chapter(book_.needs_title, 40.0, CAIRO_PDF_OUTLINE_ROOT);
         constexpr double kNeedMm = 24.0;
         for (const auto& [name, value] : book_.needs) {
             const std::size_t lines = paper_.wrap(value, kBodyCapMm, paper_.width() - kNeedMm).size();
@@ -121,7 +121,7 @@ class Writer {
             paper_.text(value, kBodyCapMm, paper_.left() + kNeedMm, paper_.width() - kNeedMm);
             paper_.skip(0.8);
         }
-        chapter("Before you begin", 30.0, CAIRO_PDF_OUTLINE_ROOT);
+        if (!book_.first.empty()) chapter("Before you begin", 30.0, CAIRO_PDF_OUTLINE_ROOT);
         bullets(book_.first, false);
     }
 
@@ -163,6 +163,7 @@ class Writer {
     }
 
     void parts(const CardPart& part) {
+        if (part.parts.empty()) return;
         chapter("Pieces", 30.0, CAIRO_PDF_OUTLINE_ROOT);
         row({"No.", "Piece", "Sheet", "Folds", "Tabs"}, true);
         for (const PartRow& one : part.parts)
@@ -356,8 +357,8 @@ class Writer {
 }  // namespace
 }  // namespace book
 
-std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptions& options,
-                                          Diagnostics& diagnostics) {
+std::optional<std::string> book::pdf_of(const Book& book, std::span<const SceneCard> cards,
+                                        Diagnostics& diagnostics) {
     const std::string bold_file = font_path(TextFont::sans_bold);
     const FontFace plain = open_font(POPUP_FONT_FILE);
     const FontFace bold = open_font(bold_file);
@@ -365,16 +366,15 @@ std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptio
         report_missing_font(plain == nullptr ? POPUP_FONT_FILE : bold_file, diagnostics);
         return std::nullopt;
     }
-    const book::Book book = book::make_book(page, options);
-    book::Pictures pictures(page.cards, diagnostics);
+    Pictures pictures(cards, diagnostics);
     const Vec2 size = book.letter ? Vec2{215.9, 279.4} : Vec2{210.0, 297.0};
     bool drawn = false;
     std::string bytes;
     const cairo_status_t status = draw_document(
-        visible(book.title) + ": assembly book", size, plain.get(),
+        visible(book.title + ": " + book.kind), size, plain.get(),
         [&](cairo_surface_t* surface, cairo_t* context) {
-            book::BookPages paper(surface, context, plain.get(), bold.get(), book.letter, book.title);
-            drawn = book::Writer(paper, book, pictures).write();
+            BookPages paper(surface, context, plain.get(), bold.get(), book.letter, book.title);
+            drawn = Writer(paper, book, pictures).write();
             paper.finish();
         },
         bytes);
@@ -383,6 +383,11 @@ std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptio
     diagnostics.error("pdf-failed", {},
                       fmt::format("the PDF could not be made: {}", cairo_status_to_string(status)));
     return std::nullopt;
+}
+
+std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptions& options,
+                                          Diagnostics& diagnostics) {
+    return book::pdf_of(book::make_book(page, options), page.cards, diagnostics);
 }
 
 }  // namespace popup

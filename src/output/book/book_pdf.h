@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
+#include "output/book/book.h"
 #include "popup/output.h"
 
 namespace popup {
@@ -17,5 +19,11 @@ namespace popup {
 // Cost: that of make_book(), and two pictures a step.
 std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptions& options,
                                           Diagnostics& diagnostics);
+
+// The same of a book that somebody else has made; its scenes show these cards.
+namespace book {
+std::optional<std::string> pdf_of(const Book& book, std::span<const SceneCard> cards,
+                                  Diagnostics& diagnostics);
+}  // namespace book
 
 }  // namespace popup

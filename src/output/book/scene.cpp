@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/geometry/triangulate.h"
 #include "base/nth.h"
+#include "output/book/sight.h"
 #include "output/poses.h"
 
 namespace popup::book {
@@ -20,6 +22,17 @@ constexpr Light kGuideInk{0.75F, 0.16F, 0.0F};
 // Where hands are: in front of the table, and on its other sides where things are in the way.
 constexpr std::array<Vec3, 5> kEyes{Vec3{0.25, -1.0, 0.9}, Vec3{-0.9, -0.55, 0.9}, Vec3{0.9, -0.55, 0.9},
                                     Vec3{0.25, 1.0, 0.9}, Vec3{0.05, -0.35, 1.2}};
+// A folded model that is taken into the hand is seen from below, too.
+constexpr std::array<Vec3, 12> kEyesAround{
+    Vec3{0.45, -1.0, 0.75},  Vec3{-0.8, -0.75, 0.8},  Vec3{1.0, -0.35, 0.8},  Vec3{0.45, 1.0, 0.75},
+    Vec3{-0.8, 0.75, 0.8},   Vec3{1.0, 0.45, 0.4},    Vec3{0.15, -0.45, 1.2}, Vec3{-1.0, -0.4, 0.35},
+    Vec3{0.45, -1.0, -0.75}, Vec3{-0.8, -0.75, -0.8}, Vec3{0.45, 1.0, -0.75}, Vec3{-0.8, 0.75, -0.8}};
+constexpr float kRestFade = 0.62F;   // of what is not marked
+constexpr double kDotShare = 0.015;  // the size of dots, of that of the model
+constexpr std::array<Light, 4> kMarkedLights{Light{0.95F, 0.36F, 0.05F}, Light{0.12F, 0.42F, 0.86F},
+                                             Light{0.18F, 0.60F, 0.22F}, Light{0.55F, 0.24F, 0.72F}};
+constexpr Light kGoneInk{0.35F, 0.37F, 0.40F};
+constexpr Light kDotLight{0.62F, 0.02F, 0.02F};
 
 int piece_of(const Assembly& assembly, int plate) { return nth(assembly.plates, plate).piece; }
 
@@ -122,21 +135,81 @@ std::vector<Vec2> places_on(const Ring& ring) {
     return places;
 }
 
-// Whether one of the plates that are there stands between a point and the eye.
-bool is_hidden(const Assembly& assembly, std::span<const Frame> frames, std::span<const float> fades,
-               Vec3 from, Vec3 eye) {
-    const Vec3 way = eye - from;
-    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-        if (fades[i] < 0.0F) continue;
-        const Frame& plate = frames[i];
-        const double slope = dot(way, plate.normal());
-        if (std::abs(slope) < 1e-9) continue;
-        const double share = dot(plate.origin - from, plate.normal()) / slope;
-        if (share < 1e-6 || share > 1.0) continue;
-        const Vec3 d = from + share * way - plate.origin;
-        if (contains(assembly.plates[i].outline, {dot(d, plate.axes[0]), dot(d, plate.axes[1])})) return true;
+// A plate's two sides in a colour, just before its paper.
+void add_coat(const Plate& plate, const Frame& frame, const Light& light, still::Model& model) {
+    const Triangulation triangles = triangulate(plate.outline);
+    for (const double side : {kTargetLiftMm, -kTargetLiftMm}) {
+        still::Face& face = model.faces.emplace_back();
+        face.plate = model.plates++;
+        face.frame = frame;
+        face.frame.origin = frame.origin + side * frame.normal();
+        face.color = light;
+        for (const Vec2 p : triangles.points) face.points.push_back(face.frame.point(p));
+        for (const auto& corners : triangles.triangles)
+            face.indices.insert(face.indices.end(), corners.begin(), corners.end());
+        const Light ink{0.2F * light[0], 0.2F * light[1], 0.2F * light[2]};
+        const auto add_edges = [&](const Ring& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                model.edges.push_back({face.plate, face.frame.point(ring[i]),
+                                       face.frame.point(ring[(i + 1) % ring.size()]), ink});
+        };
+        add_edges(plate.outline.outer);
+        for (const Ring& hole : plate.outline.holes) add_edges(hole);
     }
-    return false;
+}
+
+// A small octahedron.
+void add_dot(Vec3 at, double size_mm, still::Model& model) {
+    for (const double z : {1.0, -1.0}) {
+        for (const double y : {1.0, -1.0}) {
+            for (const double x : {1.0, -1.0}) {
+                const Vec3 out = unit(Vec3{x, y, z});
+                const Vec3 along = unit(Vec3{-y, x, 0.0});
+                still::Face& face = model.faces.emplace_back();
+                face.plate = model.plates++;
+                face.frame.origin = at + (size_mm / std::sqrt(3.0)) * out;
+                face.frame.axes = {along, cross(out, along), out};
+                face.color = kDotLight;
+                face.points = {at + Vec3{x * size_mm, 0, 0}, at + Vec3{0, y * size_mm, 0},
+                               at + Vec3{0, 0, z * size_mm}};
+                face.indices = {0, 1, 2};
+                if (x * y * z < 0.0) std::swap(face.indices[1], face.indices[2]);
+            }
+        }
+    }
+}
+
+// Where a marked plate may have its letter: first of all away from the corner that is to be seen.
+std::vector<Vec2> letter_places(const Plate& plate, const std::optional<Vec2>& corner) {
+    std::vector<Vec2> places = places_on(plate.outline.outer);
+    if (!corner) return places;
+    const Vec2 away = lerp(*corner, places.front(), 1.3);
+    if (contains(plate.outline, away)) places.insert(places.begin(), away);
+    return places;
+}
+
+// What is to be seen of marked plates.
+std::vector<Vec3> points_of(const Scene& scene, const Assembly& assembly, std::span<const Frame> frames) {
+    std::vector<Vec3> points;
+    for (const Scene::Marked& one : scene.marked) {
+        const Frame& frame = nth(frames, one.plate);
+        if (one.corner) points.push_back(frame.point(*one.corner));
+        points.push_back(frame.point(letter_places(nth(assembly.plates, one.plate), one.corner).front()));
+    }
+    return points;
+}
+
+// Where the corners of marked plates are to meet; of one or none, nowhere.
+std::optional<Vec3> meeting_of(const Scene& scene, std::span<const Frame> frames) {
+    Vec3 sum;
+    double count = 0.0;
+    for (const Scene::Marked& one : scene.marked) {
+        if (!one.corner) continue;
+        sum = sum + nth(frames, one.plate).point(*one.corner);
+        count += 1.0;
+    }
+    if (count < 2.0) return std::nullopt;
+    return (1.0 / count) * sum;
 }
 
 }  // namespace
@@ -148,10 +221,64 @@ struct Illustrator::Stage {
     still::Model model;
     // Numbers, and the places of which the first that is seen has it.
     std::vector<std::pair<std::vector<Vec3>, std::string>> marks;
+    std::optional<Vec3> eye;  // of marked plates
 };
 
 Illustrator::Illustrator(std::span<const SceneCard> cards) : cards_(cards) {
     for (const SceneCard& card : cards) modellers_.emplace_back(std::span(&card, 1));
+}
+
+// Washes out what is not marked, looks from where most of the marked is seen, and takes away what hides it.
+void Illustrator::look_at_marked(const Scene& scene, const Assembly& assembly, Stage& stage) {
+    std::vector<char> is_marked(assembly.plates.size(), 0);
+    for (const Scene::Marked& one : scene.marked) nth(is_marked, one.plate) = 1;
+    for (std::size_t i = 0; i < is_marked.size(); ++i) {
+        if (is_marked[i] == 0 && stage.fades[i] >= 0.0F) stage.fades[i] = kRestFade;
+    }
+    const std::vector<Vec3> points = points_of(scene, assembly, stage.frames);
+    const Placed placed{assembly, stage.frames, stage.fades};
+    stage.eye = best_eye(placed, points, kEyesAround);
+    for (const int plate : hiding(placed, points, *stage.eye)) {
+        if (nth(is_marked, plate) == 0) nth(stage.fades, plate) = -1.0F;
+    }
+}
+
+void Illustrator::add_marked(const Scene& scene, const Assembly& assembly, Stage& stage) {
+    if (scene.marked.empty()) return;
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Vec3 high = -low;
+    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
+        const Polygon& outline = assembly.plates[i].outline;
+        for (const Vec2 p : outline.outer) {
+            const Vec3 at = stage.frames[i].point(p);
+            low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+            high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+        }
+        if (stage.fades[i] >= 0.0F) continue;
+        // What was taken away is still there as lines.
+        const auto lines = [&](const Ring& ring) {
+            for (std::size_t k = 0; k < ring.size(); ++k)
+                stage.model.edges.push_back({-1, stage.frames[i].point(ring[k]),
+                                             stage.frames[i].point(ring[(k + 1) % ring.size()]), kGoneInk});
+        };
+        lines(outline.outer);
+        for (const Ring& hole : outline.holes) lines(hole);
+    }
+    const double dot_mm = kDotShare * length(high - low);
+    const std::optional<Vec3> meeting = meeting_of(scene, stage.frames);
+    for (std::size_t i = 0; i < scene.marked.size(); ++i) {
+        const Scene::Marked& one = scene.marked[i];
+        const Plate& plate = nth(assembly.plates, one.plate);
+        const Frame& frame = nth(stage.frames, one.plate);
+        add_coat(plate, frame, kMarkedLights.at(i % kMarkedLights.size()), stage.model);
+        if (one.corner) {
+            add_dot(frame.point(*one.corner), dot_mm, stage.model);
+            if (meeting) stage.model.edges.push_back({-1, frame.point(*one.corner), *meeting, kGuideInk});
+        }
+        std::vector<Vec3> places;
+        for (const Vec2 p : letter_places(plate, one.corner)) places.push_back(frame.point(p));
+        stage.marks.emplace_back(std::move(places), one.text);
+    }
 }
 
 std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnostics& diagnostics) {
@@ -205,7 +332,9 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
         Frame& frame = nth(stage.frames, plate);
         frame.origin = frame.origin + Vec3{0, 0, lift};
     }
+    if (!scene.marked.empty()) look_at_marked(scene, assembly, stage);
     stage.model = modellers_[scene.card].staged(0, {stage.frames, fades});
+    add_marked(scene, assembly, stage);
     for (const Bond& bond : scene.bonds) {
         const Frame& frame = nth(stage.placed, bond.mate);
         const bool behind = bond.on_back || bond.theirs;
@@ -263,7 +392,7 @@ Vec3 Illustrator::eye_for(const Scene& scene, const Stage& stage) const {
             if (dot(out, unit(eye)) < 0.15) continue;
             for (const Ring& ring : targets_of(cards_[scene.card], bond)) {
                 const Vec3 from = frame.point(places_on(ring).front()) + kTargetLiftMm * out;
-                if (!is_hidden(assembly, stage.placed, there, from, from + kEyeAwayMm * unit(eye))) ++seen;
+                if (!is_hidden({assembly, stage.placed, there}, from, from + kEyeAwayMm * unit(eye))) ++seen;
             }
         }
         if (seen > most) {
@@ -280,7 +409,9 @@ still::Framing Illustrator::framing_of(std::span<const Scene> scenes, std::span<
     constexpr double kFilledByLifted = 0.5;
     constexpr double kNearest = 2.4;
     const Scene& first = scenes.front();
-    const Vec3 eye = first.as_still ? still::eye_of(View::iso) : eye_for(first, stages.front());
+    const Vec3 eye = first.as_still       ? still::eye_of(View::iso)
+                     : stages.front().eye ? *stages.front().eye
+                                          : eye_for(first, stages.front());
     still::Framer framer(eye, size.width, size.height);
     for (const Stage& one : stages) framer.measure(one.model);
     for (const Stage& one : stages) framer.aim(one.model);
@@ -315,7 +446,7 @@ std::vector<PictureMark> Illustrator::marks_of(const Scene& scene, const Stage& 
     std::vector<PictureMark> marks;
     for (const auto& [places, text] : stage.marks) {
         const auto open = std::find_if(places.begin(), places.end(), [&](Vec3 p) {
-            return !is_hidden(assembly, stage.frames, stage.fades, p, camera.eye());
+            return !is_hidden({assembly, stage.frames, stage.fades}, p, camera.eye());
         });
         const still::Seen seen = camera.see(open == places.end() ? places.front() : *open);
         PictureMark mark{text, seen.x / size.width, seen.y / size.height};

@@ -27,6 +27,14 @@ struct Scene {
     bool back_up = false;   // what lies there is turned over
     bool as_still = false;  // as stills show it, its back a wall where they do
     std::string alt;        // for those who cannot see it
+    // Plates that are to be joined, with letters: all else is pale, and what hides them is drawn as lines.
+    // Corners have dots, and lines to the middle of them all.
+    struct Marked {
+        int plate = 0;
+        std::string text;
+        std::optional<Vec2> corner = {};  // of the plate, on its page
+    };
+    std::vector<Marked> marked = {};
 };
 
 // A number in a picture, at a share of its width and height.
@@ -49,6 +57,8 @@ class Illustrator {
 
  private:
     struct Stage;
+    static void look_at_marked(const Scene& scene, const Assembly& assembly, Stage& stage);
+    static void add_marked(const Scene& scene, const Assembly& assembly, Stage& stage);
     std::optional<Stage> stage(const Scene& scene, Diagnostics& diagnostics);
     [[nodiscard]] still::Framing framing_of(std::span<const Scene> scenes, std::span<const Stage> stages,
                                             PictureSize size) const;
