@@ -92,6 +92,9 @@ struct FoldOptions {
     double refine_mm = 0.2;    // by it, or a thousandth of the sheet, may corners be moved to close loops
     bool flat = false;         // fold_sheet() gives the sheet as fold_flat() finds it to lie, standing still
     double closure_mm = 1e-7;  // loops of a folded sheet are closed to this; > 0
+    // The caliper of the board, > 0: fold_sheet() folds the sheet that allow_for_board() gives, if it gives
+    // one. Not of sheets that lie flat.
+    std::optional<double> board_mm = {};
 };
 
 // Lowers a crease pattern to an assembly: a piece of each part that folds hold together, a plate of each of
@@ -114,5 +117,25 @@ struct FoldOptions {
 // ranges of the motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics);
+
+struct BoardedSheet {
+    CreasePattern pattern;
+    bool moved = false;  // then it says all angles of its folds, and names of FoldOptions must not; else it
+                         // is as it was
+};
+
+// The sheet of a carton with its creases moved for board of that caliper, folded whole by the options. Where
+// panels lie on each other in the closed shape, their middles are a caliper apart: the one that goes inside
+// is moved in, by moving its crease, and all that is beyond it, into the panel that it hangs on. A tuck flap
+// goes in by a caliper and a half. Inside goes what is so already, else the smaller of two. Cuts that go on
+// from the ends of a crease move with it. Creases of loops stay where they are.
+//
+// Told: the warning `crease-moved` for each, with where it was and is; `no-room-for-board` of panels that lie
+// too near after that; the remark `carton-size` for each piece: its blank, its area, its outer size and what
+// it holds closed, which is the hull of its panels less half a caliper on all sides. nullopt: the pattern is
+// no sheet that folds rigidly, and nothing is told. Cost: near linear in panels, times those that lie near
+// one another, a few times over.
+std::optional<BoardedSheet> allow_for_board(const CreasePattern& pattern, const FoldOptions& options,
+                                            double board_mm, Diagnostics& diagnostics);
 
 }  // namespace popup

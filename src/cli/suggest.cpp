@@ -134,6 +134,17 @@ struct Inputs {
     bool usable = true;
 };
 
+// The sheet with its allowances: all that follows is of it.
+void allow_for_board(FoldOptions& fold, Inputs& in) {
+    if (!fold.board_mm) return;
+    auto allowed = allow_for_board(in.pattern, fold, *fold.board_mm, in.of_drawing);
+    fold.board_mm.reset();
+    if (!allowed || !allowed->moved) return;
+    in.pattern = std::move(allowed->pattern);
+    fold.fold_angles.clear();
+    fold.snap_mm = 0.02;  // it is mended
+}
+
 // False: it cannot be worked with.
 bool read_inputs(const Options& options, Inputs& in) {
     const SuggestVerbOptions& verb = options.suggest;
@@ -355,7 +366,9 @@ int run_suggest(const Options& given) {
     Compilation run;
     std::string text;
     std::vector<PendingFile> files;
-    const bool done = read_inputs(options, in) && work(options, plan, in, run, text, files);
+    const bool usable = read_inputs(options, in);
+    if (usable) allow_for_board(options.compile.fold, in);
+    const bool done = usable && work(options, plan, in, run, text, files);
     bool written = true;
     for (const PendingFile& file : files) {
         if (file.path != verb.refinement) read.spare(file.path, "a further sheet");

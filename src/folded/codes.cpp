@@ -10,6 +10,15 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "A refinement file says which corners and panels of a sheet are joined. It is JSON: an object with a "
      "list called joins, each of which is a merge of corners, or a paste or a coplanar of two panels. The "
      "message says what is none of these. popupc suggest --accept writes such files."},
+    {"board-left-out", Severity::remark, "a sheet whose creases were not moved for the board",
+     "The option --board looks for panels that lie on each other in the closed carton, nearer than the board "
+     "is thick. That is known of sheets that fold as they are drawn. Loops of this one do not close, so "
+     "nothing was moved. Mend what popupc check says of its loops first."},
+    {"carton-size", Severity::remark, "how large a carton is, flat and closed",
+     "With --board popupc says of each piece how large its blank is, the board that it takes without its "
+     "waste, the size of the closed carton outside, and what it holds. Sizes go along the longest edge of "
+     "the panel that stands still, across it, and upright on it. What it holds is the hull of its panels, "
+     "less half a caliper on all sides: of a carton with ears or handles that stand out it is too much."},
     {"corners-refined", Severity::remark, "corners of a crease pattern that were moved a little",
      "Around a corner or a hole the folds must fit together exactly, or the sheet cannot be folded at all; "
      "and a "
@@ -17,6 +26,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "moves "
      "corners so that they do, by 0.2 mm at most. The message says how many moved, and how far the furthest. "
      "What is cut is the sheet with the corners moved."},
+    {"crease-moved", Severity::warning, "a crease that lacked room for the board",
+     "Board has a thickness. Where two panels lie on each other in the closed carton, the one that goes "
+     "inside must stand a caliper further in, a tuck flap a caliper and a half, or the carton bulges or does "
+     "not close. So its crease was moved into the panel that it hangs on, by what the message says, and all "
+     "that is beyond it came along. Files that are written are of the sheet with its creases moved; the "
+     "drawing stays as it is. Move the crease there, or build without --board."},
     {"dangling-fold", Severity::warning, "a fold that ends in the middle of a panel",
      "A fold divides the sheet: on either side of it there is another panel. This one, or a stretch of it, "
      "has "
@@ -128,6 +143,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "closed, as one line or as several whose ends meet; ends that miss by up to half a millimetre are "
      "joined. "
      "Look for a border that is drawn with a wide gap, or in a colour that means something else."},
+    {"no-room-for-board", Severity::warning, "panels that lie nearer to each other than the board is thick",
+     "In the closed carton the two panels of the message lie on each other, and their middles are nearer "
+     "than "
+     "a caliper. No crease can be moved that would part them: it is part of a loop, something else hangs in "
+     "the way, or the panel does not hang on one that goes that way. Change the drawing there, or give a "
+     "thinner --board."},
     {"no-such-panel", Severity::error, "a join of something that is not there",
      "A join names panels by the names that findings give them, and corners by where they are drawn. This "
      "one names a panel or a corner that the sheet does not have, or one panel twice. Drawings change: "

@@ -24,6 +24,7 @@ using folded::Paths;
 using folded::SharePoint;
 using folded::Sheet;
 
+constexpr double kMendedMm = 0.02;
 constexpr double kPi = std::numbers::pi;
 constexpr double kFlatDeg = 180.0;   // the opening at which the sheet is flat
 constexpr double kFoldedRad = 1e-6;  // so near to 0 or half a turn a panel lies flat
@@ -280,6 +281,22 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
         std::optional<FlatFolding> flat = fold_flat(pattern, options, diagnostics);
         if (!flat) return std::nullopt;
         return std::move(flat->assembly);
+    }
+    if (options.board_mm) {
+        FoldOptions rest = options;
+        rest.board_mm.reset();
+        const auto allowed = allow_for_board(pattern, options, *options.board_mm, diagnostics);
+        if (!allowed) {
+            diagnostics.remark("board-left-out", {},
+                               "allowances for the board are looked for where a sheet folds as it is drawn, "
+                               "and this one does not");
+            return fold_sheet(pattern, rest, diagnostics);
+        }
+        if (allowed->moved) {
+            rest.fold_angles.clear();
+            rest.snap_mm = kMendedMm;  // what lies beside a crease that was moved is not to snap to it
+        }
+        return fold_sheet(allowed->pattern, rest, diagnostics);
     }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;

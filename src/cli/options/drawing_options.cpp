@@ -69,6 +69,10 @@ void add_drawing_options(CLI::App& verb, Options& options) {
     verb.add_flag("--flat", fold.flat,
                   "fold sheets flat, and look for an order of layers; nothing moves then")
         ->group(group);
+    value(verb, "--board", "LENGTH",
+          "how thick the board of a carton is: moves creases that lack room for it", group,
+          [&fold](std::string_view text) { fold.board_mm = length_option("--board", text, 0.01).mm; })
+        ->excludes("--flat");
     value(verb, "--merge", "LENGTH",
           "corners of sheets this near are one (default: 0.002mm, more on large ones)", group,
           [&fold](std::string_view text) { fold.merge_mm = length_option("--merge", text, 1e-6).mm; });
