@@ -135,14 +135,14 @@ class BoardRoom {
             if (base < 0) continue;
             const std::string whose =
                 shape_.sheet.cuts.size() == 1 ? std::string() : fmt::format("sheet-{}: ", piece + 1);
-            std::string text = fmt::format("{}the blank is {:.1f} × {:.1f} mm, with {:.1f} cm² of board",
+            std::string text = fmt::format("{}the blank is {:.2f} × {:.2f} mm, with {:.1f} cm² of board",
                                            whose, blank.width(), blank.height(), paper / 100.0);
             const folded::HullSize hull = folded::hull_size(points);
             const double inside = hull.volume - 0.5 * board_ * hull.surface;
             if (inside > 0.0) {
                 const Vec3 size = extent(points, state.frame(base), base);
                 text +=
-                    fmt::format("; closed it is {:.1f} × {:.1f} × {:.1f} mm outside, and holds {:.1f} cm³",
+                    fmt::format("; closed it is {:.2f} × {:.2f} × {:.2f} mm outside, and holds {:.1f} cm³",
                                 size.x + board_, size.y + board_, size.z + board_, inside / 1000.0);
             }
             diagnostics.remark("carton-size", {}, std::move(text));
