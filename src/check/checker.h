@@ -43,6 +43,8 @@ struct Checker {
     std::vector<Made> made;
     // Structures that are cut from their page, by hash_of_points().
     std::unordered_multimap<std::size_t, std::size_t> same_points;
+    // Exchanges of points that may still be tried: thousands of elements may need one.
+    std::size_t trials_left = 20'000;
     // For folds_of_card(): filled as structures are reached.
     CardFolds* names = nullptr;
     std::vector<std::optional<std::size_t>> which_of;  // of each structure, the fold of its owner's row

@@ -203,8 +203,11 @@ bool Checker::points_are_exchanged(const Structure& structure, const Placing& pl
                                    const FoldMatch* match) {
     const ElementInfo& info = *placing.element.info;
     const auto exchanges =
-        exchanges_that_help(info, authored.structures[current],
-                            [&](const Structure& trial) { return needs_no_repair(trial, placing, match); });
+        exchanges_that_help(info, authored.structures[current], [&](const Structure& trial) {
+            if (trials_left == 0) return false;
+            --trials_left;
+            return needs_no_repair(trial, placing, match);
+        });
     if (exchanges.empty()) return false;
     diagnostics
         .error(
