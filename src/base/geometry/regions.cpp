@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/geometry/edge_index.h"
-#include "base/geometry/simple_rings.h"
 #include "base/geometry/tolerances.h"
 #include "popup/diagnostics.h"
 
@@ -184,9 +183,9 @@ std::vector<Polygon> to_polygons(Paths paths) {
 
 // What rings enclose by the even-odd rule where no two edges meet: the same as the clipper makes of them.
 std::optional<Paths> enclosed_by_simple(const Paths& paths) {
-    std::vector<GridRing> rings;
+    std::vector<CornerRing> rings;
     for (const Path& path : paths) {
-        GridRing ring;
+        CornerRing ring;
         ring.reserve(path.size());
         for (const IntPoint& p : path) ring.push_back({p.X, p.Y});
         ring = without_straight_corners(ring);
@@ -198,7 +197,7 @@ std::optional<Paths> enclosed_by_simple(const Paths& paths) {
     for (std::size_t i = 0; i < rings.size(); ++i) {
         Path& path = made.emplace_back();
         path.reserve(rings[i].size());
-        for (const GridPoint& p : rings[i]) path.emplace_back(p.x, p.y);
+        for (const RingCorner& p : rings[i]) path.emplace_back(p.x, p.y);
         if (ClipperLib::Orientation(path) == (*holes)[i]) std::reverse(path.begin(), path.end());
     }
     return made;

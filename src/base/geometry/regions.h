@@ -8,6 +8,8 @@
 // lines meet few edges; filled() by the even-odd rule is n log n for all whose edges do not meet.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,23 @@ std::vector<Polygon> intersect(const std::vector<Polygon>& a, const std::vector<
 // What is inside of rings that are painted together, by their directions or by how many are around a point.
 enum class FillRule { non_zero, even_odd };
 std::vector<Polygon> filled(const std::vector<Ring>& rings, FillRule rule);
+
+// A corner on an integer grid, within ±2^60.
+struct RingCorner {
+    std::int64_t x = 0, y = 0;
+    bool operator==(const RingCorner&) const = default;
+};
+using CornerRing = std::vector<RingCorner>;
+
+// The ring without doubled corners and corners in the middle of a straight edge; empty when none has an area.
+// Spikes stay.
+CornerRing without_straight_corners(const CornerRing& ring);
+
+// Whether each ring lies within an odd number of others: it is a hole where they are painted together by the
+// even-odd rule. nullopt: two edges have a point in common other than the corner between neighbours. Exact.
+// Precondition: rings from without_straight_corners(). Cost: n log n in corners. The algorithm is the sweep
+// of M. I. Shamos and D. Hoey, "Geometric intersection problems" (1976).
+std::optional<std::vector<bool>> holes_of_simple_rings(const std::vector<CornerRing>& rings);
 
 enum class Corners {
     sharp,    // mitred; corners sharper than about 29° are cut off square at the distance of the offset

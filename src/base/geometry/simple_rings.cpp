@@ -1,40 +1,47 @@
-#include "base/geometry/simple_rings.h"
-
+// Rings that neither cross nor touch each other or themselves: what they enclose is known without clipping. A
+// clipper looks at every edge that is level with each corner; a sweep looks at the two beside it. So a
+// drawing of many corners, almost always simple, costs n log n however many of its edges lie above each
+// other.
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
+#include <vector>
+
+#include "base/geometry/regions.h"
 
 namespace popup {
 namespace {
 
 __extension__ using Wide = __int128;
 
-bool before(const GridPoint& a, const GridPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+bool before(const RingCorner& a, const RingCorner& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 // On which side of a→b c lies: 1 on the left, -1 on the right, 0 on the line.
-int side(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+int side(const RingCorner& a, const RingCorner& b, const RingCorner& c) {
     const Wide turn = static_cast<Wide>(b.x - a.x) * (c.y - a.y) - static_cast<Wide>(b.y - a.y) * (c.x - a.x);
     return turn > 0 ? 1 : turn < 0 ? -1 : 0;
 }
 
 struct Edge {
-    GridPoint left, right;  // the first end in the order of the sweep, and the last
+    RingCorner left, right;  // the first end in the order of the sweep, and the last
     bool filled_above = false;
 };
 
 class Sweep {
  public:
-    explicit Sweep(const std::vector<GridRing>& rings) : rings_(rings), status_(Below{this}) {}
+    explicit Sweep(const std::vector<CornerRing>& rings) : rings_(rings), status_(Below{this}) {}
 
     std::optional<std::vector<bool>> run() {
         std::vector<Corner> corners;
         for (std::size_t r = 0; r < rings_.size(); ++r) {
-            const GridRing& ring = rings_[r];
+            const CornerRing& ring = rings_[r];
             const std::size_t first = edges_.size();
             for (std::size_t i = 0; i < ring.size(); ++i) {
-                const GridPoint& to = ring[i + 1 == ring.size() ? 0 : i + 1];
+                const RingCorner& to = ring[i + 1 == ring.size() ? 0 : i + 1];
                 const bool forward = before(ring[i], to);
                 edges_.push_back({forward ? ring[i] : to, forward ? to : ring[i], false});
                 corners.push_back({ring[i], r, i == 0 ? first + ring.size() - 1 : first + i - 1, first + i});
@@ -67,7 +74,7 @@ class Sweep {
 
  private:
     struct Corner {
-        GridPoint at;
+        RingCorner at;
         std::size_t ring, in, out;  // the edges that lead to it and from it
     };
     // The order of edges from below where the sweep is.
@@ -141,7 +148,7 @@ class Sweep {
         if (behind != status_.begin() && behind != status_.end()) meet(std::prev(behind), behind);
     }
 
-    const std::vector<GridRing>& rings_;
+    const std::vector<CornerRing>& rings_;
     std::vector<Edge> edges_;
     Status status_;
     std::vector<Place> places_;
@@ -150,13 +157,13 @@ class Sweep {
 
 }  // namespace
 
-GridRing without_straight_corners(const GridRing& ring) {
-    GridRing made;
-    const auto straight = [](const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+CornerRing without_straight_corners(const CornerRing& ring) {
+    CornerRing made;
+    const auto straight = [](const RingCorner& a, const RingCorner& b, const RingCorner& c) {
         if (side(a, b, c) != 0) return false;
         return static_cast<Wide>(b.x - a.x) * (c.x - b.x) + static_cast<Wide>(b.y - a.y) * (c.y - b.y) >= 0;
     };
-    for (const GridPoint& p : ring) {
+    for (const RingCorner& p : ring) {
         if (!made.empty() && made.back() == p) continue;
         while (made.size() >= 2 && straight(made[made.size() - 2], made.back(), p)) made.pop_back();
         made.push_back(p);
@@ -170,7 +177,7 @@ GridRing without_straight_corners(const GridRing& ring) {
     return made;
 }
 
-std::optional<std::vector<bool>> holes_of_simple_rings(const std::vector<GridRing>& rings) {
+std::optional<std::vector<bool>> holes_of_simple_rings(const std::vector<CornerRing>& rings) {
     return Sweep(rings).run();
 }
 

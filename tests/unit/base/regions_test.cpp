@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/geometry/edge_index.h"
-#include "base/geometry/simple_rings.h"
 
 namespace popup {
 namespace {
@@ -311,14 +310,14 @@ TEST(Regions, FilledMakesOfSimpleRingsWhatTheClipperDoes) {
 
 // Rings that touch in a corner, along an edge, or cross, are left to the clipper.
 TEST(SimpleRings, AreTheOnesOfWhichNoTwoEdgesMeet) {
-    const GridRing square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-    const auto holes = [](const std::vector<GridRing>& rings) { return holes_of_simple_rings(rings); };
+    const CornerRing square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const auto holes = [](const std::vector<CornerRing>& rings) { return holes_of_simple_rings(rings); };
     EXPECT_EQ(holes({square}), std::vector<bool>({false}));
     EXPECT_EQ(holes({{{2, 2}, {4, 2}, {4, 4}}, square, {{11, 0}, {12, 0}, {12, 20}}}),
               std::vector<bool>({true, false, false}));
     EXPECT_EQ(holes({{{3, 3}, {5, 3}, {4, 4}}, {{2, 2}, {7, 2}, {4, 7}}, square}),
               std::vector<bool>({false, true, false}));
-    const std::vector<std::pair<const char*, GridRing>> meeting{
+    const std::vector<std::pair<const char*, CornerRing>> meeting{
         {"corner in corner", {{10, 10}, {20, 10}, {20, 20}}},
         {"corner on edge", {{10, 5}, {20, 0}, {20, 10}}},
         {"corner on edge, from within", {{0, 5}, {5, 2}, {5, 7}}},
@@ -333,7 +332,7 @@ TEST(SimpleRings, AreTheOnesOfWhichNoTwoEdgesMeet) {
     EXPECT_EQ(holes({{{0, 0}, {10, 0}, {5, 0}, {5, 5}}}), std::nullopt);                     // a spike
     EXPECT_EQ(holes({{{0, 0}, {5, 9}, {10, 0}, {10, 20}, {5, 9}, {0, 20}}}), std::nullopt);  // a waist
     EXPECT_EQ(without_straight_corners({{5, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}),
-              GridRing({{10, 0}, {10, 10}, {0, 10}, {0, 0}}));
+              CornerRing({{10, 0}, {10, 10}, {0, 10}, {0, 0}}));
     EXPECT_TRUE(without_straight_corners({{0, 0}, {5, 0}, {10, 0}}).size() < 3);
 }
 
