@@ -94,6 +94,7 @@ class ApartSheet {
             const auto panel = static_cast<int>(i);
             const auto ring_of = [&](const std::vector<int>& ring) {
                 std::vector<int> made;
+                made.reserve(ring.size());
                 for (const int corner : ring) made.push_back(now({panel, corner}));
                 for (std::size_t k = 0; k < ring.size(); ++k) {
                     const std::size_t next = (k + 1) % ring.size();

@@ -148,7 +148,11 @@ TEST(Hull, OfABoxHasItsVolumeAndSurface) {
         if (i % 4 == 2) p.z = 10;
         points.push_back(p);
     }
-    for (int i = 0; i < 8; ++i) points.push_back({i % 2 * 30.0, i / 2 % 2 * 20.0, i / 4 * 10.0});
+    for (const double x : {0.0, 30.0}) {
+        for (const double y : {0.0, 20.0}) {
+            for (const double z : {0.0, 10.0}) points.push_back({x, y, z});
+        }
+    }
     const folded::HullSize size = folded::hull_size(points);
     EXPECT_NEAR(size.volume, 6000.0, 1e-3);
     EXPECT_NEAR(size.surface, 2200.0, 1e-3);
