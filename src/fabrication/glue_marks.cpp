@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "popup/diagnostics.h"
 
@@ -50,27 +51,63 @@ std::vector<std::vector<Vec2>> dashes_along(const Ring& ring) {
     return dashes;
 }
 
+// A corner of the outline moved inwards; where it is sharp no further than the tick is long.
+Vec2 moved_in(const Ring& ring, std::size_t i) {
+    const std::size_t n = ring.size();
+    const Vec2 in = unit(ring[(i + n - 1) % n], ring[i]);
+    const Vec2 out = unit(ring[i], ring[(i + 1) % n]);
+    const double meet = std::max(1.0 + dot(in, out), 0.3);
+    return ring[i] + (kTickInsideMm / meet) * (Vec2{-in.y, in.x} + Vec2{-out.y, out.x});
+}
+
+double turn_at(const Ring& ring, std::size_t i) {
+    const std::size_t n = ring.size();
+    const Vec2 in = unit(ring[(i + n - 1) % n], ring[i]);
+    const Vec2 out = unit(ring[i], ring[(i + 1) % n]);
+    return std::atan2(cross(in, out), dot(in, out));
+}
+
+// From a corner along the outline, chord by chord where that is a curve: a tick's length, or a third of the
+// way to the next corner. `step`: 1 or n - 1.
+std::vector<Vec2> arm(const Ring& ring, const std::vector<bool>& corner, std::size_t i, std::size_t step) {
+    const std::size_t n = ring.size();
+    double whole = 0.0;
+    for (std::size_t k = i; whole < 3.0 * kCornerTickMm;) {
+        const std::size_t next = (k + step) % n;
+        whole += distance(ring[k], ring[next]);
+        k = next;
+        if (corner[k]) break;
+    }
+    double left = std::min(kCornerTickMm, whole / 3.0);
+    std::vector<Vec2> points;
+    Vec2 at = moved_in(ring, i);
+    for (std::size_t k = i; left > 0.0;) {
+        const std::size_t next = (k + step) % n;
+        const double size = distance(ring[k], ring[next]);
+        at = size > left ? at + left * unit(ring[k], ring[next]) : moved_in(ring, next);
+        points.push_back(at);
+        left -= size;
+        k = next;
+    }
+    return points;
+}
+
 }  // namespace
 
 std::vector<std::vector<Vec2>> target_ticks(const Ring& outline) {
     const Ring ring = cleaned(outline);
     const std::size_t n = ring.size();
     if (n < 3) return {};
+    std::vector<bool> corner(n);
+    for (std::size_t i = 0; i < n; ++i) corner[i] = std::abs(turn_at(ring, i)) >= kCornerRad;
     std::vector<std::vector<Vec2>> ticks;
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 p = ring[i];
-        const Vec2 before = ring[(i + n - 1) % n];
-        const Vec2 after = ring[(i + 1) % n];
-        const Vec2 in = unit(before, p);
-        const Vec2 out = unit(p, after);
-        const double turned = std::atan2(cross(in, out), dot(in, out));
-        if (std::abs(turned) < kCornerRad) continue;
-        // The corner of the outline moved inwards; where it is sharp no further than the tick is long.
-        const double meet = std::max(1.0 + dot(in, out), 0.3);
-        const Vec2 inner = p + (kTickInsideMm / meet) * (Vec2{-in.y, in.x} + Vec2{-out.y, out.x});
-        const double back = std::min(kCornerTickMm, distance(before, p) / 3.0);
-        const double on = std::min(kCornerTickMm, distance(p, after) / 3.0);
-        ticks.push_back({inner - back * in, inner, inner + on * out});
+        if (!corner[i]) continue;
+        std::vector<Vec2> tick = arm(ring, corner, i, n - 1);
+        std::reverse(tick.begin(), tick.end());
+        tick.push_back(moved_in(ring, i));
+        for (const Vec2 p : arm(ring, corner, i, 1)) tick.push_back(p);
+        ticks.push_back(std::move(tick));
     }
     return ticks.size() < 3 ? dashes_along(ring) : ticks;
 }
