@@ -73,6 +73,7 @@ class Halos {
         shape.piece = piece;
         shape.plate = plate;
         shape.filled = true;
+        shape.halo = true;
         shape.color = kBarePaper;
         for (const std::array<Vec2, 4>& corners : boxes) {
             drawing_.runs.push_back({drawing_.points.size(), corners.size(), true});

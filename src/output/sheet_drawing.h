@@ -51,6 +51,7 @@ struct SheetShape {
     int depth = 0;          // of a cut: in how many contours of the sheet it lies
     bool outline = false;   // the cut round a piece, or a part of it
     bool filled = false;    // an area in its colour, or with its picture, without a line
+    bool halo = false;      // an area below what could not be seen otherwise (output/halos.h)
     int image = -1;         // of an area: index into SheetDrawing::images, -1: it has a colour
     Color color;            // of the line, or of the area
     double width_mm = 0.0;  // of the line

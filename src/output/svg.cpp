@@ -296,11 +296,18 @@ void SvgText::end_piece(int piece) {
 
 // What follows each other and is of one piece stands in a group of it.
 void SvgText::shapes(std::span<const SheetShape> shapes) {
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        if (i == 0 || shapes[i].piece != shapes[i - 1].piece) begin_piece(shapes[i].piece);
-        shape(shapes[i]);
-        if (i + 1 == shapes.size() || shapes[i].piece != shapes[i + 1].piece) end_piece(shapes[i].piece);
+    const SheetShape* last = nullptr;
+    for (const SheetShape& one : shapes) {
+        // Who reads the file again would take it for an area of the design.
+        if (one.halo) continue;
+        if (last == nullptr || one.piece != last->piece) {
+            if (last != nullptr) end_piece(last->piece);
+            begin_piece(one.piece);
+        }
+        shape(one);
+        last = &one;
     }
+    if (last != nullptr) end_piece(last->piece);
 }
 
 void SvgText::texts(std::span<const SheetText> texts) {

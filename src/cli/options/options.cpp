@@ -189,7 +189,7 @@ void add_sheet_options(CLI::App& verb, Options& options) {
               given = true;
           });
     value(verb, "--paper-family", "FAMILY",
-          "papers of --sheet auto: auto (default: by the document's unit), iso, us or any", "Sheet",
+          "papers of --sheet auto: auto (default, by the unit), iso, us or any", "Sheet",
           [&layout](std::string_view text) {
               layout.papers = choose<PaperFamily>("--paper-family", text,
                                                   {{"auto", PaperFamily::automatic},
