@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "popup/geometry.h"
@@ -65,6 +67,14 @@ class Halos {
         });
     }
 
+    // The colour of a text that can be read there: its own if it may be, else black or white; nullopt: none.
+    [[nodiscard]] std::optional<Color> seen_on(Color own, std::span<const Vec2> points) const {
+        for (const Color color : {own, kDarkText, kBarePaper}) {
+            if (!hides(color, kTextContrast, points)) return color;
+        }
+        return std::nullopt;
+    }
+
     void paint(std::span<const std::array<Vec2, 4>> boxes, int piece, int plate) {
         if (boxes.empty()) return;
         SheetShape shape;
@@ -83,15 +93,19 @@ class Halos {
         drawing_.shapes.push_back(shape);
     }
 
-    // Of a label that is drawn as the outlines of its letters.
-    void behind_letters(const SheetShape& label) {
+    // The same of a label that is drawn as the outlines of its letters.
+    void show_letters(std::size_t number) {
+        const SheetShape label = drawing_.shapes[number];
         Box box;
         for (const Run& run : drawing_.runs_of(label)) {
             for (const Vec2 p : drawing_.points_of(run)) box.extend(p);
         }
-        if (box.empty() ||
-            !hides(label.color, kTextContrast, std::array{box.min, box.max, 0.5 * (box.min + box.max)}))
+        if (box.empty()) return;
+        const std::array seen{box.min, box.max, 0.5 * (box.min + box.max)};
+        if (const auto fit = seen_on(label.color, seen)) {
+            drawing_.shapes[number].color = *fit;
             return;
+        }
         const double out = kAroundTextCaps * std::min(box.width(), box.height());
         const std::array<std::array<Vec2, 4>, 1> boxes{
             std::array{box.min + Vec2{-out, -out}, Vec2{box.max.x + out, box.min.y - out},
@@ -137,17 +151,18 @@ double contrast(Color a, Color b) {
     return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
 
-void put_halos(SheetDrawing& drawing, std::size_t first_shape, std::size_t first_text) {
+void put_halos(SheetDrawing& drawing, std::size_t first_shape, std::size_t first_text, bool folds_printed) {
     Halos halos(drawing, first_shape);
     if (!halos.any()) return;
     const std::size_t shapes = drawing.shapes.size();
     for (std::size_t i = first_shape; i < shapes; ++i) {
         const SheetShape shape = drawing.shapes[i];
         if (shape.operation == Operation::label && shape.filled) {
-            halos.behind_letters(shape);
+            halos.show_letters(i);
             continue;
         }
         if (!is_line(shape.operation) || shape.filled) continue;
+        if (shape.operation != Operation::glue && !folds_printed) continue;
         const double half = 0.5 * shape.width_mm + kAroundLineMm;
         std::vector<std::array<Vec2, 4>> boxes;
         for (const Run& run : drawing.runs_of(shape)) {
@@ -174,10 +189,7 @@ void put_halos(SheetDrawing& drawing, std::size_t first_shape, std::size_t first
         const Vec2 from = text.at - reach * along;
         const Vec2 to = text.at + reach * along;
         const std::array seen{from, text.at, to};
-        const std::array colors{text.color, kDarkText, kBarePaper};
-        const auto* fit = std::find_if(colors.begin(), colors.end(),
-                                       [&](Color color) { return !halos.hides(color, kTextContrast, seen); });
-        if (fit != colors.end()) {
+        if (const auto fit = halos.seen_on(text.color, seen)) {
             text.color = *fit;
             continue;
         }

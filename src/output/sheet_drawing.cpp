@@ -88,8 +88,7 @@ class Drawer {
             if (is_shown(operation, options_, view_)) draw(piece, operation);
         }
         // What a machine follows is not printed.
-        if (!drawing_.profile.machine_order || view_.part == SheetView::Part::print)
-            put_halos(drawing_, first_shape, first_text);
+        put_halos(drawing_, first_shape, first_text, !drawing_.profile.machine_order);
     }
 
     void legend(std::span<const Placement> placements) {

@@ -130,7 +130,9 @@ void SvgText::paint(const SheetShape& shape) {
     if (shape.filled) {
         if (shape.operation == Operation::registration || shape.operation == Operation::draw)
             raw("stroke=\"none\" ");
-        if (shape.operation == Operation::label) return;  // in the layer's colour
+        const bool as_layer =
+            shape.operation == Operation::label && shape.color == profile_.pen(Operation::label).color;
+        if (as_layer) return;
         raw("fill=\"");
         color(shape.color);
         raw("\" ");

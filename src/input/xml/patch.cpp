@@ -40,7 +40,7 @@ class Patch {
                 remove(line.tag_text);
                 continue;
             }
-            page_number(line.page_text, line.page);
+            page_number(line.page_text, line.page, line.page_changed);
             for (const DesignPoint& point : line.points) point_edits(point, line.page);
         }
         for (const DrawnPrint& print : design_.prints) print_edits(print);
@@ -125,17 +125,17 @@ class Patch {
         if (structure.plate) return plate_edits(*structure.plate);
         if (structure.finds_ground) return;
         const ParentFold& fold = structure.fold;
-        page(fold.page_text, fold.page_changed ? fold.tag_text : TextRange{}, fold.page);
+        page(fold.page_text, fold.tag_text, fold.page, fold.page_changed);
         for (const DesignPoint* end : {&fold.begin, &fold.end}) {
             // Where an end of the fold names the page as well, the two must go on agreeing.
-            page_number(end->page_text, fold.page);
+            page_number(end->page_text, fold.page, fold.page_changed);
             if (end->changed) coordinates(*end);
         }
     }
 
     void print_edits(const DrawnPrint& print) {
         if (print.dropped) return remove(print.tag_text);
-        page_number(print.page_text, print.page);
+        page_number(print.page_text, print.page, print.page_changed);
         if (print.at.changed) {
             coordinates(print.at);
             number(print.rotate_text, print.rotate_deg);
@@ -146,7 +146,7 @@ class Patch {
 
     void plate_edits(const ParentPlate& plate) {
         if (plate.at.changed) coordinates(plate.at);
-        page(plate.page_text, plate.page_changed ? plate.tag_text : TextRange{}, plate.page);
+        page(plate.page_text, plate.tag_text, plate.page, plate.page_changed);
     }
 
     void argument_edits(const Structure& structure) {
@@ -154,7 +154,7 @@ class Patch {
         POPUP_INVARIANT(info != nullptr && structure.arguments.size() <= info->parameters.size());
         for (std::size_t i = 0; i < structure.arguments.size(); ++i) {
             const Argument& argument = structure.arguments[i];
-            if (argument.page) page_number(argument.page_text, *argument.page);
+            if (argument.page) page_number(argument.page_text, *argument.page, argument.changed);
             if (!argument.changed) continue;
             if (!argument.given()) {
                 take_out(argument);
@@ -212,11 +212,9 @@ class Patch {
     }
 
     void point_edits(const DesignPoint& point, int default_page) {
-        page_number(point.page_text, point.page.value_or(default_page));
-        if (!point.changed) return;
-        coordinates(point);
-        if (point.page)
-            page(TextRange{}, point.page_text.present() ? TextRange{} : point.tag_text, *point.page);
+        const bool has_page = point.page || point.page_text.present();
+        if (has_page) page(point.page_text, point.tag_text, point.page.value_or(default_page), point.changed);
+        if (point.changed) coordinates(point);
     }
 
     void coordinates(const DesignPoint& point) {
@@ -235,20 +233,22 @@ class Patch {
 
     // A page that is written as the id of its element goes on being so, whatever that is called now; one that
     // is written as a number, too.
-    void page_number(TextRange at, int value) {
+    void page_number(TextRange at, int value, bool changed) {
         if (!at.present()) return;
         const std::string_view old = text_.substr(at.offset, at.length);
-        if ((old.front() >= '0' && old.front() <= '9') || value == 0) {
-            if (value != 0 || old != kBasePage) number(at, value);
+        if (!is_id(old)) {
+            if (changed) number(at, value);
+        } else if (value == 0) {
+            if (old != kBasePage) number(at, value);
         } else if (std::string name = pages_.of(value); name != old) {
             replace(at, std::move(name));
         }
     }
 
-    // A page that was not written becomes the last attribute of the start tag.
-    void page(TextRange at, TextRange start_tag, int value) {
-        if (at.present()) return page_number(at, value);
-        attribute(start_tag, "page", pages_.of(value));
+    // A page that was not written becomes the last attribute of the start tag, if it is not what it was.
+    void page(TextRange at, TextRange start_tag, int value, bool changed) {
+        if (at.present()) return page_number(at, value, changed);
+        if (changed) attribute(start_tag, "page", pages_.of(value));
     }
 
     void attribute(TextRange start_tag, std::string_view name, const std::string& value) {

@@ -104,7 +104,8 @@ std::optional<int> Values::page(const Field* field, TextRange* range) {
     const std::optional<Text> text = value_of(*field, reporter_);
     if (!text) return std::nullopt;
     const std::string_view digits = trimmed(text->decoded);
-    if (is_id(digits)) {
+    // Older documents have no such names, and no other messages than before.
+    if (is_id(digits) && (newer_ || is_page(digits))) {
         const auto named = named_page(*text, digits);
         if (named && range) *range = tight(*text);
         return named;
@@ -123,15 +124,19 @@ std::optional<int> Values::page(const Field* field, TextRange* range) {
     return page;
 }
 
+bool Values::is_page(std::string_view name) const {
+    return name == kBasePage || (pages_ != nullptr && pages_->contains(std::string(name)));
+}
+
 std::optional<int> Values::named_page(const Text& text, std::string_view name) {
     if (!newer_) {
         reporter_.warning("newer-element", text.place, "pages are numbers in version 2.0, and have no names")
             .hint("write version=\"3.0\"");
     }
     if (name == kBasePage) return 0;
-    const auto found = pages_ == nullptr ? Pages::const_iterator() : pages_->find(std::string(name));
-    if (pages_ != nullptr && found != pages_->end() && found->second > 0) return found->second;
-    if (pages_ != nullptr && found != pages_->end()) {
+    const auto found = pages_->find(std::string(name));
+    if (found != pages_->end() && found->second > 0) return found->second;
+    if (found != pages_->end()) {
         reporter_
             .error("bad-page", text.place,
                    fmt::format("\"{}\" is no page: it is cut from the page that it stands on", name))

@@ -75,6 +75,7 @@ class Values {
     DesignPoint point(Node node, Name context);
     std::optional<DesignPoint> point_of(const Text& text, std::string_view what);
 
+    [[nodiscard]] bool is_page(std::string_view name) const;
     std::optional<int> named_page(const Text& text, std::string_view name);
 
     std::string_view source_;

@@ -1,4 +1,6 @@
 // Whatever the paint, numbers, names, folds and places for glue can be told from it.
+#include "output/halos.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <cstdint>
 #include <variant>
 
-#include "output/halos.h"
 #include "support/profiles.h"
 #include "support/random.h"
 #include "support/sheet_example.h"

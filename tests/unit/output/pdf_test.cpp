@@ -266,7 +266,7 @@ TEST(Pdf, DrawsEveryLineInItsLengthColourAndPlace) {
     expect("0 0 1", 3, 30 + 2 * 75, true);
     expect("0 0 0", 2, 2 * 40, true);
     expect("0 0.6 0.2", 1, std::hypot(20, 20) + std::hypot(20, 25), false);
-    EXPECT_EQ(drawn.fills, 2U + 2 * 2);
+    EXPECT_EQ(drawn.fills, 2U + 2 * 2 + 1);  // and white under a fold on brown
     EXPECT_EQ(drawn.texts, (std::set<std::string>{"page", "1R", "house"}));
     // The extreme lines are the page's edges and the foot of the first house.
     EXPECT_NEAR(drawn.low.x, 20.25, 0.002);
