@@ -10,6 +10,7 @@
 #include "check/checker.h"
 #include "check/exchange.h"
 #include "check/named_place.h"
+#include "mechanism/site_lines.h"
 
 namespace popup {
 namespace {
@@ -175,11 +176,11 @@ bool Checker::needs_no_repair(const Structure& trial, const Placing& of, const F
     const PaperQuery query = query_of(element);
     element.paper = &query;
     bool good = true;
-    element.failed = [&](std::string_view, std::string, std::string) { good = false; };
-    element.repaired = [&](std::string_view code, std::string, std::string) {
+    element.failed = [&](std::string_view, const std::string&, const std::string&) { good = false; };
+    element.repaired = [&](std::string_view code, const std::string&, const std::string&) {
         good = good && (code == "fold-snapped" || code == "moved-with-fold");
     };
-    element.remarked = [](std::string_view, std::string, std::string) {};
+    element.remarked = [](std::string_view, const std::string&, const std::string&) {};
     Diagnostics unheard(diagnostics.file());
     if (structure.plate) {
         const auto plate = plate_of(structure, placing);

@@ -82,8 +82,8 @@ class Maker {
     void add_figures(Book& book) const {
         const Suggestions& found = of_.found;
         book.needs = {{"Suggestions", std::to_string(found.rows.size())},
-                      {"Looked within", fmt::format("{:.1f} mm", found.near_mm)},
-                      {"Meets already", counted(found.met.size(), "place", "places")}};
+                      {"Within", fmt::format("{:.1f} mm", found.near_mm)},
+                      {"Met already", counted(found.met.size(), "place", "places")}};
         if (found.left_out > 0) book.needs.emplace_back("Left out", std::to_string(found.left_out));
         if (!found.rows.empty()) {
             book.needs.emplace_back(
