@@ -119,6 +119,7 @@ TEST(Regions, AHoleBelongsToTheSmallestRingAroundIt) {
 TEST(Regions, ResultsDoNotDependOnTheOrderOfTheInput) {
     std::mt19937 random(11);
     std::vector<Polygon> parts;
+    parts.reserve(12);
     for (int i = 0; i < 12; ++i) parts.push_back(random_star(random));
     const auto forwards = unite(parts);
     std::reverse(parts.begin(), parts.end());
@@ -166,6 +167,7 @@ TEST(Regions, ClippedLinesLieInTheAreaAndTheRestDoesNot) {
         if (areas.empty()) continue;
         const Polygon& area = areas[0];
         std::vector<Vec2> line;
+        line.reserve(6);
         for (int i = 0; i < 6; ++i) {
             line.push_back(
                 {static_cast<double>(random() % 1000) / 10.0, static_cast<double>(random() % 1000) / 10.0});

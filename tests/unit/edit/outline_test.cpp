@@ -160,7 +160,7 @@ TEST(DrawnOutline, KeepsTheProportionsOfTheDrawing) {
     EXPECT_NEAR(house.width, walls * 96 / 80, 1e-4);
     EXPECT_NEAR(house.height, 4.533632 + walls * 85 / 80, 1e-4);
     EXPECT_NEAR(area(house.area),
-                walls * 4.533632 / 2 + (walls / 80) * (walls / 80) * (80 * 50 + 96 * 35 / 2 - 2 * 14 * 14),
+                walls * 4.533632 / 2 + (walls / 80) * (walls / 80) * (80 * 50 + 96 * 35 / 2.0 - 2 * 14 * 14),
                 0.01);
     EXPECT_NEAR(silhouette(outlined(kCard, "bird", svg(kHouse), "width").text, "bird").width, 2 * 25.711504,
                 1e-4);
@@ -266,7 +266,7 @@ TEST(DrawnOutline, TakesALineOnceThatIsDrawnTwice) {
     const std::string other_way = "M140,150 h8 L100,115 L52,150 h8 v50 h80 z";
     const Done once = outlined(kCard, "bird", svg(house));
     for (const std::string& again : {house, other_way}) {
-        const Done twice = outlined(kCard, "bird", svg(house + " " + again));
+        const Done twice = outlined(kCard, "bird", svg(fmt::format("{} {}", house, again)));
         EXPECT_EQ(twice.text, once.text);
         EXPECT_EQ(twice.said.substr(0, 68),
                   "remark drawing-twice: the drawing in drawing.svg has a line twice, 8");
