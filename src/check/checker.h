@@ -43,6 +43,8 @@ struct Checker {
     std::vector<Made> made;
     // Structures that are cut from their page, by hash_of_points().
     std::unordered_multimap<std::size_t, std::size_t> same_points;
+    // Pages that may still be looked at for a fold that is not where it should be.
+    std::size_t page_looks_left = 20'000;
     // Exchanges of points that may still be tried: thousands of elements may need one.
     std::size_t trials_left = 20'000;
     // For folds_of_card(): filled as structures are reached.
@@ -79,7 +81,7 @@ struct Checker {
     void tell(const Structure& structure, const Placing& placing, std::vector<Told> findings, bool failed);
     std::string neighbours(const Placing& placing, std::vector<Related>& related) const;
     std::string page_word(int page) const;
-    std::vector<int> pages_with_its_fold(const Structure& structure, const Placing& placing) const;
+    std::vector<int> pages_with_its_fold(const Structure& structure, const Placing& placing);
     const Structure* original_of(const Structure& structure) const;
     bool points_are_exchanged(const Structure& structure, const Placing& placing, const FoldMatch* match);
     bool needs_no_repair(const Structure& trial, const Placing& of, const FoldMatch* match);

@@ -70,7 +70,7 @@ constexpr std::array kCheckCodes = std::to_array<CodeInfo>({
      "The plates on both sides of this seam lie in one plane, facing the same way, when the card is "
      "closed. Nothing that stands across such a seam can fold flat. Seams of v-folds and tents on valley "
      "folds do open and close."},
-    {"points-exchanged", Severity::error, "points were given in each other's places",
+    {"points-exchanged", Severity::error, "points are exchanged",
      "The element cannot be made of its points in the order given, and could be made without moving any if "
      "two, or twice two, of them changed places. The hint names the fewest that do. The manual page popup(5) "
      "gives the order of the points for each type."},

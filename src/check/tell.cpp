@@ -15,6 +15,7 @@
 namespace popup {
 namespace {
 
+constexpr std::size_t kNamedPages = 3;       // of more, none is likely
 constexpr std::size_t kNamedNeighbours = 3;  // more in the way are not named
 
 bool same_place(const Structure& a, const Structure& b) {
@@ -100,8 +101,8 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
                 .error(
                     "fold-not-found", structure.fold.place,
                     fmt::format("the fold that \"{}\" stood on is gone: on page {} there is none within {} "
-                                "of the line from {} to {}; most likely an element made it that stood on "
-                                "the {}, {} beside it, and was {} long",
+                                "of the line from {} to {}; most likely an element on the {} "
+                                "made it, {} from there and {} long",
                                 structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
                                 placing.text(placing.begin), placing.text(placing.end), on,
                                 mm(near->distance), mm(distance(placing.begin, placing.end))))
@@ -121,11 +122,10 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
                     structure.id, structure.fold.page, mm(options.tolerances.snap_mm),
                     placing.text(placing.begin), placing.text(placing.end), nearest));
     for (const int page : elsewhere) {
-        made.hint(
-            fmt::format("page {0} has such a fold: perhaps page=\"{0}\" is meant; each glued element that is "
-                        "put in shifts "
-                        "the numbers of later pages",
-                        page_word(page)));
+        made.hint(fmt::format(
+            "page {0} has such a fold; if that is meant, write page=\"{0}\" (a glued element that is "
+            "added before changes the numbers of pages)",
+            page_word(page)));
     }
     made.hint("give two points of a fold or seam that an earlier structure, or the page, makes")
         .about(structure.id);
@@ -211,11 +211,10 @@ bool Checker::points_are_exchanged(const Structure& structure, const Placing& pl
         });
     if (exchanges.empty()) return false;
     diagnostics
-        .error(
-            "points-exchanged", structure.place,
-            fmt::format("\"{}\": points of this {} stand in each other's places, so that it cannot be made",
-                        structure.id, info.family))
-        .hint(fmt::format("exchange {}: then nothing has to be moved", to_text(exchanges, info)))
+        .error("points-exchanged", structure.place,
+               fmt::format("\"{}\": points of this {} are exchanged, so it cannot be made", structure.id,
+                           info.family))
+        .hint(fmt::format("exchange {}; then no point has to move", to_text(exchanges, info)))
         .about(structure.id);
     return true;
 }
@@ -272,13 +271,15 @@ std::string Checker::page_word(int page) const {
     return fmt::format("{}", page);
 }
 
-// Other pages that have the very fold that it names, on which it would keep its form.
-std::vector<int> Checker::pages_with_its_fold(const Structure& structure, const Placing& placing) const {
+// Other pages that have exactly this fold, on which it would keep its form; none where there are many.
+std::vector<int> Checker::pages_with_its_fold(const Structure& structure, const Placing& placing) {
     std::vector<int> found;
     if (structure.plate || structure.finds_ground || structure.named().given()) return found;
     const ElementInfo& info = *placing.element.info;
     for (int page = 0; page < pages - (info.glued ? 1 : 0); ++page) {
         if (page == structure.fold.page) continue;
+        if (page_looks_left == 0) return {};
+        --page_looks_left;
         for (const FoldMatch& match : index.matches(page, placing.begin, placing.end, placing.place_on_line(),
                                                     options.tolerances.rounding_mm)) {
             if (match.ghost) continue;
@@ -286,6 +287,7 @@ std::vector<int> Checker::pages_with_its_fold(const Structure& structure, const 
             if (!info.glued && has_inverse(info) && mountain != info.inverted) continue;
             Placing there = placing;
             if (look(there, match, options.tolerances.rounding_mm) != Foothold::stands) continue;
+            if (found.size() == kNamedPages) return {};
             found.push_back(page);
             break;
         }
@@ -318,8 +320,7 @@ void Checker::tell(const Structure& structure, const Placing& placing, std::vect
         diagnostics
             .add(failed ? Severity::error : Severity::warning, "copy-on-original", structure.place,
                  fmt::format(
-                     "\"{}\" has the same points as \"{}\", so it stands on that in place of the paper "
-                     "that is gone",
+                     "\"{0}\" has the same points as \"{1}\", so it stands on \"{1}\" and not on the page",
                      structure.id, original->id))
             .hint("move it along the fold, or delete it")
             .about(structure.id)
@@ -337,10 +338,8 @@ void Checker::tell(const Structure& structure, const Placing& placing, std::vect
                                            fmt::format("\"{}\": {}", structure.id, told.what));
         if (told.code == "wrong-form" || told.code == "fold-snapped") {
             for (const int page : pages_with_its_fold(structure, placing)) {
-                made.hint(
-                    fmt::format("page {0} has the very fold: perhaps its parent fold is meant to be there, "
-                                "page=\"{0}\"",
-                                page_word(page)));
+                made.hint(fmt::format("page {0} has exactly this fold; if that is meant, write page=\"{0}\"",
+                                      page_word(page)));
             }
         }
         made.hint(told.hint).about(structure.id);
