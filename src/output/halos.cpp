@@ -17,7 +17,7 @@ constexpr Color kDarkText{0, 0, 0};
 constexpr double kTextContrast = 4.5;  // at least, as the guidelines have it
 constexpr double kLineContrast = 3.0;
 constexpr double kAroundLineMm = 0.25;
-constexpr double kAroundTextCaps = 0.25;   // in heights of capitals
+constexpr double kAroundTextCaps = 0.25;    // in heights of capitals
 constexpr double kWidestLetterCaps = 0.85;  // of the letters of labels, on average at most
 
 double channel(int value) {
