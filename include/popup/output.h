@@ -64,7 +64,9 @@ struct OutputOptions {
         0.0;  // scene: > 0 adds keys so that there are at least this many a second; of animations 0 is 15
     double duration_s = 4.0;                    // scene: length of the animation, > 0
     Profile profile = profile_table().front();  // how lines of sheets are drawn
-    bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there
+    bool backs = false;  // sheets have printed backs: colours on both sides, glue targets and labels there;
+                         // where they have none, models and pictures show bare paper from behind
+    bool edge_lines = true;  // of .glb and .gltf: lines along the edges of plates
     ScoreSide score_side = ScoreSide::front;
     bool print_and_cut = false;  // what is printed and what is cut are files of their own
     double reference_mm = 0.0;   // > 0: a bar of this length on each sheet, to measure
@@ -147,6 +149,7 @@ struct OptionUses {
     bool dpi = false, fold_dialect = false;  // the options of these names
     bool speeds = false;                     // those of the profile
     bool legend = false;                     // OutputOptions::legend
+    bool edge_lines = false;                 // OutputOptions::edge_lines
 };
 
 struct Format {

@@ -61,6 +61,12 @@ void add_output_options(CLI::App& verb, Options& options) {
         ->group("Output");
     add_animation_options(verb, options);
     add_still_options(verb, options.compile.output.still);
+    value(verb, "--edge-lines", "WHETHER",
+          "on (default) or off: lines along cut edges and folds in .glb and .gltf", "Output",
+          [&options](std::string_view text) {
+              options.compile.output.edge_lines =
+                  choose<bool>("--edge-lines", text, {{"on", true}, {"off", false}});
+          });
     value(
         verb, "--fold-dialect", "DIALECT", "letters in .fold: simulator (default) or strict, all of FOLD 1.2",
         "Output", [&options](std::string_view text) {

@@ -17,12 +17,14 @@ namespace popup {
 // `open` runs from closed to open in options.duration_s, the angle growing evenly; its extras.angles_deg
 // lists the opening angle of every key. Keys are chosen so that between them, too, no fold opens by more
 // than 0.05 mm (see keys.h). Several cards stand side by side along +X, 20 mm apart at their widest. Drawn
-// lines are parts of a plate's mesh, 0.02 mm before its front. Plates that cross others are of one
+// lines are parts of a plate's mesh, 0.02 mm before its front. Paper with a fill is bare and white from
+// behind, unless options.backs; under options.edge_lines cut edges and folds are lines of the materials
+// `edge` and `fold`. Plates that cross others are of one
 // material, `collision`, whatever their paper, and their extras.collisions lists {with, from_deg, to_deg,
 // depth_mm}.
 //
 // Plates that stand still are a node a piece, below the one of their source's name: as triangles, white where
-// they have no fill and visible from both sides, and the traces they were drawn with as lines, black
+// they have no fill, and the traces they were drawn with as lines, black
 // ("trail"), all in space where they stand, with (x, y, z) as above. Nodes of pieces have their name in
 // extras.part. Where nothing moves there is no animation.
 //

@@ -5,6 +5,19 @@
 #include "base/text/numbers.h"
 
 namespace popup {
+namespace {
+
+constexpr double kMetre = 1000.0;
+constexpr int kLengthDecimals = 6;
+
+}  // namespace
+
+float metres(double mm) { return static_cast<float>(rounded(mm, kLengthDecimals) / kMetre); }
+
+std::vector<double> metres(Vec3 mm) {
+    return {rounded(mm.x, kLengthDecimals) / kMetre, rounded(mm.y, kLengthDecimals) / kMetre,
+            rounded(mm.z, kLengthDecimals) / kMetre};
+}
 
 double linear(std::uint8_t channel) {
     const double s = channel / 255.0;

@@ -9,11 +9,17 @@
 #include <string_view>
 #include <vector>
 
+#include "popup/assembly.h"
+
 namespace popup {
 
 // A colour channel of sRGB as light, 0 to 1; six decimals, because pow() differs between processors in the
 // last bit.
 double linear(std::uint8_t channel);
+
+// Lengths are rounded to 1e-6 mm, so that the bytes do not depend on the processor.
+float metres(double mm);
+std::vector<double> metres(Vec3 mm);
 
 // glTF text is UTF-8, and names hold file names: bytes that are none become U+FFFD.
 std::string valid_utf8(std::string_view text);

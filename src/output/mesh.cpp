@@ -18,6 +18,7 @@
 namespace popup {
 namespace {
 
+constexpr Color kBarePaper{};               // white
 constexpr std::size_t kMostCrossings = 50;  // a line, on average
 
 using Region = std::vector<Polygon>;
@@ -225,10 +226,11 @@ std::optional<MeshPart> written_part(const Text& text, const Plate& plate) {
 
 }  // namespace
 
-std::vector<MeshPart> plate_mesh(const Plate& plate, std::span<const Print> of_piece) {
+std::vector<MeshPart> plate_mesh(const Plate& plate, bool printed_backs, std::span<const Print> of_piece) {
     std::vector<MeshPart> parts;
     MeshPart paper;
     if (plate.fill) paper.color = *plate.fill;
+    if (!printed_backs && !(paper.color == kBarePaper)) paper.back = kBarePaper;
     append(plate.outline, plate.pivot, paper);
     if (!paper.indices.empty()) parts.push_back(std::move(paper));
 

@@ -64,19 +64,19 @@ std::vector<Vec3> layer_lifts(const Assembly& assembly) {
 }
 
 std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const std::vector<Vec3>& lifts,
-                                       const Piece& piece) {
+                                       const Piece& piece, bool printed_backs) {
     std::vector<SpaceMesh> meshes;
     for (const int number : piece.plates) {
         const Plate& plate = assembly.plates.at(static_cast<std::size_t>(number));
         if (!plate.stands) continue;
-        for (const MeshPart& part : plate_mesh(plate, piece.prints)) {
+        for (const MeshPart& part : plate_mesh(plate, printed_backs, piece.prints)) {
             auto mesh = std::find_if(meshes.begin(), meshes.end(), [&part](const SpaceMesh& one) {
-                return one.color == part.color && one.drawn == part.drawn && one.lift_mm == part.lift_mm &&
-                       one.image == part.image;
+                return one.color == part.color && one.back == part.back && one.drawn == part.drawn &&
+                       one.lift_mm == part.lift_mm && one.image == part.image;
             });
             if (mesh == meshes.end()) {
-                mesh =
-                    meshes.insert(mesh, {part.color, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
+                mesh = meshes.insert(
+                    mesh, {part.color, part.back, part.image, part.drawn, part.lift_mm, {}, {}, {}, {}});
             }
             const auto first = static_cast<std::uint32_t>(mesh->points.size());
             Vec3 lift = lifts[static_cast<std::size_t>(number)];
@@ -93,21 +93,6 @@ std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const std::vect
         }
     }
     return meshes;
-}
-
-SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines, Color color) {
-    SpaceMesh mesh;
-    mesh.color = color;
-    for (const std::vector<Vec3>& line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            if (i > 0) {
-                const auto end = static_cast<std::uint32_t>(mesh.points.size());
-                mesh.indices.insert(mesh.indices.end(), {end - 1, end});
-            }
-            mesh.points.push_back(line[i]);
-        }
-    }
-    return mesh;
 }
 
 }  // namespace popup

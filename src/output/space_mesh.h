@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "popup/assembly.h"
@@ -11,14 +12,15 @@ namespace popup {
 // How far apart models show plates that lie on one another: a sheet of paper.
 inline constexpr double kLayerMm = 0.1;
 
-// Triangles or lines of one material, as points of space.
+// Triangles of one material, as points of space.
 struct SpaceMesh {
     Color color;
+    std::optional<Color> back;  // as of MeshPart
     const Image* image = nullptr;
     bool drawn = false;
     double lift_mm = 0.0;
     std::vector<Vec3> points;   // mm
-    std::vector<Vec3> normals;  // of lines none
+    std::vector<Vec3> normals;  // of the points
     std::vector<Vec2> pixels;   // of a picture, at the points
     std::vector<std::uint32_t> indices;
 };
@@ -31,11 +33,8 @@ std::vector<Vec2> pixels_at(const Image& image, const std::vector<Vec2>& points,
 // one of them counts as the lowest. Cost: linear in plates and layers.
 std::vector<Vec3> layer_lifts(const Assembly& assembly);
 
-// What of a piece stands, one mesh a material. `lifts` by plate.
+// What of a piece stands, one mesh a material. `lifts` by plate; `printed_backs` as of plate_mesh().
 std::vector<SpaceMesh> standing_meshes(const Assembly& assembly, const std::vector<Vec3>& lifts,
-                                       const Piece& piece);
-
-// Lines as pairs of points.
-SpaceMesh mesh_of(const std::vector<std::vector<Vec3>>& lines, Color color);
+                                       const Piece& piece, bool printed_backs);
 
 }  // namespace popup

@@ -14,7 +14,7 @@ constexpr std::pair<std::string_view, bool OptionUses::*> kRegarded[] = {
     {"size", &OptionUses::size},     {"fps", &OptionUses::rate},
     {"duration", &OptionUses::rate}, {"dpi", &OptionUses::dpi},
     {"speed", &OptionUses::speeds},  {"fold-dialect", &OptionUses::fold_dialect},
-    {"legend", &OptionUses::legend},
+    {"legend", &OptionUses::legend}, {"edge-lines", &OptionUses::edge_lines},
 };
 
 // ".webp or .gif"

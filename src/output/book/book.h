@@ -71,7 +71,8 @@ struct Book {
     std::vector<std::string> first;                          // before anything is cut
     std::vector<SheetPart> sheets;
     std::vector<CardPart> cards;
-    bool letter = false;  // pages of letter paper, else A4
+    bool letter = false;         // pages of letter paper, else A4
+    bool printed_backs = false;  // as of plate_mesh()
 };
 
 // The book of a run. Precondition: every card moves, is folded, or is glued. Cost: that of gluing_order(),

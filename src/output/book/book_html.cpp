@@ -249,7 +249,7 @@ class Page {
 
 std::optional<std::string> book::html_of(const Book& book, std::span<const SceneCard> cards,
                                          Diagnostics& diagnostics) {
-    Pictures pictures(cards, diagnostics);
+    Pictures pictures(cards, book.printed_backs, diagnostics);
     Page made(book, pictures);
     if (!made.write()) return std::nullopt;
     const std::string style = "\n" + std::string(page_file(book_files(), "book.css"));

@@ -366,7 +366,7 @@ std::optional<std::string> book::pdf_of(const Book& book, std::span<const SceneC
         report_missing_font(plain == nullptr ? POPUP_FONT_FILE : bold_file, diagnostics);
         return std::nullopt;
     }
-    Pictures pictures(cards, diagnostics);
+    Pictures pictures(cards, book.printed_backs, diagnostics);
     const Vec2 size = book.letter ? Vec2{215.9, 279.4} : Vec2{210.0, 297.0};
     bool drawn = false;
     std::string bytes;

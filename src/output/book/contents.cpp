@@ -193,6 +193,7 @@ std::string title_of(std::span<const SceneCard> cards) {
 Book make_book(const RunPage& page, const OutputOptions& options) {
     Book book;
     book.letter = options.letter_pages.value_or(page.inches);
+    book.printed_backs = options.backs;
     book.title = title_of(page.cards);
     book.subtitle = "Assembly book";
     add_needs(page, options, book);

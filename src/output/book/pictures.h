@@ -21,8 +21,8 @@ struct ShownPicture {
 
 class Pictures {
  public:
-    Pictures(std::span<const SceneCard> cards, Diagnostics& diagnostics)
-        : illustrator_(cards), diagnostics_(diagnostics) {}
+    Pictures(std::span<const SceneCard> cards, bool printed_backs, Diagnostics& diagnostics)
+        : illustrator_(cards, printed_backs), diagnostics_(diagnostics) {}
     // The scenes of one step. nullopt: `locks` or `picture-failed` was told.
     std::optional<std::vector<ShownPicture>> draw(std::span<const Scene> scenes, PictureSize size);
 

@@ -224,8 +224,8 @@ struct Illustrator::Stage {
     std::optional<Vec3> eye;  // of marked plates
 };
 
-Illustrator::Illustrator(std::span<const SceneCard> cards) : cards_(cards) {
-    for (const SceneCard& card : cards) modellers_.emplace_back(std::span(&card, 1));
+Illustrator::Illustrator(std::span<const SceneCard> cards, bool printed_backs) : cards_(cards) {
+    for (const SceneCard& card : cards) modellers_.emplace_back(std::span(&card, 1), printed_backs);
 }
 
 // Washes out what is not marked, looks from where most of the marked is seen, and takes away what hides it.

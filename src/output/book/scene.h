@@ -49,7 +49,7 @@ struct Picture {
 
 class Illustrator {
  public:
-    explicit Illustrator(std::span<const SceneCard> cards);
+    Illustrator(std::span<const SceneCard> cards, bool printed_backs);
     // The scenes of one step, from one place, all in one size; where pieces are lifted, near enough to see
     // them well. nullopt: `locks` was told.
     std::optional<std::vector<Picture>> draw(std::span<const Scene> scenes, PictureSize size,

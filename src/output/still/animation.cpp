@@ -113,7 +113,7 @@ std::optional<std::vector<SheetFile>> write(const Encoding& encoding, std::span<
     }
     const int count = static_cast<int>(pictures);
     const std::vector<View>& views = options.still.views;
-    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
     std::vector<SheetFile> files;
     for (const View view : views) {
         std::optional<Film> film =

@@ -128,14 +128,15 @@ void add_wall(const Frame& frame, Vec2 a, Vec2 b, double thick, const Light& col
 
 }  // namespace
 
-Modeller::Modeller(std::span<const SceneCard> cards, double paper_mm) : paper_mm_(paper_mm) {
+Modeller::Modeller(std::span<const SceneCard> cards, bool printed_backs, double paper_mm)
+    : paper_mm_(paper_mm) {
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
         Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, false};
         for (const Plate& plate : assembly.plates) {
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
-            plane.parts = plate_mesh(plate, assembly.pieces[index(plate.piece)].prints);
+            plane.parts = plate_mesh(plate, printed_backs, assembly.pieces[index(plate.piece)].prints);
         }
         if (!moves(assembly)) card.lifts = layer_lifts(assembly);
         cards_.push_back(std::move(card));
@@ -227,6 +228,7 @@ void Modeller::add_part(const Plane& plane, std::size_t part, Vec2 pivot, const 
     face.plate = model.plates;
     face.frame = moved(frame, from.lift_mm * frame.normal());
     face.color = light_of(from.color);
+    if (from.back) face.back = light_of(*from.back);
     face.texture = plane.textures[part];
     if (from.image != nullptr) face.place = from.image->place;
     face.paper = !from.drawn;
@@ -249,6 +251,8 @@ void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& 
         const Frame frame = moved(staging.frames[i], shift + (moving ? 1.0 : layer_mm / kLayerMm) * lifts[i]);
         const Vec3 out = 0.5 * paper_mm_ * frame.normal();
         const Light paint = washed_out(light_of(plate.fill.value_or(Color{})), fade);
+        const Light core =
+            washed_out(light_of(plane.parts.front().back.value_or(plane.parts.front().color)), fade);
         const auto add_edges = [&](const Frame& on) {
             each_side(plate.outline, [&](Vec2 a, Vec2 b) {
                 model.edges.push_back({model.plates, on.point(a), on.point(b), ink_on(paint)});
@@ -265,7 +269,7 @@ void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& 
             if (!plane.parts[k].drawn) add_part(plane, k, plate.pivot, moved(frame, -out), model);
         }
         add_edges(moved(frame, -out));
-        each_side(plate.outline, [&](Vec2 a, Vec2 b) { add_wall(frame, a, b, paper_mm_, paint, model); });
+        each_side(plate.outline, [&](Vec2 a, Vec2 b) { add_wall(frame, a, b, paper_mm_, core, model); });
         ++model.plates;
     }
     if (!staging.fades.empty()) return;

@@ -35,6 +35,7 @@ struct Face {
     int plate = 0;  // of the model: what lies on one plate has one number
     Frame frame;    // of the plate's page
     Light color{};
+    std::optional<Light> back;         // of paper that has another colour behind
     const Texture* texture = nullptr;  // in place of the colour
     Affine place;                      // of the texture on the page
     bool paper = true;                 // seen from both sides, and throws a shadow; else only from the front
@@ -59,8 +60,8 @@ struct Model {
 // once, when the first model is made.
 class Modeller {
  public:
-    // Paper is shown `paper_mm` thick; 0: as thin as a line.
-    explicit Modeller(std::span<const SceneCard> cards, double paper_mm = 0.0);
+    // Paper is shown `paper_mm` thick; 0: as thin as a line. `printed_backs` as of plate_mesh().
+    Modeller(std::span<const SceneCard> cards, bool printed_backs, double paper_mm = 0.0);
     // The opening at which the cards are seen best: where models rest, and further open for cards that lie.
     [[nodiscard]] double best_deg() const { return best_deg_; }
     // Of each card, whether it is seen best with one page for a back wall, and is shown so.

@@ -146,11 +146,12 @@ class Picture {
     [[nodiscard]] Look look_of(const Face& face, Vec3 sky) const {
         Look look;
         const Vec3 front = face.frame.normal();
-        const Vec3 normal = dot(front, camera_.eye() - face.frame.origin) > 0.0 ? front : -front;
+        const bool is_front = dot(front, camera_.eye() - face.frame.origin) > 0.0;
+        const Vec3 normal = is_front ? front : -front;
         look.surface = sun_.surface(normal, Sun::Softness::paper);
         look.shade = 0.46 + 0.13 * dot(normal, sky);
         look.sun = 0.53 * look.surface.slope;
-        look.color = faded(face, face.color);
+        look.color = faded(face, is_front || !face.back ? face.color : *face.back);
         look.lit = tones_.of(scaled(look.color, look.shade + look.sun));
         look.dark = tones_.of(scaled(look.color, look.shade));
         return look;

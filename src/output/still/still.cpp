@@ -37,7 +37,7 @@ std::optional<std::vector<SheetFile>> write_view_png(std::span<const SceneCard> 
             .hint("choose a smaller --size");
         return std::nullopt;
     }
-    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
     if (asked.openings_deg.empty()) asked.openings_deg = {modeller.best_deg()};
     std::vector<SheetFile> files;
     for (const double opening : asked.openings_deg) {

@@ -38,21 +38,25 @@ const kPrograms = {
   paper: [`${kHead}${kFrames}
     in vec3 at;
     in vec3 color;
+    in vec3 back;
     in float body;
     out vec3 world;
     out vec3 paint;
+    out vec3 behind;
     flat out vec2 state;
     void main() {
       world = placed(body, at);
       paint = color;
+      behind = back;
       state = texel(body, 3).xy;
       gl_Position = camera * vec4(world, 1.0);
     }`, `${kHead}${kLight}
     in vec3 world;
     in vec3 paint;
+    in vec3 behind;
     flat in vec2 state;
     out vec4 result;
-    void main() { result = vec4(lit(marked(paint, state), world), 1.0); }`],
+    void main() { result = vec4(lit(marked(gl_FrontFacing ? paint : behind, state), world), 1.0); }`],
   picture: [`${kHead}${kFrames}
     in vec3 at;
     in vec2 place;
@@ -182,7 +186,7 @@ function drawBatch(gl, batch) {
 
 // All meshes that are wanted, as lists of numbers.
 function gather(scene, wanted) {
-  const lists = { at: [[], 3], color: [[], 3], place: [[], 2], body: [[], 1] };
+  const lists = { at: [[], 3], color: [[], 3], back: [[], 3], place: [[], 2], body: [[], 1] };
   const indices = [];
   scene.bodies.forEach((body, number) => {
     for (const mesh of body.meshes) {
@@ -191,6 +195,7 @@ function gather(scene, wanted) {
       for (let i = 0; i < mesh.at.length; i += 3) {
         lists.at[0].push(mesh.at[i], mesh.at[i + 1], mesh.at[i + 2]);
         lists.color[0].push(...mesh.color.map((value) => value / 255));
+        lists.back[0].push(...mesh.back.map((value) => value / 255));
         if (mesh.places) lists.place[0].push(mesh.places[(2 * i) / 3], mesh.places[(2 * i) / 3 + 1]);
         lists.body[0].push(number);
       }
@@ -203,18 +208,19 @@ function gather(scene, wanted) {
 
 // The sides of plates that are flat, along all of their edges: 1 before the plate and 1 behind it.
 function gatherWalls(scene) {
-  const lists = { at: [[], 3], color: [[], 3], body: [[], 1] };
+  const lists = { at: [[], 3], color: [[], 3], back: [[], 3], body: [[], 1] };
   const indices = [];
   scene.bodies.forEach((body, number) => {
     const paper = body.meshes.find((mesh) => !mesh.drawn);
     if (!body.flat || !paper) return;
-    const color = paper.color.map((value) => value / 255);
+    const color = paper.back.map((value) => value / 255);
     for (const list of [body.edges.cut, body.edges.fold]) {
       for (let i = 0; i + 5 < list.length; i += 6) {
         const first = lists.body[0].length;
         for (const [end, side] of [[0, -1], [3, -1], [3, 1], [0, 1]]) {
           lists.at[0].push(list[i + end], list[i + end + 1], side);
           lists.color[0].push(...color);
+          lists.back[0].push(...color);
           lists.body[0].push(number);
         }
         for (const index of [0, 1, 2, 0, 2, 3]) indices.push(first + index);

@@ -44,7 +44,7 @@ std::string error_html(const LiveError& one) {
 
 LivePage live_page() {
     // Where a card opens and closes the page has its slider from the beginning.
-    nlohmann::ordered_json scene = viewer_scene({}, {}, still::Modeller({}), {});
+    nlohmann::ordered_json scene = viewer_scene({}, {}, still::Modeller({}, false), {});
     scene["opening"] = {{"from_deg", 0}, {"to_deg", 180}, {"rest_deg", 90}, {"seconds", 4}};
     const std::string style = viewer_style(std::array<std::string_view, 2>{"viewer.css", "live.css"});
     std::vector<std::string_view> names(kViewerScripts.begin(), kViewerScripts.end());
@@ -73,7 +73,7 @@ std::optional<std::string> live_model(std::span<const SceneCard> cards, const Ou
                                       Diagnostics& diagnostics) {
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    const still::Modeller modeller(cards);
+    const still::Modeller modeller(cards, options.backs);
     const nlohmann::ordered_json model{{"title", viewer_title(cards)},
                                        {"scene", viewer_scene(cards, *keys, modeller, options)}};
     return viewer_scene_text(model, diagnostics);

@@ -72,6 +72,7 @@ function readBody(row, flat, lists) {
       places,
       picture: mesh.picture,
       color: rgb(mesh.color || '#ffffff'),
+      back: rgb(mesh.back || mesh.color || '#ffffff'),
       drawn: Boolean(mesh.drawn || mesh.lift),
       triangles: numbers(list(mesh.triangles), 1),
     };

@@ -18,6 +18,7 @@
 #include "output/examination_json.h"
 #include "output/gltf_values.h"
 #include "output/mesh.h"
+#include "output/plate_edges.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
 #include "output/still/camera.h"
@@ -36,8 +37,6 @@ constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
 constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
 constexpr double kMostClosedMm = 3.0;   // of all of them
-constexpr double kFoldEdgeMm = 0.05;
-constexpr double kAlongFold = 0.01;  // sine of the angle between an edge and a fold that it lies on
 
 std::int64_t in_steps(double value, double per_unit) {
     // Rounded before, so that the last bit of a number does not decide where it lies in the middle.
@@ -83,32 +82,6 @@ Json lengths(std::initializer_list<double> values) {
     return list;
 }
 
-// The edges of a plate's outline: which of them are folds, and which were cut.
-struct Edges {
-    std::vector<Segment> cuts, folds;
-};
-
-Edges edges_of(const Plate& plate, const std::vector<Segment>& folds) {
-    Edges edges;
-    const auto is_fold = [&folds](const Segment& edge) {
-        const Vec2 along = edge.b - edge.a;
-        return std::any_of(folds.begin(), folds.end(), [&](const Segment& fold) {
-            const Vec2 of_fold = fold.b - fold.a;
-            return distance(lerp(edge.a, edge.b, 0.5), fold) < kFoldEdgeMm &&
-                   std::abs(cross(along, of_fold)) < kAlongFold * length(along) * length(of_fold) + 1e-12;
-        });
-    };
-    const auto take = [&](const Ring& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Segment edge{ring[i], ring[(i + 1) % ring.size()]};
-            (is_fold(edge) ? edges.folds : edges.cuts).push_back(edge);
-        }
-    };
-    take(plate.outline.outer);
-    for (const Ring& hole : plate.outline.holes) take(hole);
-    return edges;
-}
-
 std::string root_name(const SceneCard& card) {
     std::string_view name = card.prefix;
     if (name.ends_with(':')) {
@@ -122,7 +95,8 @@ std::string root_name(const SceneCard& card) {
 
 class SceneText {
  public:
-    explicit SceneText(const still::Modeller& modeller) : modeller_(modeller) {}
+    SceneText(const still::Modeller& modeller, bool printed_backs)
+        : modeller_(modeller), printed_backs_(printed_backs) {}
 
     Json add_card(const SceneCard& card, std::size_t number, const HingeTree& tree, const Track& track,
                   bool stands_up) {
@@ -132,7 +106,7 @@ class SceneText {
             const int ground = card.assembly->covers.back();
             row["ground"] = std::find(tree.order.begin(), tree.order.end(), ground) - tree.order.begin();
         }
-        find_folds(*card.assembly);
+        folds_ = folds_of_plates(*card.assembly);
         if (moves(*card.assembly)) add_moving(card, tree, track, row);
         Json standing = footings_of(card);
         if (!standing.empty()) row["standing"] = std::move(standing);
@@ -143,15 +117,6 @@ class SceneText {
     Json take_lists() { return std::move(lists_); }
 
  private:
-    void find_folds(const Assembly& assembly) {
-        folds_.assign(assembly.plates.size(), {});
-        for (const Hinge& hinge : assembly.hinges) {
-            if (hinge.glued) continue;
-            folds_.at(static_cast<std::size_t>(hinge.a)).push_back(hinge.a_line);
-            folds_.at(static_cast<std::size_t>(hinge.b)).push_back(hinge.b_line);
-        }
-    }
-
     // The number of a picture: the same for all that shows the same file.
     std::size_t picture(const Image& image) {
         const auto [at, is_new] = numbers_.try_emplace(*image.bytes, pictures_.size());
@@ -191,6 +156,7 @@ class SceneText {
 
     Json mesh(const MeshPart& part, Vec2 pivot) {
         Json row = paint(part.image, part.color);
+        if (part.back) row["back"] = to_string(*part.back);
         if (part.lift_mm != 0.0) row["lift"] = rounded(part.lift_mm, kLengthDecimals);
         NumberText points(2);
         for (const Vec2 p : part.points) points.add(p);
@@ -214,6 +180,7 @@ class SceneText {
 
     Json mesh(const SpaceMesh& one) {
         Json row = paint(one.image, one.color);
+        if (one.back) row["back"] = to_string(*one.back);
         if (one.drawn) row["drawn"] = true;
         NumberText points(3);
         for (const Vec3 p : one.points) points.add(p);
@@ -287,12 +254,11 @@ class SceneText {
     }
 
     void add_edges(const Plate& plate, const std::vector<Segment>& folds, Json& row) {
-        const Edges edges = edges_of(plate, folds);
-        const auto put_edges = [&](const char* name, const std::vector<Segment>& list) {
+        const PlateEdges edges = edges_of(plate, folds);
+        const auto put_edges = [&](const char* name, const auto& list) {
             NumberText text(2);
-            for (const Segment& edge : list) {
-                text.add(edge.a - plate.pivot);
-                text.add(edge.b - plate.pivot);
+            for (const auto& ends : list) {
+                for (const std::uint32_t end : ends) text.add(edges.points[end] - plate.pivot);
             }
             put(row, name, text);
         };
@@ -358,12 +324,12 @@ class SceneText {
             const auto i = static_cast<std::size_t>(which);
             const Plate& plate = assembly.plates.at(i);
             if (!plate.stands) continue;
-            const Edges edges = edges_of(plate, folds_[i]);
+            const PlateEdges edges = edges_of(plate, folds_[i]);
             for (const auto& [list, text] :
                  {std::pair{&edges.cuts, &cuts}, std::pair{&edges.folds, &folds}}) {
-                for (const Segment& edge : *list) {
-                    text->add(plate.stands->point(edge.a) + lifts[i]);
-                    text->add(plate.stands->point(edge.b) + lifts[i]);
+                for (const auto& ends : *list) {
+                    for (const std::uint32_t end : ends)
+                        text->add(plate.stands->point(edges.points[end]) + lifts[i]);
                 }
             }
         }
@@ -380,7 +346,8 @@ class SceneText {
         for (std::size_t i = 0; i < assembly.pieces.size(); ++i) {
             const Piece& piece = assembly.pieces[i];
             Json meshes = Json::array();
-            for (const SpaceMesh& one : standing_meshes(assembly, lifts, piece)) meshes.push_back(mesh(one));
+            for (const SpaceMesh& one : standing_meshes(assembly, lifts, piece, printed_backs_))
+                meshes.push_back(mesh(one));
             const bool drawn = trace != assembly.traces.end() && trace->piece == static_cast<int>(i);
             if (meshes.empty() && !drawn) continue;
             Json row{{"name", valid_utf8(card.prefix + piece.name)}};
@@ -398,6 +365,7 @@ class SceneText {
     }
 
     const still::Modeller& modeller_;
+    bool printed_backs_;
     std::size_t number_ = 0;                   // of the card in hand
     std::vector<std::vector<Segment>> folds_;  // of its plates
     std::map<std::string_view, std::size_t> numbers_;
@@ -425,7 +393,7 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const stil
         const Vec3 eye = still::eye_of(static_cast<View>(i));
         scene["views"][std::string(kViewNames.at(i))] = lengths({eye.x, eye.y, eye.z});
     }
-    SceneText text(modeller);
+    SceneText text(modeller, options.backs);
     const std::vector<bool> stands_up = modeller.stands_up();
     Json rows = Json::array();
     for (std::size_t i = 0; i < cards.size(); ++i) {

@@ -25,7 +25,8 @@ class Modeller;
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
 //      above: of what is glued on its parent, 1, 2, … of those on the parent's front, −1, −2, … on its back;
-//      meshes: [{color or picture, lift of what is drawn, points: x y from the pivot, triangles,
+//      meshes: [{color or picture, back: colour of paper that has another behind, lift of what is drawn,
+//      points: x y from the pivot, triangles,
 //        place: [ux, uy, u0, vx, vy, v0], u = ux x + uy y + u0 across the picture and v down it, 0 to 1}],
 //      cuts, folds: x y of both ends of each edge of its outline}],
 //    cover: as said, left out of cards that do not close flat,

@@ -23,7 +23,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
-    still::Modeller modeller(cards, options.still.paper_mm.value_or(0.0));
+    still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
     auto still = viewer_still(cards, modeller, diagnostics);
     if (!still) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);

@@ -241,7 +241,7 @@ TEST(Book, PicturesShowWhatIsThere) {
     EXPECT_EQ(step.scenes[0].lifted.size(), 2U);
     EXPECT_TRUE(step.scenes[1].lifted.empty());
     Diagnostics diagnostics("book");
-    book::Pictures pictures(run.cards, diagnostics);
+    book::Pictures pictures(run.cards, false, diagnostics);
     const auto shown = pictures.draw(step.scenes, book::kStepPicture);
     ASSERT_TRUE(shown);
     EXPECT_NE((*shown)[0].picture.pixels.rgb, (*shown)[1].picture.pixels.rgb);

@@ -19,6 +19,7 @@ namespace popup {
 namespace {
 
 using test::GlbNode;
+using test::GlbPart;
 using test::GlbScene;
 using test::Point3;
 
@@ -194,25 +195,94 @@ TEST(Gltf, PlatesAreWhereTheClosedFormPutsThemAndRestOpenAt90Degrees) {
     compare(test::rest_pose(scene), 90.0);
 }
 
+// The area of paper in mm², all of it seen from the side that the sign says.
+double paper_area(const GlbPart& paper, double sign) {
+    double sum = 0.0;
+    for (const auto& t : paper.triangles) {
+        Ring ring;
+        for (const auto corner : t) {
+            const Point3& p = paper.points.at(corner);
+            EXPECT_EQ(p[2], 0.0);
+            EXPECT_EQ(paper.normals.at(corner), (Point3{0.0, 0.0, sign}));
+            ring.push_back({1000 * p[0], 1000 * p[1]});
+        }
+        EXPECT_GT(sign * signed_area(ring), 0.0);
+        sum += sign * signed_area(ring);
+    }
+    return sum;
+}
+
 TEST(Gltf, MeshesAreThePlatesWithTheirHoles) {
     const Model model = model_of(small_design());
     const GlbScene scene = read(glb_of(model));
     for (const Plate& plate : model.assembly.plates) {
         const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, plate.name))];
         ASSERT_FALSE(node.parts.empty()) << plate.name;
-        double sum = 0.0;
-        for (const auto& t : node.parts[0].triangles) {
-            Ring ring;
-            for (const auto corner : t) {
-                const Point3& p = node.parts[0].points[corner];
-                EXPECT_EQ(p[2], 0.0);
-                ring.push_back({1000 * p[0], 1000 * p[1]});
-            }
-            EXPECT_GT(signed_area(ring), 0.0) << plate.name;
-            sum += signed_area(ring);
+        EXPECT_NEAR(paper_area(node.parts[0], 1.0), area(plate.outline), 1e-3 * area(plate.outline))
+            << plate.name;
+    }
+}
+
+TEST(Gltf, BehindWhatIsPrintedOnItsFrontPaperIsBare) {
+    const Model model = model_of(small_design());
+    OutputOptions both;
+    both.backs = true;
+    const GlbScene scene = read(glb_of(model));
+    const GlbScene printed = read(glb_of(model, both));
+    int coloured = 0;
+    for (const Plate& plate : model.assembly.plates) {
+        const auto number = static_cast<std::size_t>(node_named(scene, plate.name));
+        const std::vector<GlbPart>& parts = scene.nodes[number].parts;
+        EXPECT_TRUE(printed.nodes[number].parts.at(0).double_sided) << plate.name;
+        EXPECT_EQ(printed.nodes[number].parts.at(0).color, parts.at(0).color) << plate.name;
+        EXPECT_EQ(parts.at(0).double_sided, !plate.fill) << plate.name;
+        if (!plate.fill) continue;
+        ++coloured;
+        EXPECT_FALSE(parts.at(1).double_sided) << plate.name;
+        EXPECT_EQ(parts.at(1).color, (Point3{1.0, 1.0, 1.0})) << plate.name;
+        EXPECT_NEAR(paper_area(parts.at(1), -1.0), area(plate.outline), 1e-3 * area(plate.outline))
+            << plate.name;
+    }
+    EXPECT_EQ(coloured, 2);
+}
+
+// How long all lines of a colour are, in mm.
+double lines_mm(const GlbNode& node, double channel) {
+    double sum = 0.0;
+    for (const GlbPart& part : node.parts) {
+        if (part.lines.empty() || std::abs(part.color[0] - channel) > 1e-3) continue;
+        for (const auto& line : part.lines) {
+            const Point3& a = part.points.at(line[0]);
+            const Point3& b = part.points.at(line[1]);
+            sum += 1000.0 * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         }
-        EXPECT_NEAR(sum, area(plate.outline), 1e-3 * area(plate.outline)) << plate.name;
-        EXPECT_TRUE(node.parts[0].double_sided);
+    }
+    return sum;
+}
+
+TEST(Gltf, LinesRunAlongCutEdgesAndFolds) {
+    constexpr double kEdge = 0.029557;  // #303030 and #909090 as light
+    constexpr double kFold = 0.278894;
+    const Model model = model_of(small_design());
+    const GlbScene scene = read(glb_of(model));
+    for (const Plate& plate : model.assembly.plates) {
+        const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, plate.name))];
+        double around = 0.0;
+        const auto add = [&around](const Ring& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                around += distance(ring[i], ring[(i + 1) % ring.size()]);
+        };
+        add(plate.outline.outer);
+        for (const Ring& hole : plate.outline.holes) add(hole);
+        EXPECT_NEAR(lines_mm(node, kEdge) + lines_mm(node, kFold), around, 1e-3) << plate.name;
+    }
+    // Each half of the v-fold turns about its centre fold, from (0, 0) to (0, 80); its foot is glued.
+    EXPECT_NEAR(lines_mm(scene.nodes[static_cast<std::size_t>(node_named(scene, "e1/left"))], kFold), 80.0,
+                1e-3);
+    OutputOptions none;
+    none.edge_lines = false;
+    for (const GlbNode& node : read(glb_of(model, none)).nodes) {
+        for (const GlbPart& part : node.parts) EXPECT_TRUE(part.lines.empty()) << node.name;
     }
 }
 
@@ -315,7 +385,7 @@ TEST(Gltf, TheSameModelGivesTheSameBytes) {
 
 TEST(Gltf, PlatesOfOneColourShareAMaterial) {
     const GlbScene scene = read(glb_of(model_of(small_design())));
-    EXPECT_EQ(scene.materials, 4);  // white, two yellows, blue lines
+    EXPECT_EQ(scene.materials, 7);  // white, two yellows, their white backs, blue lines, edges and folds
     const GlbNode& left = scene.nodes[static_cast<std::size_t>(node_named(scene, "e1/left"))];
     EXPECT_EQ(left.parts.at(0).color, (Point3{1.0, 0.603827, 0.0}));  // #ffcc00 as light
 }
@@ -358,6 +428,7 @@ TEST(Gltf, PlatesThatCrossAreOfAWarningMaterialAndSayWithWhatTheyCross) {
         bool drawn = false;
         for (const Json& part : model["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
             const std::string material = model["materials"][part["material"].get<std::size_t>()]["name"];
+            if (material == "edge" || material == "fold" || material.ends_with(" back")) continue;
             EXPECT_EQ(material == "collision", crosses && paper) << name << " " << material;
             EXPECT_EQ(material.ends_with(" line"), !paper) << name << " " << material;
             drawn = drawn || !paper;
@@ -398,7 +469,9 @@ TEST(Gltf, DrawnLinesLieBeforeTheirPlateAndAsWideAsDrawn) {
     right.prints = {Stroke{{{10, 0}, {30, 0}}, 2.0, {255, 0, 0}},  // crossed by the next
                     Stroke{{{20, -10}, {20, 10}}, 2.0, {0, 0, 255}},
                     Stroke{{{90, 20}, {100, 20}}, 2.0, {0, 255, 0}}};  // ends on the edge: no round end there
-    const GlbScene scene = read(glb_of(model));
+    OutputOptions no_edges;
+    no_edges.edge_lines = false;
+    const GlbScene scene = read(glb_of(model, no_edges));
     const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, "page/right"))];
     ASSERT_EQ(node.parts.size(), 4U);
     std::vector<double> areas;

@@ -130,8 +130,10 @@ TEST(PrintedText, IsOnTheFrontAlone) {
 TEST(PrintedText, IsOnEveryPlateOfAModelThatItLiesOn) {
     const Card card;
     const Color red{0xd1, 0x49, 0x3a};
-    const double left = area_of(plate_mesh(card.assembly.plates[0], card.assembly.pieces[0].prints), red);
-    const double right = area_of(plate_mesh(card.assembly.plates[1], card.assembly.pieces[0].prints), red);
+    const double left =
+        area_of(plate_mesh(card.assembly.plates[0], false, card.assembly.pieces[0].prints), red);
+    const double right =
+        area_of(plate_mesh(card.assembly.plates[1], false, card.assembly.pieces[0].prints), red);
     EXPECT_GT(left, 20.0);
     EXPECT_GT(right, 20.0);
     double letters = 0.0;
@@ -139,10 +141,11 @@ TEST(PrintedText, IsOnEveryPlateOfAModelThatItLiesOn) {
     EXPECT_NEAR(left + right, letters, 1e-2 * letters);
     // Beside the plate there is nothing.
     std::vector<Print> beside{Text{"AHOY", {500.0, 10.0}, 10.0, 0.0, red}};
-    EXPECT_EQ(area_of(plate_mesh(card.assembly.plates[0], beside), red), 0.0);
+    EXPECT_EQ(area_of(plate_mesh(card.assembly.plates[0], false, beside), red), 0.0);
     // Labels are no part of the model.
     std::vector<Print> label{Text{"AHOY", {0.0, 10.0}, 10.0, 0.0}};
-    EXPECT_EQ(plate_mesh(card.assembly.plates[0], label).size(), plate_mesh(card.assembly.plates[0]).size());
+    EXPECT_EQ(plate_mesh(card.assembly.plates[0], false, label).size(),
+              plate_mesh(card.assembly.plates[0], false).size());
 }
 
 TEST(PrintedText, EveryFontIsThereAndDiffers) {

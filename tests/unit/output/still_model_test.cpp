@@ -60,9 +60,9 @@ SceneCard card_of(Assembly& parts, const std::string& stem, const std::string& p
     return card;
 }
 
-std::string glb_of(const std::vector<SceneCard>& cards) {
+std::string glb_of(const std::vector<SceneCard>& cards, const OutputOptions& options = {}) {
     Diagnostics diagnostics;
-    const auto bytes = write_glb(cards, {}, diagnostics);
+    const auto bytes = write_glb(cards, options, diagnostics);
     EXPECT_TRUE(bytes) << test::findings(diagnostics);
     return bytes.value_or("");
 }
@@ -97,7 +97,9 @@ double distance_to(const Vec3& p, const std::vector<Vec3>& inches) {
 TEST(StillModel, APartIsANodeWithItsFacesAndLinesWhereTheyWereDrawn) {
     const TrailMaker maker = box();
     Assembly list = parts_of(maker);
-    const GlbScene scene = read(glb_of({card_of(list, "box")}));
+    OutputOptions options;
+    options.edge_lines = false;
+    const GlbScene scene = read(glb_of({card_of(list, "box")}, options));
     ASSERT_EQ(scene.nodes.size(), 4U);
     EXPECT_TRUE(scene.times.empty());
     EXPECT_EQ(scene.nodes[0].name, "box");

@@ -118,7 +118,7 @@ TEST_P(StillRays, MeetWhatThePictureShows) {
     const Compilation run = compiled(GetParam().sample);
     ASSERT_TRUE(run.designs.front().assembly.has_value()) << test::findings(run.designs.front().diagnostics);
     const SceneCard card = card_of(run);
-    still::Modeller modeller({&card, 1}, GetParam().paper_mm);
+    still::Modeller modeller({&card, 1}, false, GetParam().paper_mm);
     constexpr int kWide = 400;
     constexpr int kHigh = 300;
     test::Random random(7);
@@ -153,14 +153,16 @@ TEST_P(StillRays, MeetWhatThePictureShows) {
             }
             const still::Face& shown = model->faces[static_cast<std::size_t>(face)];
             if (shown.texture != nullptr) continue;
+            const bool from_front = dot(shown.frame.normal(), camera.eye() - shown.frame.origin) > 0.0;
+            const still::Light paint = from_front ? shown.color : shown.back.value_or(shown.color);
             ++looked_at;
             // One light for all three channels, between the ambient's least and the sun's most.
             double least = HUGE_VAL;
             double most = 0.0;
             for (std::size_t c = 0; c < 3; ++c) {
-                if (shown.color.at(c) < 0.05F) continue;
+                if (paint.at(c) < 0.05F) continue;
                 const auto light = [&](int byte) {
-                    return linear(static_cast<unsigned char>(std::clamp(byte, 0, 255))) / shown.color.at(c);
+                    return linear(static_cast<unsigned char>(std::clamp(byte, 0, 255))) / paint.at(c);
                 };
                 least = std::min(least, rgb[c] == 255 ? HUGE_VAL : light(rgb[c] + 1));
                 most = std::max(most, light(rgb[c] - 1));
@@ -188,7 +190,7 @@ TEST(Still, ThickPlatesAreSolids) {
     const Compilation run = compiled("castle.xml");
     const SceneCard card = card_of(run);
     constexpr double kPaperMm = 0.8;
-    still::Modeller modeller({&card, 1}, kPaperMm);
+    still::Modeller modeller({&card, 1}, false, kPaperMm);
     Diagnostics diagnostics("still");
     const auto model = modeller.at(70.0, diagnostics);
     ASSERT_TRUE(model) << test::findings(diagnostics);
@@ -244,7 +246,7 @@ TEST(Still, IsTheSameEachTimeAndNamesItsFiles) {
 TEST(Still, LooksTheSameInBandsOfAnyHeight) {
     const Compilation run = compiled("birthday.xml");
     const SceneCard card = card_of(run);
-    still::Modeller modeller({&card, 1});
+    still::Modeller modeller({&card, 1}, false);
     Diagnostics diagnostics("still");
     const auto model = modeller.at(90.0, diagnostics);
     ASSERT_TRUE(model);

@@ -107,7 +107,7 @@ TEST(Suggestions, MarkedPanelsAreSeen) {
     book::Scene scene;
     scene.opening_deg = 0.0;
     scene.marked.push_back({static_cast<int>(ground - plates.begin()), "a", {}});
-    book::Illustrator illustrator({&gift.card, 1});
+    book::Illustrator illustrator({&gift.card, 1}, false);
     Diagnostics diagnostics;
     const auto pictures = illustrator.draw({&scene, 1}, {240, 180}, diagnostics);
     ASSERT_TRUE(pictures);
