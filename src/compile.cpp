@@ -1,6 +1,7 @@
 #include "popup/compile.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -11,7 +12,6 @@
 
 namespace popup {
 namespace {
-
 // The stages of one design, in order, up to its check. What is read as an assembly enters there. False: they
 // end here.
 bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
@@ -42,14 +42,14 @@ void run_last_stages(CompiledDesign& one, const CompileOptions& options) {
     if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics)) return;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
     if (!one.assembly || options.until <= Stage::assembly) return;
-
     if (moves(*one.assembly)) {
-        one.motion = one.creases ? simulate_sheet(*one.assembly, options.motion, one.diagnostics)
-                                 : simulate(*one.assembly, options.motion, one.diagnostics);
-        if (!one.motion) return;
+        MotionOptions motion = options.motion;
+        if (options.fitting_size)
+            motion.fitting_size = std::bind_front(options.fitting_size, std::cref(one), std::cref(options));
+        one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
+                                 : simulate(*one.assembly, motion, one.diagnostics);
     }
-    if (options.until == Stage::motion) return;
-
+    if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return;
     one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
 }
 

@@ -26,6 +26,8 @@ std::string_view version();
 // How far to go. Later stages are skipped.
 enum class Stage { design, check, assembly, motion, pattern, layout };
 
+struct CompiledDesign;
+
 struct CompileOptions {
     ReadOptions read;
     CheckOptions check;
@@ -38,6 +40,12 @@ struct CompileOptions {
     // How far cards open, above 0° and at most 180°: where their sweep ends, whatever the design says. None:
     // as far as the design says.
     std::optional<Angle> opens = {};
+    // Asked of an element that sticks out of the closed card, by so many mm: a size that was tried and keeps
+    // it inside, as the words of a hint; fitting_size() of popup/edit.h is such a function. It is given the
+    // design, which has been assembled, and these options. Called by any thread. Empty: no sizes are told.
+    std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
+                                             const std::string& element, double by_mm)>
+        fitting_size = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.

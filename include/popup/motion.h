@@ -4,6 +4,7 @@
 // (Hendrix 5.4.4): a point at distance c from the gutter goes to x = ±c sin(θ/2), z = c cos(θ/2).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -66,6 +67,9 @@ struct MotionOptions {
     // Of earlier examinations of the design, looked up and renewed. Null: there is none. Not used where folds
     // are put in an order. It must outlive the call.
     ExaminationMemory* memory = nullptr;
+    // Asked of an element that sticks out of the closed card, by so many mm: a size that was tried and keeps
+    // it inside, as the words of a hint; nullopt: none does. Empty: nobody knows of sizes.
+    std::function<std::optional<std::string>(const std::string& element, double by_mm)> fitting_size = {};
 };
 
 // Two plates that cross, from the first to the last angle of one contact (each to 0.001°).
@@ -117,6 +121,11 @@ struct Protrusion {
     Vec3 point;          // that point
     Vec2 corner{};       // the same on the plate's page
 };
+
+// What sticks out of the closed card as the assembly stands, by plate. Precondition: it has covers and closes
+// flat. Protrusion is judged at the beginning of the sweep, against the covers before anything was cut from
+// them, and counts from 0.02 mm. Cost: that of placing all plates, and linear in their corners.
+std::vector<Protrusion> find_protrusions(const Assembly& assembly);
 
 // The closed card: plates one above the other.
 struct ClosedCard {

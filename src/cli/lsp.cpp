@@ -40,6 +40,7 @@ CLI::App* add_lsp(CLI::App& app, Options& options) {
         ->group("Input");
     add_check_options(*verb, options);
     add_motion_options(*verb, options);
+    options.compile.fitting_size = {};  // tried with every key that is pressed, sizes would take too long
     add_run_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);

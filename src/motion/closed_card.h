@@ -11,16 +11,12 @@
 
 namespace popup {
 
-// Protrusion is judged at the beginning of the sweep, against the covers before anything was cut from them,
-// and counts from 0.02 mm. The layers are told apart at the least opening, where plates that lie on one
+// Protrusions are those of find_protrusions(). The layers are told apart at the least opening, where plates that lie on one
 // another in the closed card stand apart and have not moved. Preconditions: the assembly has covers and
 // closes flat; the joints reach both angles. Shapes by plate. Cost: n log n in triangles, and in pairs of
 // plates that lie over one another. `recall`: where little has changed only the pairs there are looked at,
 // with one result; null: all are.
 ClosedCard closed_card(const Assembly& assembly, std::span<const PlateShape> shapes,
                        std::optional<double> paper_mm, Recall* recall = nullptr);
-
-// ClosedCard::protrusions alone. Cost: that of placing all plates, and linear in their corners.
-std::vector<Protrusion> find_protrusions(const Assembly& assembly);
 
 }  // namespace popup

@@ -87,7 +87,8 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "When the card is closed, every plate should lie between its covers. This one reaches over their "
      "edge: the message says how far, and on which side. It will be seen there before the card is opened, "
      "and bent and torn in its envelope. Make the plate smaller by as much, or move the element away from "
-     "that edge. Where it is meant, --allow protrusion accepts it."},
+     "that edge. A move or a size that a hint names was tried, and keeps the element inside. Where it is "
+     "meant, --allow protrusion accepts it."},
     {"seam-open", Severity::error, "a fold or seam comes apart while the card opens",
      "At one of the sampled angles two plates that share a line no longer meet along it. Paper cannot do "
      "that: the geometry is so extreme that rounding decides. Make the angles and widths of the element "

@@ -17,6 +17,7 @@ namespace {
 // A move that frees two elements is looked for only so often, and in cards of so many plates: it takes a few
 // dozen looks at the whole motion.
 constexpr int kMostTries = 10;
+constexpr int kMostSizes = 3;  // elements of which sizes are tried
 constexpr std::size_t kMostPlates = 400;
 // What collides from here on is told of as a collision, and not once more as layers without an order.
 constexpr double kClosedDeg = 1.0;
@@ -50,8 +51,12 @@ std::string what_would_force(const Assembly& assembly, const FreePlates& one) {
 class Findings {
  public:
     Findings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
-             Diagnostics& diagnostics)
-        : assembly_(assembly), linkage_(linkage), shapes_(shapes), diagnostics_(diagnostics) {}
+             const MotionOptions& options, Diagnostics& diagnostics)
+        : assembly_(assembly),
+          linkage_(linkage),
+          shapes_(shapes),
+          options_(options),
+          diagnostics_(diagnostics) {}
 
     std::vector<FreeingMove> collisions(const std::vector<Contact>& contacts) {
         std::vector<FreeingMove> moves;
@@ -133,13 +138,18 @@ class Findings {
                 fmt::format("\"{}\" sticks out of the closed card by {}", name(one->plate), how_far(*one)));
             finding.about(element.name);
             std::optional<ElementMove> move;
-            if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates)
+            std::optional<std::string> size;
+            if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates) {
                 move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_);
+                if (options_.fitting_size && tried <= kMostSizes)
+                    size = options_.fitting_size(element.name, one->by_mm);
+            }
             if (move) finding.hint(in_words(*move, "keeps it inside the closed card"));
+            if (size) finding.hint(*std::move(size));
             finding.hint(fmt::format(
                 "its corner at ({:.2f}, {:.2f}) mm reaches furthest; make the piece smaller there{}",
                 in_hundredths(one->corner.x), in_hundredths(one->corner.y),
-                move ? "" : ", or move the element"));
+                move || size ? "" : ", or move the element"));
         }
     }
 
@@ -316,6 +326,7 @@ class Findings {
     const Assembly& assembly_;
     const Linkage& linkage_;
     std::span<const PlateShape> shapes_;
+    const MotionOptions& options_;
     Diagnostics& diagnostics_;
 };
 
@@ -324,7 +335,7 @@ class Findings {
 std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage& linkage,
                                          std::span<const PlateShape> shapes, const Examination& found,
                                          const MotionOptions& options, Diagnostics& diagnostics) {
-    Findings findings(assembly, linkage, shapes, diagnostics);
+    Findings findings(assembly, linkage, shapes, options, diagnostics);
     std::vector<FreeingMove> moves = findings.collisions(found.contacts);
     findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
     findings.protrusions(found.closed.protrusions, found.contacts);

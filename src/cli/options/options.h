@@ -18,6 +18,7 @@
 #include "findings/message_formats.h"
 #include "popup/compile.h"
 #include "popup/diagnostics.h"
+#include "popup/edit.h"
 #include "popup/trace.h"
 
 namespace CLI {
@@ -210,6 +211,7 @@ struct ConfigOptions {
 
 // Everything of one run. A verb fills what it offers.
 struct Options {
+    Options() { compile.fitting_size = fitting_size; }
     std::vector<std::string> arguments;  // all of these come from
     std::set<std::string> given;         // keys of the options that stand on the command line itself
     InputOptions inputs;

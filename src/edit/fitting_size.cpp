@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "popup/edit.h"
+
+namespace popup {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostElements = 300;
+constexpr std::size_t kElementsTried = 1500;  // elements times trials
+constexpr std::size_t kMostTrials = 30;
+constexpr int kHalvings = 7;
+
+// What makes an element larger or smaller; the others say where it is and how it stands. The name in edits
+// and the words for it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kSizes{
+    {{"height", "height"},
+     {"width", "width"},
+     {"length", "length"},
+     {"radius", "radius"},
+     {"pieceheight", "height of its piece"},
+     {"piecewidth", "width of its piece"}}};
+
+struct Size {
+    std::string_view name, words;
+    double is = 0.0, wanted = 0.0;  // in the document's unit
+    [[nodiscard]] double share() const { return (is - wanted) / is; }
+};
+
+class SizeSearch {
+ public:
+    SizeSearch(const CompiledDesign& one, const CompileOptions& options) : one_(one), options_(options) {
+        const std::size_t elements = one.checked->design().structures.size();
+        if (elements <= kMostElements)
+            trials_ = std::min(kMostTrials, kElementsTried / std::max<std::size_t>(elements, 1));
+    }
+
+    std::optional<std::string> fitting(const std::string& element, double by_mm) {
+        std::optional<Size> best;
+        for (const Size& size : sizes_of(element)) {
+            const auto found = largest(element, size, by_mm);
+            if (found && (!best || found->share() < best->share())) best = found;
+        }
+        if (!best) return std::nullopt;
+        return fmt::format("with a {} of {} in place of {} it stays inside the closed card: popupc edit … {}",
+                           best->words, in_unit(best->wanted), in_unit(best->is),
+                           fmt::join(words_of(element, *best), " "));
+    }
+
+ private:
+    [[nodiscard]] const Unit& unit() const { return one_.checked->design().unit; }
+    // To tenths of a millimetre, or so: who cuts paper measures no finer.
+    [[nodiscard]] int decimals() const { return unit().mm < 2.0 ? 1 : 2; }
+    [[nodiscard]] std::string in_unit(double value) const {
+        return fmt::format("{:.{}f} {}", value, decimals(), unit().name);
+    }
+    [[nodiscard]] std::vector<std::string> words_of(const std::string& element, const Size& size) const {
+        return {"set", element, fmt::format("--{}", size.name),
+                fmt::format("{:.{}f}{}", size.wanted, decimals(), unit().name)};
+    }
+
+    [[nodiscard]] std::vector<Size> sizes_of(const std::string& element) const {
+        std::vector<Size> sizes;
+        Diagnostics unheard;
+        const auto text = show_json(one_.checked->design(), {element, true}, unheard);
+        if (!text) return sizes;
+        const Json shown = Json::parse(*text, nullptr, false);
+        if (!shown.contains("elements")) return sizes;
+        for (const Json& row : shown["elements"]) {
+            if (row.value("id", "") != element) continue;
+            for (const auto& [name, words] : kSizes) {
+                for (const char* group : {"measures", "values"}) {
+                    const Json& values = row[group];
+                    const auto at = values.find(name);
+                    if (at == values.end() || !at->is_number() || at->get<double>() <= 0.0) continue;
+                    sizes.push_back({name, words, at->get<double>(), 0.0});
+                }
+            }
+        }
+        return sizes;
+    }
+
+    // The largest value of the size that will do, as near as a few trials come to it.
+    std::optional<Size> largest(const std::string& element, Size size, double by_mm) {
+        const double step = by_mm / unit().mm;
+        const auto tried = [&](double less) {
+            const double by = std::pow(10.0, decimals());
+            size.wanted = std::floor((size.is - less) * by) / by;
+            return size.wanted > 0.0 && keeps_inside(element, size);
+        };
+        double too_little = 0.0;
+        for (double less = 0.5 * step; less < size.is && trials_ > 0; less *= 2.0) {
+            if (!tried(less)) {
+                too_little = less;
+                continue;
+            }
+            Size best = size;
+            for (int i = 0; i < kHalvings && trials_ > 0; ++i) {
+                const double middle = 0.5 * (too_little + less);
+                if (tried(middle)) {
+                    best = size;
+                    less = middle;
+                } else {
+                    too_little = middle;
+                }
+            }
+            return best;
+        }
+        return std::nullopt;
+    }
+
+    // Carries the edit out and closes the card.
+    bool keeps_inside(const std::string& element, const Size& size) {
+        --trials_;
+        const EditLine edit{words_of(element, size), {}};
+        Diagnostics of_edit;
+        Diagnostics of_document;
+        const auto edited = edit_document(one_.source, {&edit, 1}, {false, options_.read, options_.check},
+                                          of_edit, of_document);
+        if (!edited || edited->refused || of_edit.has_findings() || of_document.has_findings()) return false;
+        Source source = one_.source;
+        source.text = edited->text;
+        Diagnostics unheard;
+        const auto design = read_design(source, options_.read, unheard);
+        if (!design) return false;
+        const auto checked = check(*design, options_.check, unheard);
+        if (!checked) return false;
+        const auto assembly = assemble(*checked, options_.assemble, unheard);
+        if (!assembly) return false;
+        const std::vector<Protrusion> left = find_protrusions(*assembly);
+        return std::all_of(left.begin(), left.end(), [&](const Protrusion& out) {
+            const std::string& name = assembly->plates[static_cast<std::size_t>(out.plate)].name;
+            return sticks_out(name) && !is_of(name, element);
+        });
+    }
+
+    // Of a plate's name, "bird/left", whether it is the element's.
+    static bool is_of(std::string_view plate, std::string_view element) {
+        return plate.starts_with(element) && (plate.size() == element.size() || plate[element.size()] == '/');
+    }
+
+    [[nodiscard]] bool sticks_out(const std::string& plate) {
+        if (!before_) {
+            before_.emplace();
+            for (const Protrusion& out : find_protrusions(*one_.assembly))
+                before_->push_back(one_.assembly->plates[static_cast<std::size_t>(out.plate)].name);
+        }
+        return std::find(before_->begin(), before_->end(), plate) != before_->end();
+    }
+
+    const CompiledDesign& one_;
+    const CompileOptions& options_;
+    std::size_t trials_ = 0;
+    std::optional<std::vector<std::string>> before_;  // plates that stick out as it is
+};
+
+}  // namespace
+
+std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
+                                        const std::string& element, double by_mm) {
+    const Language* language = find_language(design.source, options.read.language);
+    if (!design.checked || language == nullptr || language->patch == nullptr || language->drawn)
+        return std::nullopt;
+    return SizeSearch(design, options).fitting(element, by_mm);
+}
+
+}  // namespace popup
