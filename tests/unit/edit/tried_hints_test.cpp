@@ -1,0 +1,209 @@
+// Hints that name a change that was tried: whoever obeys them word for word no longer sees the finding.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "popup/edit.h"
+#include "popup/files.h"
+
+namespace popup {
+namespace {
+
+constexpr std::string_view kCommand = "popupc edit … ";
+
+std::vector<Diagnostic> findings_of(const Source& source) {
+    CompileOptions options;
+    options.until = Stage::motion;
+    options.fitting_size = fitting_size;
+    const Compilation run = compile({source}, options, {});
+    std::vector<Diagnostic> found;
+    for (const Diagnostic& one : run.designs.front().diagnostics.sorted()) {
+        if (one.severity != Severity::remark) found.push_back(one);
+    }
+    return found;
+}
+
+// The edit that the finding's hints name; empty: none.
+std::vector<std::string> edit_of(const Diagnostic& finding) {
+    for (const std::string& hint : finding.hints) {
+        const std::size_t at = hint.find(kCommand);
+        if (at == std::string::npos) continue;
+        std::istringstream words(hint.substr(at + kCommand.size()));
+        return {std::istream_iterator<std::string>(words), {}};
+    }
+    return {};
+}
+
+std::optional<Source> edited(const Source& source, const std::vector<std::string>& words) {
+    const EditLine edit{words, {}};
+    Diagnostics told(source.name);
+    const auto done = edit_document(source, {&edit, 1}, {}, told, told);
+    if (!done || done->refused) return std::nullopt;
+    return Source{source.name, done->text};
+}
+
+// What obeying the finding makes of the document.
+Source obeyed(const Source& source, const Diagnostic& finding) {
+    const auto changed = edited(source, edit_of(finding));
+    EXPECT_TRUE(changed) << finding.message;
+    return changed.value_or(source);
+}
+
+// A hint such as: moving "back" 6.99 mm along its fold, by (0.00, 6.99) mm on the page, frees the two.
+struct Move {
+    std::string element, mm;
+    Vec2 by;
+};
+std::optional<Move> move_of(const Diagnostic& finding) {
+    static const std::regex kMove(
+        R"re(moving "([^"]+)" ([0-9.]+) mm along its .*, by \((-?[0-9.]+), (-?[0-9.]+)\) mm on the page, .*)re");
+    for (const std::string& hint : finding.hints) {
+        std::smatch words;
+        if (std::regex_match(hint, words, kMove))
+            return Move{words[1], words[2], {std::stod(words[3]), std::stod(words[4])}};
+    }
+    return std::nullopt;
+}
+
+Vec2 first_point(const Source& source, const std::string& element) {
+    Diagnostics unheard;
+    const auto design = read_design(source, {}, unheard);
+    if (!design) return {};
+    const auto one = std::find_if(design->structures.begin(), design->structures.end(),
+                                  [&](const Structure& structure) { return structure.id == element; });
+    return one != design->structures.end() && !one->points.empty() ? one->points.front().at : Vec2{};
+}
+
+// The document with the element moved so: along what it stands on, one way or the other, or on its plate.
+std::optional<Source> obeyed(const Source& source, const Move& move) {
+    const std::vector<std::vector<std::string>> ways{
+        {"--along=" + move.mm + "mm"},
+        {"--along=-" + move.mm + "mm"},
+        {fmt::format("--x={}mm", move.by.x), fmt::format("--y={}mm", move.by.y)}};
+    for (const std::vector<std::string>& way : ways) {
+        std::vector<std::string> words{"move", move.element, "--follow"};
+        words.insert(words.end(), way.begin(), way.end());
+        const auto moved = edited(source, words);
+        if (!moved) continue;
+        const Vec2 by = first_point(*moved, move.element) - first_point(source, move.element);
+        if (distance(by, move.by) < 0.02) return moved;
+    }
+    return std::nullopt;
+}
+
+// What a finding is of, whatever its numbers.
+std::vector<std::string> told_of(const Diagnostic& finding) {
+    std::vector<std::string> words{finding.code, finding.element};
+    for (const Related& other : finding.related) words.push_back(other.text);
+    return words;
+}
+
+// This finding is gone, and no other element is in trouble, or in trouble of another kind.
+void expect_mended(const Source& before, const Source& after, const Diagnostic& finding) {
+    const std::vector<Diagnostic> old = findings_of(before);
+    for (const Diagnostic& left : findings_of(after)) {
+        EXPECT_FALSE(told_of(left) == told_of(finding)) << before.name << ": " << left.message;
+        EXPECT_TRUE(std::any_of(
+            old.begin(), old.end(),
+            [&](const Diagnostic& one) { return one.code == left.code && one.element == left.element; }))
+            << before.name << ": " << left.message;
+    }
+}
+
+std::vector<Source> documents_of_cases() {
+    std::vector<Source> all;
+    const std::filesystem::path cases = std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cases)) {
+        if (entry.path().extension() != ".xml") continue;
+        Diagnostics unheard;
+        if (auto source = read_source(entry.path().string(), unheard)) all.push_back(*std::move(source));
+    }
+    return all;
+}
+
+// A card with one element.
+Source card_with(const std::string& element) {
+    return {"card.xml",
+            "<popup version=\"3.0\" units=\"mm\">\n  <mainpage width=\"200\" height=\"140\"/>\n  "
+            "<structurelist>\n" +
+                element + "  </structurelist>\n</popup>\n"};
+}
+
+TEST(TriedHints, OfEveryCaseHoldWhatTheyPromise) {
+    int sizes = 0;
+    int moves = 0;
+    for (const Source& source : documents_of_cases()) {
+        for (const Diagnostic& finding : findings_of(source)) {
+            if (!edit_of(finding).empty()) {
+                ++sizes;
+                expect_mended(source, obeyed(source, finding), finding);
+            }
+            if (const auto move = move_of(finding)) {
+                ++moves;
+                const auto moved = obeyed(source, *move);
+                EXPECT_TRUE(moved) << source.name << ": " << finding.message;
+                if (moved) expect_mended(source, *moved, finding);
+            }
+        }
+    }
+    EXPECT_GE(sizes, 4);
+    EXPECT_GE(moves, 10);
+}
+
+TEST(FittingSize, ADiscIsMadeAsSmallAsItMustBe) {
+    // Its middle is 35 mm from the edge of the card.
+    const Source card = card_with(R"(    <structure type="disc" id="moon" radius="40">
+      <outerpoints><point x="65" y="0"/><point x="65" y="0"/></outerpoints>
+      <parentplate page="0" x="50" y="0"/>
+    </structure>
+)");
+    const std::vector<Diagnostic> found = findings_of(card);
+    ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.front().message);
+    const std::vector<std::string> words = edit_of(found.front());
+    ASSERT_EQ(words.size(), 4U);
+    EXPECT_EQ(words[1] + words[2], "moon--radius");
+    EXPECT_NEAR(std::stod(words[3]), 35.0, 0.1);
+    EXPECT_LE(std::stod(words[3]), 35.02);
+}
+
+TEST(FittingSize, LengthsAreInTheUnitOfTheDocument) {
+    const Source card{"card.xml", R"(<popup version="3.0" units="in">
+  <mainpage width="8" height="5"/>
+  <structurelist>
+    <structure type="disc" id="moon" radius="1.5">
+      <outerpoints><point x="3" y="0"/><point x="3" y="0"/></outerpoints>
+      <parentplate page="0" x="2" y="0"/>
+    </structure>
+  </structurelist>
+</popup>
+)"};
+    const std::vector<Diagnostic> found = findings_of(card);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(
+        found.front().hints.front(),
+        "with a radius of 1.00 in in place of 1.50 in it stays inside the closed card: popupc edit … set "
+        "moon --radius 1.00in");
+    EXPECT_TRUE(findings_of(obeyed(card, found.front())).empty());
+}
+
+TEST(FittingSize, OnlyElementsOfDocumentsHaveThem) {
+    CompiledDesign one;
+    one.source = card_with("");
+    Diagnostics told("card.xml");
+    one.checked = check(*read_design(one.source, {}, told), {}, told);
+    EXPECT_EQ(fitting_size(one, {}, "nobody", 10.0), std::nullopt);
+    one.source.name = "card.fl";
+    EXPECT_EQ(fitting_size(one, {}, "nobody", 10.0), std::nullopt);
+}
+
+}  // namespace
+}  // namespace popup
