@@ -32,22 +32,10 @@ struct PairRange {
     ContactRange stretch;
 };
 
-}  // namespace
-
-std::vector<PlateShape> plate_shapes(const Assembly& assembly) {
-    std::vector<PlateShape> shapes;
-    shapes.reserve(assembly.plates.size());
-    for (const Plate& plate : assembly.plates) shapes.push_back(plate_shape(plate));
-    return shapes;
-}
-
-Examination examine(const Assembly& assembly, const MotionOptions& options) {
-    Linkage linkage(assembly);
-    return examine(assembly, linkage, plate_shapes(assembly), options);
-}
-
-Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
-                    const MotionOptions& options, Recall* recall) {
+// As examine() of the header. `aside`: the first certain contact of another pair ends it, and nothing is
+// decided from there on; null: all contacts are found.
+Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+                         const MotionOptions& options, Recall* recall, const PlatePairs* aside) {
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
     const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
     const std::vector<double> ends = cell_ends(assembly.sweep, linkage.range_ends());
@@ -73,6 +61,7 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
 
     std::vector<PairRange> all;
     std::vector<ContactRange> found;
+    bool is_over = false;
     Cell cell;
     Recorder recorder(keeps ? recall : nullptr);
     const double distance = options.clearance_mm.value_or(0.0);
@@ -84,7 +73,13 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
             recorder.begin(search);
             if (!parallels.keep_apart(a, b)) {
                 search.contacts(range, a, b, found);
-                for (const ContactRange& one : found) all.push_back({a, b, one});
+                for (const ContactRange& one : found) {
+                    all.push_back({a, b, one});
+                    is_over =
+                        is_over || (aside != nullptr && one.firm && one.kind == ContactRange::crossing &&
+                                    !aside->contains(std::minmax(a, b)));
+                }
+                if (is_over) return false;
             }
             if (approaches) approaches->add(range, a, b, search);
             recorder.end(a, b, search);
@@ -124,6 +119,8 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
         if (recall != nullptr) recall->drop();
         break;
     }
+    result.poses = search.poses();
+    if (is_over) return result;
     std::stable_sort(all.begin(), all.end(), [](const PairRange& p, const PairRange& q) {
         return p.a != q.a ? p.a < q.a : p.b < q.b;
     });
@@ -144,6 +141,34 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     close();
     result.poses = search.poses();
     return result;
+}
+}  // namespace
+
+std::vector<PlateShape> plate_shapes(const Assembly& assembly) {
+    std::vector<PlateShape> shapes;
+    shapes.reserve(assembly.plates.size());
+    for (const Plate& plate : assembly.plates) shapes.push_back(plate_shape(plate));
+    return shapes;
+}
+
+Examination examine(const Assembly& assembly, const MotionOptions& options) {
+    Linkage linkage(assembly);
+    return examine(assembly, linkage, plate_shapes(assembly), options);
+}
+
+Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+                    const MotionOptions& options, Recall* recall) {
+    return look_through(assembly, linkage, shapes, options, recall, nullptr);
+}
+
+bool is_clear(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+              const MotionOptions& options, const PlatePairs& aside, std::size_t& poses) {
+    const Examination found = look_through(assembly, linkage, shapes, options, nullptr, &aside);
+    poses += found.poses;
+    return found.undecided.empty() && found.decided_up_to_deg >= assembly.sweep.to_deg &&
+           std::all_of(found.contacts.begin(), found.contacts.end(), [&](const Contact& one) {
+               return aside.contains({one.a, one.b});
+           });
 }
 
 }  // namespace popup

@@ -1,7 +1,10 @@
 // The examination with what it looks at made once.
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motion/linkage.h"
@@ -18,5 +21,13 @@ std::vector<PlateShape> plate_shapes(const Assembly& assembly);
 // earlier one has left, and what this one leaves; null: nothing.
 Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
                     const MotionOptions& options, Recall* recall = nullptr);
+
+// Pairs of plates, the smaller number first.
+using PlatePairs = std::set<std::pair<int, int>>;
+// Whether nothing crosses over the whole sweep but the pairs that are set aside: whether examine() would
+// decide all of it and find no other contact. False, too, where its work would run out. Adds to `poses` how
+// many poses of pairs were looked at. Cost: that of examine(), up to the first contact that is certain.
+bool is_clear(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
+              const MotionOptions& options, const PlatePairs& aside, std::size_t& poses);
 
 }  // namespace popup

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -19,6 +18,9 @@
 
 #include "base/nth.h"
 #include "base/sets.h"
+#include "motion/examine.h"
+#include "motion/linkage.h"
+#include "motion/plate_shape.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -58,6 +60,10 @@ constexpr Doing kFlat{0.0, 0.0};
 constexpr Doing kMoves{0.0, 1.0};
 constexpr Doing kFolded{1.0, 1.0};
 
+bool shows_clear(const Examination& found) {
+    return found.undecided.empty() && found.decided_up_to_deg >= kFlatDeg && found.contacts.empty();
+}
+
 // A part that goes in a step.
 struct Move {
     int part = 0;
@@ -75,6 +81,7 @@ class Order {
         }
         work_.sweep = {0.0, kFlatDeg, false};
         find_parts();
+        shapes_ = plate_shapes(work_);
     }
 
     // The steps. Empty: all may go at once, or there is nothing to be put in an order, or no order was found.
@@ -84,8 +91,11 @@ class Order {
         if (at_once != nullptr ? shows_clear(*at_once) : is_clear()) return {};
         // What crosses in the end, as two flaps do that are drawn too long, crosses in any order.
         set_all(kFolded);
-        look();
-        for (const Contact& contact : found_.contacts) set_aside_.insert({contact.a, contact.b});
+        set_laws();
+        Linkage linkage(work_);
+        const Examination found = examine(work_, linkage, shapes_, options_);
+        poses_ += found.poses;
+        for (const Contact& contact : found.contacts) set_aside_.insert({contact.a, contact.b});
         set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
         std::vector<Step> steps = unfold();
@@ -203,8 +213,8 @@ class Order {
 
     [[nodiscard]] bool has_work_left() const { return poses_ <= kMostPosesAPart * parts_.size(); }
 
-    // False when the work ran out.
-    bool look() {
+    // Sets the laws to what each part is doing.
+    void set_laws() {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             for (const int joint : parts_[i].joints) {
                 Law& law = *law_of(nth(work_.joints, joint));
@@ -216,18 +226,14 @@ class Order {
                 }
             }
         }
-        found_ = examine(work_, options_);
-        poses_ += found_.poses;
-        return has_work_left();
     }
 
-    bool is_clear() { return look() && shows_clear(found_); }
-
-    [[nodiscard]] bool shows_clear(const Examination& found) const {
-        return found.undecided.empty() && found.decided_up_to_deg >= kFlatDeg &&
-               std::all_of(found.contacts.begin(), found.contacts.end(), [this](const Contact& contact) {
-                   return set_aside_.contains({contact.a, contact.b});
-               });
+    // False, too, when the work has run out.
+    bool is_clear() {
+        set_laws();
+        Linkage linkage(work_);
+        const bool clear = popup::is_clear(work_, linkage, shapes_, options_, set_aside_, poses_);
+        return has_work_left() && clear;
     }
 
     // The steps of opening it; what does not open so is the last one.
@@ -357,8 +363,8 @@ class Order {
     std::vector<Part> parts_;
     std::vector<std::vector<int>> parts_at_;  // by plate: those of which a fold is at it
     std::vector<Doing> doing_;                // by part
-    Examination found_;
-    std::set<std::pair<int, int>> set_aside_;  // plates
+    std::vector<PlateShape> shapes_;          // by plate; folding changes none
+    PlatePairs set_aside_;
     std::size_t poses_ = 0;
     bool all_clear_ = true;
 };
