@@ -77,6 +77,7 @@ bool KeptLines::settle(const std::function<std::optional<std::string>()>& next) 
         if (!made.write(*line)) return fail(made.trouble());
     }
     if (same && old.peek() == std::ifstream::traits_type::eof()) {
+        if (::fsync(fd_) != 0 && errno != EINVAL) return fail(reason(errno));
         return ::futimens(fd_, nullptr) == 0 || fail(reason(errno));
     }
     struct stat now {};

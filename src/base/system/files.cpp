@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -321,6 +322,13 @@ int move_into_place(Target& target, bool among_others) {
     return 0;
 }
 
+// Sees names in the directory safely to the disk: a file is there after a power cut once its name is, too.
+// What cannot be synced, such as a directory of a network, has been told to the system at least.
+void sync_names(const std::string& directory) {
+    const Descriptor held(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (held.open()) ::fsync(held.get());
+}
+
 // Brings the old file back, or takes the new one away where there was none. Returns 0 or errno.
 int undo(const Target& target) {
     if (!target.renamed) return 0;
@@ -433,7 +441,13 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
         if (target.stream || target.unchanged) continue;
         if (const int error = move_into_place(target, among_others); error != 0) fail(target, reason(error));
     }
-    if (!good) {
+    if (good) {
+        std::set<std::string> directories;
+        for (const Target& target : targets) {
+            if (target.renamed) directories.insert(directory_of(target.path));
+        }
+        for (const std::string& directory : directories) sync_names(directory);
+    } else {
         for (const Target& target : targets) {
             const int error = undo(target);
             if (error == 0) continue;
@@ -482,6 +496,7 @@ bool NewFile::commit() {
     if (fd_ < 0 && !open()) return false;
     if (::fsync(fd_) != 0 && errno != EINVAL) return fail();
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
+    sync_names(directory_of(path_));
     ::close(std::exchange(fd_, -1));
     return true;
 }
