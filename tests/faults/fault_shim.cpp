@@ -4,10 +4,21 @@
 //   plus, all
 //                                 from there on do, as on a disk that stays full. CALL is open (of a file to
 //                                 write), write, sync, close (of a file that was written), rename, link,
-//                                 chmod, map or allocate.
+//                                 unlink, chmod, map, allocate, or any: each of these but the last two, in
+//                                 one count.
+//   POPUP_FAULT=CALL:N:kill       before this call, the program is killed: what it had begun stands as it is
 //   POPUP_FAULT_SEEN=FILE         the file is made once a call has failed, so that a test knows when N is
-//   beyond the end POPUP_NO_EXCHANGE=1           the file system cannot exchange two names, as many network
-//   file systems cannot
+//                                 beyond the end
+//   POPUP_FAULT_SHARED=FILE       calls of all processes that have it count together, and what is killed is
+//   this
+//                                 process and the one that had it first. FILE is empty at first.
+//   POPUP_FAULT_TRACE=FILE        a line for each call that a power cut could undo: "write INODE", "sync
+//   INODE",
+//                                 "rename INODE TO", "exchange INODE TO", "link INODE TO". INODE is the
+//                                 number of the file, of a directory too; for the last three that of the name
+//                                 TO as the program has it, once it is done.
+//   POPUP_NO_EXCHANGE=1           the file system cannot exchange two names, as many network file systems
+//   cannot
 //
 // Only what the program and its libraries call by name can fail: not what the C library does for itself.
 #include <dlfcn.h>
@@ -20,8 +31,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -41,18 +54,42 @@ unsigned long at = 0;
 int error_number = 0;
 bool onwards = false;
 bool no_exchange = false;
+bool kills = false;
 const char* seen = nullptr;
-std::atomic<unsigned long> calls{0};
+int trace = -1;
+struct Shared {
+    std::atomic<unsigned long> calls{0};
+    std::atomic<int> first{0};  // process
+};
+Shared own;
+Shared* shared = &own;
+
+// The file of that name, which several processes have.
+Shared* in_file(const char* name) {
+    const long fd = ::syscall(SYS_openat, AT_FDCWD, name, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0 || ::ftruncate(static_cast<int>(fd), sizeof(Shared)) != 0) std::_Exit(126);
+    const long at = ::syscall(SYS_mmap, nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0L);
+    if (at < 0 && at > -4096) std::_Exit(126);
+    ::syscall(SYS_close, fd);
+    return reinterpret_cast<Shared*>(at);  // NOLINT(performance-no-int-to-ptr)
+}
 
 __attribute__((constructor)) void setup() {
     const char* const fault = std::getenv("POPUP_FAULT");
     no_exchange = std::getenv("POPUP_NO_EXCHANGE") != nullptr;
     seen = std::getenv("POPUP_FAULT_SEEN");
+    if (const char* const name = std::getenv("POPUP_FAULT_TRACE"); name != nullptr)
+        trace = static_cast<int>(
+            ::syscall(SYS_openat, AT_FDCWD, name, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
     if (fault == nullptr) return;
+    if (const char* const name = std::getenv("POPUP_FAULT_SHARED"); name != nullptr) shared = in_file(name);
+    int none = 0;
+    shared->first.compare_exchange_strong(none, ::getpid());
     const char* const colon = std::strchr(fault, ':');
     if (colon == nullptr || static_cast<std::size_t>(colon - fault) >= sizeof wanted) std::_Exit(126);
     char* end = nullptr;
     at = std::strtoul(colon + 1, &end, 10);
+    kills = std::strcmp(end, ":kill") == 0;
     error_number = static_cast<int>(std::strtol(end + 1, &end, 10));
     onwards = *end == '+';
     std::memcpy(wanted, fault, static_cast<std::size_t>(colon - fault));
@@ -61,13 +98,40 @@ __attribute__((constructor)) void setup() {
 
 // Whether this call of this kind is to fail; errno is set then.
 bool fails(const char* kind) {
-    if (wanted_length == 0 || std::strcmp(kind, wanted) != 0) return false;
-    const unsigned long number = ++calls;
+    if (wanted_length == 0) return false;
+    const bool any = std::strcmp(wanted, "any") == 0 && std::strcmp(kind, "map") != 0 &&
+                     std::strcmp(kind, "allocate") != 0;
+    if (!any && std::strcmp(kind, wanted) != 0) return false;
+    const unsigned long number = ++shared->calls;
     if (onwards ? number < at : number != at) return false;
     if (seen != nullptr)
         ::syscall(SYS_close, ::syscall(SYS_openat, AT_FDCWD, seen, O_WRONLY | O_CREAT, 0666));
+    if (kills) {
+        if (shared->first != ::getpid()) ::kill(shared->first, SIGKILL);
+        ::kill(::getpid(), SIGKILL);
+    }
     errno = error_number;
     return true;
+}
+
+// A line of the trace, of what has been done.
+template <class... Values>
+void note(long result, const char* format, Values... values) {
+    if (trace < 0 || result < 0) return;
+    char line[512];
+    const int length = std::snprintf(line, sizeof line, format, values...);
+    if (length < 0 || static_cast<std::size_t>(length) >= sizeof line) std::_Exit(126);
+    ::syscall(SYS_write, trace, line, static_cast<std::size_t>(length));
+}
+
+unsigned long inode(int fd) {
+    struct stat status {};
+    return trace >= 0 && ::fstat(fd, &status) == 0 ? status.st_ino : 0;
+}
+
+unsigned long inode(const char* name) {
+    struct stat status {};
+    return trace >= 0 && ::stat(name, &status) == 0 ? status.st_ino : 0;
 }
 
 template <class Function>
@@ -106,21 +170,34 @@ int open64(const char* path, int flags, ...) {
 }
 
 ssize_t write(int fd, const void* bytes, std::size_t length) {
-    return fails("write") ? -1 : ::syscall(SYS_write, fd, bytes, length);
+    if (fails("write")) return -1;
+    const ssize_t result = ::syscall(SYS_write, fd, bytes, length);
+    note(result, "write %lu\n", inode(fd));
+    return result;
 }
 
-int fsync(int fd) { return fails("sync") ? -1 : static_cast<int>(::syscall(SYS_fsync, fd)); }
-int fdatasync(int fd) { return fails("sync") ? -1 : static_cast<int>(::syscall(SYS_fdatasync, fd)); }
+int fsync(int fd) {
+    if (fails("sync")) return -1;
+    const long result = ::syscall(SYS_fsync, fd);
+    note(result, "sync %lu\n", inode(fd));
+    return static_cast<int>(result);
+}
+int fdatasync(int fd) { return fsync(fd); }
 
 // The descriptor is gone even where close() fails.
 int close(int fd) {
-    const bool counts = wanted_length != 0 && std::strcmp(wanted, "close") == 0 && is_written_file(fd);
+    const bool counts = wanted_length != 0 &&
+                        (std::strcmp(wanted, "close") == 0 || std::strcmp(wanted, "any") == 0) &&
+                        is_written_file(fd);
     const int result = static_cast<int>(::syscall(SYS_close, fd));
     return counts && fails("close") ? -1 : result;
 }
 
 int rename(const char* from, const char* to) {
-    return fails("rename") ? -1 : static_cast<int>(::syscall(SYS_rename, from, to));
+    if (fails("rename")) return -1;
+    const long result = ::syscall(SYS_rename, from, to);
+    note(result, "rename %lu %s\n", inode(to), to);
+    return static_cast<int>(result);
 }
 
 int renameat2(int from_in, const char* from, int to_in, const char* to, unsigned flags) {
@@ -128,11 +205,22 @@ int renameat2(int from_in, const char* from, int to_in, const char* to, unsigned
         errno = EINVAL;
         return -1;
     }
-    return fails("rename") ? -1 : static_cast<int>(::syscall(SYS_renameat2, from_in, from, to_in, to, flags));
+    if (fails("rename")) return -1;
+    const long result = ::syscall(SYS_renameat2, from_in, from, to_in, to, flags);
+    note(result, (flags & RENAME_EXCHANGE) != 0 ? "exchange %lu %s\n" : "rename %lu %s\n", inode(to), to);
+    return static_cast<int>(result);
 }
 
 int link(const char* from, const char* to) {
-    return fails("link") ? -1 : static_cast<int>(::syscall(SYS_link, from, to));
+    if (fails("link")) return -1;
+    const long result = ::syscall(SYS_link, from, to);
+    note(result, "link %lu %s\n", inode(to), to);
+    return static_cast<int>(result);
+}
+
+int unlink(const char* name) {
+    if (fails("unlink")) return -1;
+    return static_cast<int>(::syscall(SYS_unlink, name));
 }
 
 int fchmod(int fd, mode_t mode) {
