@@ -1,0 +1,68 @@
+// What fuzzing does with bytes: one function a target, and what they all expect of a reader.
+//
+// A target is a file, NAME.cpp, with look_at_NAME(), and a row in targets.inc. libFuzzer drives the function
+// (fuzz/libfuzzer/driver.cpp, built by clang), and the ordinary tests look with it at every find that was
+// kept (fuzz/finds_test.cpp, fuzz/finds/NAME). What does not hold is thrown as Broken, with what it is.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "popup/diagnostics.h"
+#include "popup/language.h"
+
+namespace popup::fuzz {
+
+struct Broken : std::logic_error {
+    using std::logic_error::logic_error;
+};
+
+// Throws Broken where it does not hold.
+void expect(bool holds, const std::string& what);
+
+// What every finding on a text promises: a code of the table, one line that says something, and a place in
+// the text, or none.
+void expect_told(const Diagnostics& diagnostics, std::string_view text);
+
+// Bytes as a file that is read by its name, and never touches a disk.
+class NamedBytes {
+ public:
+    explicit NamedBytes(std::string_view bytes);
+    NamedBytes(const NamedBytes&) = delete;
+    NamedBytes& operator=(const NamedBytes&) = delete;
+    ~NamedBytes();
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+    int fd_;
+    std::string name_;
+};
+
+// Reads a file of this name with these bytes, and takes what it describes as far as its pattern. What is
+// accepted holds what assemblies promise, closes at openings between, and is read again as it is emitted.
+// Programs have little time, and no files are read.
+void look_at_design(const std::string& name, std::string_view bytes, const ReadOptions& options = {});
+
+// Numbers out of bytes, for inputs that are made and not read: zeros when there are no more.
+class Choices {
+ public:
+    explicit Choices(std::string_view bytes) : bytes_(bytes) {}
+    [[nodiscard]] bool left() const { return at_ < bytes_.size(); }
+    unsigned byte() { return left() ? static_cast<unsigned char>(bytes_[at_++]) : 0U; }
+    // 0 to n - 1; 0 for n = 0. n is at most 65 536.
+    std::size_t below(std::size_t n);
+    // From low to high, in 65 536 steps.
+    double between(double low, double high);
+
+ private:
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
+
+#define POPUP_FUZZ_TARGET(name, longest, seeds, dictionary) void look_at_##name(std::string_view bytes);
+#include "fuzz/targets/targets.inc"
+#undef POPUP_FUZZ_TARGET
+
+}  // namespace popup::fuzz
