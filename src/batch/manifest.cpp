@@ -131,10 +131,13 @@ class CsvParser {
     // The fields of the row that has ended, and none of any further one.
     std::vector<std::string> fields;
     bool ended = false;
+    bool further = false;  // a field stands behind its end: a carriage return alone ends a row, too
 
  private:
     static void on_field(void* data, std::size_t size, void* self) {
-        static_cast<CsvParser*>(self)->fields.emplace_back(static_cast<const char*>(data), size);
+        auto& parser = *static_cast<CsvParser*>(self);
+        parser.further = parser.further || parser.ended;
+        if (!parser.ended) parser.fields.emplace_back(static_cast<const char*>(data), size);
     }
     static void on_row(int /*terminator*/, void* self) { static_cast<CsvParser*>(self)->ended = true; }
     csv_parser parser_{};
@@ -314,6 +317,9 @@ bool Manifest::read_json_lines(Diagnostics& diagnostics) {
                     rows_.push_back(
                         {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), line});
                 }
+            } catch (const json::out_of_range& /*a number that none can hold*/) {
+                wrong(diagnostics, place, "the line has a number that is too large")
+                    .hint("\"copies\" is a whole number from 1");
             } catch (const json::parse_error& error) {
                 const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
                 wrong(diagnostics, {place.line, column_of(row, byte)}, "the line is not JSON")
@@ -347,13 +353,16 @@ bool Manifest::read_csv(Diagnostics& diagnostics) {
                 break;
             }
         }
-        if (good && !parser.ended) good = parser.finish();
+        if (good) good = parser.finish();
         const Place place{static_cast<int>(first), 1};
         std::size_t last = end;
         while (last > begin && (text[last - 1] == '\n' || text[last - 1] == '\r')) --last;
         if (!good) {
             wrong(diagnostics, place, "the row's quotes do not pair")
                 .hint("a field with commas or quotes stands in quotes, and a quote in it is written twice");
+        } else if (parser.further) {
+            wrong(diagnostics, place, "a carriage return ends the row, and more stands behind it on its line")
+                .hint("save it with the line breaks of Unix or of Windows");
         } else if (!std::all_of(parser.fields.begin(), parser.fields.end(), is_utf8)) {
             wrong(diagnostics, place, "the row is not UTF-8");
         } else if (!parser.fields.empty() && columns_.empty()) {
