@@ -86,6 +86,9 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
     if (for_all != nullptr) for_all->used = true;
     const bool allowed = may_go && (policy_->allow.contains(code) || for_all != nullptr);
     if (!allowed) severity = under_policy(*policy_, severity, code);
+    // Messages quote inputs and libraries, which may have line breaks; readers of findings count on lines.
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     Diagnostic made{severity, std::string(code), file_, place, std::move(message), {}, {}, {}, {}};
     if (!allowed) count(severity, 1);
     if (++counts_[{made.code, severity}] > kLimit) {
