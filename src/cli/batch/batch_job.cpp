@@ -123,8 +123,6 @@ std::string remembered(const JobResult& result, bool color) {
     std::string text;
     if (result.status == JobStatus::done) return text;
     for (const ordered_json& row : ordered_json::parse(result.diagnostics)) {
-        if (row.value("severity", "") != "error") continue;
-        Diagnostic one;
         const auto word = [&row](const char* key) {
             const auto at = row.find(key);
             return at != row.end() && at->is_string() ? at->get<std::string>() : std::string();
@@ -133,6 +131,8 @@ std::string remembered(const JobResult& result, bool color) {
             const auto at = row.find(key);
             return at != row.end() && at->is_number_integer() ? at->get<int>() : 0;
         };
+        if (word("severity") != "error") continue;
+        Diagnostic one;
         one.code = word("code");
         one.file = word("file");
         one.message = word("message");
