@@ -56,7 +56,8 @@ class Target:
         options = [f"-max_total_time={max(1, int(seconds))}", f"-artifact_prefix={self.finds}/"]
         if self.dictionary:
             options.append(f"-dict={self.dictionary}")
-        if self.seeds.stat().st_size:
+        # What is worth keeping of them is in the corpus from then on.
+        if self.seeds.stat().st_size and not any(self.corpus.iterdir()):
             options.append(f"-seed_inputs=@{self.seeds}")
         said = run(self.command(*options, str(self.corpus)), seconds + 120)
         with self.log.open("a") as log:
