@@ -14,8 +14,8 @@ namespace {
 std::optional<std::vector<double>> measures(Session& session, std::size_t n) {
     const Structure& structure = session.design.structures[n];
     const Standing& standing = session.standing(n);
-    auto made = measures_of(Session::info_of(structure), standing.seen, 1, Session::points_of(structure),
-                            structure.arguments);
+    auto made = measures_of(Session::info_of(structure), standing.seen, 1,
+                            Session::points_of(structure, standing.seen), structure.arguments);
     if (made) return made;
     session.fail("bad-edit",
                  fmt::format("\"{}\" has no measures: {}", structure.id,
@@ -28,12 +28,13 @@ std::optional<std::vector<double>> measures(Session& session, std::size_t n) {
 bool give_measures(Session& session, std::size_t n, const std::vector<double>& values) {
     const Structure& structure = session.design.structures[n];
     const Standing standing = session.standing(n);
-    const auto made = shaped(Session::info_of(structure), standing.seen, 1, Session::points_of(structure),
-                             structure.arguments, values);
+    auto made = shaped(Session::info_of(structure), standing.seen, 1,
+                       Session::points_of(structure, standing.seen), structure.arguments, values);
     if (!made) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", structure.type),
                             "give widths, lengths and angles above 0");
     }
+    Session::on_pages(structure, standing.seen, made->points);
     return session.write(n, *made);
 }
 
@@ -203,7 +204,9 @@ bool move_point(Session& session, const Command& command) {
     const auto partner = static_cast<std::size_t>(info.partners[i]);
     // A point of the fold slides on it.
     if (on_fold && partner == i && info.points[i].side == '-' && standing.fold && !info.grounds.found) {
-        const Vec2 along = unit(fold.on_left.b - fold.on_left.a);
+        const bool left = point.page.value_or(structure.ground_page()) == fold.left_page;
+        const Segment& line = left ? fold.on_left : fold.on_right;
+        const Vec2 along = unit(line.b - line.a);
         by = dot(along, by) * along;
     }
     if (!command.has("alone") && partner != i) {

@@ -84,7 +84,8 @@ std::vector<PageFold> folds_on_pages(Session& session, std::size_t n) {
     if (info.folds.empty() || standing.on.empty()) return {};
     int page = 0;
     for (std::size_t i = 0; i <= n; ++i) page += Session::info_of(session.design.structures[i]).glued ? 1 : 0;
-    auto made = folds_of(info, standing.seen, page, Session::points_of(structure), structure.arguments);
+    auto made = folds_of(info, standing.seen, page, Session::points_of(structure, standing.seen),
+                         structure.arguments);
     if (!made) return {};
     if (!structure.named().given() || !standing.fold) return *made;
     // They lie beside the fold that is named; on pages the piece's own folds stay where they are.

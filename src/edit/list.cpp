@@ -317,8 +317,8 @@ std::optional<std::vector<Child>> children_of(Session& session, std::size_t n) {
         carried[i] = true;
         const Structure& one = session.design.structures[i];
         const std::string& owner = session.design.structures[*standing.owner].id;
-        const auto values =
-            measures_of(Session::info_of(one), standing.seen, 1, Session::points_of(one), one.arguments);
+        const auto values = measures_of(Session::info_of(one), standing.seen, 1,
+                                        Session::points_of(one, standing.seen), one.arguments);
         if (!values || !standing.on.starts_with(owner + ".")) {
             session.fail("bad-edit", fmt::format("\"{}\" cannot be copied with what carries it", one.id));
             return std::nullopt;
@@ -367,7 +367,8 @@ bool copy(Session& session, const Command& command) {
         return session.fail("bad-edit", "several copies would have one id",
                             "write %n where the number goes: bird-%n");
     const Standing standing = session.standing(*n);
-    const auto values = measures_of(info, standing.seen, 1, Session::points_of(original), original.arguments);
+    const auto values =
+        measures_of(info, standing.seen, 1, Session::points_of(original, standing.seen), original.arguments);
     const auto along = find_measure(info, find_measure(info, "at") ? "at" : "x");
     if (!values || standing.on.empty() || !along)
         return session.fail("bad-edit",
@@ -389,6 +390,8 @@ bool copy(Session& session, const Command& command) {
         made.id_given = true;
         std::vector<double> measures = *values;
         PageFold seen = standing.seen;
+        const std::vector<Vec2> points = Session::points_of(original, seen);
+        for (std::size_t k = 0; k < points.size(); ++k) made.points[k].at = points[k];
         if (command.has("mirror")) {
             mirror(made, info, seen);
             const auto mirrored = measures_of(info, seen, 1, Session::points_of(made), made.arguments);
@@ -400,8 +403,9 @@ bool copy(Session& session, const Command& command) {
             seen = *ground;
         }
         measures[*along] += *step * i;
-        const auto placed = shaped(info, seen, 1, Session::points_of(made), made.arguments, measures);
+        auto placed = shaped(info, seen, 1, Session::points_of(made), made.arguments, measures);
         if (!placed) return session.fail("bad-edit", "it cannot be copied there");
+        Session::on_pages(made, seen, placed->points);
         for (std::size_t k = 0; k < made.points.size(); ++k) made.points[k].at = placed->points[k];
         made.arguments = placed->arguments;
         const std::string id = made.id;

@@ -36,6 +36,20 @@ bool same_place(const DrawnPath& a, const DrawnPath& b) {
                       });
 }
 
+// Whether a point of the fold itself is given on the page to the right of it.
+bool on_right(const Structure& structure, std::size_t point, const PageFold& seen) {
+    const PointInfo& info = Session::info_of(structure).points[point];
+    return info.page == PointPage::fold && info.side == '-' && seen.left_page != seen.right_page &&
+           structure.points[point].page.value_or(structure.ground_page()) != seen.left_page;
+}
+
+// A point beside one line of a fold, on the other page.
+Vec2 across(const Segment& from, const Segment& to, Vec2 p) {
+    const Vec2 along = unit(from.b - from.a);
+    const Vec2 there = unit(to.b - to.a);
+    return to.a + dot(p - from.a, along) * there + cross(along, p - from.a) * left_of(there);
+}
+
 // In place of a value: it is taken out, and what holds when none is given holds again.
 constexpr std::string_view kNone = "none";
 
@@ -148,6 +162,20 @@ std::vector<Vec2> Session::points_of(const Structure& structure) {
     std::vector<Vec2> points;
     for (const DesignPoint& point : structure.points) points.push_back(point.at);
     return points;
+}
+
+std::vector<Vec2> Session::points_of(const Structure& structure, const PageFold& seen) {
+    std::vector<Vec2> points = points_of(structure);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (on_right(structure, i, seen)) points[i] = across(seen.on_right, seen.on_left, points[i]);
+    }
+    return points;
+}
+
+void Session::on_pages(const Structure& structure, const PageFold& seen, std::vector<Vec2>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (on_right(structure, i, seen)) points[i] = across(seen.on_left, seen.on_right, points[i]);
+    }
 }
 
 bool Session::write(std::size_t n, const Shaped& shaped) {

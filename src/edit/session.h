@@ -58,6 +58,11 @@ class Session {
 
     static const ElementInfo& info_of(const Structure& structure);
     static std::vector<Vec2> points_of(const Structure& structure);
+    // The points as measures see them, on the fold that a structure stands on: a point of the fold itself is
+    // on the page to the left of it, wherever it is given. on_pages() takes them back to where they are
+    // given.
+    static std::vector<Vec2> points_of(const Structure& structure, const PageFold& seen);
+    static void on_pages(const Structure& structure, const PageFold& seen, std::vector<Vec2>& points);
     // Gives a structure other points and drawn values; false after an error.
     bool write(std::size_t n, const Shaped& shaped);
 

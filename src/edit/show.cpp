@@ -97,7 +97,8 @@ class Shown {
 
     [[nodiscard]] std::optional<std::vector<double>> measures(std::size_t n) const {
         const Standing& standing = card_.standing[n];
-        return measures_of(info(n), standing.seen, 1, edit::Session::points_of(design_.structures[n]),
+        return measures_of(info(n), standing.seen, 1,
+                           edit::Session::points_of(design_.structures[n], standing.seen),
                            design_.structures[n].arguments);
     }
 

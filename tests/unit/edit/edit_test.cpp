@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text/quoted_words.h"
@@ -15,6 +16,7 @@
 #include "popup/motion.h"
 #include "support/designs.h"
 #include "support/proposals.h"
+#include "support/run_program.h"
 #include "support/sanitized.h"
 
 namespace popup::test {
@@ -477,6 +479,22 @@ TEST(Format, SettlesAtOnceAndKeepsComments) {
         for (std::size_t i = 0; i < was.size(); ++i) was[i]["line"] = is[i]["line"];
         return was;
     }());
+}
+
+// A v-fold on the seam of another one has its apex on the page on the one side, and on the other side
+// likewise: what is symmetrical has the same measures.
+TEST(Edit, SeesWhatStandsOnBothSeamsAlike) {
+    const std::string cascade = read_file(std::string(POPUP_SOURCE_DIR) + "/samples/cascade.xml");
+    for (const auto& [left, right] : {std::pair("v-2-a", "v-2-b"), {"v-3-a", "v-3-d"}, {"v-4-a", "v-4-b"}}) {
+        for (const char* name : {"at", "width", "lean", "height"}) {
+            EXPECT_NEAR(measure(cascade, left, name), measure(cascade, right, name), 1e-6) << right << name;
+        }
+    }
+    // All of it goes along, and stands as well as before.
+    const Done moved = edited(cascade, "move v-1 --along 0.2 --follow");
+    ASSERT_TRUE(moved.edited);
+    EXPECT_EQ(moved.said, "");
+    EXPECT_EQ(shown(after(moved.edited->text, "move v-1 --along=-0.2 --follow")), shown(cascade));
 }
 
 // Each is a card as it comes, in any size.
