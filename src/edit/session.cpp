@@ -131,9 +131,9 @@ void Session::take_out(std::size_t n) {
     Structure& structure = design.structures[n];
     structure.dropped = true;
     close_up_pages(design);
-    // Numbers that names of others begin with are theirs from now on.
+    // Numbers that names of others begin with, and that would become other ones, are theirs from now on.
     for (const Structure& other : design.structures) {
-        if (!other.named().owner) continue;
+        if (other.dropped || !other.named().owner || *other.named().owner < n) continue;
         Structure& owner = design.structures[*other.named().owner];
         if (!owner.id_given) owner.id_given = owner.id_changed = true;
     }

@@ -497,6 +497,24 @@ TEST(Edit, SeesWhatStandsOnBothSeamsAlike) {
     EXPECT_EQ(shown(after(moved.edited->text, "move v-1 --along=-0.2 --follow")), shown(cascade));
 }
 
+// An element that others named by its number gets it as its id when the number would be another one's.
+TEST(Edit, GivesIdsOnlyWhereNumbersChange) {
+    const std::string card = R"(<popup version="3.0" units="mm">
+  <mainpage width="200" height="140"/>
+  <structurelist>
+  </structurelist>
+</popup>
+)";
+    std::string text = after(card, "add tent --id tent --width 50 --height 24 --length 40 --at 20");
+    text.replace(text.find(" id=\"tent\""), 10, "");
+    const std::string two = after(text, "add beak --id beak --on e1.centre --width 4");
+    EXPECT_EQ(after(two, "delete beak"), text);
+    std::string three = after(text, "add tent --id tent --width 50 --height 24 --length 20 --at=-40");
+    three.replace(three.find(" id=\"tent\""), 10, "");
+    three = after(three, "add beak --id beak --on e2.centre --width 4");
+    EXPECT_NE(after(three, "delete e1").find("<structure type=\"tent\" id=\"e2\">"), std::string::npos);
+}
+
 // Each is a card as it comes, in any size.
 TEST(Templates, AreWorthPrintingAsTheyCome) {
     ASSERT_GE(card_templates().size(), 8U);
