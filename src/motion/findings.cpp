@@ -145,7 +145,7 @@ class Findings {
                     size = options_.fitting_size(element.name, one->by_mm);
             }
             if (move) finding.hint(in_words(*move, "keeps it inside the closed card"));
-            if (size) finding.hint(*std::move(size));
+            if (size) finding.hint(*size);
             finding.hint(fmt::format(
                 "its corner at ({:.2f}, {:.2f}) mm reaches furthest; make the piece smaller there{}",
                 in_hundredths(one->corner.x), in_hundredths(one->corner.y),
