@@ -149,10 +149,10 @@ std::optional<Design> read_document(const Source& source, const EditOptions& opt
 }
 
 // Checks and closes a design: with what its reading says, everything that can be an error of it. How far it
-// was when the last finding came: looking no further finds the same codes. `edits`: a design
-// before and after them, of which this one was read; what moves as before is not moved again.
+// was when the last finding came: looking no further finds the same codes. `edits`: those
+// that made the text of which this one was read; what moves as before is not moved again.
 Until look_at(const Design& design, Until until, const EditOptions& options, Diagnostics& found,
-              std::optional<std::pair<const Design*, const Design*>> edits = {}) {
+              const Edits* edits = nullptr) {
     Until last = Until::reading;
     std::size_t count = found.sorted().size();
     const auto now = [&](Until stage) {
@@ -167,8 +167,7 @@ Until look_at(const Design& design, Until until, const EditOptions& options, Dia
     if (!checked || until == Until::check) return last;
     const auto assembly = assemble(*checked, {}, found);
     const bool moves =
-        assembly && edits &&
-        moves_without_findings(*edits->first, *edits->second, design, *assembly, options.check);
+        assembly && edits != nullptr && moves_without_findings(*edits, design, *assembly, options.check);
     if (assembly && !moves) {
         MotionOptions motion;
         motion.examine = false;
@@ -244,13 +243,13 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     made.text = xml::patch(source, session.design, session.gone);
     made.files = std::move(reading.files);
     if (made.text == source.text) return made;
-    if (edit::finds_nothing(before_edits, session.design, options.check)) return made;
+    const edit::Edits done{before_edits, session.design, session.bereft};
+    if (edit::finds_nothing(done, options.check)) return made;
 
     Diagnostics after(source.name);
     edit::Until last = edit::Until::reading;
     if (const auto design = edit::read_document({source.name, made.text}, options, after))
-        last = edit::look_at(*design, edit::Until::motion, options, after,
-                             std::pair(&before_edits, &session.design));
+        last = edit::look_at(*design, edit::Until::motion, options, after, &done);
     const std::vector<Diagnostic> found = after.sorted();
     // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before;

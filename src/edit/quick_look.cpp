@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -77,8 +78,9 @@ std::optional<std::size_t> structure_of(const Plate& plate, const Numbers& numbe
 
 // Which structures have to be moved; nullopt: it cannot be told. `read`: the edited design, as it was read
 // again; elements without an id may have other numbers there.
-std::optional<std::vector<bool>> concerned(const Design& before, const Design& edited, const Design& read,
-                                           const Assembly& assembly) {
+std::optional<std::vector<bool>> concerned(const Edits& edits, const Design& read, const Assembly& assembly) {
+    const Design& before = edits.before;
+    const Design& edited = edits.after;
     if (read.structures.size() != edited.structures.size()) return std::nullopt;
     const Numbers numbers = numbers_of(read);
     const Numbers old = numbers_of(before);
@@ -93,9 +95,17 @@ std::optional<std::vector<bool>> concerned(const Design& before, const Design& e
         carriers[*own].push_back(*on);
     }
     std::vector<bool> changed(count, false);
+    const Numbers now = numbers_of(edited);
+    for (const std::string& id : edits.bereft) {
+        const auto found = now.find(id);
+        // Taken out by a later edit, or renamed.
+        if (found == now.end()) return std::nullopt;
+        changed[found->second] = true;
+    }
     for (std::size_t i = 0; i < count; ++i) {
         const auto was = old.find(edited.structures[i].id);
-        changed[i] = was == old.end() || is_changed(before.structures[was->second], edited.structures[i]);
+        changed[i] = changed[i] || was == old.end() ||
+                     is_changed(before.structures[was->second], edited.structures[i]);
         for (const std::size_t carrier : carriers[i]) changed[i] = changed[i] || changed[carrier];
     }
     for (std::size_t i = count; i-- > 0;) {
@@ -128,9 +138,9 @@ Design part_of(Design design, const std::vector<bool>& kept) {
 
 }  // namespace
 
-bool moves_without_findings(const Design& before, const Design& edited, const Design& read,
-                            const Assembly& assembly, const CheckOptions& options) {
-    const auto moved = concerned(before, edited, read, assembly);
+bool moves_without_findings(const Edits& edits, const Design& read, const Assembly& assembly,
+                            const CheckOptions& options) {
+    const auto moved = concerned(edits, read, assembly);
     if (!moved) return false;
     Diagnostics told(read.file);
     const auto part = check(part_of(read, *moved), options, told);
@@ -142,14 +152,13 @@ bool moves_without_findings(const Design& before, const Design& edited, const De
     return simulate(*small, motion, found) && found.sorted().empty();
 }
 
-bool finds_nothing(const Design& before, const Design& edited, const CheckOptions& options) {
-    const Design written = as_written(edited);
-    Diagnostics found(edited.file);
+bool finds_nothing(const Edits& edits, const CheckOptions& options) {
+    const Design written = as_written(edits.after);
+    Diagnostics found(written.file);
     const auto checked = check(written, options, found);
     if (!checked || !found.sorted().empty()) return false;
     const auto assembly = assemble(*checked, {}, found);
-    return assembly && found.sorted().empty() &&
-           moves_without_findings(before, edited, written, *assembly, options);
+    return assembly && found.sorted().empty() && moves_without_findings(edits, written, *assembly, options);
 }
 
 }  // namespace popup::edit

@@ -278,6 +278,19 @@ double apart(const std::string& was, const std::string& is) {
     return most;
 }
 
+// Whether copies carry each other and nothing else, and nothing else carries them but what the first stands
+// on.
+bool copied_alone(const Design& before, const Design& after) {
+    const std::size_t count = before.structures.size();
+    const CardFolds card = folds_of_card(after);
+    const std::vector<std::string> was = grounds(before);
+    for (std::size_t i = 0; i < card.standing.size(); ++i) {
+        const Standing& one = card.standing[i];
+        if (i < count ? one.on != was[i] : i > count && (!one.owner || *one.owner < count)) return false;
+    }
+    return true;
+}
+
 void undo(const Design& before, const std::string& text, const Design& after, const Result& done,
           const Proposed& proposed, Tally& tally) {
     // The version of a document stays where it was raised.
@@ -286,6 +299,7 @@ void undo(const Design& before, const std::string& text, const Design& after, co
     if (without_id(before) != without_id(after)) return;
     const bool moves = proposed.edit.starts_with("move") || proposed.edit.starts_with("point");
     if (moves && grounds(before) != grounds(after)) return;
+    if (proposed.edit.starts_with("copy") && !copied_alone(before, after)) return;
     const Result back = carry_out(done.edited->text, proposed.back);
     if (!back.edited || back.refused) {
         EXPECT_NE(back.of_edits, "");
