@@ -313,7 +313,11 @@ class Scanner {
     bool unique_attributes(std::size_t first) {
         const std::size_t count = out_.attributes.size() - first;
         if (count < 2) return true;
-        const auto name = [&](const LocatedAttribute& a) { return text_.substr(a.name, a.name_length); };
+        const auto name = [&](const LocatedAttribute& a) {
+            return std::string_view(text_.data() + a.name, a.name_length);
+        };
+        // Two, which is what points have, are compared in place; what is wrong is told below.
+        if (count == 2 && name(out_.attributes[first]) != name(out_.attributes[first + 1])) return true;
         order_.assign(out_.attributes.begin() + static_cast<std::ptrdiff_t>(first), out_.attributes.end());
         std::sort(order_.begin(), order_.end(), [&](const LocatedAttribute& a, const LocatedAttribute& b) {
             return name(a) != name(b) ? name(a) < name(b) : a.name < b.name;

@@ -82,13 +82,15 @@ std::size_t parts_of(const Located& located, Offset index) {
 TextRange Node::start_tag() const { return range(located().begin, located().tag_end); }
 TextRange Node::whole() const { return range(located().begin, located().end); }
 
+Attribute Node::attribute(const tinyxml2::XMLAttribute& dom, std::size_t n) const {
+    const LocatedAttribute& place = source_->attributes[located().first_attribute + n];
+    const TextRange raw = range(place.value, place.value + place.value_length);
+    return {dom.Name(), {dom.Value(), raw, place.place, true, true}, place.place};
+}
+
 std::vector<Attribute> Node::attributes() const {
     std::vector<Attribute> out;
-    const LocatedAttribute* place = source_->attributes.data() + located().first_attribute;
-    for (const auto* a = dom_->FirstAttribute(); a; a = a->Next(), ++place) {
-        const TextRange raw = range(place->value, place->value + place->value_length);
-        out.push_back({a->Name(), {a->Value(), raw, place->place, true, true}, place->place});
-    }
+    for (const auto* a = dom_->FirstAttribute(); a; a = a->Next()) out.push_back(attribute(*a, out.size()));
     return out;
 }
 

@@ -6,8 +6,11 @@
 
 #include <tinyxml2.h>
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +46,18 @@ class Node {
     [[nodiscard]] TextRange start_tag() const;
     [[nodiscard]] TextRange whole() const;
     [[nodiscard]] std::vector<Attribute> attributes() const;
+    // The same, where it has nothing but attributes, and as many as that at the most; else none.
+    template <std::size_t kMost>
+    std::span<const Attribute> few_attributes(std::array<Attribute, kMost>& room) const {
+        if (dom_->FirstChild() != nullptr) return {};
+        std::size_t count = 0;
+        for (const auto* a = dom_->FirstAttribute(); a != nullptr; a = a->Next()) {
+            if (count == kMost) return {};
+            room[count] = attribute(*a, count);
+            ++count;
+        }
+        return {room.data(), count};
+    }
     // Its own text, in the pieces that comments and child elements leave; those that are all blank are left
     // out.
     [[nodiscard]] std::vector<Text> texts() const;
@@ -55,6 +70,8 @@ class Node {
     [[nodiscard]] const LocatedElement& located() const {
         return *static_cast<const LocatedElement*>(dom_->GetUserData());
     }
+    // The n-th attribute, with its place.
+    [[nodiscard]] Attribute attribute(const tinyxml2::XMLAttribute& dom, std::size_t n) const;
     const tinyxml2::XMLElement* dom_ = nullptr;
     const Located* source_ = nullptr;
 };

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "input/color.h"
 #include "input/text.h"
@@ -14,6 +16,14 @@
 
 namespace popup::xml {
 namespace {
+
+// A point that is still to be given its numbers.
+DesignPoint begun(const Node& node) {
+    DesignPoint made;
+    made.place = node.place();
+    made.tag_text = node.start_tag();
+    return made;
+}
 
 bool parts_numbers(char c) { return is_blank(c) || c == ',' || c == ';'; }
 
@@ -204,11 +214,43 @@ std::optional<DesignPoint> Values::point_of(const Text& text, std::string_view w
     return std::nullopt;
 }
 
+// What nearly all points are, of which documents have the most: <point x="1" y="2"/>, perhaps with a page.
+// nullopt: it is written in another way, and names have to be looked up.
+std::optional<DesignPoint> Values::plain_point(Node node, Name context) {
+    std::array<Attribute, 3> room;
+    Field x;
+    Field y;
+    Field on;
+    for (const Attribute& one : node.few_attributes(room)) {
+        const auto is = [&](Field& field, Name name, std::string_view spelling) {
+            if (one.name != spelling || field.name == name) return false;
+            field = {name, one.place, one.value, {}, {}};
+            return true;
+        };
+        if (is(x, Name::x, "x") || is(y, Name::y, "y") ||
+            (context == Name::point && is(on, Name::page, "page")))
+            continue;
+        return std::nullopt;
+    }
+    if (x.name == Name::unknown || y.name == Name::unknown) return std::nullopt;
+    DesignPoint made = begun(node);
+    if (on.name == Name::page) made.page = page(&on, &made.page_text);
+    read_coordinate(x, made.at.x, made.x_text);
+    read_coordinate(y, made.at.y, made.y_text);
+    return made;
+}
+
+void Values::read_coordinate(const Field& field, double& value, TextRange& range) {
+    const std::optional<Text> text = value_of(field, reporter_);
+    if (!text) return;
+    value = length(text->decoded, field.name == Name::x ? "x" : "y", text->place).value_or(0.0);
+    range = tight(*text);
+}
+
 DesignPoint Values::point(Node node, Name context) {
+    if (auto plain = plain_point(node, context)) return *std::move(plain);
     Fields fields(node, context, reporter_);
-    DesignPoint made;
-    made.place = node.place();
-    made.tag_text = node.start_tag();
+    DesignPoint made = begun(node);
     made.page = page(fields.find(Name::page), &made.page_text);
 
     const Field* x = fields.find(Name::x);
@@ -222,11 +264,8 @@ DesignPoint Values::point(Node node, Name context) {
                                 fmt::format("this {} has no {}", canonical(context), canonical(name)));
                 continue;
             }
-            const std::optional<Text> text = value_of(*field, reporter_);
-            if (!text) continue;
-            const double mm = length(text->decoded, canonical(name), text->place).value_or(0.0);
-            (name == Name::x ? made.at.x : made.at.y) = mm;
-            (name == Name::x ? made.x_text : made.y_text) = tight(*text);
+            read_coordinate(*field, name == Name::x ? made.at.x : made.at.y,
+                            name == Name::x ? made.x_text : made.y_text);
         }
         return made;
     }

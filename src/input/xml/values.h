@@ -73,6 +73,8 @@ class Values {
     void read_points(const Field& field, Argument& made);
     DesignPoint point_of(const Token& x, const Token& y);
     DesignPoint point(Node node, Name context);
+    std::optional<DesignPoint> plain_point(Node node, Name context);
+    void read_coordinate(const Field& field, double& value, TextRange& range);
     std::optional<DesignPoint> point_of(const Text& text, std::string_view what);
 
     [[nodiscard]] bool is_page(std::string_view name) const;
