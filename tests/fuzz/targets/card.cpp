@@ -35,8 +35,7 @@ const Design& base(std::size_t kind, std::uint64_t seed) {
         const std::span<const ElementInfo> rows = element_table();
         at->second = kind == 0   ? test::generate(seed, 2)
                      : kind == 1 ? test::generate_any(seed, 2)
-                     : kind == 2 ? test::generate_tower(seed, 2)
-                     : kind == 3 ? test::generate_of(rows[seed % rows.size()], seed, 1)
+                     : kind == 2 ? test::generate_of(rows[seed % rows.size()], seed, 1)
                                  : test::row(5);
     }
     return at->second;
@@ -226,7 +225,7 @@ void expect_mended(const CompiledDesign& one, const CompileOptions& how) {
 
 void look_at_card(std::string_view bytes) {
     Choices choices(bytes);
-    const std::size_t kind = choices.below(5);
+    const std::size_t kind = choices.below(4);
     Design design = base(kind, choices.below(24));
     const Format& format = format_table()[choices.below(format_table().size())];
     const auto look = static_cast<Look>(choices.below(4));
