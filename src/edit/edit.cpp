@@ -243,7 +243,7 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     made.text = xml::patch(source, session.design, session.gone);
     made.files = std::move(reading.files);
     if (made.text == source.text) return made;
-    const edit::Edits done{before_edits, session.design, session.bereft};
+    const edit::Edits done{before_edits, session.design, !session.gone.empty()};
     if (edit::finds_nothing(done, options.check)) return made;
 
     Diagnostics after(source.name);

@@ -442,10 +442,6 @@ bool take_out(Session& session, const Command& command) {
                         fmt::join(named, ", "), named.empty() ? "" : " and ", last),
             "--with-children takes them out with it");
     }
-    for (const std::size_t i : all) {
-        const auto owner = card.standing[i].owner;
-        if (owner && !goes[*owner]) session.bereft.push_back(session.design.structures[*owner].id);
-    }
     for (auto i = all.rbegin(); i != all.rend(); ++i) session.take_out(*i);
     return true;
 }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -95,17 +94,9 @@ std::optional<std::vector<bool>> concerned(const Edits& edits, const Design& rea
         carriers[*own].push_back(*on);
     }
     std::vector<bool> changed(count, false);
-    const Numbers now = numbers_of(edited);
-    for (const std::string& id : edits.bereft) {
-        const auto found = now.find(id);
-        // Taken out by a later edit, or renamed.
-        if (found == now.end()) return std::nullopt;
-        changed[found->second] = true;
-    }
     for (std::size_t i = 0; i < count; ++i) {
         const auto was = old.find(edited.structures[i].id);
-        changed[i] = changed[i] || was == old.end() ||
-                     is_changed(before.structures[was->second], edited.structures[i]);
+        changed[i] = was == old.end() || is_changed(before.structures[was->second], edited.structures[i]);
         for (const std::size_t carrier : carriers[i]) changed[i] = changed[i] || changed[carrier];
     }
     for (std::size_t i = count; i-- > 0;) {
@@ -140,16 +131,20 @@ Design part_of(Design design, const std::vector<bool>& kept) {
 
 bool moves_without_findings(const Edits& edits, const Design& read, const Assembly& assembly,
                             const CheckOptions& options) {
+    MotionOptions motion;
+    motion.examine = false;
+    const auto finds_nothing_in = [&](const Assembly& made) {
+        Diagnostics found(read.file);
+        return simulate(made, motion, found) && found.sorted().empty();
+    };
+    // What is taken out may have held what it did not stand on.
+    if (edits.taken_out) return finds_nothing_in(assembly);
     const auto moved = concerned(edits, read, assembly);
     if (!moved) return false;
     Diagnostics told(read.file);
     const auto part = check(part_of(read, *moved), options, told);
     const auto small = part ? assemble(*part, {}, told) : std::nullopt;
-    if (!small) return false;
-    MotionOptions motion;
-    motion.examine = false;
-    Diagnostics found(read.file);
-    return simulate(*small, motion, found) && found.sorted().empty();
+    return small && finds_nothing_in(*small);
 }
 
 bool finds_nothing(const Edits& edits, const CheckOptions& options) {

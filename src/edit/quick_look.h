@@ -1,9 +1,6 @@
 // Whether an edited document is as good as it was, without a look at all of it.
 #pragma once
 
-#include <span>
-#include <string>
-
 #include "popup/assembly.h"
 #include "popup/check.h"
 #include "popup/design.h"
@@ -14,18 +11,18 @@ namespace popup::edit {
 struct Edits {
     const Design& before;
     const Design& after;
-    std::span<const std::string> bereft;  // the ids of elements on which something stood that was taken out
+    bool taken_out = false;  // of `before`, elements are gone
 };
 
 // Whether the checks find nothing at all in the edited design, as it will be written, and nothing about how
 // its elements move that is not known from before. false: look at the document, and compare.
 bool finds_nothing(const Edits& edits, const CheckOptions& options);
 
-// Whether nothing is found about the motion of those elements that differ, or have lost what stood on
-// them, with what carries them and what they carry. Elements stand on each other as a tree, and how one moves
-// depends on nothing but what carries it: the others move as before. `read` is what was read of the edited
-// design, or that itself, and `assembly` is made of it. false: move all of it. Cost: linear in elements, and
-// a check and a motion of those.
+// Whether nothing is found about the motion of those elements that differ, with what carries them and what
+// they carry: the others move as before. Where elements were taken out, all are moved: those may have held
+// what they did not stand on. `read` is what was read of the edited design, or that itself, and `assembly` is
+// made of it. false: move all of it, and compare. Cost: linear in elements, and a check and a motion of
+// those.
 bool moves_without_findings(const Edits& edits, const Design& read, const Assembly& assembly,
                             const CheckOptions& options);
 

@@ -31,9 +31,8 @@ class Session {
         : design(std::move(read)), folder_(std::move(folder)), said_(said) {}
 
     Design design;
-    std::vector<TextRange> gone;      // of structures that were taken out
-    std::vector<std::string> bereft;  // the ids of what they stood on
-    Place place;                      // of the edit
+    std::vector<TextRange> gone;  // of structures that were taken out
+    Place place;                  // of the edit
 
     // An error; always false.
     bool fail(std::string_view code, std::string what, std::string hint = {});

@@ -348,7 +348,7 @@ TEST(Image, IsATextureOfPlatesThatMove) {
     ASSERT_TRUE(motion);
     const Glb glb = parts_of(glb_of(*built.assembly, &*motion));
     ASSERT_EQ(glb.json.at("images").size(), 1U);
-    EXPECT_EQ(glb.json["materials"].size(), 2U);
+    EXPECT_EQ(glb.json["materials"].size(), 4U);  // paper, picture, edges and folds
 }
 
 // An opaque picture hides the area under it, so that nothing flickers; a later area hides the picture.
@@ -358,7 +358,7 @@ TEST(Image, AndAreasOfAModelDoNotOverlap) {
     prints.insert(prints.begin(), Area{{test::rectangle(-50, -18, -10, 18), {}}, Color{255, 255, 0}});
     prints.push_back(Area{{test::rectangle(-20, -5, -5, 5), {}}, Color{0, 0, 0}});
     const Glb glb = parts_of(glb_of(page.assembly));
-    EXPECT_EQ(glb.json["materials"].size(), 4U);  // paper, yellow, picture, black
+    EXPECT_EQ(glb.json["materials"].size(), 6U);  // paper, yellow, picture, black, edges and folds
 }
 
 TEST(Image, KhronosValidatorFindsNothing) {
