@@ -26,10 +26,16 @@ int side_of(GridPoint a, GridPoint b, GridPoint c) {
 // Corners by where they are: cells of a grid with a few corners each.
 class CornerGrid {
  public:
-    // A cell is as wide as so many edges are long, on average: a few edges later most are much longer.
-    CornerGrid(double perimeter, std::size_t corners) {
+    // A cell is as wide as so many edges are long, on average: a few edges later most are much longer. It is
+    // no wider than what holds a few corners where they are spread evenly: notches have long edges, and their
+    // corners close together.
+    CornerGrid(double perimeter, const GridBox& box, std::size_t corners) {
         constexpr double kEdges = 16.0;
-        size_ = std::max<GridLength>(1, std::llround(kEdges * perimeter / static_cast<double>(corners + 1)));
+        constexpr double kSpread = 2.0;
+        const auto count = static_cast<double>(corners + 1);
+        const double area = static_cast<double>(box.x1 - box.x0) * static_cast<double>(box.y1 - box.y0);
+        const double size = std::min(kEdges * perimeter / count, kSpread * std::sqrt(area / count));
+        size_ = std::max<GridLength>(1, std::llround(size));
     }
     void insert(int corner, GridPoint p) { cells_[key(cell(p.x), cell(p.y))].push_back(corner); }
     void erase(int corner, GridPoint p) { std::erase(cells_[key(cell(p.x), cell(p.y))], corner); }
@@ -73,7 +79,9 @@ class Coarsener {
         }
         double perimeter = 0.0;
         for (const Corner& corner : corners_) perimeter += std::sqrt(square_of(at(corner.next) - corner.at));
-        grid_.emplace(perimeter, corners_.size());
+        GridBox box;
+        for (const Corner& corner : corners_) box.extend(corner.at);
+        grid_.emplace(perimeter, box, corners_.size());
         for (int i = 0; i < static_cast<int>(corners_.size()); ++i) grid_->insert(i, at(i));
     }
 
