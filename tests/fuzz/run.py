@@ -6,7 +6,7 @@
 BUILD is the folder that was configured with POPUP_FUZZ. Each target gets its share of the minutes, as many at a time as
 there are cores. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on next time; what it found, made
 as small as half a minute allows, in BUILD/finds/TARGET. A find that shows a fault becomes a file in
-tests/fuzz/finds/TARGET, where the ordinary tests look at it. Exits with 1 where there are finds.
+tests/fuzz/finds/TARGET, where the ordinary tests look at it. Exits with 1 where there are finds, or a target did not run.
 """
 import concurrent.futures
 import json
@@ -145,10 +145,14 @@ def main():
     for target in targets:
         print(f"{target.name:16}{target.executions:12}{figures[target.name]:13}{target.edges:8}{target.all_edges:8}"
               f"{sum(1 for _ in target.corpus.iterdir()):8}{len(target.found):7}")
+    idle = [target for target in targets if not target.executions and not target.found]
+    for target in idle:
+        print(f"{target.name} did not run; the end of {target.log}:")
+        print("\n".join("  " + line for line in target.log.read_text(errors="replace").splitlines()[-5:]))
     found = [(target, what) for target in targets for what in target.found]
     for target, what in found:
         print(f"{target.name}: {what}\n  in {target.finds}")
-    sys.exit(1 if found else 0)
+    sys.exit(1 if found or idle else 0)
 
 
 if __name__ == "__main__":
