@@ -376,6 +376,8 @@ bool Manifest::read_csv(Diagnostics& diagnostics) {
                    job_of(object_of(parser.fields, columns_), place, &diagnostics)) {
             rows_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(last), first});
         }
+        // Without columns nothing can be said of the rows.
+        if (columns_.empty() && diagnostics.has_errors()) return false;
         begin = end;
     }
     return !diagnostics.has_errors();
