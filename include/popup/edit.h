@@ -62,11 +62,12 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
 // A size that keeps an element inside the closed card, out of which it sticks by so many mm, as the words of
 // a hint, with the edit that makes it so: "with a height of 63.2 mm in place of 84.9 mm it stays inside the
 // closed card: popupc edit … set tower --height 63.2mm". That edit was carried out, read, checked and closed:
-// nothing of the element sticks out any more, nothing else that did not before, and the checks find nothing
-// new. Of the sizes that would do, the one that changes least; in the document's unit, to a tenth of a
-// millimetre or so. nullopt: no size does, or the design is no document, or has more than 300 elements.
-// Precondition: the design has been assembled, with these options. Cost: up to 30 times reading and checking
-// the document, fewer times if it has more than 50 elements.
+// nothing of the element sticks out any more, no plate that did not before, and the checks find nothing new.
+// Collisions are not looked at. Of the sizes that were found to do, the one that changes by the smallest
+// share; in the document's unit, to a tenth of a millimetre or so. nullopt: none of those that were tried
+// does, or the design is no document, or has more than 300 elements. Precondition: the design has been
+// assembled, with these options. Cost: up to 30 trials, fewer if the document has more than 50 elements; each
+// reads and checks it two or three times.
 std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, double by_mm);
 

@@ -40,7 +40,6 @@ CLI::App* add_lsp(CLI::App& app, Options& options) {
         ->group("Input");
     add_check_options(*verb, options);
     add_motion_options(*verb, options);
-    options.compile.fitting_size = {};  // tried with every key that is pressed, sizes would take too long
     add_run_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);
@@ -60,6 +59,7 @@ int run_lsp(const Options& options) {
     check_motion_options(options);
     lsp::ServerOptions server;
     server.compile = options.compile;
+    server.compile.fitting_size = {};  // tried with every key that is pressed, sizes would take too long
     server.policy = options.policy;
     server.open_view = open_view;
     // A request that asks too much is refused, and the next one answered.

@@ -142,6 +142,7 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
     result.poses = search.poses();
     return result;
 }
+
 }  // namespace
 
 std::vector<PlateShape> plate_shapes(const Assembly& assembly) {

@@ -106,7 +106,7 @@ int GltfMeshes::material(const Image& image) {
     tinygltf::Image file;
     file.name = fmt::format("picture {}", number + 1);
     file.mimeType = mime_type(image.format);
-    file.bufferView = number;  // among those of pictures, until add_buffer() knows better
+    file.bufferView = number;  // among those of pictures, until finish() knows better
     model_.images.push_back(std::move(file));
     picture_files_.push_back(image.bytes);
     if (model_.samplers.empty()) {

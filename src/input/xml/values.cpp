@@ -248,7 +248,7 @@ void Values::read_coordinate(const Field& field, double& value, TextRange& range
 }
 
 DesignPoint Values::point(Node node, Name context) {
-    if (auto plain = plain_point(node, context)) return *std::move(plain);
+    if (auto plain = plain_point(node, context)) return *plain;
     Fields fields(node, context, reporter_);
     DesignPoint made = begun(node);
     made.page = page(fields.find(Name::page), &made.page_text);
