@@ -166,8 +166,9 @@ Until look_at(const Design& design, Until until, const EditOptions& options, Dia
     now(Until::check);
     if (!checked || until == Until::check) return last;
     const auto assembly = assemble(*checked, {}, found);
-    const bool moves =
-        assembly && edits != nullptr && moves_without_findings(*edits, design, *assembly, options.check);
+    // A repair may move what is written as before.
+    const bool moves = assembly && edits != nullptr && found.repairs().empty() &&
+                       moves_without_findings(*edits, design, *assembly, options.check);
     if (assembly && !moves) {
         MotionOptions motion;
         motion.examine = false;

@@ -6,6 +6,7 @@
 
 #include "batch/manifest.h"
 #include "batch/results.h"
+#include "cli/files/read_files.h"
 
 namespace popup::cli {
 
