@@ -60,8 +60,8 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
                                     Diagnostics& of_document);
 
 // A size that keeps an element inside the closed card, out of which it sticks by so many mm, as the words of
-// a hint, with the edit that makes it so: "with a height of 63.2 mm in place of 84.9 mm it stays inside the
-// closed card: popupc edit … set tower --height 63.2mm". That edit was carried out, read, checked and closed:
+// a hint, with the edit that makes it so: "a height of 63.2 mm, not 84.9 mm, keeps it inside the closed card:
+// popupc edit … set tower --height 63.2mm". That edit was carried out, read, checked and closed:
 // nothing of the element sticks out any more, no plate that did not before, and the checks find nothing new.
 // Collisions are not looked at. Of the sizes that were found to do, the one that changes by the smallest
 // share; in the document's unit, to a tenth of a millimetre or so. nullopt: none of those that were tried

@@ -361,8 +361,8 @@ bool Manifest::read_csv(Diagnostics& diagnostics) {
             wrong(diagnostics, place, "the row's quotes do not pair")
                 .hint("a field with commas or quotes stands in quotes, and a quote in it is written twice");
         } else if (parser.further) {
-            wrong(diagnostics, place, "a carriage return ends the row, and more stands behind it on its line")
-                .hint("save it with the line breaks of Unix or of Windows");
+            wrong(diagnostics, place, "the row has a carriage return in its middle")
+                .hint("save the file with the line breaks of Unix or of Windows");
         } else if (!std::all_of(parser.fields.begin(), parser.fields.end(), is_utf8)) {
             wrong(diagnostics, place, "the row is not UTF-8");
         } else if (!parser.fields.empty() && columns_.empty()) {

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "edit/session.h"
 #include "popup/edit.h"
+#include "popup/mechanism.h"
 
 namespace popup {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMostElements = 300;
 constexpr std::size_t kElementsTried = 1500;  // elements times trials
@@ -51,7 +51,7 @@ class SizeSearch {
             if (found && (!best || found->share() < best->share())) best = found;
         }
         if (!best) return std::nullopt;
-        return fmt::format("with a {} of {} in place of {} it stays inside the closed card: popupc edit … {}",
+        return fmt::format("a {} of {}, not {}, keeps it inside the closed card: popupc edit … {}",
                            best->words, in_unit(best->wanted), in_unit(best->is),
                            fmt::join(words_of(element, *best), " "));
     }
@@ -69,22 +69,24 @@ class SizeSearch {
     }
 
     [[nodiscard]] std::vector<Size> sizes_of(const std::string& element) const {
+        const Design& design = one_.checked->design();
+        const auto structure = std::find_if(design.structures.begin(), design.structures.end(),
+                                            [&](const Structure& s) { return s.id == element; });
+        if (structure == design.structures.end()) return {};
+        const ElementInfo& info = edit::Session::info_of(*structure);
+        const PageFold seen = folds_of_card(design)
+                                  .standing[static_cast<std::size_t>(structure - design.structures.begin())]
+                                  .seen;
+        const auto measures =
+            measures_of(info, seen, 1, edit::Session::points_of(*structure, seen), structure->arguments);
         std::vector<Size> sizes;
-        Diagnostics unheard;
-        const auto text = show_json(one_.checked->design(), {element, true}, unheard);
-        if (!text) return sizes;
-        const Json shown = Json::parse(*text, nullptr, false);
-        if (!shown.contains("elements")) return sizes;
-        for (const Json& row : shown["elements"]) {
-            if (row.value("id", "") != element) continue;
-            for (const auto& [name, words] : kSizes) {
-                for (const char* group : {"measures", "values"}) {
-                    const Json& values = row[group];
-                    const auto at = values.find(name);
-                    if (at == values.end() || !at->is_number() || at->get<double>() <= 0.0) continue;
-                    sizes.push_back({name, words, at->get<double>(), 0.0});
-                }
+        for (const auto& [name, words] : kSizes) {
+            std::optional<double> mm;
+            if (const auto n = find_measure(info, name); n && measures) mm = (*measures)[*n];
+            if (const Argument* given = find_argument(info, structure->arguments, name)) {
+                if (const double* length = std::get_if<double>(&given->value)) mm = *length;
             }
+            if (mm.value_or(0.0) > 0.0) sizes.push_back({name, words, *mm / unit().mm, 0.0});
         }
         return sizes;
     }
@@ -94,7 +96,7 @@ class SizeSearch {
         const double step = by_mm / unit().mm;
         const auto tried = [&](double less) {
             const double by = std::pow(10.0, decimals());
-            size.wanted = std::floor((size.is - less) * by) / by;
+            size.wanted = std::floor((size.is - less) * by + 1e-6) / by;
             return size.wanted > 0.0 && keeps_inside(element, size);
         };
         double too_little = 0.0;

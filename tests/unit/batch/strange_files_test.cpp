@@ -29,7 +29,7 @@ TEST(StrangeManifests, ANumberThatNothingHoldsIsToldAtItsLine) {
 
 // It ends a row, where a line feed does not follow it, too: what stands behind it is not lost.
 TEST(StrangeManifests, NothingStandsBehindACarriageReturn) {
-    const std::string said = "2: a carriage return ends the row, and more stands behind it on its line";
+    const std::string said = "2: the row has a carriage return in its middle";
     for (const std::string rest : {"b.xml", "b.xml,b.svg", "b.xml,b.svg\n", "\"b\"\r\n"})
         EXPECT_EQ(refusal(ManifestForm::csv, "input,output\na.xml,a.svg\r" + rest), said) << rest;
     EXPECT_EQ(refusal(ManifestForm::csv, "input,output\na.xml,a.svg\r\n"), "nothing");

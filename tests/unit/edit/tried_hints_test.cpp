@@ -188,10 +188,9 @@ TEST(FittingSize, LengthsAreInTheUnitOfTheDocument) {
 )"};
     const std::vector<Diagnostic> found = findings_of(card);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(
-        found.front().hints.front(),
-        "with a radius of 1.00 in in place of 1.50 in it stays inside the closed card: popupc edit … set "
-        "moon --radius 1.00in");
+    EXPECT_EQ(found.front().hints.front(),
+              "a radius of 1.00 in, not 1.50 in, keeps it inside the closed card: popupc edit … set moon "
+              "--radius 1.00in");
     EXPECT_TRUE(findings_of(obeyed(card, found.front())).empty());
 }
 
