@@ -11,79 +11,24 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "support/designs.h"
-#include "support/glb_scene.h"
+#include "support/glb_models.h"
 #include "support/run_program.h"
 
 namespace popup {
 namespace {
 
+using test::glb_of;
+using test::GlbModel;
 using test::GlbNode;
-using test::GlbPart;
 using test::GlbScene;
+using test::model_of;
+using test::node_named;
 using test::Point3;
-
-struct Model {
-    Assembly assembly;
-    Motion motion;
-};
-
-// Not examined: what a test wants to be found, it says itself.
-Model model_of(const Design& design, MotionOptions options = {}) {
-    options.examine = false;
-    test::Built built = test::build(design);
-    Model model{std::move(*built.assembly), {}};
-    auto motion = simulate(model.assembly, options, built.diagnostics);
-    if (!motion) ADD_FAILURE() << test::findings(built.diagnostics);
-    if (motion) model.motion = *motion;
-    return model;
-}
-
-std::string glb_of(const Model& model, const OutputOptions& options = {}, const std::string& prefix = {}) {
-    const SceneCard card{&model.assembly, &model.motion, prefix};
-    Diagnostics diagnostics;
-    const auto bytes = write_glb({&card, 1}, options, diagnostics);
-    EXPECT_TRUE(bytes.has_value()) << test::findings(diagnostics);
-    EXPECT_FALSE(diagnostics.has_findings()) << test::findings(diagnostics);
-    return bytes.value_or("");
-}
-
-GlbScene read(const std::string& bytes) {
-    std::string error;
-    auto scene = test::read_glb(bytes, &error);
-    EXPECT_TRUE(scene.has_value()) << error;
-    return scene.value_or(GlbScene{});
-}
-
-int node_named(const GlbScene& scene, const std::string& name) {
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].name == name) return static_cast<int>(i);
-    }
-    ADD_FAILURE() << "no node " << name;
-    return 0;
-}
+using test::read_scene;
+using test::small_design;
 
 double mm_between(const Point3& a, const Point3& b) {
     return 1000.0 * std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-// A v-fold on the gutter whose plates turn through large angles, and a step on either side of it.
-Design small_design() {
-    Design design = test::card();
-    test::add(design, "v-fold",
-              {{-60, 20}, {0, -20}, {60, 20}, {-62, 36}, {0, 0}, {62, 36}, {62, 80}, {-62, 80}});
-    design.structures.back().argument(0).value = Color{255, 204, 0};  // of the left half
-    design.structures.back().argument(1).value = Color{255, 153, 0};  // and of the right one
-    test::add(design, "step", {{-30, 60}, {-30, 90}, {20, 60}, {20, 90}});
-    test::add(design, "beak", {{0, -30}, {-30, -60}, {30, -60}});
-    DrawnLine line;
-    line.thickness_pt = 72.0 / 25.4 * 2.0;
-    line.color = {0, 0, 255};
-    line.points.resize(2);
-    line.points[0].at = {-120, -90};
-    line.points[1].at = {-100, -90};
-    design.lines.push_back(line);
-    return design;
 }
 
 std::vector<std::pair<std::string, Design>> designs() {
@@ -115,8 +60,8 @@ std::vector<test::GlbJoint> joints_of(const Assembly& assembly, const GlbScene& 
 
 TEST(Gltf, HingesStayClosedAtTheKeysAndBetweenThem) {
     for (const auto& [name, design] : designs()) {
-        const Model model = model_of(design);
-        const GlbScene scene = read(glb_of(model));
+        const GlbModel model = model_of(design);
+        const GlbScene scene = read_scene(glb_of(model));
         const auto open = test::measure_openings(scene, joints_of(model.assembly, scene));
         EXPECT_LE(open.at_keys_mm, 0.001) << name;
         EXPECT_LE(open.between_keys_mm, 0.05) << name << " at " << open.at_deg << "°";
@@ -129,8 +74,8 @@ TEST(Gltf, HingesStayClosedWithFewSampledAnglesAndLargePages) {
     Design design = test::card(2794, 2159);
     test::add(design, "v-fold",
               {{-600, 200}, {0, -200}, {600, 200}, {-620, 360}, {0, 0}, {620, 360}, {620, 800}, {-620, 800}});
-    const Model model = model_of(design, options);
-    const GlbScene scene = read(glb_of(model));
+    const GlbModel model = model_of(design, options);
+    const GlbScene scene = read_scene(glb_of(model));
     const auto open = test::measure_openings(scene, joints_of(model.assembly, scene));
     EXPECT_LE(open.at_keys_mm, 0.001);
     EXPECT_LE(open.between_keys_mm, 0.05) << open.at_deg << "°";
@@ -138,8 +83,8 @@ TEST(Gltf, HingesStayClosedWithFewSampledAnglesAndLargePages) {
 
 TEST(Gltf, TheMeshesThemselvesMeetWhereHingesAre) {
     // By the meshes alone: corners that lie on another plate all the way.
-    const Model model = model_of(small_design());
-    const GlbScene scene = read(glb_of(model));
+    const GlbModel model = model_of(small_design());
+    const GlbScene scene = read_scene(glb_of(model));
     const auto joints = test::find_joints(scene);
     std::set<std::pair<int, int>> joined;
     for (const auto& joint : joints) joined.insert(std::minmax(joint.a, joint.b));
@@ -156,7 +101,7 @@ TEST(Gltf, TheMeshesThemselvesMeetWhereHingesAre) {
 
 TEST(Gltf, BasePlanesOpenEvenlyAboutTheSpine) {
     // x = ±c sin(θ/2), z = c cos(θ/2): the corners of an 11 × 8.5 inch card.
-    const GlbScene scene = read(glb_of(model_of(test::card())));
+    const GlbScene scene = read_scene(glb_of(model_of(test::card())));
     for (const double deg : {0.0, 1.0, 37.5, 90.0, 123.4, 180.0}) {
         const auto poses = test::pose_at_angle(scene, deg);
         const double half = deg * std::acos(-1.0) / 360.0;
@@ -173,8 +118,8 @@ TEST(Gltf, BasePlanesOpenEvenlyAboutTheSpine) {
 }
 
 TEST(Gltf, PlatesAreWhereTheClosedFormPutsThemAndRestOpenAt90Degrees) {
-    const Model model = model_of(small_design());
-    const GlbScene scene = read(glb_of(model));
+    const GlbModel model = model_of(small_design());
+    const GlbScene scene = read_scene(glb_of(model));
     const auto compare = [&](const std::vector<test::GlbPose>& poses, double deg) {
         std::vector<Frame> frames(model.assembly.plates.size());
         ASSERT_TRUE(place(model.assembly, Angle::degrees(deg), frames));
@@ -195,101 +140,10 @@ TEST(Gltf, PlatesAreWhereTheClosedFormPutsThemAndRestOpenAt90Degrees) {
     compare(test::rest_pose(scene), 90.0);
 }
 
-// The area of paper in mm², all of it seen from the side that the sign says.
-double paper_area(const GlbPart& paper, double sign) {
-    double sum = 0.0;
-    for (const auto& t : paper.triangles) {
-        Ring ring;
-        for (const auto corner : t) {
-            const Point3& p = paper.points.at(corner);
-            EXPECT_EQ(p[2], 0.0);
-            EXPECT_EQ(paper.normals.at(corner), (Point3{0.0, 0.0, sign}));
-            ring.push_back({1000 * p[0], 1000 * p[1]});
-        }
-        EXPECT_GT(sign * signed_area(ring), 0.0);
-        sum += sign * signed_area(ring);
-    }
-    return sum;
-}
-
-TEST(Gltf, MeshesAreThePlatesWithTheirHoles) {
-    const Model model = model_of(small_design());
-    const GlbScene scene = read(glb_of(model));
-    for (const Plate& plate : model.assembly.plates) {
-        const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, plate.name))];
-        ASSERT_FALSE(node.parts.empty()) << plate.name;
-        EXPECT_NEAR(paper_area(node.parts[0], 1.0), area(plate.outline), 1e-3 * area(plate.outline))
-            << plate.name;
-    }
-}
-
-TEST(Gltf, BehindWhatIsPrintedOnItsFrontPaperIsBare) {
-    const Model model = model_of(small_design());
-    OutputOptions both;
-    both.backs = true;
-    const GlbScene scene = read(glb_of(model));
-    const GlbScene printed = read(glb_of(model, both));
-    int coloured = 0;
-    for (const Plate& plate : model.assembly.plates) {
-        const auto number = static_cast<std::size_t>(node_named(scene, plate.name));
-        const std::vector<GlbPart>& parts = scene.nodes[number].parts;
-        EXPECT_TRUE(printed.nodes[number].parts.at(0).double_sided) << plate.name;
-        EXPECT_EQ(printed.nodes[number].parts.at(0).color, parts.at(0).color) << plate.name;
-        EXPECT_EQ(parts.at(0).double_sided, !plate.fill) << plate.name;
-        if (!plate.fill) continue;
-        ++coloured;
-        EXPECT_FALSE(parts.at(1).double_sided) << plate.name;
-        EXPECT_EQ(parts.at(1).color, (Point3{1.0, 1.0, 1.0})) << plate.name;
-        EXPECT_NEAR(paper_area(parts.at(1), -1.0), area(plate.outline), 1e-3 * area(plate.outline))
-            << plate.name;
-    }
-    EXPECT_EQ(coloured, 2);
-}
-
-// How long all lines of a colour are, in mm.
-double lines_mm(const GlbNode& node, double channel) {
-    double sum = 0.0;
-    for (const GlbPart& part : node.parts) {
-        if (part.lines.empty() || std::abs(part.color[0] - channel) > 1e-3) continue;
-        for (const auto& line : part.lines) {
-            const Point3& a = part.points.at(line[0]);
-            const Point3& b = part.points.at(line[1]);
-            sum += 1000.0 * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-        }
-    }
-    return sum;
-}
-
-TEST(Gltf, LinesRunAlongCutEdgesAndFolds) {
-    constexpr double kEdge = 0.029557;  // #303030 and #909090 as light
-    constexpr double kFold = 0.278894;
-    const Model model = model_of(small_design());
-    const GlbScene scene = read(glb_of(model));
-    for (const Plate& plate : model.assembly.plates) {
-        const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, plate.name))];
-        double around = 0.0;
-        const auto add = [&around](const Ring& ring) {
-            for (std::size_t i = 0; i < ring.size(); ++i)
-                around += distance(ring[i], ring[(i + 1) % ring.size()]);
-        };
-        add(plate.outline.outer);
-        for (const Ring& hole : plate.outline.holes) add(hole);
-        EXPECT_NEAR(lines_mm(node, kEdge) + lines_mm(node, kFold), around, 1e-3) << plate.name;
-    }
-    // Each half of the v-fold turns about its centre fold, from (0, 0) to (0, 80); its foot is glued.
-    EXPECT_NEAR(lines_mm(scene.nodes[static_cast<std::size_t>(node_named(scene, "e1/left"))], kFold), 80.0,
-                1e-3);
-    OutputOptions none;
-    none.edge_lines = false;
-    for (const GlbNode& node : read(glb_of(model, none)).nodes) {
-        for (const GlbPart& part : node.parts) EXPECT_TRUE(part.lines.empty()) << node.name;
-    }
-}
-
 TEST(Gltf, NodesAreNamedByPlateAndCarryPlateAndPiece) {
-    const Model model = model_of(small_design());
-    const GlbScene plain = read(glb_of(model));
-    const GlbScene prefixed = read(glb_of(model, {}, "castle:"));
+    const GlbModel model = model_of(small_design());
+    const GlbScene plain = read_scene(glb_of(model));
+    const GlbScene prefixed = read_scene(glb_of(model, {}, "castle:"));
     EXPECT_EQ(plain.nodes.at(0).name, "card");
     EXPECT_EQ(prefixed.nodes.at(0).name, "castle");
     ASSERT_EQ(plain.nodes.size(), model.assembly.plates.size() + 1);
@@ -305,8 +159,8 @@ TEST(Gltf, NodesAreNamedByPlateAndCarryPlateAndPiece) {
 }
 
 TEST(Gltf, NodesFormTheHingeTree) {
-    const Model model = model_of(small_design());
-    const GlbScene scene = read(glb_of(model));
+    const GlbModel model = model_of(small_design());
+    const GlbScene scene = read_scene(glb_of(model));
     for (const Plate& plate : model.assembly.plates) {
         const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, plate.name))];
         const std::string parent =
@@ -322,7 +176,7 @@ TEST(Gltf, KeysIncludeTheSampledAnglesAndTimeGrowsWithTheAngle) {
     motion.angles = {Angle::degrees(12.5), Angle::degrees(63), Angle::degrees(63.01)};
     OutputOptions options;
     options.duration_s = 3.0;
-    const GlbScene scene = read(glb_of(model_of(small_design(), motion), options));
+    const GlbScene scene = read_scene(glb_of(model_of(small_design(), motion), options));
     for (const double wanted : {0.0, 12.5, 63.0, 63.01, 90.0, 180.0}) {
         EXPECT_TRUE(std::binary_search(scene.angles_deg.begin(), scene.angles_deg.end(), wanted)) << wanted;
     }
@@ -341,7 +195,7 @@ TEST(Gltf, FramesASecondAddKeys) {
     OutputOptions options;
     options.fps = 60.0;
     options.duration_s = 2.0;
-    const GlbScene scene = read(glb_of(model_of(test::card()), options));
+    const GlbScene scene = read_scene(glb_of(model_of(test::card()), options));
     for (std::size_t i = 1; i < scene.times.size(); ++i) {
         EXPECT_LE(scene.times[i] - scene.times[i - 1], 1.0 / 60.0 + 1e-5);
     }
@@ -351,14 +205,14 @@ TEST(Gltf, AnglesThatFallOnOneTimeGiveOneKey) {
     MotionOptions motion;
     motion.angles = {Angle::degrees(0),         Angle::degrees(1e-6),       Angle::degrees(40),
                      Angle::degrees(40.000001), Angle::degrees(179.999999), Angle::degrees(180)};
-    const GlbScene scene = read(glb_of(model_of(test::card(), motion)));
+    const GlbScene scene = read_scene(glb_of(model_of(test::card(), motion)));
     EXPECT_EQ(scene.angles_deg, (std::vector<double>{0, 40, 90, 180}));
     for (std::size_t i = 1; i < scene.times.size(); ++i) EXPECT_GT(scene.times[i], scene.times[i - 1]);
 }
 
 TEST(Gltf, TurnsGoTheShortWayAndHoldNoNegativeZero) {
     for (const auto& [name, design] : designs()) {
-        const GlbScene scene = read(glb_of(model_of(design)));
+        const GlbScene scene = read_scene(glb_of(model_of(design)));
         for (const GlbNode& node : scene.nodes) {
             for (std::size_t i = 0; i < node.turns.size(); ++i) {
                 double product = 0.0;
@@ -383,126 +237,21 @@ TEST(Gltf, TheSameModelGivesTheSameBytes) {
     EXPECT_EQ(glb_of(model_of(design)), glb_of(model_of(design)));
 }
 
-TEST(Gltf, PlatesOfOneColourShareAMaterial) {
-    const GlbScene scene = read(glb_of(model_of(small_design())));
-    EXPECT_EQ(scene.materials, 7);  // white, two yellows, their white backs, blue lines, edges and folds
-    const GlbNode& left = scene.nodes[static_cast<std::size_t>(node_named(scene, "e1/left"))];
-    EXPECT_EQ(left.parts.at(0).color, (Point3{1.0, 0.603827, 0.0}));  // #ffcc00 as light
-}
-
-int plate_named(const Assembly& assembly, const std::string& name) {
-    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-        if (assembly.plates[i].name == name) return static_cast<int>(i);
-    }
-    ADD_FAILURE() << "no plate " << name;
-    return 0;
-}
-
-TEST(Gltf, PlatesThatCrossAreOfAWarningMaterialAndSayWithWhatTheyCross) {
-    using Json = nlohmann::json;
-    Model crossing = model_of(small_design());
-    // Paper of the warning colour is not mistaken for a warning.
-    crossing.assembly.plates[static_cast<std::size_t>(plate_named(crossing.assembly, "e1/right"))].fill =
-        Color{255, 0, 0};
-    Model sound = crossing;
-    sound.motion.examination.emplace();
-    const auto plate = [&](const std::string& name) { return plate_named(crossing.assembly, name); };
-    Examination& found = crossing.motion.examination.emplace();
-    found.contacts.push_back(
-        {plate("page/left"), plate("e1/left"), 12.34567, 80, 1.23456, 50, 0, plate("e1/left"), {}});
-    found.contacts.push_back(
-        {plate("e1/left"), plate("e3/right"), 0, 20.5, 0.25, 10, 0, plate("e1/left"), {}});
-    const std::vector<SceneCard> cards{{&crossing.assembly, &crossing.motion, "bad:"},
-                                       {&sound.assembly, &sound.motion, "good:"}};
-    Diagnostics diagnostics;
-    const Json model = Json::parse(write_gltf(cards, {}, diagnostics).value_or(""));
-
-    std::map<std::string, Json> collisions;  // by plate, as its node has them
-    for (const Json& node : model["nodes"]) {
-        if (!node.contains("mesh")) continue;
-        const std::string name = node["name"];
-        EXPECT_EQ(node["extras"]["plate"], name);
-        if (node["extras"].contains("collisions")) collisions[name] = node["extras"]["collisions"];
-        const bool crosses = name == "bad:page/left" || name == "bad:e1/left" || name == "bad:e3/right";
-        bool paper = true;  // the first part; then drawn lines
-        bool drawn = false;
-        for (const Json& part : model["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
-            const std::string material = model["materials"][part["material"].get<std::size_t>()]["name"];
-            if (material == "edge" || material == "fold" || material.ends_with(" back")) continue;
-            EXPECT_EQ(material == "collision", crosses && paper) << name << " " << material;
-            EXPECT_EQ(material.ends_with(" line"), !paper) << name << " " << material;
-            drawn = drawn || !paper;
-            paper = false;
-        }
-        EXPECT_EQ(name.ends_with("page/left"), drawn) << name;
-    }
-    const auto row = [](const std::string& with, double from, double to, double depth) {
-        return Json{{"with", with}, {"from_deg", from}, {"to_deg", to}, {"depth_mm", depth}};
-    };
-    const std::map<std::string, Json> expected{
-        {"bad:page/left", Json::array({row("bad:e1/left", 12.346, 80, 1.2346)})},
-        {"bad:e1/left",
-         Json::array({row("bad:page/left", 12.346, 80, 1.2346), row("bad:e3/right", 0, 20.5, 0.25)})},
-        {"bad:e3/right", Json::array({row("bad:e1/left", 0, 20.5, 0.25)})}};
-    EXPECT_EQ(collisions, expected);
-    std::size_t warnings = 0;
-    for (const Json& material : model["materials"]) {
-        if (material["name"] != "collision") continue;
-        ++warnings;
-        EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], Json::parse("[1.0, 0.0, 0.0, 1.0]"));
-        EXPECT_EQ(material["doubleSided"], true);
-    }
-    EXPECT_EQ(warnings, 1U);
-}
-
 TEST(Gltf, AnExaminationThatFindsNoCrossingChangesNoByte) {
-    Model model = model_of(small_design());
+    GlbModel model = model_of(small_design());
     const std::string without = glb_of(model);
     model.motion.examination.emplace().closed.max_layers = 9;
     EXPECT_EQ(glb_of(model), without);
 }
 
-TEST(Gltf, DrawnLinesLieBeforeTheirPlateAndAsWideAsDrawn) {
-    Model model = model_of(test::card(200, 100));
-    Plate& right = model.assembly.plates[static_cast<std::size_t>(1)];
-    ASSERT_EQ(right.name, "page/right");
-    right.prints = {Stroke{{{10, 0}, {30, 0}}, 2.0, {255, 0, 0}},  // crossed by the next
-                    Stroke{{{20, -10}, {20, 10}}, 2.0, {0, 0, 255}},
-                    Stroke{{{90, 20}, {100, 20}}, 2.0, {0, 255, 0}}};  // ends on the edge: no round end there
-    OutputOptions no_edges;
-    no_edges.edge_lines = false;
-    const GlbScene scene = read(glb_of(model, no_edges));
-    const GlbNode& node = scene.nodes[static_cast<std::size_t>(node_named(scene, "page/right"))];
-    ASSERT_EQ(node.parts.size(), 4U);
-    std::vector<double> areas;
-    for (const auto& part : node.parts) {
-        double sum = 0.0;
-        for (const auto& t : part.triangles) {
-            const Point3& a = part.points[t[0]];
-            const Point3& b = part.points[t[1]];
-            const Point3& c = part.points[t[2]];
-            sum += 0.5e6 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-            for (const Point3* p : {&a, &b, &c}) {
-                EXPECT_FLOAT_EQ(static_cast<float>((*p)[2]), areas.empty() ? 0.0F : 0.02e-3F);
-                EXPECT_LE((*p)[0], 0.1 + 1e-8);
-            }
-        }
-        areas.push_back(sum);
-    }
-    const double pi = std::acos(-1.0);
-    EXPECT_NEAR(areas.at(1), 40 - 4 + pi, 0.1);
-    EXPECT_NEAR(areas.at(2), 40 + pi, 0.1);
-    EXPECT_NEAR(areas.at(3), 20 + 0.5 * pi, 0.1);
-}
-
 TEST(Gltf, CardsStandSideBySideTwentyMillimetresApart) {
-    const Model wide = model_of(test::card(200, 100));
-    const Model narrow = model_of(test::card(60, 100));
+    const GlbModel wide = model_of(test::card(200, 100));
+    const GlbModel narrow = model_of(test::card(60, 100));
     const std::vector<SceneCard> cards{{&wide.assembly, &wide.motion, "wide:"},
                                        {&narrow.assembly, &narrow.motion, "narrow:"},
                                        {&wide.assembly, &wide.motion, "wide~2:"}};
     Diagnostics diagnostics;
-    const GlbScene scene = read(write_glb(cards, {}, diagnostics).value_or(""));
+    const GlbScene scene = read_scene(write_glb(cards, {}, diagnostics).value_or(""));
     const auto open = test::pose_at_angle(scene, 180.0);
     const auto x_of = [&](const std::string& name, double side) {
         const auto i = static_cast<std::size_t>(node_named(scene, name));
@@ -518,11 +267,11 @@ TEST(Gltf, CardsStandSideBySideTwentyMillimetresApart) {
 TEST(Gltf, CardsWithDifferentKeysKeepTheirPromisesTogether) {
     MotionOptions few;
     few.angles = {Angle::degrees(17)};
-    const Model a = model_of(small_design(), few);
-    const Model b = model_of(test::generate(3, 10));
+    const GlbModel a = model_of(small_design(), few);
+    const GlbModel b = model_of(test::generate(3, 10));
     const std::vector<SceneCard> cards{{&a.assembly, &a.motion, "a:"}, {&b.assembly, &b.motion, "b:"}};
     Diagnostics diagnostics;
-    const GlbScene scene = read(write_glb(cards, {}, diagnostics).value_or(""));
+    const GlbScene scene = read_scene(write_glb(cards, {}, diagnostics).value_or(""));
     const auto open = test::measure_openings(scene, test::find_joints(scene));
     EXPECT_LE(open.at_keys_mm, 0.001);
     EXPECT_LE(open.between_keys_mm, 0.05);
@@ -533,33 +282,33 @@ TEST(Gltf, TheIterativeSolverMovesTheModelToo) {
     MotionOptions options;
     options.solver = Solver::iterative;
     options.angles = {Angle::degrees(0), Angle::degrees(60), Angle::degrees(120), Angle::degrees(180)};
-    const Model model = model_of(small_design(), options);
-    const GlbScene scene = read(glb_of(model));
+    const GlbModel model = model_of(small_design(), options);
+    const GlbScene scene = read_scene(glb_of(model));
     const auto open = test::measure_openings(scene, joints_of(model.assembly, scene));
     EXPECT_GT(open.at_keys_mm, 1e-5);  // its own inaccuracy is there to be seen
     EXPECT_LT(open.at_keys_mm, 5.0);
 }
 
 TEST(Gltf, NamesThatAreNoUtf8AreMended) {
-    const GlbScene scene = read(glb_of(model_of(test::card()), {}, "caf\xE9\xED\xA0\x80:"));
+    const GlbScene scene = read_scene(glb_of(model_of(test::card()), {}, "caf\xE9\xED\xA0\x80:"));
     EXPECT_EQ(scene.nodes.at(0).name, "caf\uFFFD\uFFFD\uFFFD\uFFFD");
 }
 
 TEST(Gltf, PlatesThatDoNotMoveHaveNoChannel) {
-    Model model = model_of(test::card());
+    GlbModel model = model_of(test::card());
     model.assembly.pieces.push_back({"leaf", {2}});
     Plate leaf;
     leaf.name = "leaf";
     leaf.piece = 1;
     leaf.outline.outer = {{0, 0}, {10, 0}, {0, 10}};
     model.assembly.plates.push_back(leaf);
-    const GlbScene scene = read(glb_of(model));
+    const GlbScene scene = read_scene(glb_of(model));
     EXPECT_EQ(scene.channels, 2);
     EXPECT_TRUE(scene.nodes[static_cast<std::size_t>(node_named(scene, "leaf"))].turns.empty());
 }
 
 TEST(Gltf, TooManyKeysAreAnErrorWithTheNumbers) {
-    const Model model = model_of(test::card());
+    const GlbModel model = model_of(test::card());
     const SceneCard card{&model.assembly, &model.motion, ""};
     OutputOptions options;
     options.fps = 1e9;
@@ -571,7 +320,7 @@ TEST(Gltf, TooManyKeysAreAnErrorWithTheNumbers) {
 }
 
 TEST(Gltf, TheTextFormHoldsTheSameModel) {
-    const Model model = model_of(small_design());
+    const GlbModel model = model_of(small_design());
     const SceneCard card{&model.assembly, &model.motion, ""};
     Diagnostics diagnostics;
     const std::string text = write_gltf({&card, 1}, {}, diagnostics).value_or("");
@@ -627,9 +376,9 @@ Assembly accordion(int pairs) {
 TEST(Gltf, AChainOfTenThousandPlatesNeedsNoDeepStack) {
     MotionOptions options;
     options.angles = {Angle::degrees(0), Angle::degrees(180)};
-    Model model{accordion(10000), {}};
+    GlbModel model{accordion(10000), {}};
     model.motion.angles = options.angles;
-    const GlbScene scene = read(glb_of(model));
+    const GlbScene scene = read_scene(glb_of(model));
     EXPECT_EQ(scene.nodes.size(), 20003U);
 }
 
@@ -639,7 +388,7 @@ TEST(Gltf, KhronosValidatorFindsNothing) {
     }
     const test::ScratchDirectory scratch;
     for (const auto& [name, design] : designs()) {
-        const Model model = model_of(design);
+        const GlbModel model = model_of(design);
         const SceneCard card{&model.assembly, &model.motion, ""};
         Diagnostics diagnostics;
         test::write_file(scratch / "model.glb", glb_of(model));

@@ -27,7 +27,7 @@ using test::with_slits;
 // Half a unit in x and in y.
 constexpr double kOff = 0.0177;
 
-struct Stroke {
+struct PenStroke {
     int pen = 0;
     std::vector<Vec2> points;  // mm
 
@@ -40,24 +40,24 @@ struct Stroke {
 };
 
 struct Plotted {
-    std::vector<Stroke> strokes;
+    std::vector<PenStroke> strokes;
     std::size_t most_points = 0;  // of a command
     int last_pen = -1;
     bool down = false;
 
     [[nodiscard]] double length(int pen) const {
         double sum = 0.0;
-        for (const Stroke& stroke : strokes) sum += stroke.pen == pen ? stroke.length() : 0.0;
+        for (const PenStroke& stroke : strokes) sum += stroke.pen == pen ? stroke.length() : 0.0;
         return sum;
     }
     [[nodiscard]] std::size_t points(int pen) const {
         std::size_t sum = 0;
-        for (const Stroke& stroke : strokes) sum += stroke.pen == pen ? stroke.points.size() : 0;
+        for (const PenStroke& stroke : strokes) sum += stroke.pen == pen ? stroke.points.size() : 0;
         return sum;
     }
     [[nodiscard]] std::set<int> pens() const {
         std::set<int> all;
-        for (const Stroke& stroke : strokes) all.insert(stroke.pen);
+        for (const PenStroke& stroke : strokes) all.insert(stroke.pen);
         return all;
     }
 };
@@ -164,7 +164,7 @@ TEST(Hpgl, PensDrawWhatThePatternHasToWithinHalfAUnit) {
             EXPECT_NEAR(plot.length(pen), length, 2.0 * kOff * static_cast<double>(plot.points(pen))) << pen;
             EXPECT_EQ(plot.length(pen) > 0.0, length > 0.0) << pen;
         }
-        for (const Stroke& stroke : plot.strokes) EXPECT_EQ(stroke.closed(), stroke.pen >= 3);
+        for (const PenStroke& stroke : plot.strokes) EXPECT_EQ(stroke.closed(), stroke.pen >= 3);
     }
 }
 
@@ -172,7 +172,7 @@ TEST(Hpgl, PointsLieWhereTheLayoutPutsThem) {
     const Plotted plot = plotted(written(windowed_layout(), cutting_profile()).sheets.front());
     Box outline;
     Box window;
-    for (const Stroke& stroke : plot.strokes) {
+    for (const PenStroke& stroke : plot.strokes) {
         for (const Vec2 p : stroke.points) {
             if (stroke.pen == 3) window.extend(p);
             if (stroke.pen == 4) outline.extend(p);
@@ -197,7 +197,7 @@ TEST(Hpgl, StaysOnTheSheetAndPutsThePenAway) {
             EXPECT_FALSE(plot.down);
             EXPECT_EQ(plot.last_pen, 0);
             EXPECT_LE(plot.most_points, 40U);
-            for (const Stroke& stroke : plot.strokes) {
+            for (const PenStroke& stroke : plot.strokes) {
                 for (const Vec2 p : stroke.points) {
                     EXPECT_LE(p.x, 297.0);
                     EXPECT_LE(p.y, 210.0);
@@ -210,7 +210,7 @@ TEST(Hpgl, StaysOnTheSheetAndPutsThePenAway) {
 TEST(Hpgl, PensFollowTheOrderOfOperations) {
     const Plotted plot = plotted(written(windowed_layout(), cutting_profile()).sheets.front());
     std::vector<int> order;
-    for (const Stroke& stroke : plot.strokes) {
+    for (const PenStroke& stroke : plot.strokes) {
         if (order.empty() || order.back() != stroke.pen) order.push_back(stroke.pen);
     }
     EXPECT_EQ(order, (std::vector<int>{1, 2, 3, 4}));
@@ -252,7 +252,7 @@ TEST(Hpgl, WithMoreLayersThanPensAllThatIsPrintedIsOnePen) {
 TEST(Hpgl, LettersAreDrawnOnlyWhereTheProfileOutlinesTexts) {
     Profile profile = profile_table().front();
     const auto near_name = [](const Plotted& plot) {
-        return std::count_if(plot.strokes.begin(), plot.strokes.end(), [](const Stroke& stroke) {
+        return std::count_if(plot.strokes.begin(), plot.strokes.end(), [](const PenStroke& stroke) {
             const Vec2 p = stroke.points.front();
             return std::abs(p.x - 68.5) < 10.0 && std::abs(p.y - 175.0) < 4.0;
         });
@@ -273,8 +273,8 @@ TEST(Hpgl, LongLinesAreSplitAndStayOneLine) {
         outline.points.push_back({90.0 * std::cos(turn), 75.0 * std::sin(turn)});
     }
     const Plotted plot = plotted(written(layout, cutting_profile()).sheets.front());
-    std::vector<Stroke> outlines;
-    for (const Stroke& stroke : plot.strokes) {
+    std::vector<PenStroke> outlines;
+    for (const PenStroke& stroke : plot.strokes) {
         if (stroke.pen == 4) outlines.push_back(stroke);
     }
     ASSERT_EQ(outlines.size(), 1U);
@@ -301,7 +301,7 @@ TEST(Hpgl, PointsThatFallTogetherAreOneAndPricksAreLeftOut) {
     // The plotter fails the test for steps of no length.
     const Plotted plot = plotted(written(layout, profile_table().front()).sheets.front());
     EXPECT_EQ(plot.strokes.size(), before + 1);
-    const bool there = std::any_of(plot.strokes.begin(), plot.strokes.end(), [](const Stroke& stroke) {
+    const bool there = std::any_of(plot.strokes.begin(), plot.strokes.end(), [](const PenStroke& stroke) {
         return stroke.points.size() == 2 && distance(stroke.points[0], Vec2{178.5, 145.0}) < 1e-9 &&
                distance(stroke.points[1], Vec2{179.5, 145.0}) < 1e-9;
     });
@@ -313,7 +313,7 @@ TEST(Hpgl, WhatLiesAHairBeyondTheSheetIsDrawnOnItsEdge) {
     layout.placements[0].offset = {99.97, 79.98};
     // The plotter fails the test for negative numbers.
     Box outline;
-    for (const Stroke& stroke : plotted(written(layout, cutting_profile()).sheets.front()).strokes) {
+    for (const PenStroke& stroke : plotted(written(layout, cutting_profile()).sheets.front()).strokes) {
         for (const Vec2 p : stroke.points) outline.extend(p);
     }
     EXPECT_EQ(outline.min, (Vec2{0.0, 0.0}));
@@ -331,7 +331,7 @@ TEST(Hpgl, SaysWhenASheetGoesBeyondTheFirstPlottersRange) {
     EXPECT_EQ(wide.findings[0].severity, Severity::remark);
     EXPECT_NE(wide.findings[0].message.find("900.0 mm"), std::string::npos) << wide.findings[0].message;
     Box outline;
-    for (const Stroke& stroke : plotted(wide.sheets.front()).strokes) {
+    for (const PenStroke& stroke : plotted(wide.sheets.front()).strokes) {
         for (const Vec2 p : stroke.points) outline.extend(p);
     }
     EXPECT_NEAR(outline.max.x, 900.0, 1e-9);
