@@ -75,9 +75,9 @@ TEST_P(KitBoard, CartonsOfTheKitNeedNothingForTheirOwnBoard) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kit, KitBoard,
-                         testing::Values("auto-lock-bottom", "fefco-0201", "fefco-0215", "fefco-0427",
-                                         "gift-bag", "hexagonal-box", "reverse-tuck-end", "sleeve",
-                                         "straight-tuck-end", "tray-with-lid"));
+                         testing::Values("auto-lock-bottom", "fefco-0201", "fefco-0215", "fefco-0421",
+                                         "fefco-0427", "gift-bag", "hexagonal-box", "reverse-tuck-end",
+                                         "sleeve", "straight-tuck-end", "tray-with-lid"));
 
 TEST(Board, WhatGoesInsideGoesInByACaliperAndATuckFlapByMore) {
     const auto pattern = drawn(kSource / "tests/cases/board/tube.svg");
