@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/geometry/edge_index.h"
+
 namespace popup {
 namespace {
 
@@ -31,6 +33,16 @@ std::vector<std::vector<Segment>> folds_of_plates(const Assembly& assembly) {
 
 PlateEdges edges_of(const Plate& plate, const std::vector<Segment>& folds) {
     PlateEdges edges;
+    // A page may have folds by the thousand, and as many edges.
+    const EdgeIndex index({}, folds);
+    std::vector<int> near;
+    const auto is_fold = [&](const Segment& edge) {
+        constexpr Vec2 kReach{kFoldEdgeMm, kFoldEdgeMm};
+        const Vec2 middle = lerp(edge.a, edge.b, 0.5);
+        index.query({middle - kReach, middle + kReach}, near);
+        return std::any_of(near.begin(), near.end(),
+                           [&](int number) { return is_along(edge, index[number]); });
+    };
     const auto take = [&](const Ring& ring) {
         const auto first = static_cast<std::uint32_t>(edges.points.size());
         const auto count = static_cast<std::uint32_t>(ring.size());
@@ -38,9 +50,7 @@ PlateEdges edges_of(const Plate& plate, const std::vector<Segment>& folds) {
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::array<std::uint32_t, 2> ends{first + i, first + (i + 1) % count};
             const Segment edge{edges.points[ends[0]], edges.points[ends[1]]};
-            const bool is_fold = std::any_of(folds.begin(), folds.end(),
-                                             [&](const Segment& fold) { return is_along(edge, fold); });
-            (is_fold ? edges.folds : edges.cuts).push_back(ends);
+            (is_fold(edge) ? edges.folds : edges.cuts).push_back(ends);
         }
     };
     take(plate.outline.outer);
