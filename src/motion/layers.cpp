@@ -321,7 +321,10 @@ class LayerSearch {
     bool meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
         Overlap& overlap = overlap_of(a, b);
         Vec2 centre;
+        Box box;
         for (const Vec2 p : shape) {
+            box.extend(p - Vec2{kCountStepMm, kCountStepMm});
+            box.extend(p + Vec2{kCountStepMm, kCountStepMm});
             const double over = height(b, p) - height(a, p);
             overlap.least = std::min(overlap.least, over);
             overlap.most = std::max(overlap.most, over);
@@ -329,6 +332,7 @@ class LayerSearch {
         }
         // Where most plates lie over one another is a region with a corner at which the outline of one of two
         // plates has a corner or the outlines of both cross. Edges between triangles count for nothing.
+        if (!may_be_thickest(box)) return true;
         for (const Vec2 p : shape) {
             const Vec2 inside = lerp(p, centre, 1e-2);
             if (!may_be_thickest(
