@@ -17,6 +17,21 @@
 #include "output/viewer/sections.h"
 
 namespace popup {
+namespace {
+
+// What is the same in all pages of models: a gallery writes hundreds.
+struct FixedParts {
+    std::string style = viewer_style(std::array<std::string_view, 1>{"viewer.css"});
+    std::string script = viewer_script(kViewerScripts);
+    std::string policy = viewer_policy(script, style);
+};
+const FixedParts& fixed_parts() {
+    static const FixedParts kParts;
+    return kParts;
+}
+
+}  // namespace
+
 std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions& options,
                                        Diagnostics& diagnostics) {
     const std::span<const SceneCard> cards = page.cards;
@@ -33,11 +48,10 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     data["sheets"] = sheets->packed;
     const auto scene = viewer_scene_text(data, diagnostics);
     if (!scene) return std::nullopt;
-    const std::string style = viewer_style(std::array<std::string_view, 1>{"viewer.css"});
-    const std::string script = viewer_script(kViewerScripts);
+    const FixedParts& fixed = fixed_parts();
     const std::string title = as_markup(viewer_title(cards));
     const std::array<std::pair<std::string_view, std::string>, 11> values{{
-        {"head", page_head(viewer_policy(script, style), title, style)},
+        {"head", page_head(fixed.policy, title, fixed.style)},
         {"title", title},
         {"live", ""},
         {"still",
@@ -49,7 +63,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
         {"finding_count", std::to_string(page.findings.size())},
         {"findings", findings},
         {"scene", json_in_page(*scene)},
-        {"script", script},
+        {"script", fixed.script},
     }};
     return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still->jpeg)};
 }
