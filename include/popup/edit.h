@@ -66,8 +66,9 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
 // Collisions are not looked at. Of the sizes that were found to do, the one that changes by the smallest
 // share; in the document's unit, to a tenth of a millimetre or so. nullopt: none of those that were tried
 // does, or the design is no document, or has more than 300 elements. Precondition: the design has been
-// assembled, with these options. Cost: up to 30 trials, fewer if the document has more than 50 elements; each
-// reads and checks it two or three times.
+// assembled, with these options. Cost: up to 20 trials, most often two or three, fewer if the document has
+// more than 50 elements; each checks and assembles the design. What is told is read from the edited document,
+// too.
 std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, double by_mm);
 

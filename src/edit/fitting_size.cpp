@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "edit/session.h"
+#include "input/xml/read.h"
 #include "popup/edit.h"
 #include "popup/mechanism.h"
 
@@ -16,9 +18,11 @@ namespace popup {
 namespace {
 
 constexpr std::size_t kMostElements = 300;
-constexpr std::size_t kElementsTried = 1500;  // elements times trials
-constexpr std::size_t kMostTrials = 30;
-constexpr int kHalvings = 7;
+constexpr std::size_t kElementsTried = 1000;  // elements times trials
+constexpr std::size_t kMostTrials = 20;
+constexpr int kTrialsOfSize = 6;
+// By less of what the size changes an element does not stick out less.
+constexpr double kNoHelp = 0.01;
 
 // What makes an element larger or smaller; the others say where it is and how it stands. The name in edits
 // and the words for it.
@@ -91,38 +95,85 @@ class SizeSearch {
         return sizes;
     }
 
-    // The largest value of the size that will do, as near as a few trials come to it.
+    // The largest value of the size that will do, as near as a few trials come to it: by how far the element
+    // still sticks out, two of them tell where it will not any more.
     std::optional<Size> largest(const std::string& element, Size size, double by_mm) {
-        const double step = by_mm / unit().mm;
-        const auto tried = [&](double less) {
-            const double by = std::pow(10.0, decimals());
-            size.wanted = std::floor((size.is - less) * by + 1e-6) / by;
-            return size.wanted > 0.0 && keeps_inside(element, size);
+        struct Trial {
+            double less;  // than the size is, in the document's unit
+            double out_mm;
         };
-        double too_little = 0.0;
-        for (double less = 0.5 * step; less < size.is && trials_ > 0; less *= 2.0) {
-            if (!tried(less)) {
-                too_little = less;
+        const double by = std::pow(10.0, decimals());
+        std::optional<Size> best;
+        Trial last{0.0, by_mm};
+        double less = std::max(by_mm / unit().mm, 1.0 / by);
+        for (int i = 0; i < kTrialsOfSize && trials_ > 0; ++i) {
+            size.wanted = std::round((size.is - less) * by) / by;
+            less = size.is - size.wanted;
+            if (size.wanted <= 0.0 || (best && size.wanted <= best->wanted)) break;
+            const auto out_mm = sticks_out_by(element, size);
+            if (!out_mm) break;
+            if (*out_mm > 0.0) {
+                const double gain = (last.out_mm - *out_mm) / (less - last.less);
+                last = {less, *out_mm};
+                if (best || gain * unit().mm < kNoHelp) break;
+                less = std::max(less + *out_mm / gain, less + 1.0 / by);
                 continue;
             }
-            Size best = size;
-            for (int i = 0; i < kHalvings && trials_ > 0; ++i) {
-                const double middle = 0.5 * (too_little + less);
-                if (tried(middle)) {
-                    best = size;
-                    less = middle;
-                } else {
-                    too_little = middle;
-                }
-            }
-            return best;
+            best = size;
+            // The first trial may have been more than is needed: where both sides give way, half of it does.
+            if (i > 0) break;
+            less *= 0.5;
         }
-        return std::nullopt;
+        return best && keeps_inside(element, *best) ? best : std::nullopt;
     }
 
-    // Carries the edit out and closes the card.
-    bool keeps_inside(const std::string& element, const Size& size) {
+    // By how far the element still sticks out, once its size is changed in the document. nullopt: that cannot
+    // be, reading or checks find something new, or something else sticks out.
+    std::optional<double> sticks_out_by(const std::string& element, const Size& size) {
         --trials_;
+        Diagnostics found(one_.source.name);
+        edit::Session session(*one_.design, one_.source.name, found);
+        const std::vector<std::string> words = words_of(element, size);
+        if (!edit::set(session, {words[0], {words[1]}, {{std::string(size.name), words[3]}}})) return {};
+        Source source = one_.source;
+        source.text = xml::patch(one_.source, session.design, session.gone);
+        const auto assembly = closed(source, found);
+        return assembly && !finds_more(found) ? sticks_out_by(element, *assembly) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<Assembly> closed(const Source& source, Diagnostics& found) const {
+        const auto design = read_design(source, options_.read, found);
+        if (!design) return std::nullopt;
+        const auto checked = check(*design, options_.check, found);
+        return checked ? assemble(*checked, options_.assemble, found) : std::nullopt;
+    }
+
+    std::optional<double> sticks_out_by(const std::string& element, const Assembly& assembly) {
+        double most = 0.0;
+        for (const Protrusion& out : find_protrusions(assembly)) {
+            const std::string& name = assembly.plates[static_cast<std::size_t>(out.plate)].name;
+            if (is_of(name, element)) {
+                most = std::max(most, out.by_mm);
+            } else if (!sticks_out(name)) {
+                return std::nullopt;
+            }
+        }
+        return most;
+    }
+
+    // Whether there is a finding that the design as it is does not have.
+    [[nodiscard]] bool finds_more(const Diagnostics& found) const {
+        std::map<std::pair<std::string, std::string>, int> more;
+        for (const Diagnostic& one : found.sorted()) {
+            if (one.severity != Severity::remark) ++more[{std::string(one.code), one.element}];
+        }
+        if (more.empty()) return false;
+        for (const Diagnostic& one : one_.diagnostics.sorted()) --more[{std::string(one.code), one.element}];
+        return std::any_of(more.begin(), more.end(), [](const auto& row) { return row.second > 0; });
+    }
+
+    // Carries the edit out in the document, and closes the card.
+    bool keeps_inside(const std::string& element, const Size& size) {
         const EditLine edit{words_of(element, size), {}};
         Diagnostics of_edit;
         Diagnostics of_document;
@@ -132,17 +183,8 @@ class SizeSearch {
         Source source = one_.source;
         source.text = edited->text;
         Diagnostics unheard;
-        const auto design = read_design(source, options_.read, unheard);
-        if (!design) return false;
-        const auto checked = check(*design, options_.check, unheard);
-        if (!checked) return false;
-        const auto assembly = assemble(*checked, options_.assemble, unheard);
-        if (!assembly) return false;
-        const std::vector<Protrusion> left = find_protrusions(*assembly);
-        return std::all_of(left.begin(), left.end(), [&](const Protrusion& out) {
-            const std::string& name = assembly->plates[static_cast<std::size_t>(out.plate)].name;
-            return sticks_out(name) && !is_of(name, element);
-        });
+        const auto assembly = closed(source, unheard);
+        return assembly && sticks_out_by(element, *assembly) == 0.0;
     }
 
     // Of a plate's name, "bird/left", whether it is the element's.
@@ -170,7 +212,8 @@ class SizeSearch {
 std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, double by_mm) {
     const Language* language = find_language(design.source, options.read.language);
-    if (!design.checked || language == nullptr || language->patch == nullptr || language->drawn)
+    if (!design.design || !design.checked || language == nullptr || language->patch == nullptr ||
+        language->drawn)
         return std::nullopt;
     return SizeSearch(design, options).fitting(element, by_mm);
 }
