@@ -229,7 +229,8 @@ void Board::find_ends(double low, double high) {
 }
 
 // The chords of the line's stretch from `low` to `high` in the no-fit parts of all others on the sheet.
-template <bool level>
+// Slopes say how deep they are: who looks for a gap does not ask.
+template <bool level, bool with_slopes>
 void Board::gather_chords(int item, const Stand& stand, double low, double high) {
     const Reach& reach = reaches_[index(stand.shape)];
     const double fixed = level ? stand.y : stand.x;
@@ -271,10 +272,10 @@ void Board::gather_chords(int item, const Stand& stand, double low, double high)
                 } else if (value <= kTouch) {
                     to = from;
                 }
-                slopes_.push_back({value, rate});
+                if constexpr (with_slopes) slopes_.push_back({value, rate});
             }
             if (from >= to || to <= low || from >= high) {
-                slopes_.resize(first);
+                if constexpr (with_slopes) slopes_.resize(first);
                 continue;
             }
             chords_.push_back({from, to, static_cast<double>(weights[other]), first,
@@ -310,10 +311,12 @@ std::optional<double> Board::find_gap(double low, double high, double own, Among
 
 double Board::best_on_line(int item, Stand& stand, Along along, double low, double high, Among among) {
     const bool level = along == Along::x;
-    if (level) {
-        gather_chords<true>(item, stand, low, high);
+    if (among == Among::first) {
+        level ? gather_chords<true, false>(item, stand, low, high)
+              : gather_chords<false, false>(item, stand, low, high);
     } else {
-        gather_chords<false>(item, stand, low, high);
+        level ? gather_chords<true, true>(item, stand, low, high)
+              : gather_chords<false, true>(item, stand, low, high);
     }
     double& moving = level ? stand.x : stand.y;
     const double own = moving;

@@ -118,7 +118,7 @@ class Board {
     struct Reach {
         double x0, y0, x1, y1;
     };
-    template <bool level>
+    template <bool level, bool with_slopes>
     void gather_chords(int item, const Stand& stand, double low, double high);
     [[nodiscard]] std::optional<double> find_gap(double low, double high, double own, Among among) const;
     void find_ends(double low, double high);
