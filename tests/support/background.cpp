@@ -42,6 +42,8 @@ Background::Background(const std::vector<std::string>& words, const RunOptions& 
     redirect(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
     if (!options.directory.empty() && ::chdir(options.directory.c_str()) != 0) ::_exit(126);
     for (std::string& setting : settings) ::putenv(setting.data());
+    // A shell that starts the tests in the background has them ignored, and what is ignored stays so.
+    for (const int signal : {SIGINT, SIGQUIT}) ::signal(signal, SIG_DFL);
     ::execvp(argv[0], argv.data());
     ::_exit(127);
 }
