@@ -426,7 +426,7 @@ TEST(RandomEdits, OfGeneratedCards) { expect_sound(1, sanitized_count<std::uint6
 TEST(RandomEdits, OfCardsOfAllElements) {
     expect_sound(1, sanitized_count<std::uint64_t>(60), generated_any);
 }
-TEST(RandomEdits, OfTowers) { expect_sound(1, sanitized_count<std::uint64_t>(60), tower); }
+TEST(RandomEdits, OfTowers) { expect_sound(1, sanitized_count<std::uint64_t>(60, 30), tower); }
 TEST(RandomEdits, OfSamples) { expect_samples(1, sanitized_count<std::uint64_t>(60)); }
 
 // Together a hundred thousand sequences.

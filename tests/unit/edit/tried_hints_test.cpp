@@ -14,6 +14,7 @@
 
 #include "popup/edit.h"
 #include "popup/files.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -141,7 +142,9 @@ Source card_with(const std::string& element) {
 TEST(TriedHints, OfEveryCaseHoldWhatTheyPromise) {
     int sizes = 0;
     int moves = 0;
+    std::size_t number = 0;
     for (const Source& source : documents_of_cases()) {
+        if (number++ % (test::kSanitized ? 4 : 1) != 0) continue;
         for (const Diagnostic& finding : findings_of(source)) {
             if (!edit_of(finding).empty()) {
                 ++sizes;
@@ -155,8 +158,8 @@ TEST(TriedHints, OfEveryCaseHoldWhatTheyPromise) {
             }
         }
     }
-    EXPECT_GE(sizes, 4);
-    EXPECT_GE(moves, 10);
+    EXPECT_GE(sizes, test::sanitized_count(4, 4));
+    EXPECT_GE(moves, test::sanitized_count(10, 4));
 }
 
 TEST(FittingSize, ADiscIsMadeAsSmallAsItMustBe) {

@@ -11,6 +11,7 @@
 #include "popup/language.h"
 #include "popup/motion.h"
 #include "popup/refinement.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -107,6 +108,7 @@ TEST(KitCartons, MayBeAcceptedWhole) {
     int seen = 0;
     for (const auto& file : std::filesystem::directory_iterator(kCartons)) {
         if (file.path().extension() != ".fl") continue;
+        if (seen++ % (test::kSanitized ? 4 : 1) != 0) continue;
         const auto pattern = drawing(file.path());
         ASSERT_TRUE(pattern) << file.path();
         Diagnostics diagnostics;
@@ -128,7 +130,6 @@ TEST(KitCartons, MayBeAcceptedWhole) {
         for (const auto& [a, b] : crossings_of(refined->pattern, true))
             ADD_FAILURE() << file.path() << ": " << a << " crosses " << b;
         EXPECT_FALSE(diagnostics.has_findings()) << file.path();
-        ++seen;
     }
     EXPECT_EQ(seen, 11);
 }

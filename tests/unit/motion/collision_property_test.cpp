@@ -534,7 +534,7 @@ class LongCollisions : public Collisions {};
 TEST_F(Collisions, CollisionsAgreeWithBruteForce) { compare_generated(kDesigns, 0.5); }
 TEST_F(Collisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kDesigns / 4, 1.0); }
 TEST_F(Collisions, OfFoldedSheetsAgreeWithBruteForce) { compare_folded(kDesigns / 4, 1.0); }
-TEST_F(Collisions, Samples) { compare_samples(0.05); }
+TEST_F(Collisions, Samples) { compare_samples(kSanitized ? 0.5 : 0.05); }
 TEST_F(LongCollisions, CollisionsAgreeWithBruteForce) { compare_generated(kLongDesigns, 0.25); }
 TEST_F(LongCollisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kLongDesigns, 1.0); }
 TEST_F(LongCollisions, OfFoldedSheetsAgreeWithBruteForce) { compare_folded(kLongDesigns, 0.5); }

@@ -10,6 +10,7 @@
 #include "popup/mechanism.h"
 #include "support/drawn_cards.h"
 #include "support/line_sets.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -122,7 +123,7 @@ TEST(DrawnCard, EveryHandDrawsTheSameCard) {
 
 TEST(DrawnCard, RandomCardsComeOutAsTheyAreDrawn) {
     int features = 0;
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(150, 5); ++seed) {
         const InkedCard card = test::CardMaker(seed).run();
         features += card.features;
         HandOptions options;
@@ -146,12 +147,12 @@ TEST(DrawnCard, RandomCardsComeOutAsTheyAreDrawn) {
                   1e-5)
             << what;
     }
-    EXPECT_GT(features, 500);
+    EXPECT_GT(features, test::sanitized_count(500, 5));
 }
 
 TEST(DrawnCard, EndsThatMissAreMovedAndTold) {
     std::size_t moved = 0;
-    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::sanitized_count<std::uint64_t>(300); ++seed) {
         const InkedCard card = test::CardMaker(seed).run();
         HandOptions options;
         options.jitter = 0.3;
@@ -169,7 +170,7 @@ TEST(DrawnCard, EndsThatMissAreMovedAndTold) {
             EXPECT_GT(told.place.line, 2);
         }
     }
-    EXPECT_GT(moved, 200U);
+    EXPECT_GT(moved, test::sanitized_count(200U));
 }
 
 }  // namespace
