@@ -29,11 +29,12 @@ RigidMove move_of(const Segment& before, const Segment& after) {
     return move;
 }
 
-void FoldIndex::insert(int page, const Segment& line, Entry entry) {
+int FoldIndex::insert(int page, const Segment& line, Entry entry) {
     while (pages_.size() <= static_cast<std::size_t>(page)) pages_.emplace_back();
     PageFolds& folds = pages_[static_cast<std::size_t>(page)];
     folds.lines.insert(line, false);
     folds.entries.push_back(entry);
+    return folds.lines.size() - 1;
 }
 
 void FoldIndex::add(int fold, const Fold& exact, const FoldLine& authored, bool ghost, double rounding_mm) {
@@ -42,14 +43,53 @@ void FoldIndex::add(int fold, const Fold& exact, const FoldLine& authored, bool 
     };
     const bool has_moved = std::max(moved(authored.on_left, exact.on_left),
                                     moved(authored.on_right, exact.on_right)) > rounding_mm;
-    const auto put = [&](const FoldLine& line, const RigidMove& left, const RigidMove& right) {
-        insert(exact.left_page, line.on_left, {fold, ghost, false, left, right});
-        if (exact.seam) insert(exact.right_page, line.on_right, {fold, ghost, true, left, right});
+    struct Numbers {
+        int left = -1, right = -1;
     };
-    put({exact.on_left, exact.on_right}, {}, {});
-    if (has_moved) {
-        put(authored, move_of(authored.on_left, exact.on_left), move_of(authored.on_right, exact.on_right));
-    }
+    const auto put = [&](const FoldLine& line, const RigidMove& left, const RigidMove& right,
+                         const Numbers& twins) {
+        Numbers made;
+        made.left = insert(exact.left_page, line.on_left, {fold, ghost, false, left, right, twins.left});
+        if (exact.seam)
+            made.right =
+                insert(exact.right_page, line.on_right, {fold, ghost, true, left, right, twins.right});
+        return made;
+    };
+    const Numbers is = put({exact.on_left, exact.on_right}, {}, {}, {});
+    if (!has_moved) return;
+    const Numbers was = put(authored, move_of(authored.on_left, exact.on_left),
+                            move_of(authored.on_right, exact.on_right), is);
+    const auto entry = [this](int page, int number) -> Entry& {
+        return pages_[static_cast<std::size_t>(page)].entries[static_cast<std::size_t>(number)];
+    };
+    entry(exact.left_page, is.left).twin = was.left;
+    if (exact.seam) entry(exact.right_page, is.right).twin = was.right;
+}
+
+// How a line lies to the one that is given.
+struct FoldIndex::Beside {
+    double off = 0.0;
+    bool reversed = false;
+};
+
+// nullopt: it is no line that may be meant.
+std::optional<FoldIndex::Beside> FoldIndex::beside(const Segment& line, Vec2 begin, Vec2 end, double reach) {
+    const Vec2 dir = unit(end - begin);
+    const double size = distance(begin, end);
+    const double along = distance(line.a, line.b);
+    if (along <= 0.0) return std::nullopt;
+    // Compare where both are: on the stretch of the given line that lies beside the fold.
+    const double ta = dot(dir, line.a - begin);
+    const double tb = dot(dir, line.b - begin);
+    const double lo = std::max(0.0, std::min(ta, tb));
+    const double hi = std::min(size, std::max(ta, tb));
+    if (lo > hi + reach) return std::nullopt;
+    const auto off_at = [&](double t) {
+        return std::abs(cross(line.b - line.a, begin + t * dir - line.a)) / along;
+    };
+    const double off = std::max(off_at(lo), off_at(std::max(lo, hi)));
+    if (off > reach || std::abs(cross(dir, line.b - line.a)) > 0.3 * along) return std::nullopt;
+    return Beside{off, tb < ta};
 }
 
 std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const Box& place,
@@ -57,32 +97,24 @@ std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const 
     std::vector<FoldMatch> result;
     if (page < 0 || static_cast<std::size_t>(page) >= pages_.size()) return result;
     const PageFolds& folds = pages_[static_cast<std::size_t>(page)];
-    const Vec2 dir = unit(end - begin);
-    const double size = distance(begin, end);
+    const auto step = [](double off) { return std::floor(off / 0.02); };
     std::vector<int> found;
     folds.lines.query({place.min - Vec2{reach, reach}, place.max + Vec2{reach, reach}}, found);
     for (const int number : found) {
-        const Segment& line = folds.lines[number];
-        const double along = distance(line.a, line.b);
-        if (along <= 0.0) continue;
-        // Compare where both are: on the stretch of the given line that lies beside the fold.
-        const double ta = dot(dir, line.a - begin);
-        const double tb = dot(dir, line.b - begin);
-        const double lo = std::max(0.0, std::min(ta, tb));
-        const double hi = std::min(size, std::max(ta, tb));
-        if (lo > hi + reach) continue;
-        const auto off_at = [&](double t) {
-            return std::abs(cross(line.b - line.a, begin + t * dir - line.a)) / along;
-        };
-        const double off = std::max(off_at(lo), off_at(std::max(lo, hi)));
-        if (off > reach || std::abs(cross(dir, line.b - line.a)) > 0.3 * along) continue;
+        const auto lies = beside(folds.lines[number], begin, end, reach);
+        if (!lies) continue;
         const Entry& entry = folds.entries[static_cast<std::size_t>(number)];
+        if (entry.twin >= 0) {
+            // Else an element would stand on another place of one fold as it is moved along it.
+            const auto twin = beside(folds.lines[entry.twin], begin, end, reach);
+            if (twin && step(twin->off) < step(lies->off)) continue;
+        }
         FoldMatch match;
         match.fold = entry.fold;
         match.ghost = entry.ghost;
         match.right_page = entry.right_page;
-        match.reversed = tb < ta;
-        match.off = off;
+        match.reversed = lies->reversed;
+        match.off = lies->off;
         match.left = entry.left;
         match.right = entry.right;
         result.push_back(match);
@@ -90,10 +122,8 @@ std::vector<FoldMatch> FoldIndex::matches(int page, Vec2 begin, Vec2 end, const 
     // An author's own place of a fold counts before the one a repair gave it; of equals the youngest lies on
     // top.
     std::reverse(result.begin(), result.end());
-    std::stable_sort(result.begin(), result.end(), [](const FoldMatch& a, const FoldMatch& b) {
-        const auto step = [](double off) { return std::floor(off / 0.02); };
-        return step(a.off) < step(b.off);
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [step](const FoldMatch& a, const FoldMatch& b) { return step(a.off) < step(b.off); });
     return result;
 }
 

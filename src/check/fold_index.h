@@ -38,7 +38,9 @@ class FoldIndex {
     void add(int fold, const Fold& exact, const FoldLine& authored, bool ghost, double rounding_mm);
 
     // All folds on `page` whose line lies within `reach` mm of begin–end, of those near `place`; nearest
-    // first, younger before older where they are equally near.
+    // first, younger before older where they are equally near. A fold that a repair has moved comes where its
+    // author saw it or where it is, whichever is nearer, wherever `place` is; twice where both are equally
+    // near.
     [[nodiscard]] std::vector<FoldMatch> matches(int page, Vec2 begin, Vec2 end, const Box& place,
                                                  double reach) const;
     // The fold that suits on `page` that the line was drawn along before it was moved: it is as long as the
@@ -63,12 +65,15 @@ class FoldIndex {
         int fold;
         bool ghost, right_page;
         RigidMove left, right;
+        int twin = -1;  // the same fold where its author saw it, or where it is, by its number on the page
     };
     struct PageFolds {
         EdgeIndex lines;
         std::vector<Entry> entries;
     };
-    void insert(int page, const Segment& line, Entry entry);
+    struct Beside;
+    static std::optional<Beside> beside(const Segment& line, Vec2 begin, Vec2 end, double reach);
+    int insert(int page, const Segment& line, Entry entry);
     std::vector<PageFolds> pages_;
 };
 
