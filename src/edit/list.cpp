@@ -423,7 +423,9 @@ bool take_out(Session& session, const Command& command) {
     std::vector<bool> goes(session.design.structures.size(), false);
     goes[*n] = true;
     for (std::size_t i = *n + 1; i < goes.size(); ++i) {
-        const auto owner = card.standing[i].owner;
+        // What names an element that cannot be made stands on nothing, and cannot stay without it either.
+        const auto named = session.design.structures[i].named().owner;
+        const auto owner = named ? named : card.standing[i].owner;
         if (!owner || !goes[*owner]) continue;
         goes[i] = true;
         all.push_back(i);

@@ -281,6 +281,31 @@ TEST(Edit, DeletesWithWhatItCarries) {
     EXPECT_EQ(shown(text)["elements"].size(), 1U);
 }
 
+// What names an element that cannot be made is carried by it all the same.
+TEST(Edit, DeletesWhatNamesABrokenElement) {
+    const std::string bad = R"(<popup version="3.0" units="mm">
+  <mainpage width="200" height="140"/>
+  <structurelist>
+    <structure type="tent" id="tent">
+      <outerpoints>
+        <point x="35" y="0"/> <point x="35" y="40"/> <point x="85" y="0"/> <point x="85" y="40"/>
+        <point x="-36" y="-20"/> <point x="-36" y="20"/> <point x="36" y="-20"/> <point x="36" y="20"/>
+      </outerpoints>
+      <parentfold page="0"><begin x="60" y="-70"/><end x="60" y="70"/></parentfold>
+    </structure>
+    <structure type="beak" id="beak">
+      <outerpoints><point x="0" y="0"/> <point x="-4" y="-6"/> <point x="4" y="-6"/></outerpoints>
+      <parentfold on="tent.centre"/>
+    </structure>
+  </structurelist>
+</popup>
+)";
+    const Done kept = edited(bad, "delete tent");
+    EXPECT_FALSE(kept.edited);
+    EXPECT_NE(kept.said.find("\"tent\" carries \"beak\""), std::string::npos) << kept.said;
+    EXPECT_EQ(after(bad, "delete tent --with-children").find("<structure "), std::string::npos);
+}
+
 TEST(Edit, SaysWhatItDoesNotUnderstand) {
     for (const auto& [edit, said] : std::vector<std::pair<std::string, std::string>>{
              {"sett tent --width 3", "there is no edit 'sett'"},
