@@ -12,6 +12,7 @@
 #include "input/xml/number.h"
 #include "input/xml/path_text.h"
 #include "input/xml/units.h"
+#include "mechanism/given_points.h"
 
 namespace popup::edit {
 namespace {
@@ -34,20 +35,6 @@ bool same_place(const DrawnPath& a, const DrawnPath& b) {
                                  std::equal(p.steps.begin(), p.steps.end(), q.steps.begin(), q.steps.end(),
                                             same_step);
                       });
-}
-
-// Whether a point of the fold itself is given on the page to the right of it.
-bool on_right(const Structure& structure, std::size_t point, const PageFold& seen) {
-    const PointInfo& info = Session::info_of(structure).points[point];
-    return info.page == PointPage::fold && info.side == '-' && seen.left_page != seen.right_page &&
-           structure.points[point].page.value_or(structure.ground_page()) != seen.left_page;
-}
-
-// A point beside one line of a fold, on the other page.
-Vec2 across(const Segment& from, const Segment& to, Vec2 p) {
-    const Vec2 along = unit(from.b - from.a);
-    const Vec2 there = unit(to.b - to.a);
-    return to.a + dot(p - from.a, along) * there + cross(along, p - from.a) * left_of(there);
 }
 
 // In place of a value: it is taken out, and what holds when none is given holds again.
@@ -165,17 +152,11 @@ std::vector<Vec2> Session::points_of(const Structure& structure) {
 }
 
 std::vector<Vec2> Session::points_of(const Structure& structure, const PageFold& seen) {
-    std::vector<Vec2> points = points_of(structure);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (on_right(structure, i, seen)) points[i] = across(seen.on_right, seen.on_left, points[i]);
-    }
-    return points;
+    return points_seen(structure, info_of(structure), seen);
 }
 
 void Session::on_pages(const Structure& structure, const PageFold& seen, std::vector<Vec2>& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (on_right(structure, i, seen)) points[i] = across(seen.on_left, seen.on_right, points[i]);
-    }
+    points_as_given(structure, info_of(structure), seen, points);
 }
 
 bool Session::write(std::size_t n, const Shaped& shaped) {

@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "mechanism/given_points.h"
+
 namespace popup {
 namespace {
 
@@ -142,8 +144,7 @@ class Finder {
             return;
         }
         if (structure.points.size() != info->points.size()) return;
-        std::vector<Vec2> points;
-        for (const DesignPoint& point : structure.points) points.push_back(point.at);
+        const std::vector<Vec2> points = points_seen(structure, *info, parent);
         const auto made = folds_of(*info, parent, ground.extra_page, points, structure.arguments);
         if (!made) return;
         for (std::size_t i = 0; i < made->size(); ++i) add({number, info->folds[i].name, (*made)[i]});

@@ -15,10 +15,12 @@
 
 #include "mechanism/footings.h"
 #include "output/xml.h"
+#include "popup/check.h"
 #include "popup/edit.h"
 #include "support/brute_force.h"
 #include "support/designs.h"
 #include "support/random.h"
+#include "support/run_program.h"
 #include "support/sanitized.h"
 
 namespace popup {
@@ -256,6 +258,26 @@ TEST(Footings, FindsWhatStandsOnWhat) {
     EXPECT_EQ(standing.ground[1].owner, 0);
     EXPECT_EQ(standing.folds[static_cast<std::size_t>(standing.ground[1].fold)].name, "centre");
     EXPECT_EQ(standing.ground[2].fold, -1);
+}
+
+// On the seam of a v-fold whose right side is the page, the apex is given on that page.
+TEST(Footings, FindsWhatStandsOnBothSeams) {
+    const std::string path = std::string(POPUP_SOURCE_DIR) + "/samples/cascade.xml";
+    Diagnostics diagnostics(path);
+    const auto design = read_design({path, test::read_file(path)}, {}, diagnostics);
+    ASSERT_TRUE(design);
+    const Footings standing = footings_of(*design);
+    const CardFolds checked = folds_of_card(*design);
+    for (std::size_t i = 0; i < design->structures.size(); ++i) {
+        const auto& owner = checked.standing[i].owner;
+        EXPECT_EQ(standing.ground[i].owner, owner ? static_cast<int>(*owner) : -1)
+            << design->structures[i].id;
+        if (standing.ground[i].fold < 0) continue;
+        const StandingFold& fold = standing.folds[static_cast<std::size_t>(standing.ground[i].fold)];
+        const CardFold& is = checked.folds[*checked.standing[i].fold];
+        EXPECT_NEAR(distance(fold.at.on_left.a, is.at.on_left.a), 0.0, 0.01) << design->structures[i].id;
+        EXPECT_NEAR(distance(fold.at.on_right.b, is.at.on_right.b), 0.0, 0.01) << design->structures[i].id;
+    }
 }
 
 }  // namespace
