@@ -54,18 +54,46 @@ PaperMap::PageEdges& PaperMap::page(int number) {
     return pages_[static_cast<std::size_t>(number)];
 }
 
-void PaperMap::add(int page_number, const Segment& at, int plate, bool seam) {
-    PageEdges& page_edges = page(page_number);
-    page_edges.edges.insert(at, false);
-    page_edges.obstacles.push_back({plate, seam, owner_});
+void PaperMap::PageEdges::query(const Box& box, std::vector<int>& found) const {
+    found.clear();
+    std::vector<int> near;
+    runs.query(box, near);
+    for (const int run : near) {
+        const auto number = static_cast<std::size_t>(run);
+        const std::size_t end = number + 1 < run_begins.size() ? run_begins[number + 1] : edges.size();
+        for (std::size_t i = run_begins[number]; i < end; ++i) {
+            const Segment& s = edges[i];
+            if (std::max(s.a.x, s.b.x) >= box.min.x && std::min(s.a.x, s.b.x) <= box.max.x &&
+                std::max(s.a.y, s.b.y) >= box.min.y && std::min(s.a.y, s.b.y) <= box.max.y)
+                found.push_back(static_cast<int>(i));
+        }
+    }
+}
+
+void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, bool seam) {
+    constexpr std::size_t kRun = 8;
+    PageEdges& there = page(page_number);
+    for (std::size_t begin = 0; begin < edges.size(); begin += kRun) {
+        there.run_begins.push_back(there.edges.size());
+        Box box;
+        for (const Segment& edge : edges.subspan(begin, std::min(kRun, edges.size() - begin))) {
+            box.extend(edge.a);
+            box.extend(edge.b);
+            there.edges.push_back(edge);
+            there.obstacles.push_back({plate, seam, owner_});
+        }
+        there.runs.insert({box.min, box.max}, false);
+    }
 }
 
 void PaperMap::update(const Skeleton& skeleton, int owner) {
     owner_ = owner;
+    std::vector<Segment> edges;
     const auto add_ring = [&](int number, const Ring& ring, int plate) {
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-            add(number, {ring[j], ring[i]}, plate, false);
-        }
+        edges.clear();
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            edges.push_back({ring[j], ring[i]});
+        add(number, edges, plate, false);
     };
     for (std::size_t plate = outlines_.size(); plate < skeleton.draft.plates.size(); ++plate) {
         outlines_.push_back(skeleton.draft.plates[plate].outline);
@@ -77,22 +105,20 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
     for (; areas_seen_ < skeleton.draft.glued_areas.size(); ++areas_seen_) {
         const GluedArea& area = skeleton.draft.glued_areas[areas_seen_];
         const int number = skeleton.plate_page[static_cast<std::size_t>(area.base_plate)];
-        for (const Polygon& part : area.on_base) {
-            for (const Segment& edge : edges_of(part)) add(number, edge, area.base_plate, true);
-        }
+        for (const Polygon& part : area.on_base) add(number, edges_of(part), area.base_plate, true);
     }
     for (; feet_seen_ < skeleton.feet.size(); ++feet_seen_) {
         const Foot& foot = skeleton.feet[feet_seen_];
-        add(skeleton.plate_page[static_cast<std::size_t>(foot.plate)], foot.inside, foot.plate, true);
+        add(skeleton.plate_page[static_cast<std::size_t>(foot.plate)], {&foot.inside, 1}, foot.plate, true);
     }
     for (; holes_seen_ < skeleton.holes.size(); ++holes_seen_) {
         const Hole& hole = skeleton.holes[holes_seen_];
         const int number = skeleton.plate_page[static_cast<std::size_t>(hole.plate)];
         add_ring(number, hole.ring, hole.plate);
-        PageEdges& edges = page(number);
+        PageEdges& there = page(number);
         const Box box = bounds(hole.ring);
-        edges.cut_boxes.insert({box.min, box.max}, false);
-        edges.cuts.emplace_back(hole.plate, hole.ring);
+        there.cut_boxes.insert({box.min, box.max}, false);
+        there.cuts.emplace_back(hole.plate, hole.ring);
     }
     for (; folds_seen_ < skeleton.folds.size(); ++folds_seen_) {
         const Fold& fold = skeleton.folds[folds_seen_];
@@ -101,14 +127,14 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
              {std::tuple{fold.left_plate, fold.left_page, fold.on_left},
               std::tuple{fold.right_plate, fold.right_page, fold.on_right}}) {
             const auto index = static_cast<std::size_t>(plate);
-            if (fold.seam) add(number, at, plate, true);
+            if (fold.seam) add(number, {&at, 1}, plate, true);
             for (std::size_t& seen = cuts_seen_[index]; seen < skeleton.cut_outs[index].size(); ++seen) {
                 const Ring& ring = skeleton.cut_outs[index][seen].path;
                 add_ring(number, ring, plate);
                 const Box box = bounds(ring);
-                PageEdges& edges = page(number);
-                edges.cut_boxes.insert({box.min, box.max}, false);
-                edges.cuts.emplace_back(plate, ring);
+                PageEdges& there = page(number);
+                there.cut_boxes.insert({box.min, box.max}, false);
+                there.cuts.emplace_back(plate, ring);
             }
         }
     }
@@ -123,10 +149,10 @@ bool PaperMap::may_cut(int plate, int page_number, const DirectedLine& line, con
     const double around = tolerances_.paper_mm - (fit == Fit::exact ? 0.0 : tolerances_.rounding_mm);
     const double off_seams = (fit == Fit::exact ? 2.0 : 1.0) * tolerances_.rounding_mm;
     std::vector<int> found;
-    page_edges.edges.query(box_around(footprint, tolerances_.paper_mm), found);
+    page_edges.query(box_around(footprint, tolerances_.paper_mm), found);
     return std::none_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
-        const Segment& edge = page_edges.edges[number];
+        const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
         if (obstacle.plate != plate || along_line(line, edge)) return false;
         if (open != nullptr && along_line({open->a, unit(open->b - open->a)}, edge)) return false;
         return region_distance(footprint, edge) < (obstacle.seam ? off_seams : around);
@@ -154,10 +180,11 @@ std::vector<Polygon> PaperMap::paper_near(int plate, int page_number, double ins
 bool PaperMap::seam_near(int page_number, const Ring& ring) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     std::vector<int> found;
-    page_edges.edges.query(box_around(ring, tolerances_.rounding_mm), found);
+    page_edges.query(box_around(ring, tolerances_.rounding_mm), found);
     return std::any_of(found.begin(), found.end(), [&](int number) {
         return page_edges.obstacles[static_cast<std::size_t>(number)].seam &&
-               region_distance(ring, page_edges.edges[number]) <= tolerances_.rounding_mm;
+               region_distance(ring, page_edges.edges[static_cast<std::size_t>(number)]) <=
+                   tolerances_.rounding_mm;
     });
 }
 
@@ -165,9 +192,9 @@ void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& 
     if (page_number < 0 || static_cast<std::size_t>(page_number) >= pages_.size() || ring.size() < 3) return;
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     std::vector<int> found;
-    page_edges.edges.query(box_around(ring, tolerances_.paper_mm), found);
+    page_edges.query(box_around(ring, tolerances_.paper_mm), found);
     for (const int number : found) {
-        if (region_distance(ring, page_edges.edges[number]) < tolerances_.paper_mm)
+        if (region_distance(ring, page_edges.edges[static_cast<std::size_t>(number)]) < tolerances_.paper_mm)
             owners.push_back(page_edges.obstacles[static_cast<std::size_t>(number)].owner);
     }
 }
@@ -175,10 +202,10 @@ void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& 
 std::optional<Segment> PaperMap::edge_along(int plate, int page_number, const Segment& at) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     std::vector<int> found;
-    page_edges.edges.query(box_around({at.a, at.b}, tolerances_.rounding_mm), found);
+    page_edges.query(box_around({at.a, at.b}, tolerances_.rounding_mm), found);
     for (const int number : found) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
-        const Segment& edge = page_edges.edges[number];
+        const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
         if (obstacle.plate != plate || obstacle.seam || edge.a == edge.b) continue;
         if (distance(at.a, edge) <= tolerances_.rounding_mm &&
             distance(at.b, edge) <= tolerances_.rounding_mm)
@@ -198,10 +225,10 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
     const Segment core{seam.a + trim, seam.b - trim};
     const Ring ends{seam.a, seam.b};
     std::vector<int> found;
-    page_edges.edges.query(box_around(ends, slack), found);
+    page_edges.query(box_around(ends, slack), found);
     const bool crosses = std::any_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
-        const Segment& edge = page_edges.edges[number];
+        const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
         if (obstacle.plate != plate || obstacle.seam || (line != nullptr && along_line(*line, edge)))
             return false;
         return proper_crossing(core, edge).has_value();

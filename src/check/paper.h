@@ -2,6 +2,9 @@
 // glued areas lie.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/geometry/edge_index.h"
@@ -43,12 +46,20 @@ class PaperMap {
         int owner;
     };
     struct PageEdges {
-        EdgeIndex edges;
+        std::vector<Segment> edges;
         std::vector<Obstacle> obstacles;  // of each edge
-        EdgeIndex cut_boxes;              // diagonals of the cut-outs' boxes
+        // Edges follow one another in rings: a few of them have one box in the tree. Diagonals of those, and
+        // the first edge of each.
+        EdgeIndex runs;
+        std::vector<std::size_t> run_begins;
+        EdgeIndex cut_boxes;  // diagonals of the cut-outs' boxes
         std::vector<std::pair<int, Ring>> cuts;
+
+        // Numbers of the edges whose boxes touch the box, in ascending order.
+        void query(const Box& box, std::vector<int>& found) const;
     };
-    void add(int page, const Segment& at, int plate, bool seam);
+    // Edges that lie together, of a ring for example.
+    void add(int page, std::span<const Segment> edges, int plate, bool seam);
     PageEdges& page(int number);
 
     Tolerances tolerances_;
