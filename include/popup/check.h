@@ -65,12 +65,13 @@ struct CardFolds {
     std::vector<CardFold> folds;  // the gutter, then those of the structures, in their order
     std::vector<std::string> plates;
     std::vector<Standing> standing;  // one a structure
+    bool as_written = false;         // check() finds no error, and repairs nothing
 };
 
 // All folds and plates of a design by their names, and what its structures stand on. A structure that cannot
-// be made still has names, where its points tell where its folds would be. Nothing is reported. Cost: that of
-// check().
-CardFolds folds_of_card(const Design& design);
+// be made still has names, where its points tell where its folds would be. What can be repaired is, whatever
+// the options say. Nothing is reported. Cost: that of check().
+CardFolds folds_of_card(const Design& design, const Tolerances& tolerances = {});
 
 // Structures that are dropped take the pages of their pieces with them: later pages move up, in everything
 // that names one, and what is printed on a page that goes is dropped.

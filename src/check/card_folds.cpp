@@ -164,17 +164,18 @@ void Checker::note_folds() {
     }
 }
 
-CardFolds folds_of_card(const Design& design) {
+CardFolds folds_of_card(const Design& design, const Tolerances& tolerances) {
     CardFolds names;
     names.standing.resize(design.structures.size());
     Diagnostics unheard(design.file);
-    const CheckOptions options;
+    CheckOptions options;
+    options.tolerances = tolerances;
     Checker checker(design, options, unheard);
     checker.names = &names;
     checker.which_of.resize(design.structures.size());
     for (std::size_t i = 0; i < design.structures.size(); ++i)
         checker.numbers.emplace(design.structures[i].id, i);
-    checker.run();
+    names.as_written = checker.run() && unheard.repairs().empty();
     return names;
 }
 

@@ -152,7 +152,7 @@ std::optional<Design> read_document(const Source& source, const EditOptions& opt
 // was when the last finding came: looking no further finds the same codes. `edits`: those
 // that made the text of which this one was read; what moves as before is not moved again.
 Until look_at(const Design& design, Until until, const EditOptions& options, Diagnostics& found,
-              const Edits* edits = nullptr) {
+              Edits* edits = nullptr) {
     Until last = Until::reading;
     std::size_t count = found.sorted().size();
     const auto now = [&](Until stage) {
@@ -166,9 +166,8 @@ Until look_at(const Design& design, Until until, const EditOptions& options, Dia
     now(Until::check);
     if (!checked || until == Until::check) return last;
     const auto assembly = assemble(*checked, {}, found);
-    // A repair may move what is written as before.
-    const bool moves = assembly && edits != nullptr && found.repairs().empty() &&
-                       moves_without_findings(*edits, design, *assembly, options.check);
+    const bool moves = assembly && edits != nullptr &&
+                       moves_without_findings(*edits, *checked, found.repairs(), *assembly, options.check);
     if (assembly && !moves) {
         MotionOptions motion;
         motion.examine = false;
@@ -236,7 +235,7 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
         return std::nullopt;
     }
     const Design before_edits = *reading.design;
-    edit::Session session(std::move(*reading.design), source.name, of_edits);
+    edit::Session session(std::move(*reading.design), source.name, options.check.tolerances, of_edits);
     for (const EditLine& line : edits) {
         if (!edit::run(session, line)) return std::nullopt;
     }
@@ -244,13 +243,13 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     made.text = xml::patch(source, session.design, session.gone);
     made.files = std::move(reading.files);
     if (made.text == source.text) return made;
-    const edit::Edits done{before_edits, session.design, !session.gone.empty()};
+    edit::Edits done{before_edits, session.design, session.take_owners()};
     if (edit::finds_nothing(done, options.check)) return made;
 
     Diagnostics after(source.name);
     edit::Until last = edit::Until::reading;
-    if (const auto design = edit::read_document({source.name, made.text}, options, after))
-        last = edit::look_at(*design, edit::Until::motion, options, after, &done);
+    const auto design = edit::read_document({source.name, made.text}, options, after);
+    if (design) last = edit::look_at(*design, edit::Until::motion, options, after, &done);
     const std::vector<Diagnostic> found = after.sorted();
     // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before;

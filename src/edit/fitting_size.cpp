@@ -132,7 +132,7 @@ class SizeSearch {
     std::optional<double> sticks_out_by(const std::string& element, const Size& size) {
         --trials_;
         Diagnostics found(one_.source.name);
-        edit::Session session(*one_.design, one_.source.name, found);
+        edit::Session session(*one_.design, one_.source.name, options_.check.tolerances, found);
         const std::vector<std::string> words = words_of(element, size);
         if (!edit::set(session, {words[0], {words[1]}, {{std::string(size.name), words[3]}}})) return {};
         Source source = one_.source;

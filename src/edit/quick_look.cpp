@@ -57,13 +57,24 @@ bool same_points(const std::vector<DesignPoint>& a, const std::vector<DesignPoin
     return true;
 }
 
+// Of each structure after the edits, its number before.
+using Before = std::vector<std::optional<std::size_t>>;
+
+// What is named, by its number before; the name may be another one.
+bool same_ground(const NamedGround& was, const NamedGround& is, const Before& before) {
+    if (was.given() != is.given() || was.which != is.which) return false;
+    return is.owner ? before[*is.owner] && was.owner == before[*is.owner] : !was.owner;
+}
+
 // Pages may have other numbers: that moves nothing.
-bool is_changed(const Structure& was, const Structure& is) {
-    if (is.added || is.type != was.type || !same_points(was.points, is.points)) return true;
-    for (const Argument& argument : is.arguments) {
-        if (argument.changed) return true;
+bool is_changed(const Structure& was, const Structure& is, const Before& before) {
+    if (is.type != was.type || !same_points(was.points, is.points)) return true;
+    const ElementInfo& info = *find_element(is.type);
+    for (std::size_t i = 0; i < is.arguments.size(); ++i) {
+        if (is.arguments[i].changed && info.parameters[i].kind != ParameterKind::colour) return true;
     }
-    if (is.named().text != was.named().text || is.plate.has_value() != was.plate.has_value()) return true;
+    if (!same_ground(was.named(), is.named(), before) || is.plate.has_value() != was.plate.has_value())
+        return true;
     if (is.plate) return !(is.plate->at.at == was.plate->at.at);
     return !(is.fold.begin.at == was.fold.begin.at && is.fold.end.at == was.fold.end.at);
 }
@@ -75,35 +86,79 @@ std::optional<std::size_t> structure_of(const Plate& plate, const Numbers& numbe
     return found == numbers.end() ? std::nullopt : std::optional(found->second);
 }
 
-// Which structures have to be moved; nullopt: it cannot be told. `read`: the edited design, as it was read
-// again; elements without an id may have other numbers there.
-std::optional<std::vector<bool>> concerned(const Edits& edits, const Design& read, const Assembly& assembly) {
-    const Design& before = edits.before;
-    const Design& edited = edits.after;
-    if (read.structures.size() != edited.structures.size()) return std::nullopt;
+// What carries each structure; what carries comes first.
+using Carriers = std::vector<std::vector<std::size_t>>;
+
+// Of an edited design as it was read again; elements without an id may have other names there. nullopt: it
+// cannot be told.
+std::optional<Carriers> carriers_after(const Design& read, const Assembly& assembly) {
     const Numbers numbers = numbers_of(read);
-    const Numbers old = numbers_of(before);
-    const std::size_t count = edited.structures.size();
-    std::vector<std::vector<std::size_t>> carriers(count);
+    Carriers carriers(read.structures.size());
     for (const Plate& plate : assembly.plates) {
         if (plate.parent < 0) continue;
         const auto own = structure_of(plate, numbers);
         const auto on = structure_of(assembly.plates[static_cast<std::size_t>(plate.parent)], numbers);
         if (!own || !on || *own == *on) continue;
-        if (*on > *own) return std::nullopt;  // what carries comes first
+        if (*on > *own) return std::nullopt;
         carriers[*own].push_back(*on);
     }
-    std::vector<bool> changed(count, false);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto was = old.find(edited.structures[i].id);
-        changed[i] = was == old.end() || is_changed(before.structures[was->second], edited.structures[i]);
-        for (const std::size_t carrier : carriers[i]) changed[i] = changed[i] || changed[carrier];
+    return carriers;
+}
+
+std::optional<Carriers> carriers_before(const std::vector<std::optional<std::size_t>>& owners) {
+    Carriers carriers(owners.size());
+    for (std::size_t i = 0; i < carriers.size(); ++i) {
+        if (!owners[i]) continue;
+        if (*owners[i] >= i) return std::nullopt;
+        carriers[i].push_back(*owners[i]);
     }
-    for (std::size_t i = count; i-- > 0;) {
-        if (!changed[i]) continue;
-        for (const std::size_t carrier : carriers[i]) changed[carrier] = true;
+    return carriers;
+}
+
+void mark_carried(const Carriers& carriers, std::vector<bool>& marked) {
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+        for (const std::size_t carrier : carriers[i]) marked[i] = marked[i] || marked[carrier];
     }
-    return changed;
+}
+
+void mark_carriers(const Carriers& carriers, std::vector<bool>& marked) {
+    for (std::size_t i = marked.size(); i-- > 0;) {
+        if (!marked[i]) continue;
+        for (const std::size_t carrier : carriers[i]) marked[carrier] = true;
+    }
+}
+
+// Which structures have to be moved.
+struct Concerned {
+    std::vector<bool> before, after;
+
+    // Marks those of either design that are marked in the other one; whether there were any.
+    bool share(const Before& number) {
+        bool any = false;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (!number[i] || after[i] == before[*number[i]]) continue;
+            after[i] = before[*number[i]] = true;
+            any = true;
+        }
+        return any;
+    }
+};
+
+// What the edits have changed themselves; none: they moved nothing.
+std::optional<Concerned> changed(const Edits& edits, const Before& number) {
+    Concerned made{std::vector<bool>(edits.before.structures.size(), true),
+                   std::vector<bool>(edits.after.structures.size(), true)};
+    bool any = false;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        if (number[i]) {
+            made.after[i] = made.before[*number[i]] =
+                is_changed(edits.before.structures[*number[i]], edits.after.structures[i], number);
+        }
+        any = any || made.after[i];
+    }
+    // What is still marked without a number after was taken out.
+    for (std::size_t i = 0; !any && i < made.before.size(); ++i) any = made.before[i];
+    return any ? std::optional(std::move(made)) : std::nullopt;
 }
 
 Design part_of(Design design, const std::vector<bool>& kept) {
@@ -129,31 +184,81 @@ Design part_of(Design design, const std::vector<bool>& kept) {
 
 }  // namespace
 
-bool moves_without_findings(const Edits& edits, const Design& read, const Assembly& assembly,
-                            const CheckOptions& options) {
-    MotionOptions motion;
-    motion.examine = false;
-    const auto finds_nothing_in = [&](const Assembly& made) {
-        Diagnostics found(read.file);
-        return simulate(made, motion, found) && found.sorted().empty();
-    };
-    // What is taken out may have held what it did not stand on.
-    if (edits.taken_out) return finds_nothing_in(assembly);
-    const auto moved = concerned(edits, read, assembly);
-    if (!moved) return false;
-    Diagnostics told(read.file);
-    const auto part = check(part_of(read, *moved), options, told);
-    const auto small = part ? assemble(*part, {}, told) : std::nullopt;
-    return small && finds_nothing_in(*small);
+Owners owners_of(const CardFolds& card) {
+    Owners made{{}, card.as_written};
+    for (const Standing& one : card.standing) made.owners.push_back(one.owner);
+    return made;
 }
 
-bool finds_nothing(const Edits& edits, const CheckOptions& options) {
+std::vector<std::optional<std::size_t>> numbers_before(const Design& before, const Design& after) {
+    Before made(after.structures.size());
+    // Edits leave their order as it is.
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Structure& one = after.structures[i];
+        if (one.added) continue;
+        while (next < before.structures.size() &&
+               before.structures[next].tag_text.offset != one.tag_text.offset)
+            ++next;
+        if (next < before.structures.size()) made[i] = next++;
+    }
+    return made;
+}
+
+bool moves_without_findings(Edits& edits, const CheckedDesign& checked, std::span<const Diagnostic> repairs,
+                            const Assembly& assembly, const CheckOptions& options) {
+    const Design& after_repairs = checked.design();
+    if (after_repairs.structures.size() != edits.after.structures.size()) return false;
+    const Before number = numbers_before(edits.before, edits.after);
+    auto marked = changed(edits, number);
+    if (!marked) return true;
+    if (!repairs.empty()) {
+        const Numbers numbers = numbers_of(after_repairs);
+        for (const Diagnostic& repair : repairs) {
+            const auto repaired = numbers.find(repair.element);
+            if (repaired == numbers.end()) return false;
+            marked->after[repaired->second] = true;
+        }
+        marked->share(number);
+    }
+    if (!edits.owners) edits.owners = owners_of(folds_of_card(edits.before, options.tolerances));
+    if (!edits.owners->as_written) return false;
+    const auto before = carriers_before(edits.owners->owners);
+    const auto after = carriers_after(after_repairs, assembly);
+    if (!before || !after) return false;
+    do {
+        mark_carried(*before, marked->before);
+        mark_carried(*after, marked->after);
+    } while (marked->share(number));
+    do {
+        mark_carriers(*before, marked->before);
+        mark_carriers(*after, marked->after);
+    } while (marked->share(number));
+    MotionOptions motion;
+    motion.examine = false;
+    const auto moves = [&](const Design& design, const std::vector<bool>& kept, Diagnostics& found) {
+        const auto part = check(part_of(design, kept), options, found);
+        const auto small = part ? assemble(*part, {}, found) : std::nullopt;
+        return small && simulate(*small, motion, found);
+    };
+    // Of what was there before, it only counts that an error has hidden nothing.
+    Diagnostics of_before(after_repairs.file);
+    if (!moves(edits.before, marked->before, of_before)) return false;
+    Diagnostics found(after_repairs.file);
+    return moves(after_repairs, marked->after, found) && found.sorted().empty();
+}
+
+bool finds_nothing(Edits& edits, const CheckOptions& options) {
+    // Names and colours are nothing that the checks look at.
+    if (!edits.after.version_changed && !changed(edits, numbers_before(edits.before, edits.after)))
+        return true;
     const Design written = as_written(edits.after);
     Diagnostics found(written.file);
     const auto checked = check(written, options, found);
     if (!checked || !found.sorted().empty()) return false;
     const auto assembly = assemble(*checked, {}, found);
-    return assembly && found.sorted().empty() && moves_without_findings(edits, written, *assembly, options);
+    return assembly && found.sorted().empty() &&
+           moves_without_findings(edits, *checked, {}, *assembly, options);
 }
 
 }  // namespace popup::edit

@@ -86,11 +86,14 @@ std::optional<std::size_t> Session::find(std::string_view id) {
     return std::nullopt;
 }
 
+void Session::look() {
+    card_ = folds_of_card(design, tolerances_);
+    touched_.clear();
+    if (is_as_read_) owners_ = owners_of(*card_);
+}
+
 const CardFolds& Session::card() {
-    if (!card_ || !touched_.empty() || card_->standing.size() < design.structures.size()) {
-        card_ = folds_of_card(design);
-        touched_.clear();
-    }
+    if (!card_ || !touched_.empty()) look();
     return *card_;
 }
 
@@ -100,17 +103,7 @@ const Standing& Session::standing(std::size_t n) {
         at = *card_->standing[at].owner;
         stale = touched_.contains(at);
     }
-    if (!stale) return card_->standing[n];
-    if (card_) {
-        card_ = folds_of_card(design);
-    } else {
-        // What comes behind it in the list has no part in what it stands on; one edit asks no more.
-        Design until = design;
-        until.structures.erase(until.structures.begin() + static_cast<std::ptrdiff_t>(n) + 1,
-                               until.structures.end());
-        card_ = folds_of_card(until);
-    }
-    touched_.clear();
+    if (stale) look();
     return card_->standing[n];
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "edit/quick_look.h"
 #include "popup/check.h"
 #include "popup/design.h"
 #include "popup/diagnostics.h"
@@ -27,8 +28,8 @@ struct Command {
 
 class Session {
  public:
-    Session(Design read, std::string folder, Diagnostics& said)
-        : design(std::move(read)), folder_(std::move(folder)), said_(said) {}
+    Session(Design read, std::string folder, const Tolerances& tolerances, Diagnostics& said)
+        : design(std::move(read)), folder_(std::move(folder)), tolerances_(tolerances), said_(said) {}
 
     Design design;
     std::vector<TextRange> gone;  // of structures that were taken out
@@ -44,12 +45,20 @@ class Session {
     const CardFolds& card();
     // Something about a structure has changed: what stands on its folds is looked at anew when it is asked
     // for.
-    void touch(std::size_t n) { touched_.insert(n); }
+    void touch(std::size_t n) {
+        touched_.insert(n);
+        is_as_read_ = false;
+    }
     // What card() tells has been kept up with the changes.
     void kept_up() { touched_.clear(); }
     // Structures came, went or changed places.
-    void forget() { card_.reset(); }
+    void forget() {
+        card_.reset();
+        is_as_read_ = false;
+    }
     CardFolds* known() { return card_ ? &*card_ : nullptr; }
+    // How the card stood as it was read, if that was asked for before anything was changed.
+    [[nodiscard]] std::optional<Owners> take_owners() { return std::move(owners_); }
     // Takes one out of the design, with what is printed on the page of its piece.
     void take_out(std::size_t n);
     // Raises the version of the document, where it needs that.
@@ -78,10 +87,15 @@ class Session {
                        const std::string& text);
 
  private:
+    void look();
+
     std::string folder_;
+    Tolerances tolerances_;
     Diagnostics& said_;
     std::optional<CardFolds> card_;
     std::set<std::size_t> touched_;
+    bool is_as_read_ = true;
+    std::optional<Owners> owners_;
 };
 
 // Moves with a structure, that has been changed, everything that stands on it and gives its points on pages.

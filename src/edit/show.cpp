@@ -229,7 +229,8 @@ class Shown {
 };
 
 bool is_there(const Design& design, const ShowOptions& options, Diagnostics& diagnostics) {
-    return options.id.empty() || edit::Session(design, design.file, diagnostics).find(options.id).has_value();
+    return options.id.empty() ||
+           edit::Session(design, design.file, {}, diagnostics).find(options.id).has_value();
 }
 
 }  // namespace
