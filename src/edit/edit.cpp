@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "base/text/nearest.h"
@@ -186,6 +187,22 @@ Counts counted(const Diagnostics& found) {
     return counts;
 }
 
+// What elements were called before the edits, of those that have another name now: what has no id is called
+// by its number, and that changes with every element that goes before it.
+using NamesBefore = std::unordered_map<std::string, std::string>;
+
+NamesBefore names_before(const Edits& edits, const Design& read) {
+    NamesBefore made;
+    if (read.structures.size() != edits.after.structures.size()) return made;
+    const auto numbers = numbers_before(edits.before, edits.after);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!numbers[i]) continue;
+        const std::string& was = edits.before.structures[*numbers[i]].id;
+        if (read.structures[i].id != was) made.emplace(read.structures[i].id, was);
+    }
+    return made;
+}
+
 }  // namespace
 }  // namespace edit
 
@@ -257,9 +274,11 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
         edit::look_at(before_edits, last, options, reading_errors);
         before = edit::counted(reading_errors);
     }
+    const edit::NamesBefore names = design ? edit::names_before(done, *design) : edit::NamesBefore();
     bool broken = false;
     for (const Diagnostic& one : found) {
-        int& known = before[{one.severity, one.code, one.element}];
+        const auto name = names.find(one.element);
+        int& known = before[{one.severity, one.code, name == names.end() ? one.element : name->second}];
         if (known > 0) {
             --known;
             continue;

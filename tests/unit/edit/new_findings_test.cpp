@@ -82,5 +82,28 @@ TEST(NewFindings, AreOfTheWholeCardWhereAnErrorHidThem) {
     EXPECT_EQ(told(card(flag_at(40) + kFloating + kHole), "move flag --y=-2").findings, "");
 }
 
+std::string beak(const char* id, int y) {
+    const auto point = [](int x, int at) {
+        return "<point x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(at) + "\"/>";
+    };
+    return std::string("    <structure type=\"beak\"") + id + ">\n      <outerpoints>" + point(0, y) +
+           point(-8, y - 8) + point(8, y - 8) +
+           "</outerpoints>\n      <parentfold page=\"0\"><begin x=\"0\" y=\"-108\"/><end x=\"0\" "
+           "y=\"108\"/></parentfold>\n    </structure>\n";
+}
+
+// Elements without an id are called by their numbers, which change with what goes before them.
+TEST(NewFindings, KnowWhatIsCalledByItsNumber) {
+    const std::string bad = card(beak("", -40) + beak("", 20) + beak("", 400));
+    const Told gone = told(bad, "delete e1");
+    EXPECT_EQ(gone.findings, "");
+    EXPECT_FALSE(gone.refused);
+    const Told named = told(bad, "rename e3 far");
+    EXPECT_EQ(named.findings, "");
+    EXPECT_FALSE(named.refused);
+    // One more of the kind is new all the same.
+    EXPECT_TRUE(told(bad, "move e2 --along 380").refused);
+}
+
 }  // namespace
 }  // namespace popup::test
