@@ -22,6 +22,25 @@ TreeBox box_of(const Segment& s) {
             {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
 }
 
+// Gives `use` the numbers of all segments whose boxes touch the box: of those in the tree, in any order, or,
+// where there is none, of all that there are, in theirs. No list is made of them.
+template <typename Tree, typename Use>
+void visit(const Tree* tree, const std::vector<Segment>& segments, const Box& box, const Use& use) {
+    if (tree != nullptr) {
+        const TreeBox window{{box.min.x, box.min.y}, {box.max.x, box.max.y}};
+        tree->entries.query(
+            bg::index::intersects(window),
+            boost::make_function_output_iterator([&use](const Entry& entry) { use(entry.second); }));
+        return;
+    }
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Segment& s = segments[i];
+        if (std::max(s.a.x, s.b.x) >= box.min.x && std::min(s.a.x, s.b.x) <= box.max.x &&
+            std::max(s.a.y, s.b.y) >= box.min.y && std::min(s.a.y, s.b.y) <= box.max.y)
+            use(static_cast<int>(i));
+    }
+}
+
 }  // namespace
 
 struct EdgeIndex::Tree {
@@ -73,31 +92,20 @@ void EdgeIndex::remove(int number) {
 void EdgeIndex::query(const Box& box, std::vector<int>& found) const {
     found.clear();
     if (box.empty()) return;
-    if (tree_) {
-        const TreeBox window{{box.min.x, box.min.y}, {box.max.x, box.max.y}};
-        tree_->entries.query(bg::index::intersects(window),
-                             boost::make_function_output_iterator(
-                                 [&found](const Entry& entry) { found.push_back(entry.second); }));
-        std::sort(found.begin(), found.end());
-        return;
-    }
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-        const Segment& s = segments_[i];
-        if (state_[i] != State::removed && std::max(s.a.x, s.b.x) >= box.min.x &&
-            std::min(s.a.x, s.b.x) <= box.max.x && std::max(s.a.y, s.b.y) >= box.min.y &&
-            std::min(s.a.y, s.b.y) <= box.max.y) {
-            found.push_back(static_cast<int>(i));
-        }
-    }
+    visit(tree_.get(), segments_, box, [&](int number) {
+        if (state_[static_cast<std::size_t>(number)] != State::removed) found.push_back(number);
+    });
+    if (tree_) std::sort(found.begin(), found.end());
 }
 
 double EdgeIndex::clearance(Vec2 p, double limit) const {
-    std::vector<int> found;
     // Without a tree every question costs a look at all segments: ask once.
     for (double radius = tree_ ? limit / 16.0 : limit;; radius = std::min(2.0 * radius, limit)) {
-        query({p - Vec2{radius, radius}, p + Vec2{radius, radius}}, found);
         double best = limit;
-        for (const int number : found) best = std::min(best, distance(p, (*this)[number]));
+        visit(tree_.get(), segments_, {p - Vec2{radius, radius}, p + Vec2{radius, radius}}, [&](int number) {
+            if (state_[static_cast<std::size_t>(number)] != State::removed)
+                best = std::min(best, distance(p, (*this)[number]));
+        });
         if (best <= radius || radius >= limit) return best;
     }
 }
@@ -128,20 +136,18 @@ int EdgeIndex::winding(Vec2 p) const {
     if (box_.empty()) return 0;
     // The ray runs across the drawing's shorter side, so that rows and columns of small parts stay cheap.
     const bool across = box_.width() > box_.height();
-    std::vector<int> found;
-    query(across ? Box{{p.x, p.y}, {p.x, std::max(p.y, box_.max.y)}}
-                 : Box{{p.x, p.y}, {std::max(p.x, box_.max.x), p.y}},
-          found);
+    const Box ray = across ? Box{{p.x, p.y}, {p.x, std::max(p.y, box_.max.y)}}
+                           : Box{{p.x, p.y}, {std::max(p.x, box_.max.x), p.y}};
     int turns = 0;
-    for (const int number : found) {
-        if (state_[static_cast<std::size_t>(number)] != State::boundary) continue;
+    visit(tree_.get(), segments_, ray, [&](int number) {
+        if (state_[static_cast<std::size_t>(number)] != State::boundary) return;
         const Segment& s = (*this)[number];
         const double side = cross(s.b - s.a, p - s.a);
         const bool a_below = across ? s.a.x >= p.x : s.a.y <= p.y;
         const bool b_below = across ? s.b.x >= p.x : s.b.y <= p.y;
         if (a_below && !b_below && side > 0.0) ++turns;
         if (!a_below && b_below && side < 0.0) --turns;
-    }
+    });
     return turns;
 }
 
