@@ -109,7 +109,9 @@ struct FoldOptions {
 // FoldOptions::closure_mm at every opening, and not only at some.
 //
 // Told with their places: repairs `end-moved`, `fold-drawn-twice`; warnings `dangling-fold`, `no-border`,
-// `falls-out`, `fold-other-way`, `fold-stays-flat`; errors `document-too-large`, `no-sheet`. A pattern whose
+// `falls-out`, `fold-other-way`, `fold-stays-flat`, `folding-undecided` (folds that hang together, of which
+// it was given up to find how they go, after steps that are counted and not timed; they stay flat, and
+// collisions are not looked for); errors `document-too-large`, `no-sheet`. A pattern whose
 // loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open. It is
 // folded as far as it can be; where it does not leave the flat sheet, panels are divided into triangles along
 // which they bend, by as little as brings the folds near to their angles, so that it can be seen

@@ -22,6 +22,11 @@ constexpr std::size_t kMostCorners = 2000;
 constexpr double kAtCorner = 1.0 / 400.0;
 // A corner this near to a line, as a share of its length, lies on it.
 constexpr double kOnWay = 1e-6;
+// Steps of work: of a pair of corners of a panel that is divided, of a corner that is looked at, and of a
+// diagonal that may be turned.
+constexpr double kCornerSteps = 20.0;
+constexpr double kLookSteps = 10.0;
+constexpr double kTurnSteps = 1000.0;
 // A diagonal is turned only for one that is better by more than rounding.
 constexpr double kClearlyBetter = 1e-9;
 
@@ -37,7 +42,7 @@ class Corners {
     }
 
     // The nearest within reach; -1: none.
-    [[nodiscard]] int at(Vec2 p) const {
+    [[nodiscard]] int at(Vec2 p, Work& work) const {
         int best = -1;
         double nearest = reach_;
         const PlaneCell middle = cell(p);
@@ -45,6 +50,7 @@ class Corners {
             for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
                 const auto found = cells_.find({x, y});
                 if (found == cells_.end()) continue;
+                if (!work.spend(kLookSteps * static_cast<double>(found->second.size()))) return -1;
                 for (const int corner : found->second) {
                     const double away = distance(nth(corners_, corner), p);
                     if (away > nearest || (away == nearest && best >= 0)) continue;
@@ -69,13 +75,13 @@ class Corners {
 
 class Divider {
  public:
-    Divider(const Sheet& sheet, const CreasePattern& pattern) : sheet_(sheet) {
+    Divider(const Sheet& sheet, const CreasePattern& pattern, Work& work) : sheet_(sheet), work_(work) {
         const Corners corners(sheet.corners, kAtCorner * sheet.size());
         for (const CreaseLine& line : pattern.lines) {
             if (line.use != CreaseUse::flat) continue;
             for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-                const int a = corners.at(line.points[i]);
-                const int b = corners.at(line.points[i + 1]);
+                const int a = corners.at(line.points[i], work);
+                const int b = corners.at(line.points[i + 1], work);
                 if (a >= 0 && b >= 0 && a != b) {
                     drawn_[a].push_back(b);
                     drawn_[b].push_back(a);
@@ -88,6 +94,8 @@ class Divider {
         std::size_t corners = panel.outer.size();
         for (const std::vector<int>& hole : panel.holes) corners += hole.size();
         if (corners < 4 || corners > kMostCorners) return;
+        const auto count = static_cast<double>(corners);
+        if (!work_.spend(kCornerSteps * count * count)) return;
         if (!panel.holes.empty()) {
             divide_further(panel.outer, panel.holes);
             return;
@@ -97,6 +105,7 @@ class Divider {
             std::vector<int> ring = std::move(open.back());
             open.pop_back();
             const auto [from, to] = drawn_in(ring);
+            if (work_.is_spent()) return;
             if (to == 0) {
                 divide_further(ring, {});
                 continue;
@@ -122,9 +131,11 @@ class Divider {
             const auto lines = drawn_.find(ring[i]);
             if (lines == drawn_.end()) continue;
             for (const int other : lines->second) {
+                if (!work_.spend(kLookSteps)) return {0, 0};
                 const auto found = place.find(other);
                 if (found == place.end() || found->second < i + 2) continue;
                 if (i == 0 && found->second + 1 == ring.size()) continue;
+                if (!work_.spend(kLookSteps * static_cast<double>(ring.size()))) return {0, 0};
                 if (leads_inwards(ring, i, found->second) && meets_no_side(ring, i, found->second))
                     return {i, found->second};
             }
@@ -217,7 +228,7 @@ class Divider {
         }
         // Each turn brings the triangles nearer to the best ones; the count is for rounding.
         std::size_t left = 4 * triangles.size() * triangles.size() + 16;
-        while (!open.empty() && left-- > 0) {
+        while (!open.empty() && left-- > 0 && work_.spend(kTurnSteps)) {
             const auto [a, b] = open.back();
             open.pop_back();
             const auto here = of.find({a, b});
@@ -253,6 +264,7 @@ class Divider {
     }
 
     const Sheet& sheet_;
+    Work& work_;
     std::map<int, std::vector<int>> drawn_;  // from corner to corner
     std::vector<Stretch> bends_;
 };
@@ -260,26 +272,27 @@ class Divider {
 }  // namespace
 
 std::optional<Bent> bend_panels(const CreasePattern& pattern, const FoldOptions& options, const Sheet& sheet,
-                                const Paths& paths) {
+                                const Paths& paths, Work& work) {
     std::vector<char> bends(sheet.panels.size(), 0);
     for (const Cluster& cluster : paths.clusters) {
-        if (cluster.reached > 0.0) continue;
+        if (cluster.reached > 0.0 || cluster.given_up) continue;
         for (const int number : cluster.folds) {
             const Fold& fold = nth(sheet.folds, number);
             nth(bends, fold.left) = nth(bends, fold.right) = 1;
         }
     }
-    Divider divider(sheet, pattern);
+    if (std::none_of(bends.begin(), bends.end(), [](char one) { return one != 0; })) return std::nullopt;
+    Divider divider(sheet, pattern, work);
     for (std::size_t i = 0; i < bends.size(); ++i) {
         if (bends[i] != 0) divider.divide(sheet.panels[i]);
     }
     const std::vector<Stretch> diagonals = divider.take();
-    if (diagonals.empty()) return std::nullopt;
+    if (diagonals.empty() || work.is_spent()) return std::nullopt;
     Diagnostics told;  // once more what the sheet without bends has told
     std::optional<Sheet> divided = make_sheet(pattern, options, told, diagonals);
     if (!divided) return std::nullopt;
     Bent bent;
-    bent.paths = find_paths(*divided, {options.closure_mm});
+    bent.paths = find_paths(*divided, {options.closure_mm}, work);
     if (!(bent.paths.reached > 0.0)) return std::nullopt;
     bent.sheet = std::move(*divided);
     return bent;

@@ -38,17 +38,28 @@ constexpr double kLongestStep = 0.5;
 // After a step that leaves so little of a residual the slopes do for one more.
 constexpr double kKeepsSlopes = 0.1;
 
-// Loops in the order of least degree (Amestoy, Davis and Duff, An approximate minimum degree ordering
-// algorithm, 1996), so that the factors of their normal equations stay sparse: for loops as a whole, which
-// takes a ninth of what it takes for conditions.
-std::vector<int> ordered(const Sheet& sheet, const std::vector<int>& loops) {
-    std::vector<std::vector<int>> across(sheet.folds.size());  // by fold: the loops that cross it
+// No motion is found in fewer factorisations.
+constexpr double kLeastFactorisations = 60.0;
+// Steps of work: of a loop's crossing of a fold, in its residual; of an entry of the normal equations.
+constexpr double kTermSteps = 60.0;
+constexpr double kEntrySteps = 4.0;
+
+// By fold: the loops that cross it, in their order.
+std::vector<std::vector<int>> loops_across(const Sheet& sheet, const std::vector<int>& loops) {
+    std::vector<std::vector<int>> across(sheet.folds.size());
     for (std::size_t i = 0; i < loops.size(); ++i) {
         for (const Step& step : nth(sheet.loops, loops[i]).steps)
             nth(across, step.fold).push_back(static_cast<int>(i));
     }
+    return across;
+}
+
+// Loops in the order of least degree (Amestoy, Davis and Duff, An approximate minimum degree ordering
+// algorithm, 1996), so that the factors of their normal equations stay sparse: for loops as a whole, which
+// takes a ninth of what it takes for conditions.
+std::vector<int> ordered(const Sheet& sheet, const std::vector<int>& loops) {
     std::vector<Eigen::Triplet<double>> entries;
-    for (const std::vector<int>& beside : across) {
+    for (const std::vector<int>& beside : loops_across(sheet, loops)) {
         for (const int a : beside) {
             for (const int b : beside) entries.emplace_back(a, b, 1.0);
         }
@@ -67,15 +78,63 @@ std::vector<int> ordered(const Sheet& sheet, const std::vector<int>& loops) {
 
 }  // namespace
 
-Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops) {
+Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work)
+    : work_(&work) {
+    // A fold that many loops cross joins each of them to each other.
+    double entries = 0.0;
+    for (const std::vector<int>& beside : loops_across(sheet, loops))
+        entries += 36.0 * static_cast<double>(beside.size() * beside.size());
+    if (!work.has(kLeastFactorisations * kEntrySteps * entries)) return;
+    const std::vector<int> order = ordered(sheet, loops);
+    factor_steps_ = kEntrySteps * entries;
+    affordable_ = can_afford(sheet, order);
+    if (!affordable_) return;
     ease_.setOnes(static_cast<Eigen::Index>(folds.size()));
     for (std::size_t i = 0; i < folds.size(); ++i) {
         if (!nth(sheet.folds, folds[i]).is_bend()) continue;
         ease_[static_cast<Eigen::Index>(i)] = 1.0 / (kBendCost * kBendCost);
         bends_ = true;
     }
-    add_rows(sheet, folds, ordered(sheet, loops));
+    add_rows(sheet, folds, order);
     add_products(folds.size());
+}
+
+// Whether the factors of the normal equations, in that order of the loops, are so sparse that enough of them
+// can be made. Loops as a whole are eliminated one after the other: each joins those after it that it hangs
+// together with, and all that is told of it goes to the first of these (its parent in the elimination tree;
+// Liu, The role of elimination trees in sparse factorization, 1990).
+bool Closure::can_afford(const Sheet& sheet, const std::vector<int>& loops) {
+    const std::size_t count = loops.size();
+    std::vector<std::vector<int>> before(count);  // by loop: those earlier in the order that share a fold
+    for (const std::vector<int>& beside : loops_across(sheet, loops)) {
+        for (std::size_t i = 1; i < beside.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                if (beside[k] != beside[i]) nth(before, beside[i]).push_back(beside[k]);
+            }
+        }
+    }
+    const auto conditions = [&](std::size_t i) { return nth(sheet.loops, loops[i]).corner ? 3.0 : 6.0; };
+    std::vector<int> parent(count, -1);
+    std::vector<int> seen(count, -1);       // the last loop whose row has an entry in this column
+    std::vector<double> below(count, 0.0);  // conditions below the diagonal, by column
+    double entries = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        seen[i] = static_cast<int>(i);
+        for (int at : before[i]) {
+            for (; nth(seen, at) != static_cast<int>(i); at = nth(parent, at)) {
+                if (nth(parent, at) < 0) nth(parent, at) = static_cast<int>(i);
+                nth(seen, at) = static_cast<int>(i);
+                nth(below, at) += conditions(i);
+                entries += 1.0;
+            }
+        }
+        if (!work_->has(kLeastFactorisations * entries)) return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = conditions(i);
+        factor_steps_ += own * (own + below[i]) * (own + below[i]);
+    }
+    return work_->has(kLeastFactorisations * factor_steps_);
 }
 
 void Closure::add_rows(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops) {
@@ -160,6 +219,7 @@ void Closure::add_products(std::size_t folds) {
 }
 
 void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
+    work_->spend(kTermSteps * static_cast<double>(terms_.size()));
     for (const Row& row : rows_) {
         Rigid3 motion;
         for (std::size_t i = row.begin; i < row.end; ++i) {
@@ -190,7 +250,9 @@ double Closure::residual(const Eigen::VectorXd& angles, int* worst) {
     return largest;
 }
 
-void Closure::factorise() {
+// False if the work that is left does not do for it.
+bool Closure::factorise() {
+    if (!work_->spend(factor_steps_)) return false;
     double* const values = normal_.valuePtr();
     std::fill(values, values + normal_.nonZeros(), 0.0);
     for (const Product& product : products_) {
@@ -217,10 +279,10 @@ void Closure::factorise() {
         analysed_ = true;
     }
     solver_.factorize(normal_);
+    return solver_.info() == Eigen::Success;
 }
 
 bool Closure::step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by) {
-    if (solver_.info() != Eigen::Success) return false;
     const Eigen::VectorXd loads = solver_.solve(residuals);
     by.setZero(ease_.size());
     for (const Row& row : rows_) {
@@ -258,8 +320,7 @@ int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {
             worst = std::max(worst, before);
             open[i] = std::max(before, kSettled);
             if (last) continue;
-            factorise();
-            if (!step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
+            if (!factorise() || !step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
                 return static_cast<int>(i);
             all[i] += by;
         }
@@ -270,7 +331,7 @@ int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {
 
 Eigen::VectorXd Closure::along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction) {
     evaluate(angles, true);
-    factorise();
+    if (!factorise()) return Eigen::VectorXd::Zero(direction.size());
     Eigen::VectorXd left = direction;
     Eigen::VectorXd by;
     // Once more, for what the regularisation leaves.
@@ -310,7 +371,7 @@ double Closure::approach(Eigen::VectorXd& angles, double enough) {
     for (int i = 0; i < kMostSteps && here > enough; ++i) {
         if (!keep) {
             evaluate(angles, true);
-            factorise();
+            if (!factorise()) break;
         }
         if (!step(-residual_, by)) break;
         const double longest = by.lpNorm<Eigen::Infinity>();

@@ -9,13 +9,19 @@
 #include <vector>
 
 #include "folded/sheet.h"
+#include "folded/work.h"
 
 namespace popup::folded {
 
 class Closure {
  public:
-    // Loops of the sheet, and the folds that they cross; angles have the order of `folds`.
-    Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
+    // Loops of the sheet, and the folds that they cross; angles have the order of `folds`. `work`, which must
+    // outlive this object, pays for all that follows. Once it is spent, no step helps.
+    Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work);
+
+    // False if the work that is left does not do for the steps that it takes to find anything: then it is
+    // left for others, and nothing below may be used.
+    [[nodiscard]] bool is_affordable() const { return affordable_; }
 
     // How far the worst loop is from closed: radians of its turn, or its shift as a share of its size.
     // *worst (if given) is its number in the sheet.
@@ -62,6 +68,7 @@ class Closure {
         std::array<int, 6> at{};
     };
 
+    [[nodiscard]] bool can_afford(const Sheet& sheet, const std::vector<int>& loops);
     void add_rows(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
     void add_products(std::size_t folds);
     // Residuals of all loops, and with `slopes` their derivatives.
@@ -70,9 +77,12 @@ class Closure {
     bool step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by);
     // What a step adds to the residuals, to the first order.
     [[nodiscard]] Eigen::VectorXd change_by(const Eigen::VectorXd& by) const;
-    void factorise();
+    bool factorise();
 
-    std::vector<Row> rows_;  // in an order that leaves the factors sparse
+    Work* work_;
+    bool affordable_ = false;
+    double factor_steps_ = 0.0;  // what a factorisation takes
+    std::vector<Row> rows_;      // in an order that leaves the factors sparse
     std::vector<Term> terms_;
     std::vector<std::array<double, 6>> slopes_;  // by term: of its loop's conditions by its fold's angle
     Eigen::VectorXd ease_;                       // by angle: what it costs, inverted and squared

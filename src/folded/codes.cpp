@@ -110,6 +110,15 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "other if all are to move; where two lines cross, the line that is folded second changes from mountain "
      "to "
      "valley at the first. Draw it so, or leave the fold out if it is a mark."},
+    {"folding-undecided", Severity::warning, "a sheet whose folds are too many for the way to be found",
+     "Folds around inner corners and holes go together, and how they go is searched for: that takes the more "
+     "steps the more of them hang together, and the less they fit. What may be spent on a sheet is bounded, "
+     "in "
+     "steps that are the same on every machine, so that no drawing keeps popupc busy for ever; some thousand "
+     "folds are within the bound. Beyond it the folds that hang together are left as far as they had come, "
+     "mostly flat, and all else of the sheet is folded; collisions are not looked for. Sheets for cutting "
+     "are as they would be. Lines that "
+     "are no folds are the usual reason, such as hatching or a drawing in the colour of folds."},
     {"folds-flat", Severity::remark, "a sheet that folds flat, with an order of its layers",
      "Asked by --flat, popupc laid all panels of the sheet into one plane, each fold turned by half a turn, "
      "and found "

@@ -14,6 +14,7 @@
 #include "folded/refine.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
+#include "folded/work.h"
 #include "popup/flat_folding.h"
 
 namespace popup {
@@ -72,22 +73,52 @@ void tell_open(const folded::Cluster& cluster, const std::string& bends, const C
                             : fmt::format("{}; collisions are not looked for while panels bend", hint));
 }
 
+// Clusters for which the work was spent before it was known how they go.
+void tell_given_up(const Paths& paths, double most, const CreasePattern& pattern, const Sheet& sheet,
+                   Diagnostics& diagnostics) {
+    std::size_t told = 0;
+    for (const folded::Cluster& cluster : paths.clusters) {
+        if (!cluster.given_up) continue;
+        if (++told > kToldAtMost) return;
+        const folded::Loop& loop = nth(sheet.loops, cluster.loops.front());
+        const std::string went = cluster.reached > 0.0
+                                     ? fmt::format("go beyond {:.0f} % of the way, as far as they are folded",
+                                                   std::floor(100.0 * cluster.reached))
+                                     : std::string("go, and so they stay flat");
+        diagnostics
+            .warning(
+                "folding-undecided", nth(pattern.lines, loop.line).place,
+                fmt::format("it was not found how the {} folds around {} corners and holes, the first at "
+                            "{}, {}: to look for it takes more than the {:.0f} million steps that are "
+                            "spent on a sheet",
+                            cluster.folds.size(), cluster.loops.size(), shown_point(pattern.ruler, loop.at),
+                            went, most / 1e6))
+            .hint(
+                "leave out lines that are no folds, fold the pattern part by part, or ask with --flat "
+                "whether "
+                "it folds flat");
+    }
+}
+
 class Lowering {
  public:
     Lowering(const CreasePattern& pattern, const Sheet& sheet, const Paths& paths, double to,
-             Diagnostics& diagnostics)
+             double most_work, Diagnostics& diagnostics)
         : pattern_(pattern),
           sheet_(sheet),
           paths_(paths),
+          most_work_(most_work),
           diagnostics_(diagnostics),
           tree_(folded::make_tree(sheet)),
           reached_(to),
           out_(folded::assembly_of_panels(pattern, sheet, tree_)) {}
 
     Assembly run() {
+        tell_given_up(paths_, most_work_, pattern_, sheet_, diagnostics_);
         for (const folded::Cluster& cluster : paths_.clusters) {
             if (cluster.reached >= 1.0) continue;
-            if (cluster.reached < kNearlyThere && cluster.worst_loop >= 0 && !sheet_.bends())
+            if (!cluster.given_up && cluster.reached < kNearlyThere && cluster.worst_loop >= 0 &&
+                !sheet_.bends())
                 tell_open(cluster, {}, pattern_, sheet_, diagnostics_);
             // What cannot be folded stays flat, and holds nothing else up.
             if (cluster.reached > 0.0) reached_ = std::min(reached_, cluster.reached);
@@ -98,7 +129,8 @@ class Lowering {
         tell_flat_folds();
         out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
         out_.sweep.to_deg = kFlatDeg;
-        out_.sweep.bends = sheet_.bends();
+        // What was given up is shown flat, and is not.
+        out_.sweep.bends = sheet_.bends() || paths_.any_given_up();
         out_.sweep.closed_flat = reached_ == 1.0 && folds_flat();
         settle_numbers(out_);
         return std::move(out_);
@@ -232,6 +264,7 @@ class Lowering {
     const CreasePattern& pattern_;
     const Sheet& sheet_;
     const Paths& paths_;
+    double most_work_;
     Diagnostics& diagnostics_;
     folded::Tree tree_;
     double reached_;  // where the sweep ends
@@ -263,7 +296,8 @@ void tell_bends(const folded::Bent& bent, const Paths& rigid, const CreasePatter
                              shown_point(pattern.ruler, line.a), shown_point(pattern.ruler, line.b));
     }
     for (const folded::Cluster& cluster : rigid.clusters) {
-        if (cluster.reached == 0.0) tell_open(cluster, bends, pattern, sheet, diagnostics);
+        if (cluster.reached == 0.0 && !cluster.given_up)
+            tell_open(cluster, bends, pattern, sheet, diagnostics);
     }
 }
 
@@ -303,18 +337,19 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
     std::optional<Sheet> sheet = drawn;
     const bool has_bent_folds = folded::has_bent_folds(*sheet);
     const folded::PathOptions path{options.closure_mm};
-    Paths paths = folded::find_paths(*sheet, path);
+    folded::Work work;
+    Paths paths = folded::find_paths(*sheet, path, work);
     const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
     const auto refine_whole = [&] {
-        if (const folded::Refined refined = folded::refine(*sheet, paths, most_mm); refined.closes) {
+        if (const folded::Refined refined = folded::refine(*sheet, paths, most_mm, work); refined.closes) {
             folded::tell(refined, pattern, *sheet, diagnostics);
-            paths = folded::find_paths(*sheet, path);
+            paths = folded::find_paths(*sheet, path, work);
         }
     };
     if (!is_sound(paths)) {
         Sheet straight = *sheet;
-        const folded::Refined refined = folded::straighten(straight, most_mm);
-        Paths straight_on = refined.closes ? folded::find_paths(straight, path) : Paths{};
+        const folded::Refined refined = folded::straighten(straight, most_mm, work);
+        Paths straight_on = refined.closes ? folded::find_paths(straight, path, work) : Paths{};
         if (refined.closes && is_sound(straight_on)) {
             sheet = std::move(straight);
             paths = std::move(straight_on);
@@ -326,12 +361,12 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
         refine_whole();
     }
     if (paths.any_stays()) {
-        if (const std::optional<folded::Bent> bent = bend_panels(pattern, options, *drawn, paths)) {
+        if (const std::optional<folded::Bent> bent = bend_panels(pattern, options, *drawn, paths, work)) {
             tell_bends(*bent, paths, pattern, *drawn, diagnostics);
-            return Lowering(pattern, bent->sheet, bent->paths, options.to, diagnostics).run();
+            return Lowering(pattern, bent->sheet, bent->paths, options.to, work.most(), diagnostics).run();
         }
     }
-    return Lowering(pattern, *sheet, paths, options.to, diagnostics).run();
+    return Lowering(pattern, *sheet, paths, options.to, work.most(), diagnostics).run();
 }
 
 }  // namespace popup

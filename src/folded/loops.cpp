@@ -21,6 +21,7 @@ class Walks {
 
     std::vector<Loop> run() {
         find_outermost();
+        find_places();
         const std::size_t count = 2 * graph_.edges.size();
         std::vector<char> seen(count, 0);
         for (std::size_t first = 0; first < count; ++first) {
@@ -45,6 +46,14 @@ class Walks {
                 const int corner = graph_.from(half);
                 if (least < 0 || before(graph_.at(corner), graph_.at(least))) least = corner;
             }
+        }
+    }
+    // Of each half that leads away from a corner: its number around it.
+    void find_places() {
+        place_.resize(2 * graph_.edges.size());
+        for (std::size_t corner = 0; corner < graph_.corners.size(); ++corner) {
+            const std::vector<int>& around = graph_.around(static_cast<int>(corner));
+            for (std::size_t i = 0; i < around.size(); ++i) nth(place_, around[i]) = i;
         }
     }
     static bool before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -80,9 +89,7 @@ class Walks {
     // The half that runs before this one on the border of the same face.
     [[nodiscard]] int before_on_border(int half) const {
         const std::vector<int>& around = graph_.around(graph_.from(half));
-        const auto at =
-            static_cast<std::size_t>(std::find(around.begin(), around.end(), half) - around.begin());
-        return around[(at + 1) % around.size()] ^ 1;
+        return around[(nth(place_, half) + 1) % around.size()] ^ 1;
     }
 
     // There and back again is no way.
@@ -126,7 +133,8 @@ class Walks {
     const HalfFolds& halves_;
     const std::vector<Fold>& folds_;
     const std::vector<Panel>& panels_;
-    std::vector<int> outermost_;  // corner, by piece
+    std::vector<int> outermost_;      // corner, by piece
+    std::vector<std::size_t> place_;  // by half
     std::vector<Step> steps_;
     std::vector<int> nodes_;  // corners on the way
     std::vector<Loop> loops_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -56,9 +57,10 @@ struct Range {
 
 class Walk {
  public:
-    Walk(const Sheet& sheet, const PathOptions& options, Cluster& cluster)
+    Walk(const Sheet& sheet, const PathOptions& options, Cluster& cluster, Work& work)
         : cluster_(cluster),
-          closure_(sheet, cluster.folds, cluster.loops),
+          work_(work),
+          closure_(sheet, cluster.folds, cluster.loops, work),
           target_(static_cast<Eigen::Index>(cluster.folds.size())) {
         for (std::size_t i = 0; i < cluster.folds.size(); ++i)
             target_[static_cast<Eigen::Index>(i)] = nth(sheet.folds, cluster.folds[i]).target;
@@ -70,6 +72,12 @@ class Walk {
     // Folds that cannot go together go one after another: what stays as it is in one stage may leave in the
     // next, when others are folded flat. Each stage takes as much of the motion as any other.
     std::vector<Range> run() {
+        if (!closure_.is_affordable()) {
+            cluster_.given_up = true;
+            cluster_.reached = 0.0;
+            cluster_.worst_loop = cluster_.loops.front();
+            return {};
+        }
         Angles here = Angles::Zero(target_.size());
         double reached = 0.0;
         int stages = 0;
@@ -81,6 +89,7 @@ class Walk {
             here = ranges_.back().points.back();
             all_there = !any_stays(here);
         }
+        cluster_.given_up = work_.is_spent() && (stages == 0 || reached < stages || !all_there);
         if (stages == 0) return stays();
         for (Range& range : ranges_) {
             range.from /= stages;
@@ -243,6 +252,7 @@ class Walk {
     }
 
     Cluster& cluster_;
+    Work& work_;
     double most_ = 0.0;  // residual between the points of a law
     Closure closure_;
     Angles target_;
@@ -281,14 +291,24 @@ double angle_at(const std::vector<SharePoint>& law, double share) {
     return fold_angle_deg(points, share);
 }
 
-Paths find_paths(const Sheet& sheet, const PathOptions& options) {
+bool Paths::any_given_up() const {
+    return std::any_of(clusters.begin(), clusters.end(), [](const Cluster& one) { return one.given_up; });
+}
+
+Paths find_paths(const Sheet& sheet, const PathOptions& options, Work& work) {
     Paths paths;
     paths.laws.resize(sheet.folds.size());
     for (std::size_t i = 0; i < sheet.folds.size(); ++i)
         paths.laws[i] = {{0.0, 0.0}, {1.0, sheet.folds[i].target}};
     paths.clusters = find_clusters(sheet);
-    for (Cluster& cluster : paths.clusters) {
-        const std::vector<Range> ranges = Walk(sheet, options, cluster).run();
+    std::vector<std::size_t> order(paths.clusters.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return paths.clusters[a].loops.size() < paths.clusters[b].loops.size();
+    });
+    for (const std::size_t number : order) {
+        Cluster& cluster = paths.clusters[number];
+        const std::vector<Range> ranges = Walk(sheet, options, cluster, work).run();
         paths.reached = std::min(paths.reached, cluster.reached);
         if (ranges.empty()) {
             for (const int fold : cluster.folds) nth(paths.laws, fold) = {{0.0, 0.0}, {1.0, 0.0}};

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "folded/sheet.h"
+#include "folded/work.h"
 
 namespace popup::folded {
 
@@ -48,6 +49,7 @@ struct Cluster {
     double residual = 0.0;
     int worst_loop = -1;
     bool all_fold = true;    // no fold stays flat that is to be folded; of reached > 0
+    bool given_up = false;   // the work was spent before it was known how it goes any further
     bool other_way = false;  // it only leaves the flat sheet with folds that go the other way than drawn
 };
 
@@ -59,12 +61,15 @@ struct Paths {
     double reached = 1.0;           // the least of all clusters
     // Whether a cluster does not leave the flat sheet.
     [[nodiscard]] bool any_stays() const { return reached == 0.0; }
+    [[nodiscard]] bool any_given_up() const;
 };
 
 // The angle of a law at a share.
 double angle_at(const std::vector<SharePoint>& law, double share);
 
-// Cost: that of some dozens of sparse factorisations a range, of as many rows as loops have conditions.
-Paths find_paths(const Sheet& sheet, const PathOptions& options);
+// Clusters of few loops come first, so that what a large one spends is not missed by them. Cost: that of some
+// dozens of sparse factorisations a range, of as many rows as loops have conditions, all of which `work` pays
+// for.
+Paths find_paths(const Sheet& sheet, const PathOptions& options, Work& work);
 
 }  // namespace popup::folded

@@ -2,24 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/nth.h"
 #include "folded/closure.h"
+#include "folded/least_step.h"
 #include "folded/rigid.h"
 
 namespace popup::folded {
 namespace {
-
-using Matrix = Eigen::SparseMatrix<double>;
 
 // Corners that move by no more are not told of.
 constexpr double kToldMm = 1e-4;
@@ -60,8 +59,8 @@ Twist carried(const Rigid3& motion, const Twist& twist) {
 
 class Solver {
  public:
-    Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near)
-        : sheet_(sheet), paths_(paths), shares_(shares), near_(near) {
+    Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near, Work& work)
+        : sheet_(sheet), paths_(paths), shares_(shares), near_(near), work_(work) {
         size_ = sheet.size();
         std::vector<char> in_loop(sheet.folds.size(), 0);
         for (const Loop& loop : sheet.loops) {
@@ -119,7 +118,8 @@ class Solver {
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
             if (fold_of_[i] >= 0) folds.push_back(static_cast<int>(i));
         }
-        Closure closure(sheet_, folds, loops);
+        Closure closure(sheet_, folds, loops, work_);
+        if (!closure.is_affordable()) return false;
         Eigen::VectorXd target(folds_);
         for (int i = 0; i < folds_; ++i) target[i] = nth(sheet_.folds, nth(folds, i)).target;
         std::vector<double> reached_of(sheet_.folds.size(), 0.0);
@@ -140,6 +140,7 @@ class Solver {
                     if (share <= reached) here[i] = angle_at(law, share);
                 }
                 closure.approach(here, near_ * share);
+                if (work_.is_spent()) return false;
             }
             if (here.lpNorm<Eigen::Infinity>() < kStays * share * target.lpNorm<Eigen::Infinity>())
                 return false;
@@ -246,19 +247,12 @@ class Solver {
     }
 
     bool step() {
-        Matrix slopes(static_cast<Eigen::Index>(residual_.size()), unknowns_);
-        slopes.setFromTriplets(entries_.begin(), entries_.end());
-        const Matrix transposed = slopes.transpose();
-        Matrix normal = slopes * transposed;
-        for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += kRegular;
-        Eigen::SimplicialLDLT<Matrix> solver(normal);
-        if (solver.info() != Eigen::Success) return false;
         const Eigen::Map<const Eigen::VectorXd> residual(residual_.data(),
                                                          static_cast<Eigen::Index>(residual_.size()));
-        Eigen::VectorXd by = transposed * solver.solve(-residual);
-        if (!by.allFinite()) return false;
-        by.head(2 * corners_) *= kCornersPerRadian;
-        x_ += by;
+        std::optional<Eigen::VectorXd> by = least_step(entries_, unknowns_, residual, kRegular, work_);
+        if (!by) return false;
+        by->head(2 * corners_) *= kCornersPerRadian;
+        x_ += *by;
         return true;
     }
 
@@ -280,6 +274,7 @@ class Solver {
     const Paths& paths_;
     std::span<const double> shares_;
     double near_;
+    Work& work_;
     bool begins_ = false;  // there are angles to begin with
     double size_ = 1.0;
     std::vector<int> unknown_of_;  // by corner: its number among those that move; -1: it stays
@@ -303,7 +298,7 @@ bool turns_panels_over(const Sheet& sheet, const Solver& solver) {
 
 }  // namespace
 
-Refined refine(Sheet& sheet, const Paths& paths, double most_mm) {
+Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
     Refined best;
     std::vector<Vec2> corners;
     std::size_t conditions = 0;
@@ -315,7 +310,7 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm) {
             if (conditions > kMostConditions &&
                 (shares.size() != kShares.size() || (near != 0.0 && near != kNear.back())))
                 continue;
-            Solver solver(sheet, paths, shares, near);
+            Solver solver(sheet, paths, shares, near, work);
             if (!solver.run()) continue;
             Refined result;
             result.closes = true;

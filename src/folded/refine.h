@@ -10,6 +10,7 @@
 
 #include "folded/path.h"
 #include "folded/sheet.h"
+#include "folded/work.h"
 
 namespace popup::folded {
 
@@ -22,9 +23,9 @@ struct Refined {
 
 // Moves corners of the folds by `most_mm` at most, so that all stretches of a fold lie on one line and all
 // loops close at each of some shares. `paths` are how the sheet went without: where they lead the search
-// begins. Cost: a few sparse factorisations of as many rows as all loops have
-// conditions at all those shares.
-Refined refine(Sheet& sheet, const Paths& paths, double most_mm);
+// begins. Cost: a few sparse factorisations of as many rows as all loops have conditions at all those shares,
+// which `work` pays for; once it is spent the sheet is left as it was.
+Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work);
 
 // The remark `corners-refined`, if any corner moved by more than 1e-4 mm. `sheet` has their new places.
 void tell(const Refined& refined, const CreasePattern& pattern, const Sheet& sheet, Diagnostics& diagnostics);

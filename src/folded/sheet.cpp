@@ -26,6 +26,10 @@ constexpr double kMergeMm = 0.002;
 // What tolerances are of large sheets.
 constexpr double kMergeShare = 2e-6;
 constexpr double kSnapShare = 1.0 / 400.0;
+// What more panels take, until they are outlines on sheets, grows faster than their number.
+constexpr int kMostPanels = 50'000;
+// Between two panels so many folds are looked at for one that a stretch goes on in.
+constexpr std::size_t kMostBetween = 500;
 // Of one kind so many findings are told.
 constexpr std::size_t kToldAtMost = 10;
 
@@ -66,6 +70,14 @@ class Maker {
                 .hint("draw the border of the sheet as a closed line");
             return std::nullopt;
         }
+        if (panels_ > kMostPanels) {
+            diagnostics_
+                .error("document-too-large", {},
+                       fmt::format("the lines of the pattern enclose {} panels, the limit is {}", panels_,
+                                   kMostPanels))
+                .hint("draw the pattern as several, or leave out lines that are neither cuts nor folds");
+            return std::nullopt;
+        }
         out_.corners = graph_.corners;
         one_line_mm_ = std::max(kSilentMm, kOneLine * out_.size());
         make_panels();
@@ -91,8 +103,15 @@ class Maker {
     [[nodiscard]] std::string shown(Vec2 at) const { return shown_point(pattern_.ruler, at); }
 
     bool too_many() {
-        diagnostics_.error("document-too-large", {},
-                           "the lines of the pattern cross one another too often to be looked at");
+        diagnostics_
+            .error(
+                "document-too-large", {},
+                fmt::format("the lines of the pattern cross one another more than {} times, or lie so close "
+                            "together that too many would have to be compared",
+                            kMostMeetings / 2))
+            .hint(
+                "leave out hatching and other lines that are neither cuts nor folds, or draw the pattern as "
+                "several");
         return false;
     }
 
@@ -170,6 +189,7 @@ class Maker {
     // paper, but not at the outside, is a hole, if it has no fold.
     void find_paper() {
         const auto faces = static_cast<std::size_t>(graph_.faces());
+        find_slivers();
         Sets parts(faces);
         std::vector<char> folded(faces, 0);
         std::map<int, Vec2> open;  // folds at the outside
@@ -182,7 +202,7 @@ class Maker {
                 open.try_emplace(edge.element, graph_.at(edge.a));
                 continue;
             }
-            if (is_sliver(left) || is_sliver(right)) continue;
+            if (nth(sliver_, left) != 0 || nth(sliver_, right) != 0) continue;
             parts.unite(left, right);
             nth(folded, left) = nth(folded, right) = 1;
         }
@@ -224,7 +244,7 @@ class Maker {
         std::map<int, int> piece_of_part;
         for (int face = 1; face < graph_.faces(); ++face) {
             const int of = part(face);
-            if (nth(level, of) != 1 || is_sliver(face)) {
+            if (nth(level, of) != 1 || nth(sliver_, face) != 0) {
                 if (nth(level, of) != 1 && nth(any_fold, of) != 0 && of == face) tell_falling(face);
                 continue;
             }
@@ -233,6 +253,11 @@ class Maker {
             nth(piece_of_, face) = at->second;
         }
         pieces_ = static_cast<int>(piece_of_part.size());
+    }
+
+    void find_slivers() {
+        sliver_.assign(static_cast<std::size_t>(graph_.faces()), 0);
+        for (int face = 1; face < graph_.faces(); ++face) nth(sliver_, face) = is_sliver(face) ? 1 : 0;
     }
 
     // Where lines nearly lie on each other there is paper between them, and no panel.
@@ -323,7 +348,11 @@ class Maker {
             }
             const Stretch stretch{graph_.from(half), graph_.to(half)};
             std::vector<int>& known = between[{left, right}];
-            const auto same = std::find_if(known.begin(), known.end(), [&](int number) {
+            // Curves have very many between two panels; what goes on in one line is not far from where it
+            // ended.
+            const auto recent =
+                known.end() - static_cast<std::ptrdiff_t>(std::min(known.size(), kMostBetween));
+            const auto same = std::find_if(recent, known.end(), [&](int number) {
                 return in_line(nth(out_.folds, number).stretches.front(), stretch);
             });
             if (same != known.end()) {
@@ -423,6 +452,7 @@ class Maker {
     std::vector<SheetLine> lines_;
     SheetGraph graph_;
     HalfFolds halves_;
+    std::vector<char> sliver_;   // by face
     std::vector<int> piece_of_;  // by face
     double one_line_mm_ = kSilentMm;
     int panels_ = 0, pieces_ = 0;

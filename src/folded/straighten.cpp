@@ -1,14 +1,16 @@
 #include "folded/straighten.h"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/nth.h"
+#include "folded/least_step.h"
 
 namespace popup::folded {
 namespace {
@@ -31,6 +33,29 @@ struct FlatCorner {
     double length = 0.0;  // mm, of the shortest fold
 };
 
+struct Way {
+    double angle = 0.0;  // of `dir`, in (-π, π]
+    Vec2 dir;
+    std::size_t number = 0;
+};
+
+// Calls back with the numbers i < k of any two that lead nearly in opposite directions.
+template <typename Use>
+void each_opposite(std::vector<Way>& ways, const Use& use) {
+    constexpr double kReach = 1.1 * kNearlyStraight;
+    std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.angle < b.angle; });
+    for (const Way& one : ways) {
+        // Half a turn on, as the angle that is greater; the other of the two finds this one.
+        const double across = one.angle + std::numbers::pi;
+        auto at = std::lower_bound(ways.begin(), ways.end(), across - kReach,
+                                   [](const Way& way, double angle) { return way.angle < angle; });
+        for (; at != ways.end() && at->angle <= across + kReach; ++at) {
+            if (dot(one.dir, at->dir) < 0.0 && std::abs(cross(one.dir, at->dir)) < kNearlyStraight)
+                use(std::min(one.number, at->number), std::max(one.number, at->number));
+        }
+    }
+}
+
 std::vector<Between> nearly_straight(const Sheet& sheet) {
     std::vector<std::vector<int>> ends(sheet.corners.size());  // by corner: where its folds lead
     for (const Fold& fold : sheet.folds) {
@@ -43,14 +68,15 @@ std::vector<Between> nearly_straight(const Sheet& sheet) {
     for (std::size_t corner = 0; corner < ends.size(); ++corner) {
         const std::vector<int>& there = ends[corner];
         const Vec2 at = sheet.corners[corner];
+        std::vector<Way> ways;
         for (std::size_t i = 0; i < there.size(); ++i) {
-            for (std::size_t k = i + 1; k < there.size(); ++k) {
-                const Vec2 a = unit(sheet.at(there[i]) - at);
-                const Vec2 b = unit(sheet.at(there[k]) - at);
-                if (dot(a, b) < 0.0 && std::abs(cross(a, b)) < kNearlyStraight)
-                    found.push_back({static_cast<int>(corner), there[i], there[k]});
-            }
+            const Vec2 dir = unit(sheet.at(there[i]) - at);
+            ways.push_back({std::atan2(dir.y, dir.x), dir, i});
         }
+        std::vector<std::array<std::size_t, 2>> opposite;
+        each_opposite(ways, [&](std::size_t i, std::size_t k) { opposite.push_back({i, k}); });
+        std::sort(opposite.begin(), opposite.end());
+        for (const auto& [i, k] : opposite) found.push_back({static_cast<int>(corner), there[i], there[k]});
     }
     return found;
 }
@@ -88,8 +114,7 @@ std::vector<FlatCorner> nearly_flat(const Sheet& sheet) {
 
 }  // namespace
 
-Refined straighten(Sheet& sheet, double most_mm) {
-    using Matrix = Eigen::SparseMatrix<double>;
+Refined straighten(Sheet& sheet, double most_mm, Work& work) {
     Refined result;
     const std::vector<Between> lines = nearly_straight(sheet);
     const std::vector<FlatCorner> flat = nearly_flat(sheet);
@@ -130,18 +155,12 @@ Refined straighten(Sheet& sheet, double most_mm) {
                 entries.emplace_back(row, 2 * one.at + 1, -by.y);
             }
         }
-        Matrix slopes(rows, static_cast<Eigen::Index>(2 * corners.size()));
-        slopes.setFromTriplets(entries.begin(), entries.end());
-        const Matrix transposed = slopes.transpose();
-        Matrix normal = slopes * transposed;
-        for (Eigen::Index i = 0; i < rows; ++i) normal.coeffRef(i, i) += kRegular;
-        const Eigen::SimplicialLDLT<Matrix> solver(normal);
-        if (solver.info() != Eigen::Success) return result;
-        const Eigen::VectorXd by = transposed * solver.solve(-off);
-        if (!by.allFinite()) return result;
+        const auto unknowns = static_cast<Eigen::Index>(2 * corners.size());
+        const std::optional<Eigen::VectorXd> by = least_step(entries, unknowns, off, kRegular, work);
+        if (!by) return result;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(2 * i);
-            corners[i] = corners[i] + Vec2{by[k], by[k + 1]};
+            corners[i] = corners[i] + Vec2{(*by)[k], (*by)[k + 1]};
         }
     }
     for (std::size_t i = 0; i < corners.size(); ++i) {

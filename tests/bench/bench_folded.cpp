@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "folded/closure.h"
 #include "folded/rigid.h"
 #include "folded/sheet.h"
+#include "folded/work.h"
 #include "popup/motion.h"
 
 namespace popup::test {
@@ -136,7 +138,8 @@ int main(int argc, char** argv) {
                 ->Unit(benchmark::kMillisecond);
         };
         add("state", [&sheet](benchmark::State& state) {
-            folded::Closure closure(sheet, all(sheet.folds.size()), all(sheet.loops.size()));
+            folded::Work work(HUGE_VAL);
+            folded::Closure closure(sheet, all(sheet.folds.size()), all(sheet.loops.size()), work);
             state_of(state, sheet,
                      [&](Eigen::VectorXd& angles) { return closure.approach(angles, kEnough); });
         });

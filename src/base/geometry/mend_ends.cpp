@@ -15,6 +15,8 @@ namespace {
 constexpr int kMostRounds = 4;
 // Lines that meet at a smaller angle (its sine) do not say where.
 constexpr double kLeastSine = 0.2;
+// More looks at an edge beside an end than this are no drawing that somebody made.
+constexpr std::size_t kMostLooks = 20'000'000;
 
 struct LooseEnd {
     int line = 0;
@@ -42,7 +44,8 @@ class Round {
         find_loose();
     }
 
-    std::vector<Move> moves() {
+    // Nullopt when there are more looks than a drawing takes.
+    std::optional<std::vector<Move>> moves() {
         // What is only rounding is no reason to look further.
         weld();
         trim(kSilentMm);
@@ -55,10 +58,22 @@ class Round {
             if (done_[i]) continue;
             if (const auto near = nearest(loose_[i])) move(i, *near);
         }
+        if (looks_ > kMostLooks) return std::nullopt;
         return std::move(moves_);
     }
 
  private:
+    // Edges whose boxes are that near to a point, in found_; none once there have been too many.
+    void look(Vec2 at, double reach) {
+        found_.clear();
+        if (looks_ > kMostLooks) return;
+        Box box;
+        box.extend(at - Vec2{reach, reach});
+        box.extend(at + Vec2{reach, reach});
+        index_.query(box, found_);
+        looks_ += found_.size();
+    }
+
     void find_loose() {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (lines_[i].closed) continue;
@@ -90,11 +105,7 @@ class Round {
     // The corner within kSilentMm where most lines meet, the first of several.
     [[nodiscard]] int corner_beside(int corner, int never) {
         const Vec2 p = graph_.at(corner);
-        Box box;
-        box.extend(p - Vec2{kSilentMm, kSilentMm});
-        box.extend(p + Vec2{kSilentMm, kSilentMm});
-        found_.clear();
-        index_.query(box, found_);
+        look(p, kSilentMm);
         int best = corner;
         const auto rank = [&](int c) { return std::pair(-static_cast<int>(graph_.around(c).size()), c); };
         for (const int edge : found_) {
@@ -135,11 +146,7 @@ class Round {
     [[nodiscard]] std::vector<std::size_t> ends_near(std::size_t first) {
         const double reach = 2.0 * snap_mm_;
         std::vector<std::size_t> group{first};
-        Box box;
-        box.extend(loose_[first].at - Vec2{reach, reach});
-        box.extend(loose_[first].at + Vec2{reach, reach});
-        found_.clear();
-        index_.query(box, found_);
+        look(loose_[first].at, reach);
         for (const int edge : found_) {
             for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
                 const auto [begin, end] = loose_at_.equal_range(corner);
@@ -206,14 +213,6 @@ class Round {
         return to;
     }
 
-    void near(const LooseEnd& end) {
-        Box box;
-        box.extend(end.at - Vec2{snap_mm_, snap_mm_});
-        box.extend(end.at + Vec2{snap_mm_, snap_mm_});
-        found_.clear();
-        index_.query(box, found_);
-    }
-
     void go_ahead(double most) {
         for (std::size_t i = 0; i < loose_.size(); ++i) {
             if (done_[i]) continue;
@@ -223,7 +222,7 @@ class Round {
 
     // What its line would meet next.
     std::optional<Vec2> ahead(const LooseEnd& end, double most) {
-        near(end);
+        look(end.at, snap_mm_);
         std::optional<Vec2> to;
         double best = most;
         for (const int edge : found_) {
@@ -243,7 +242,7 @@ class Round {
 
     // The nearest point of another line, its corners first.
     std::optional<Vec2> nearest(const LooseEnd& end) {
-        near(end);
+        look(end.at, snap_mm_);
         std::optional<Vec2> corner_to;
         std::optional<Vec2> to;
         double corner_best = snap_mm_;
@@ -279,6 +278,7 @@ class Round {
     std::vector<bool> done_;
     std::vector<Move> moves_;
     std::vector<int> found_;
+    std::size_t looks_ = 0;
 };
 
 }  // namespace
@@ -297,7 +297,9 @@ std::optional<SheetGraph> mend_ends(std::vector<SheetLine>& lines, const EndTole
         if (!graph) return std::nullopt;
         if (round == kMostRounds) break;
         bool any = false;
-        for (const Move& move : Round(lines, *graph, tolerances.snap_mm).moves()) {
+        const std::optional<std::vector<Move>> moves = Round(lines, *graph, tolerances.snap_mm).moves();
+        if (!moves) return std::nullopt;
+        for (const Move& move : *moves) {
             Vec2& end = end_of(move.line, move.last);
             const Vec2 from = drawn.try_emplace({move.line, move.last}, end).first->second;
             if (distance(from, move.to) > tolerances.snap_mm || end == move.to) continue;

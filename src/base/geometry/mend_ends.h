@@ -27,7 +27,8 @@ struct MovedEnd {
 
 // Moves ends that lie at no other line: two loose ends to where their lines meet, one end along its line to
 // what it stops short of or runs over, else to what is nearest. Returns the graph of the lines, and appends
-// the ends that moved, by line; nullopt when there are more crossings than a drawing has.
+// the ends that moved, by line; nullopt when there are more crossings, or more that lies beside ends, than a
+// drawing has.
 //
 //     std::vector<MovedEnd> moved;
 //     const auto graph = mend_ends(lines, {}, moved);

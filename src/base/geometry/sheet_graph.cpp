@@ -33,8 +33,8 @@ struct Meeting {
 
 class GraphMaker {
  public:
-    GraphMaker(const std::vector<SheetLine>& lines, double one_point_mm)
-        : lines_(lines), one_point_mm_(one_point_mm) {}
+    GraphMaker(const std::vector<SheetLine>& lines, double one_point_mm, std::size_t most_meetings)
+        : lines_(lines), one_point_mm_(one_point_mm), most_meetings_(most_meetings) {}
 
     std::optional<SheetGraph> run() {
         for (std::size_t i = 0; i < lines_.size(); ++i) add_line(lines_[i], static_cast<int>(i));
@@ -111,6 +111,7 @@ class GraphMaker {
             for (const int j : found) {
                 if (j > static_cast<int>(i)) meet(static_cast<int>(i), j);
             }
+            if (meetings_.size() > most_meetings_) return false;
         }
         return true;
     }
@@ -319,6 +320,7 @@ class GraphMaker {
 
     const std::vector<SheetLine>& lines_;
     double one_point_mm_;
+    std::size_t most_meetings_;
     SheetGraph graph_;
     std::vector<Chord> chords_;
     std::vector<Meeting> meetings_;
@@ -326,8 +328,9 @@ class GraphMaker {
     std::unordered_map<std::uint64_t, std::size_t> edge_of_;
 };
 
-std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm) {
-    return GraphMaker(lines, one_point_mm).run();
+std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm,
+                                     std::size_t most_meetings) {
+    return GraphMaker(lines, one_point_mm, most_meetings).run();
 }
 
 }  // namespace popup

@@ -80,8 +80,12 @@ class SheetGraph {
     std::vector<std::vector<int>> halves_, around_;
 };
 
-// Nullopt when there are more crossings than a drawing has. `one_point_mm` > 0, as kOnePointMm. Cost: near
-// linear in chords and crossings.
-std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm = kOnePointMm);
+// Lines that meet more often than this are no drawing that somebody made: each of two that cross counts.
+inline constexpr std::size_t kMostMeetings = 200'000;
+
+// Nullopt when lines meet more often than `most_meetings`, or are so near to one another that too many would
+// have to be looked at. `one_point_mm` > 0, as kOnePointMm. Cost: near linear in chords and crossings.
+std::optional<SheetGraph> make_graph(const std::vector<SheetLine>& lines, double one_point_mm = kOnePointMm,
+                                     std::size_t most_meetings = kMostMeetings);
 
 }  // namespace popup

@@ -12,6 +12,7 @@
 #include "base/text/shown.h"
 #include "folded/path.h"
 #include "folded/refine.h"
+#include "folded/work.h"
 
 namespace popup::folded {
 namespace {
@@ -26,10 +27,11 @@ std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, cons
     std::optional<Sheet> sheet = make_sheet(pattern, options, diagnostics);
     if (!sheet) return nullptr;
     const PathOptions path{options.closure_mm};
-    Paths paths = find_paths(*sheet, path);
+    Work work;
+    Paths paths = find_paths(*sheet, path, work);
     if (paths.reached < kWholeWay) {
-        if (refine(*sheet, paths, std::max(options.refine_mm, kMovedShare * sheet->size())).closes)
-            paths = find_paths(*sheet, path);
+        if (refine(*sheet, paths, std::max(options.refine_mm, kMovedShare * sheet->size()), work).closes)
+            paths = find_paths(*sheet, path, work);
     }
     if (paths.reached < kWholeWay) {
         diagnostics

@@ -19,6 +19,9 @@
 namespace popup::folded {
 namespace {
 
+// Where a sheet lies on itself its lines lie on one another, too.
+constexpr std::size_t kMostMeetingsFlat = 40'000'000;
+
 // A rigid motion of the plane, mirrored or not: p goes to x p.x + y p.y + shift.
 struct Placing {
     Vec2 x{1.0, 0.0}, y{0.0, 1.0}, shift;
@@ -100,7 +103,7 @@ class Overlay {
             lines.push_back({outline.outer, true, kCut, static_cast<int>(i)});
             for (const Ring& hole : outline.holes) lines.push_back({hole, true, kCut, static_cast<int>(i)});
         }
-        const std::optional<SheetGraph> graph = make_graph(lines, near_);
+        const std::optional<SheetGraph> graph = make_graph(lines, near_, kMostMeetingsFlat);
         if (!graph) return false;
         cover(*graph);
         for (const std::vector<int>& on : covers_) {

@@ -11,6 +11,7 @@
 #include "folded/flat/flat_state.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
+#include "folded/work.h"
 #include "popup/flat_folding.h"
 
 namespace popup {
@@ -43,7 +44,7 @@ class FlatCheck {
         }
         if (wrong_ > 0) return std::nullopt;
         const double straighten_mm = std::max(kStraightenMm, kStraightenShare * size);
-        const folded::Refined refined = folded::straighten(sheet_, straighten_mm);
+        const folded::Refined refined = folded::straighten(sheet_, straighten_mm, work_);
         const folded::Tree tree = folded::make_tree(sheet_);
         const folded::FlatState state = folded::lay_flat(sheet_, tree);
         const double near = std::max({kOnePlaceMm, kNearShare * size, 2.0 * state.off_mm});
@@ -207,6 +208,7 @@ class FlatCheck {
     const CreasePattern& pattern_;
     Sheet sheet_;
     Diagnostics& diagnostics_;
+    folded::Work work_;
     std::size_t wrong_ = 0;
 };
 
