@@ -1,6 +1,7 @@
 // Reading inputs and writing outputs, the only place that touches the disk.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -46,8 +47,9 @@ struct PendingFile {
 // file has changed, and no temporary file is left. Signals that end the process also leave no litter. Devices
 // and pipes (/dev/stdout, /dev/null, a fifo) are written through, not replaced. Symbolic links are followed.
 // Where the file system cannot exchange two names, old files have a second name, or a copy, until all new
-// ones are in place. Should the disk refuse to bring an old file back, the error says where it is. With
-// `keep_identical`, a file that already holds these bytes is left alone, modification time included.
+// ones are in place. Should the disk refuse to bring an old file back, the error says where it is, under a
+// name that remove_litter() passes over. With `keep_identical`, a file that already holds these bytes is left
+// alone, modification time included.
 bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagnostics& diagnostics);
 
 // A file written piece by piece, which replaces the old one when it is complete, and never before.
@@ -75,8 +77,16 @@ class NewFile {
     int fd_ = -1;
 };
 
-// Takes away the temporary files that a write_all() of this machine left in the directory because its process
-// was killed. Those of running processes and of other machines stay. Returns how many there were.
-std::size_t remove_litter(const std::string& directory);
+// How long a temporary file is left alone whose process cannot be asked after. None is on its way for longer
+// than it takes to write one run's files; a day is more than clocks of machines that share a disk differ.
+inline constexpr std::chrono::hours kLitterKeeps{24};
+
+// Takes away the temporary files that runs left in the directory because they were killed: those of this
+// machine, since it was started last, whose process has ended; and whatever else has such a name and has not
+// changed for kLitterKeeps before `now`. So goes what was left before the machine was started anew, by
+// another machine that shares the disk, or in a container whose processes cannot be seen from here, and what
+// has the number of a process that runs by now. Returns how many there were.
+std::size_t remove_litter(const std::string& directory,
+                          std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
 
 }  // namespace popup

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <climits>
 #include <cstdint>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -116,6 +118,8 @@ std::string beside(const std::string& path, const std::string& name) {
     return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
 }
 
+constexpr std::size_t kMachineDigits = 8;
+
 // What tells the processes of this machine, and of this space of process numbers in it, from others that
 // share the disk.
 const std::string& machine() {
@@ -131,7 +135,7 @@ const std::string& machine() {
         const Descriptor boot(::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC));
         std::string id;
         if (boot.open() && read_all(boot.get(), 64, 0, id) == 0) text += '/' + id;
-        return sha256(text).substr(0, 8);
+        return sha256(text).substr(0, kMachineDigits);
     }();
     return id;
 }
@@ -151,12 +155,14 @@ bool is_running(pid_t process) {
 
 constexpr std::string_view kTemporary = ".popup-";
 constexpr std::string_view kTemporaryEnd = ".tmp";
+constexpr std::string_view kKeptEnd = ".old";
+constexpr std::size_t kNoiseBytes = 8;
 
 // ".popup-MACHINE-PROCESS-NOISE.tmp". Random, so that no other file, not even one another machine makes in a
 // shared directory, has this name.
 std::string temporary_name() {
     static std::atomic<unsigned> counter{0};
-    std::array<unsigned char, 8> noise{};
+    std::array<unsigned char, kNoiseBytes> noise{};
     if (::getrandom(noise.data(), noise.size(), 0) != static_cast<ssize_t>(noise.size())) {
         const unsigned number = counter++;
         std::memcpy(noise.data(), &number, sizeof number);
@@ -167,6 +173,39 @@ std::string temporary_name() {
         name += "0123456789abcdef"[byte & 15U];
     }
     return name.append(kTemporaryEnd);
+}
+
+// What the name of a temporary file says of who made it.
+struct Temporary {
+    std::string_view machine;
+    pid_t process = 0;
+};
+
+// Nullopt for a name that temporary_name() does not give: that is somebody's own file. The result points into
+// `name`.
+std::optional<Temporary> temporary_of(std::string_view name) {
+    if (!name.starts_with(kTemporary) || !name.ends_with(kTemporaryEnd)) return std::nullopt;
+    name.remove_prefix(kTemporary.size());
+    name.remove_suffix(std::min(name.size(), kTemporaryEnd.size()));
+    if (name.size() < kMachineDigits + 1 || name[kMachineDigits] != '-') return std::nullopt;
+    Temporary made{name.substr(0, kMachineDigits)};
+    name.remove_prefix(kMachineDigits + 1);
+    const char* const end = name.data() + name.size();
+    const auto [stop, wrong] = std::from_chars(name.data(), end, made.process);
+    if (wrong != std::errc() || stop == end || *stop != '-' || made.process <= 0) return std::nullopt;
+    const std::string_view noise(stop + 1, static_cast<std::size_t>(end - stop - 1));
+    if (noise.size() != 2 * kNoiseBytes) return std::nullopt;
+    return made;
+}
+
+// Whether nothing has changed about a file for so long: not what is in it, nor its names. The latter tells of
+// an old file that waits under such a name for a run to succeed. The two clocks may be those of two machines.
+bool has_lain(const std::string& path, std::chrono::system_clock::time_point now,
+              std::chrono::seconds keeps) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+    const std::int64_t seconds = std::chrono::floor<std::chrono::seconds>(now.time_since_epoch()).count();
+    return seconds - static_cast<std::int64_t>(status.st_ctim.tv_sec) > keeps.count();
 }
 
 bool same_file(const struct stat& a, const struct stat& b) {
@@ -329,6 +368,16 @@ void sync_names(const std::string& directory) {
     if (held.open()) ::fsync(held.get());
 }
 
+// An old file that cannot be brought back is all that is left of it: under the name of a temporary file the
+// next run would clear it away. Returns the name that it has then.
+std::string keep_saved(const Target& target, bool& clears) {
+    std::string kept = target.saved;
+    kept.replace(kept.size() - kTemporaryEnd.size(), kTemporaryEnd.size(), kKeptEnd);
+    clears = ::rename(target.saved.c_str(), kept.c_str()) != 0 &&
+             (::link(target.saved.c_str(), kept.c_str()) != 0 || ::unlink(target.saved.c_str()) != 0);
+    return clears ? target.saved : kept;
+}
+
 // Brings the old file back, or takes the new one away where there was none. Returns 0 or errno.
 int undo(const Target& target) {
     if (!target.renamed) return 0;
@@ -451,12 +500,17 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
         for (const Target& target : targets) {
             const int error = undo(target);
             if (error == 0) continue;
-            fail(target, "the old version cannot be brought back, either: " + reason(error) +
-                             (target.exists ? "; it is in " + target.saved : std::string()));
-            // Nobody may take it away. A signal may look at the names now.
-            for (const char*& name : litter) {
-                if (target.exists && name == target.saved) name = "";
+            std::string why = "the old version cannot be brought back, either: " + reason(error);
+            if (target.exists) {
+                // Nobody may take it away. A signal may look at the names now.
+                for (const char*& name : litter) {
+                    if (name == target.saved) name = "";
+                }
+                bool clears = false;
+                why += "; it is in " + keep_saved(target, clears);
+                if (clears) why += ", which the next run clears: move it elsewhere before";
             }
+            fail(target, why);
         }
     }
     for (const char* name : litter) ::unlink(name);
@@ -501,21 +555,18 @@ bool NewFile::commit() {
     return true;
 }
 
-std::size_t remove_litter(const std::string& directory) {
+std::size_t remove_litter(const std::string& directory, std::chrono::system_clock::time_point now) {
     std::size_t removed = 0;
-    const std::string mine = std::string(kTemporary) + machine() + '-';
     std::error_code error;
     std::vector<std::string> stale;
     for (std::filesystem::directory_iterator at(directory.empty() ? "." : directory, error), end;
          !error && at != end; at.increment(error)) {
+        const std::string path = at->path().string();
         const std::string name = at->path().filename().string();
-        if (!name.starts_with(mine) || !name.ends_with(kTemporaryEnd)) continue;
-        pid_t process = 0;
-        const char* const begin = name.data() + mine.size();
-        const auto [stop, wrong] = std::from_chars(begin, name.data() + name.size(), process);
-        if (wrong != std::errc() || *stop != '-' || process <= 0) continue;
-        if (is_running(process)) continue;
-        stale.push_back(at->path().string());
+        const std::optional<Temporary> made = temporary_of(name);
+        if (!made) continue;
+        const bool has_ended = made->machine == machine() && !is_running(made->process);
+        if (has_ended || has_lain(path, now, kLitterKeeps)) stale.push_back(path);
     }
     for (const std::string& name : stale) {
         if (::unlink(name.c_str()) == 0) ++removed;

@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "support/run_program.h"
 
@@ -214,6 +216,50 @@ TEST(WriteAll, ASignalLeavesTheOldFilesAndNoLitter) {
         EXPECT_EQ(scratch.names(), (std::vector<std::string>{"old", "pipe"}));
         EXPECT_EQ(read_file(scratch / "old"), "before");
     }
+}
+
+// The names say which machine made a file, and which process. That of another machine, or of this one before
+// it was started anew, cannot be asked after.
+TEST(RemoveLitter, TakesWhatHasLainForADayWhoeverMadeIt) {
+    using std::chrono::hours;
+    using std::chrono::minutes;
+    const ScratchDirectory scratch;
+    const std::string other = ".popup-00c0ffee-1-0123456789abcdef.tmp";  // process 1 always runs
+    write_file(scratch / other, "half of a sheet");
+    const auto now = std::chrono::system_clock::now();
+    EXPECT_EQ(remove_litter(scratch.path(), now), 0U);
+    EXPECT_EQ(remove_litter(scratch.path(), now + kLitterKeeps - minutes(5)), 0U);
+    EXPECT_EQ(remove_litter(scratch.path(), now - hours(1000)), 0U) << "a clock that is slow";
+    EXPECT_EQ(scratch.names(), std::vector<std::string>{other});
+    EXPECT_EQ(remove_litter(scratch.path(), now + kLitterKeeps + minutes(5)), 1U);
+    EXPECT_EQ(scratch.names(), std::vector<std::string>());
+}
+
+// An old file may wait under such a name to be brought back: when it was written says nothing then.
+TEST(RemoveLitter, AsksWhenANameWasGivenAndNotWhenTheFileWasWritten) {
+    const ScratchDirectory scratch;
+    write_file(scratch / "old", "of last year");
+    fs::last_write_time(scratch / "old", fs::file_time_type::clock::now() - std::chrono::hours(9000));
+    fs::rename(scratch / "old", scratch / ".popup-00c0ffee-1-0123456789abcdef.tmp");
+    EXPECT_EQ(remove_litter(scratch.path()), 0U);
+}
+
+TEST(RemoveLitter, TakesNothingElse) {
+    const ScratchDirectory scratch;
+    const std::vector<std::string> names{".popup-",
+                                         ".popup-.tmp",
+                                         ".popup-00c0ffee-.tmp",
+                                         ".popup-00c0ffee-1-.tmp",
+                                         ".popup-00c0ffee-1-0123456789abcde.tmp",
+                                         ".popup-00c0ffee-1-0123456789abcdef.old",
+                                         ".popup-00c0ffee-1-0123456789abcdef.tmp.svg",
+                                         ".popup-notes.tmp",
+                                         "popup-00c0ffee-1-0123456789abcdef.tmp"};
+    for (const std::string& name : names) write_file(scratch / name, "mine");
+    fs::create_directory(scratch / ".popup-00c0ffee-1-0123456789abcdef.tmp");
+    const auto later = std::chrono::system_clock::now() + 10 * kLitterKeeps;
+    EXPECT_EQ(remove_litter(scratch.path(), later), 0U);
+    EXPECT_EQ(scratch.names().size(), names.size() + 1);
 }
 
 }  // namespace

@@ -200,6 +200,29 @@ TEST_F(Faults, OfABatchAreMendedByTheNext) {
     EXPECT_FALSE(results.empty());
 }
 
+// The disk refuses all renames from the second on: one new file is in its place and cannot be taken back.
+TEST_F(Faults, AnOldFileThatCannotBeBroughtBackOutlivesTheNextRun) {
+    for (const bool no_exchange : {false, true}) {
+        const fs::path here = begin(kOld);
+        bool reached = false;
+        const RunResult result = run_with({"rename", EIO, true, no_exchange}, 2, kBuild, here, reached);
+        EXPECT_TRUE(reached);
+        EXPECT_EQ(result.exit, 2);
+        const std::string told = "the old version cannot be brought back, either: ";
+        EXPECT_NE(result.err.find(told), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find(".old"), std::string::npos) << result.err;
+        Files now = files_of(here);
+        std::string kept;
+        for (const auto& [name, bytes] : now) {
+            if (name.ends_with(".old")) kept = name;
+        }
+        ASSERT_FALSE(kept.empty());
+        EXPECT_EQ(now[kept], "old svg");
+        EXPECT_EQ(popupc(kBuild, {.directory = here, .input = {}, .environment = {}}).exit, 0);
+        EXPECT_EQ(files_of(here)[kept], "old svg");
+    }
+}
+
 TEST_F(Faults, OfMemoryLeaveAllOrNothing) { out_of_memory(kOld, kBuild); }
 
 }  // namespace
