@@ -187,6 +187,19 @@ Counts counted(const Diagnostics& found) {
     return counts;
 }
 
+// Whether all that a reading and the checks have found was found by the reading before, or is known not to
+// have been found by the checks: a card that was made as it is written has no errors and no repairs.
+bool is_surely_new(std::span<const Diagnostic> found, Counts read, const Edits& edits) {
+    if (!edits.owners || !edits.owners->as_written) return false;
+    return std::all_of(found.begin(), found.end(), [&read](const Diagnostic& one) {
+        if (int& known = read[{one.severity, one.code, one.element}]; known > 0) {
+            --known;
+            return true;
+        }
+        return one.severity == Severity::error || one.change.has_value();
+    });
+}
+
 // What elements were called before the edits, of those that have another name now: what has no id is called
 // by its number, and that changes with every element that goes before it.
 using NamesBefore = std::unordered_map<std::string, std::string>;
@@ -269,8 +282,8 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     if (design) last = edit::look_at(*design, edit::Until::motion, options, after, &done);
     const std::vector<Diagnostic> found = after.sorted();
     // What was found before is asked only as far as there is something to compare it with.
-    edit::Counts before;
-    if (!found.empty()) {
+    edit::Counts before = edit::counted(reading_errors);
+    if (!found.empty() && !(last == edit::Until::check && edit::is_surely_new(found, before, done))) {
         edit::look_at(before_edits, last, options, reading_errors);
         before = edit::counted(reading_errors);
     }
