@@ -70,8 +70,9 @@ Text::Text(std::string bytes) : bytes_(std::move(bytes)) { find_lines(); }
 void Text::find_lines() {
     starts_.assign(1, 0);
     feeds_.assign(1, 0);
-    for (std::size_t i = bytes_.find_first_of("\r\n"); i != std::string::npos;
-         i = bytes_.find_first_of("\r\n", i + 1)) {
+    for (std::size_t i = 0; i < bytes_.size(); ++i) {
+        // find_first_of() asks for each byte by a call.
+        if (bytes_[i] != '\n' && bytes_[i] != '\r') continue;
         const bool feed = bytes_[i] == '\n';
         if (feed || i + 1 == bytes_.size() || bytes_[i + 1] != '\n') starts_.push_back(i + 1);
         if (feed) feeds_.push_back(i + 1);
