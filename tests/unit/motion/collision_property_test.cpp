@@ -30,6 +30,7 @@ constexpr double kEndDeg = 0.02;         // so near the end of a contact either 
 constexpr double kSlackMm = 2e-5;        // the same, for contacts that end slowly
 constexpr double kInsideSlackMm = 2e-4;  // the same, for how far inside both plates common points lie
 constexpr double kUndecided = 1e-3;      // the most of all crossings that may be undecided
+constexpr double kCutShort = 1e-3;       // the most of all designs that may be cut short
 constexpr std::size_t kTold = 3;         // failures of one design that are told
 constexpr int kLooks = 1024;             // at most, for the plates to cross in a contact
 constexpr std::size_t kRandomly = 40;    // angles looked at where they are random
@@ -273,6 +274,7 @@ TEST(MirroredDesign, HasMirroredContacts) {
 struct Tally {
     std::size_t crossings = 0;  // pairs that cross by one of the two at least, over all angles
     std::size_t undecided = 0;  // of these, those that examine() leaves undecided
+    int cut_short = 0;          // designs for which its work was spent before the last opening; it says so
 };
 
 // One design's plates in both eyes.
@@ -286,6 +288,7 @@ class Comparison {
           brute_(assembly) {
         for (const Contact& one : found_.contacts) contacts_[{one.a, one.b}].push_back(one);
         for (const Undecided& one : found_.undecided) undecided_[{one.a, one.b}].push_back(one);
+        if (found_.decided_up_to_deg < assembly.sweep.to_deg) ++tally.cut_short;
     }
 
     // At steps over the whole opening, and at both sides of every end of a contact.
@@ -309,7 +312,9 @@ class Comparison {
     }
 
  private:
-    [[nodiscard]] bool looked_at(double deg) const { return deg > found_.undecided_below_deg && deg < 180.0; }
+    [[nodiscard]] bool looked_at(double deg) const {
+        return deg > found_.undecided_below_deg && deg < found_.decided_up_to_deg;
+    }
 
     template <typename Kind>
     static bool holds(const std::map<PlatePair, std::vector<Kind>>& all, PlatePair pair, double deg) {
@@ -415,6 +420,7 @@ void compare_generated(int designs, double step) {
     }
     EXPECT_GT(tally.crossings, 900U * static_cast<std::size_t>(designs)) << "there must be much to find";
     EXPECT_LE(static_cast<double>(tally.undecided), kUndecided * static_cast<double>(tally.crossings));
+    EXPECT_LE(tally.cut_short, kCutShort * designs);
 }
 
 // What discs sweep as they are turned, in place of the discs.
@@ -448,6 +454,20 @@ void compare_of_every_row(int designs, double step) {
     }
     EXPECT_GT(tally.crossings, 100U * static_cast<std::size_t>(designs)) << "there must be much to find";
     EXPECT_LE(static_cast<double>(tally.undecided), kUndecided * static_cast<double>(tally.crossings));
+    EXPECT_LE(tally.cut_short, kCutShort * designs);
+}
+
+// The work is spent at 85.5° here, and plates cross from 107.5° on.
+void compare_where_cut_short() {
+    Tally tally;
+    const Built built = build(generate_any(1164, 11));
+    ASSERT_TRUE(built.assembly);
+    const Assembly assembly = with_reaches(*built.assembly);
+    Comparison("seed 1164", assembly, tally).at_every(1.0);
+    EXPECT_EQ(tally.cut_short, 1);
+    Diagnostics diagnostics;
+    ASSERT_TRUE(simulate(assembly, {}, diagnostics));
+    EXPECT_NE(findings(diagnostics).find("undecided"), std::string::npos) << findings(diagnostics);
 }
 
 void compare_samples(double step) {
@@ -521,6 +541,7 @@ void compare_folded(int sheets, double step) {
     }
     EXPECT_GT(tally.crossings, 500U * static_cast<std::size_t>(sheets)) << "there must be much to find";
     EXPECT_LE(static_cast<double>(tally.undecided), kUndecided * static_cast<double>(tally.crossings));
+    EXPECT_LE(tally.cut_short, kCutShort * sheets);
 }
 
 class Collisions : public testing::Test {
@@ -534,6 +555,7 @@ class LongCollisions : public Collisions {};
 TEST_F(Collisions, CollisionsAgreeWithBruteForce) { compare_generated(kDesigns, 0.5); }
 TEST_F(Collisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kDesigns / 4, 1.0); }
 TEST_F(Collisions, OfFoldedSheetsAgreeWithBruteForce) { compare_folded(kDesigns / 4, 1.0); }
+TEST_F(Collisions, UpToWhereTheWorkIsSpentAgreeWithBruteForce) { compare_where_cut_short(); }
 TEST_F(Collisions, Samples) { compare_samples(kSanitized ? 0.5 : 0.05); }
 TEST_F(LongCollisions, CollisionsAgreeWithBruteForce) { compare_generated(kLongDesigns, 0.25); }
 TEST_F(LongCollisions, OfEveryRowAgreeWithBruteForce) { compare_of_every_row(kLongDesigns, 1.0); }
