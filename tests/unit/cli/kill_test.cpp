@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "batch/results.h"
+#include "popup/output.h"
 #include "support/background.h"
 #include "support/random.h"
 #include "support/run_program.h"
@@ -126,15 +127,12 @@ class Kills : public testing::Test {
         const Files after = made(before, arguments);
         std::vector<std::string> words{kPopupc};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        begin(before);
-        const auto started = std::chrono::steady_clock::now();
-        popupc(arguments, options());
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - started;
+        const double took = seconds_of(before, arguments);
         Random random(static_cast<std::uint64_t>(times));
         for (int i = 0; i < times; ++i) {
             begin(before);
             Background run(words, options());
-            const std::chrono::duration<double> moment = 1.2 * random.unit() * took;
+            const std::chrono::duration<double> moment(1.2 * random.unit() * took);
             std::this_thread::sleep_for(moment);
             run.send(SIGKILL);
             run.wait();
@@ -154,6 +152,91 @@ class Kills : public testing::Test {
                 EXPECT_EQ(read_file(scratch_ / "here" / output.file), whole.at(output.file))
                     << output.file << " is called done, " << moment;
         }
+    }
+
+    // At moments of the clock while jobs are done side by side; the next batch goes on from there.
+    void batch_at_any_time(const Files& before, const std::vector<std::string>& arguments, int times) {
+        Files whole = made(before, arguments);
+        whole.erase("r");
+        std::vector<std::string> words{kPopupc};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        const double took = seconds_of(before, arguments);
+        Random random(static_cast<std::uint64_t>(times));
+        for (int i = 0; i < times && !HasFailure(); ++i) {
+            begin(before);
+            Background run(words, options());
+            const std::chrono::duration<double> moment(1.2 * random.unit() * took);
+            std::this_thread::sleep_for(moment);
+            run.send(SIGKILL);
+            run.wait();
+            const std::string said = fmt::format("killed after {} s, number {}", moment.count(), i);
+            Files now = files_in(scratch_ / "here");
+            now.erase("r");
+            for (const auto& [name, bytes] : now) {
+                const auto old = before.find(name);
+                EXPECT_TRUE(bytes == whole.at(name) || (old != before.end() && bytes == old->second))
+                    << name << " is neither old nor new, " << said;
+            }
+            expect_done_is_there(whole, said);
+            // A worker may outlive the first process by a moment.
+            RunResult next;
+            EXPECT_TRUE(eventually([&] {
+                next = popupc(arguments, options());
+                return next.exit == 0;
+            })) << next.err
+                << said;
+            EXPECT_TRUE(eventually([&] {
+                now = files_in(scratch_ / "here", true);
+                return now.erase("r") == 1 && now == whole;
+            })) << said;
+            EXPECT_EQ(now, whole) << said;
+        }
+    }
+
+    // At moments of the clock while a watch builds for the first time, or again after its input has changed.
+    void watch_at_any_time(const Files& before, const std::vector<std::string>& once, int times) {
+        Files changed = before;
+        changed[once.at(1)] = read_file(fs::path(POPUP_SOURCE_DIR) / "samples/boat.xml");
+        const Files first = made(before, once);
+        const Files second = made(changed, once);
+        ASSERT_NE(first, second);
+        std::vector<std::string> words{kPopupc};
+        words.insert(words.end(), once.begin(), once.end());
+        words.emplace_back("--watch");
+        const double took = seconds_of(before, once);
+        Random random(static_cast<std::uint64_t>(times));
+        for (int i = 0; i < times && !HasFailure(); ++i) {
+            begin(before);
+            const bool again = i % 2 != 0;
+            // What a watch waits after a change, so that it sees all of it, comes on top.
+            const std::chrono::duration<double> moment(random.unit() * (1.2 * took + (again ? 0.2 : 0.0)));
+            const std::string said = fmt::format("killed {} s into its {} build, number {}", moment.count(),
+                                                 again ? "second" : "first", i);
+            Background watch(words, options());
+            if (again) {
+                ASSERT_TRUE(eventually([&] { return files_in(scratch_ / "here", true) == first; })) << said;
+                write_file(scratch_ / "new", changed.at(once.at(1)));
+                fs::rename(scratch_ / "new", scratch_ / "here" / once.at(1));
+            }
+            std::this_thread::sleep_for(moment);
+            watch.send(SIGKILL);
+            watch.wait();
+            if (again) {
+                expect_old_or_new(first, second, said);
+            } else {
+                expect_old_or_new(before, first, said);
+            }
+            expect_mended(again ? second : first, once, said);
+        }
+    }
+
+    // How long a run takes.
+    double seconds_of(const Files& before, const std::vector<std::string>& arguments) {
+        begin(before);
+        const auto started = std::chrono::steady_clock::now();
+        popupc(arguments, options());
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - started;
+        return took.count();
     }
 
     ScratchDirectory scratch_;
@@ -260,16 +343,73 @@ TEST_F(Kills, OfAWatchLeaveOldOrNew) {
     }
 }
 
+// Outputs of every format, of the inputs' stem; every second one is there before, old.
+std::vector<std::string> all_outputs(const std::string& stem) {
+    std::vector<std::string> names;
+    for (const Format& format : format_table()) names.push_back(stem + std::string(format.suffix));
+    return names;
+}
+void add_old(Files& files, const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < names.size(); i += 2) files[names[i]] = "old " + names[i];
+}
+// So that pictures take no longer than all else.
+const std::vector<std::string> kSmallPictures{"--size", "64x48", "--duration", "0.5",      "--fps",
+                                              "4",      "--dpi", "20",         "--angles", "0,90"};
+
+Files card_and_all_old() {
+    Files files{{"bird.xml", sample("bird.xml")}, {"kept", "not ours"}};
+    add_old(files, all_outputs("all"));
+    return files;
+}
+std::vector<std::string> build_all() {
+    std::vector<std::string> words{"build", "bird.xml", "--quiet", "-MD", "--diagnostics", "told.json"};
+    for (const std::string& name : all_outputs("all")) words.insert(words.end(), {"-o", name});
+    words.insert(words.end(), kSmallPictures.begin(), kSmallPictures.end());
+    return words;
+}
+
+// A job of all outputs, and three of a few.
+Files all_jobs() {
+    Files files{{"bird.xml", sample("bird.xml")}, {"kept", "not ours"}};
+    std::string manifest;
+    for (const std::string stem : {"first", "all", "second", "third"}) {
+        std::vector<std::string> names = all_outputs(stem);
+        if (stem != "all")
+            std::erase_if(names, [&](const std::string& name) { return name.size() > stem.size() + 4; });
+        add_old(files, names);
+        std::string listed;
+        for (const std::string& name : names) listed += (listed.empty() ? "\"" : ", \"") + name + "\"";
+        manifest += fmt::format("{{\"input\": \"bird.xml\", \"output\": [{}]}}\n", listed);
+    }
+    files["jobs"] = manifest;
+    return files;
+}
+std::vector<std::string> batch_all() {
+    std::vector<std::string> words{"batch", "jobs", "--manifest-format", "jsonl", "--results", "r",
+                                   "-j",    "2",    "--quiet",           "--"};
+    words.insert(words.end(), kSmallPictures.begin(), kSmallPictures.end());
+    return words;
+}
+
 TEST_F(Kills, AtAnyTimeLeaveOldOrNew) {
     at_any_time(card_and_old(), kBuild, 12);
     at_any_time(torn_document(), kFix, 8);
 }
+TEST_F(Kills, OfABatchAtAnyTimeLoseNothingThatIsDone) { batch_at_any_time(all_jobs(), batch_all(), 5); }
+TEST_F(Kills, OfAWatchAtAnyTimeLeaveOldOrNew) { watch_at_any_time(card_and_all_old(), build_all(), 5); }
 
 class LongKills : public Kills {};
 
 TEST_F(LongKills, AtManyTimesLeaveOldOrNew) {
     at_any_time(card_and_old(), kBuild, 400);
     at_any_time(torn_document(), kFix, 400);
+}
+TEST_F(LongKills, OfAllOutputsAtManyTimesLeaveOldOrNew) { at_any_time(card_and_all_old(), build_all(), 250); }
+TEST_F(LongKills, OfABatchAtManyTimesLoseNothingThatIsDone) {
+    batch_at_any_time(all_jobs(), batch_all(), 250);
+}
+TEST_F(LongKills, OfAWatchAtManyTimesLeaveOldOrNew) {
+    watch_at_any_time(card_and_all_old(), build_all(), 250);
 }
 
 std::string inode_of(const fs::path& path) {
