@@ -11,7 +11,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 // Steps of work of an entry of the normal equations.
-constexpr double kEntrySteps = 8.0;
+constexpr double kNormalSteps = 8.0;
 
 // Says what its factors take, once the pattern has been analysed.
 class CountedLdlt : public Eigen::SimplicialLDLT<Matrix> {
@@ -36,7 +36,7 @@ std::optional<Eigen::VectorXd> least_step(const std::vector<Eigen::Triplet<doubl
     double entries = 0.0;
     for (const double rows : rows_of) entries += rows * rows;
     // Factors of what hangs together like a sheet, and of what all hangs together, take about this much.
-    if (!work.has(std::pow(entries, 1.5)) || !work.spend(kEntrySteps * entries)) return std::nullopt;
+    if (!work.has(std::pow(entries, 1.5)) || !work.spend(kNormalSteps * entries)) return std::nullopt;
     Matrix across(residual.size(), unknowns);
     across.setFromTriplets(slopes.begin(), slopes.end());
     const Matrix transposed = across.transpose();
