@@ -10,7 +10,9 @@
 #include "cli/options/program_options.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/edit_drawing.h"
 #include "popup/files.h"
+#include "popup/refinement.h"
 
 namespace popup::cli {
 namespace {
@@ -19,6 +21,11 @@ std::string edits_footer() {
     std::string text = "Edits, with lengths in the document's unit where they have none of their own:\n";
     for (const EditVerb& verb : edit_verbs())
         text += fmt::format("  {} {}\n      {}\n", verb.name, verb.usage, verb.about);
+    text +=
+        "\nEdits of drawings of folded sheets, in space, with lengths in mm; popupc show lists their "
+        "names:\n";
+    for (const EditVerb& verb : sheet_edit_verbs())
+        text += fmt::format("  {} {}\n      {}\n", verb.name, verb.usage, verb.about);
     return text +
            "\nExamples:\n"
            "  popupc edit card.xml add v-fold --id bird --on gutter --at 20 --width 40 --height 35 "
@@ -26,6 +33,8 @@ std::string edits_footer() {
            "  popupc edit card.xml set bird --angle 70 --left-color '#5b8c5a' --diff\n"
            "  popupc edit card.xml move bird --along 12 --follow -o moved.xml\n"
            "  popupc edit card.xml -f edits.txt --in-place\n"
+           "  popupc edit box.svg extrude top --by 10mm -o higher.svg\n"
+           "  popupc edit box.svg edge front+top --by 0,0,5 --diff\n"
            "\nExit status 0 when the edit was carried out; 1 when it was refused (nothing is written), or, "
            "with\n"
            "--diff, when it changes something; 2 for wrong usage and files that cannot be read or written.";
@@ -60,7 +69,7 @@ CLI::App* add_edit(CLI::App& app, Options& options) {
         app.add_subcommand("edit", "Edit a document by command; what is not touched stays as it is");
     EditVerbOptions& edit = options.edit;
     verb->add_option("DOCUMENT", edit.document,
-                     "the popup document; \"-\" is standard input; behind it the edit")
+                     "the popup document or drawing; \"-\" is standard input; behind it the edit")
         ->required()
         ->configurable(false)
         ->type_name("");
@@ -73,6 +82,14 @@ CLI::App* add_edit(CLI::App& app, Options& options) {
     verb->add_flag("--force", edit.force, "carry it out also where the card has a new error then")
         ->configurable(false)
         ->group("Output");
+    verb->add_option("--refinement", edit.refinement,
+                     "what popupc suggest accepted of a drawing; --in-place writes it anew")
+        ->type_name("FILE")
+        ->configurable(false)
+        ->group("Input");
+    add_drawing_options(*verb, options);
+    // The sheet is as it is drawn.
+    for (const char* const other : {"--board", "--flat"}) verb->remove_option(verb->get_option(other));
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);
@@ -85,6 +102,7 @@ int run_edit(const Options& options) {
     check_edit_usage(verb, options.messages);
     ReadFiles read = files_read(options, {verb.document});
     read.add(verb.file, "which edits are read from");
+    read.add(verb.refinement, "the refinement file");
     const auto spare_inputs = [&] {
         read.spare(verb.output.output, "-o");
         read.spare(options.messages.file, "--diagnostics");
@@ -116,12 +134,34 @@ int run_edit(const Options& options) {
     spare_inputs();
     Diagnostics of_document(verb.document, options.policy);
     std::optional<Edited> edited;
+    DrawingEditOptions drawing{
+        options.compile.read, options.compile.fold, {}, options.compile.motion, {}, verb.force};
+    const bool is_sheet = source && is_sheet_drawing(*source, options.compile.read);
+    Diagnostics of_refinement(verb.refinement, options.policy);
+    std::optional<Source> refinement;
+    if (is_sheet && !verb.refinement.empty()) {
+        refinement = read_source(verb.refinement, trouble);
+        readable = readable && refinement.has_value();
+        // Corners in it are as the drawing's ruler shows them.
+        if (refinement) {
+            ReadOptions as_sheet = options.compile.read;
+            as_sheet.drawing.as = DrawnAs::folded;
+            Diagnostics unheard(source->name);
+            const Reading reading = read_source_text(*source, as_sheet, unheard);
+            if (reading.creases) {
+                drawing.ruler = reading.creases->ruler;
+                auto joins = read_refinement(*refinement, drawing.ruler, of_refinement);
+                if (joins) drawing.joins = std::move(*joins);
+            }
+        }
+    }
     EditOptions edit;
     edit.force = verb.force;
     edit.read = options.compile.read;
-    if (readable && !of_edits.has_errors()) {
+    if (readable && !of_edits.has_errors() && !of_refinement.has_errors()) {
         Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
-        edited = edit_document(*source, edits, edit, heard, of_document);
+        edited = is_sheet ? edit_drawing(*source, edits, drawing, heard, of_document)
+                          : edit_document(*source, edits, edit, heard, of_document);
     }
     if (edited) {
         check_loaded(edited->files, {verb.output.output, options.messages.file});
@@ -138,6 +178,9 @@ int run_edit(const Options& options) {
             if (changed) files.push_back({"-", unified_diff(source->name, source->text, edited->text)});
         } else if (verb.output.in_place) {
             files.push_back({verb.document, edited->text});
+            // Corners that it names by their places go with the drawing.
+            if (refinement)
+                files.push_back({verb.refinement, write_refinement(drawing.joins, drawing.ruler)});
         } else {
             files.push_back({verb.output.output.empty() ? "-" : verb.output.output, edited->text});
         }
@@ -151,6 +194,8 @@ int run_edit(const Options& options) {
     std::vector<FileFindings> findings;
     if (!of_edits.sorted().empty()) findings.push_back({&of_edits, edits_text});
     if (findings.empty() || !of_document.sorted().empty()) findings.push_back({&of_document, text});
+    if (refinement && !of_refinement.sorted().empty())
+        findings.push_back({&of_refinement, refinement->text, false});
     const bool told = report(options.messages, findings, trouble);
     if (!readable || !written || !told) return exit_unusable;
     return !accepted || (verb.output.diff && changed) ? exit_findings : exit_done;

@@ -6,15 +6,40 @@
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "popup/edit.h"
+#include "popup/edit_drawing.h"
 #include "popup/files.h"
 
 namespace popup::cli {
+namespace {
+
+// The vertices and edges of a folded sheet.
+std::optional<std::string> show_sheet_of(const Source& source, const Options& options, Diagnostics& trouble,
+                                         Diagnostics& findings) {
+    const ShowVerbOptions& verb = options.show;
+    DrawingEditOptions drawing{
+        options.compile.read, options.compile.fold, {}, options.compile.motion, {}, false};
+    if (!verb.refinement.empty()) {
+        const auto refinement = read_source(verb.refinement, trouble);
+        if (!refinement) return std::nullopt;
+        drawing.read.drawing.as = DrawnAs::folded;
+        Diagnostics unheard(source.name);
+        const Reading reading = read_source_text(source, drawing.read, unheard);
+        if (reading.creases) {
+            auto joins = read_refinement(*refinement, reading.creases->ruler, findings);
+            if (!joins) return std::nullopt;
+            drawing.joins = std::move(*joins);
+        }
+    }
+    return show_drawing(source, drawing, verb.json, findings);
+}
+
+}  // namespace
 
 CLI::App* add_show(CLI::App& app, Options& options) {
     CLI::App* verb =
         app.add_subcommand("show", "Show the elements of a document: sizes, folds, what stands on what");
     ShowVerbOptions& show = options.show;
-    verb->add_option("DOCUMENT", show.document, "a document or program; \"-\" is standard input")
+    verb->add_option("DOCUMENT", show.document, "a document, program or drawing; \"-\" is standard input")
         ->required()
         ->configurable(false)
         ->type_name("");
@@ -25,8 +50,15 @@ CLI::App* add_show(CLI::App& app, Options& options) {
     verb->add_flag("--json", show.json, "as JSON, with all measures, points and values")
         ->configurable(false)
         ->group("Output");
+    verb->add_option("--refinement", show.refinement, "what popupc suggest accepted of a drawing")
+        ->type_name("FILE")
+        ->configurable(false)
+        ->group("Input");
     add_program_options(*verb, options);
     verb->remove_option(verb->get_option("--print"));
+    add_drawing_options(*verb, options);
+    // The sheet is as it is drawn.
+    for (const char* const other : {"--board", "--flat"}) verb->remove_option(verb->get_option(other));
     add_message_options(*verb, options);
     add_policy_options(*verb, options);
     add_config_options(*verb, options);
@@ -35,6 +67,7 @@ CLI::App* add_show(CLI::App& app, Options& options) {
         "  popupc show card.xml\n"
         "  popupc show card.xml bird --all\n"
         "  popupc show card.xml --json\n"
+        "  popupc show box.svg\n"
         "\nLengths are in the document's unit. Exit status 0 when it was shown, 1 when the document cannot "
         "be\n"
         "understood or has no such element.");
@@ -54,7 +87,9 @@ int run_show(const Options& options) {
     std::optional<std::string> shown;
     if (source) {
         check_loaded(*source, options.compile.read, {options.messages.file});
-        if (const auto design = read_design(*source, options.compile.read, findings)) {
+        if (is_sheet_drawing(*source, options.compile.read)) {
+            shown = show_sheet_of(*source, options, trouble, findings);
+        } else if (const auto design = read_design(*source, options.compile.read, findings)) {
             ShowOptions show;
             show.id = verb.id;
             show.all = verb.all;

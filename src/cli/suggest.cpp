@@ -15,6 +15,7 @@
 #include "cli/report.h"
 #include "cli/verbs.h"
 #include "output/book/suggestions.h"
+#include "popup/edit_drawing.h"
 #include "popup/files.h"
 #include "popup/refinement.h"
 
@@ -178,32 +179,10 @@ bool read_inputs(const Options& options, Inputs& in) {
     return true;
 }
 
-// What crosses in a refined sheet. One that stops on its way is told by names that no panel has.
-Crossings crossings_in(const CreasePattern& refined, bool whole_way, const CompileOptions& options) {
-    Diagnostics heard;
-    FoldOptions fold = options.fold;
-    fold.fold_angles.clear();
-    fold.to = 1.0;
-    auto assembly = fold_sheet(refined, fold, heard);
-    if (!assembly || !moves(*assembly)) return {};
-    std::vector<Contact> contacts;
-    if (whole_way) {
-        const auto motion = simulate_sheet(*assembly, options.motion, heard);
-        if (!motion) return {{"", "stops"}};
-        if (motion->examination) contacts = motion->examination->contacts;
-    } else {
-        contacts = examine_folded(*assembly, options.motion).contacts;
-    }
-    Crossings found;
-    const auto name = [&](int plate) { return assembly->plates[static_cast<std::size_t>(plate)].name; };
-    for (const Contact& one : contacts) found.insert(std::minmax(name(one.a), name(one.b)));
-    return found;
-}
-
 AcceptOptions accept_options(const Options& options) {
     return {!options.suggest.alone,
             [&compile = options.compile](const CreasePattern& refined, bool whole_way) {
-                return crossings_in(refined, whole_way, compile);
+                return crossings_in(refined, whole_way, compile.fold, compile.motion);
             }};
 }
 

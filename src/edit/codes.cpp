@@ -20,15 +20,31 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
      "`popupc edit card.xml outline ID --from FILE` takes what a drawing encloses. A line that lies on "
      "another one, all along, such as a copy left in its place, would take away what the first encloses. "
      "It is taken once."},
-    {"edit-refused", Severity::error, "an edit that would break the card",
+    {"edit-refused", Severity::error, "an edit that would break the card or carton",
      "popupc checks the document that the edits make. It would have an error that it does not have now; "
      "another message names that error. Nothing is written. Often "
      "something stands on the element that was moved: --follow takes it along. --force writes the "
-     "document all the same."},
+     "document all the same. An edit of a folded sheet is refused where a panel would have to bend, would "
+     "have no area, would turn over or lie over another one on the sheet, where what met would not meet "
+     "again, where a glue flap would not lie on its panel, and where an element of the drawing cannot be "
+     "written anew; --force does not help then. Where panels would pass through each other that did not, it "
+     "does."},
+    {"folds-turn", Severity::remark, "an edited carton whose folds have other angles",
+     "`popupc edit box.svg` has moved a vertex or an edge of a folded shape so that folds go further, or "
+     "less "
+     "far, than the drawing says: a slanted wall stands at no right angle. The sheet is that of the shape, "
+     "and closes with the angles that popupc found; a drawing has no place for them. `--fold-angle "
+     "NAME=75.9` "
+     "says those of lines that have a colour, layer or class of their own; `popupc suggest box.svg --accept "
+     "all --refinement box.refine.json` finds them where corners that meet say them."},
     {"no-such-element", Severity::error, "an id that no element has",
      "An edit, or `popupc show`, names an element by its id, and no element has that id. An element "
      "without an id is called e and its number in the list, counted from 1. `popupc show` lists all "
      "ids."},
+    {"page-outgrown", Severity::remark, "an edited drawing that is larger than its page",
+     "`popupc edit box.svg` enlarges the page with the drawing where the picture has a width, a height and a "
+     "viewBox of one scale. This one has not, so that programs may show only a part of it. popupc reads "
+     "all."},
 });
 
 }  // namespace

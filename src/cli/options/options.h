@@ -114,6 +114,7 @@ struct EditVerbOptions {
     std::string document;
     std::string file;                // -f; empty: the edit is on the command line
     std::vector<std::string> words;  // the edit
+    std::string refinement;          // of a drawing; empty: none
     bool force = false;
 };
 
@@ -133,6 +134,7 @@ struct NewVerbOptions {
 struct ShowVerbOptions {
     std::string document;
     std::string id;
+    std::string refinement;  // of a drawing; empty: none
     bool all = false;
     bool json = false;
 };

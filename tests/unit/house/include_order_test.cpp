@@ -61,11 +61,11 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",     "diagnostics",    "geometry",   "path",         "curves",  "nest",
-        "print",     "image",          "trace",      "files",        "lines",   "joints",
-        "assembly",  "crease_pattern", "refinement", "flat_folding", "design",  "language",
-        "mechanism", "check",          "motion",     "gluing",       "pattern", "layout",
-        "profile",   "output",         "compile",    "write",        "edit"};
+        "units",      "diagnostics", "geometry",     "path",   "curves",   "nest",      "print",
+        "image",      "trace",       "files",        "lines",  "joints",   "assembly",  "crease_pattern",
+        "refinement", "sheet_edit",  "flat_folding", "design", "language", "mechanism", "check",
+        "motion",     "gluing",      "pattern",      "layout", "profile",  "output",    "compile",
+        "write",      "edit",        "edit_drawing"};
     return order;
 }
 
@@ -86,7 +86,7 @@ std::string last_stage(const std::string& room, const std::string& file) {
     if (room == "mechanism" || room == "check") return "check";
     if (room == "fabrication") return "profile";
     if (room == "output" && file != "report.cpp" && file != "report.h") return "output";
-    if (room == "cli" || room == "edit" || room == "lsp") return "edit";
+    if (room == "cli" || room == "edit" || room == "lsp") return "edit_drawing";
     if (room == "motion" || room == "gluing" || room == "nest" || room == "pattern" || room == "layout")
         return room;
     return "write";

@@ -1,0 +1,469 @@
+#include "edit/sheet_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/nth.h"
+#include "input/drawing/shapes.h"
+#include "input/drawing/size.h"
+#include "input/drawing/transform.h"
+#include "input/xml/locate.h"
+#include "input/xml/tree.h"
+#include "popup/path.h"
+
+namespace popup::edit {
+namespace {
+
+using drawing::Affine;
+using drawing::Attributes;
+using xml::Offset;
+
+constexpr double kReadCornerMm = 2e-3;  // a corner of an element, and of the lines that were read from it
+constexpr double kSameShapeMm = 1e-4;
+
+// Six decimals at most, without zeros at the end.
+std::string number(double value) {
+    std::string text = fmt::format("{:.6f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+std::string point(Vec2 at) { return number(at.x) + "," + number(at.y); }
+
+std::optional<Affine> inverse(const Affine& map) {
+    const double whole = map.a * map.d - map.b * map.c;
+    if (std::abs(whole) < 1e-12) return std::nullopt;
+    Affine made{map.d / whole, -map.b / whole, -map.c / whole, map.a / whole, 0.0, 0.0};
+    const Vec2 origin = made({map.e, map.f});
+    made.e = -origin.x;
+    made.f = -origin.y;
+    return made;
+}
+
+std::string path_text(const Path& path) {
+    std::string text;
+    for (const Subpath& subpath : path.subpaths()) {
+        text += (text.empty() ? "M " : " M ") + point(subpath.start);
+        char last = 'M';
+        for (const PathStep& step : subpath.steps) {
+            const char now = step.curve ? 'C' : 'L';
+            text += ' ';
+            if (now != last && !(last == 'M' && now == 'L')) text += std::string{now, ' '};
+            last = step.curve ? 'C' : 'L';
+            if (step.curve) text += point(step.control_1) + " " + point(step.control_2) + " ";
+            text += point(step.to);
+        }
+        if (subpath.closed) text += " Z";
+    }
+    return text;
+}
+
+struct Replacement {
+    std::size_t begin = 0, length = 0;
+    std::string text;
+};
+
+// Where the lines of one element go.
+class Moves {
+ public:
+    void add(const CreaseLine& line, const EditedSheet::Line& to) {
+        for (std::size_t i = 0; i < line.points.size(); ++i) rows_.push_back({line.points[i], to.points[i]});
+        for (const auto& [stretch, at] : to.through) {
+            const auto from = static_cast<std::size_t>(stretch);
+            through_.push_back({line.points[from], line.points[(from + 1) % line.points.size()], at});
+        }
+        moved_ = moved_ || to.moved;
+        parted_.insert(parted_.end(), to.parted.begin(), to.parted.end());
+        any_parted_ = any_parted_ || !to.parted.empty();
+        for (std::size_t i = 0; to.parted.empty() && i + (line.closed ? 0U : 1U) < line.points.size(); ++i)
+            straight_.push_back({to.points[i], to.points[(i + 1) % to.points.size()]});
+    }
+    void sort() {
+        std::sort(rows_.begin(), rows_.end(), [](const Segment& a, const Segment& b) {
+            return std::pair(a.a.x, a.a.y) < std::pair(b.a.x, b.a.y);
+        });
+    }
+    [[nodiscard]] bool moved() const { return moved_; }
+    [[nodiscard]] bool bends() const { return !through_.empty(); }
+    // What a straight step of the element goes through now, in its own direction.
+    [[nodiscard]] std::vector<Vec2> through(Vec2 from, Vec2 to) const {
+        std::vector<Vec2> found;
+        for (const Through& one : through_) {
+            if (distance(one.from, from) <= kReadCornerMm && distance(one.to, to) <= kReadCornerMm)
+                found.push_back(one.at);
+        }
+        if (!found.empty()) return found;
+        for (auto one = through_.rbegin(); one != through_.rend(); ++one) {
+            if (distance(one->from, to) <= kReadCornerMm && distance(one->to, from) <= kReadCornerMm)
+                found.push_back(one->at);
+        }
+        return found;
+    }
+    [[nodiscard]] bool parted() const { return any_parted_; }
+    // All edges, of what has parted.
+    [[nodiscard]] std::vector<Segment> edges() const {
+        std::vector<Segment> all = straight_;
+        all.insert(all.end(), parted_.begin(), parted_.end());
+        return all;
+    }
+    [[nodiscard]] std::optional<Vec2> find(Vec2 p) const {
+        auto at = std::lower_bound(rows_.begin(), rows_.end(), p.x - kReadCornerMm,
+                                   [](const Segment& row, double x) { return row.a.x < x; });
+        double nearest = kReadCornerMm;
+        std::optional<Vec2> found;
+        for (; at != rows_.end() && at->a.x <= p.x + kReadCornerMm; ++at) {
+            if (const double far = distance(p, at->a); far <= nearest) {
+                nearest = far;
+                found = p + (at->b - at->a);
+            }
+        }
+        return found;
+    }
+
+ private:
+    struct Through {
+        Vec2 from, to;  // the stretch, where it was
+        Vec2 at;
+    };
+    std::vector<Segment> rows_;  // from where to where
+    std::vector<Through> through_;
+    std::vector<Segment> straight_, parted_;
+    bool moved_ = false, any_parted_ = false;
+};
+
+class Writer {
+ public:
+    Writer(const Source& source, const xml::Located& located, const CreasePattern& pattern,
+           const EditedSheet& edited, Diagnostics& diagnostics)
+        : source_(source), located_(located), diagnostics_(diagnostics) {
+        for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+            const Place place = pattern.lines[i].place;
+            moves_[{place.line, place.column}].add(pattern.lines[i], edited.lines[i]);
+            for (const Vec2 p : pattern.lines[i].points) before_.extend(p);
+            for (const Vec2 p : edited.lines[i].points) after_.extend(p);
+        }
+        for (auto& [place, moves] : moves_) moves.sort();
+    }
+
+    std::optional<std::string> run() {
+        if (!read_page()) return std::nullopt;
+        std::vector<Offset> around;  // open elements
+        for (Offset i = 1; i < located_.elements.size(); ++i) {
+            while (!around.empty() && nth(located_.elements, around.back()).after <= i) around.pop_back();
+            const Place place = located_.elements[i].place;
+            const auto found = moves_.find({place.line, place.column});
+            if (found != moves_.end() && found->second.moved() && !rewrite(i, around, found->second))
+                return std::nullopt;
+            around.push_back(i);
+        }
+        grow_page();
+        std::sort(replacements_.begin(), replacements_.end(),
+                  [](const Replacement& a, const Replacement& b) { return a.begin < b.begin; });
+        std::string text;
+        std::size_t at = 0;
+        for (const Replacement& one : replacements_) {
+            text.append(source_.text, at, one.begin - at);
+            text += one.text;
+            at = one.begin + one.length;
+        }
+        text.append(source_.text, at, std::string::npos);
+        return text;
+    }
+
+ private:
+    bool refuse(Place place, std::string why, std::string hint) {
+        diagnostics_.error("edit-refused", place, std::move(why)).hint(std::move(hint));
+        return false;
+    }
+
+    void replace(const xml::Attribute& attribute, std::string text) {
+        replacements_.push_back({attribute.value.raw.offset, attribute.value.raw.length, std::move(text)});
+    }
+
+    bool read_page() {
+        const auto tree = xml::Tree::parse(located_, 0, xml::Tree::Extent::tag, diagnostics_);
+        if (!tree) return false;
+        const Attributes root(tree->root().attributes());
+        const auto size = [&](std::string_view name) {
+            const std::string_view value = root.value(name);
+            if (value.empty() || value == "auto" || value.ends_with('%')) return 0.0;
+            return drawing::parse_length(value, 0.0).value_or(0.0);
+        };
+        Vec2 page{size("width"), size("height")};
+        const xml::Attribute* given = root.find("viewBox");
+        if (given != nullptr) box_ = drawing::parse_view_box(given->value.decoded);
+        if (box_) {
+            if (page.x == 0.0 && page.y == 0.0) page.x = box_->width;
+            if (page.x == 0.0) page.x = page.y / box_->height * box_->width;
+            if (page.y == 0.0) page.y = page.x / box_->width * box_->height;
+        }
+        page_ = page;
+        constexpr double k = drawing::kMmPerPixel;
+        to_mm_ = {k, 0.0, 0.0, -k, 0.0, k * page.y};
+        if (box_)
+            to_mm_ = to_mm_.after(drawing::fitted(*box_, page.x, page.y, root.value("preserveAspectRatio")));
+        view_ = box_ ? Vec2{box_->width, box_->height} : page;
+        return true;
+    }
+
+    // A drawing that was within its page stays so, as far from its edges as it was.
+    void grow_page() {
+        constexpr double k = drawing::kMmPerPixel;
+        const Vec2 page = k * page_;
+        const auto over = [](double was, double is) {
+            return was >= -kSameShapeMm && is < was - kSameShapeMm && is < 0.0 ? was - is : 0.0;
+        };
+        const double left = over(before_.min.x, after_.min.x);
+        const double bottom = over(before_.min.y, after_.min.y);
+        const double right = over(page.x - before_.max.x, page.x - after_.max.x);
+        const double top = over(page.y - before_.max.y, page.y - after_.max.y);
+        if (left + bottom + right + top <= 0.0) return;
+        const auto tree = xml::Tree::parse(located_, 0, xml::Tree::Extent::tag, diagnostics_);
+        if (!tree) return;
+        const Attributes root(tree->root().attributes());
+        const double per_x = box_ ? box_->width / page.x : 0.0;
+        const double per_y = box_ ? box_->height / page.y : 0.0;
+        const bool can = box_ && std::abs(per_x - per_y) < 1e-6 * per_x && root.find("width") != nullptr &&
+                         root.find("height") != nullptr;
+        if (!can) {
+            diagnostics_
+                .remark("page-outgrown", located_.elements.front().place,
+                        fmt::format("the drawing is now {:.2f} × {:.2f} mm, and leaves its page of {:.2f} × "
+                                    "{:.2f} mm",
+                                    after_.max.x - after_.min.x, after_.max.y - after_.min.y, page.x, page.y))
+                .hint("give the picture a viewBox, a width and a height that are as large");
+            return;
+        }
+        replace(*root.find("viewBox"), fmt::format("{} {} {} {}", number(box_->corner.x - left * per_x),
+                                                   number(box_->corner.y - top * per_y),
+                                                   number(box_->width + (left + right) * per_x),
+                                                   number(box_->height + (top + bottom) * per_y)));
+        grow(*root.find("width"), (page.x + left + right) / page.x);
+        grow(*root.find("height"), (page.y + top + bottom) / page.y);
+    }
+    // A length in its own unit.
+    void grow(const xml::Attribute& length, double by) {
+        const std::string_view value = length.value.decoded;
+        const std::size_t unit = std::min(value.find_last_of("0123456789.") + 1, value.size());
+        const double pixels = drawing::parse_length(value, 0.0).value_or(0.0);
+        const double one = drawing::parse_length("1" + std::string(value.substr(unit)), 0.0).value_or(1.0);
+        replace(length, number(pixels / one * by) + std::string(value.substr(unit)));
+    }
+
+    // The map of an element's own coordinates to mm; nullopt after an error.
+    std::optional<Affine> map_of(Offset element, const std::vector<Offset>& around, Attributes& own) {
+        Affine map = to_mm_;
+        for (std::size_t i = 0; i <= around.size(); ++i) {
+            const Offset one = i < around.size() ? around[i] : element;
+            auto tree = xml::Tree::parse(located_, one, xml::Tree::Extent::tag, diagnostics_);
+            if (!tree) return std::nullopt;
+            Attributes attributes(tree->root().attributes());
+            if (i < around.size() && !is_plain(tree->root().name())) {
+                refuse(nth(located_.elements, element).place,
+                       fmt::format("this element moves, and is drawn within <{}>, elsewhere than it stands",
+                                   tree->root().name()),
+                       "draw it in the picture itself");
+                return std::nullopt;
+            }
+            if (const xml::Attribute* transform = attributes.find("transform"); transform != nullptr) {
+                if (const auto inner = drawing::parse_transform(transform->value.decoded))
+                    map = map.after(*inner);
+            }
+            if (i == around.size()) own = std::move(attributes);
+            trees_.push_back(std::move(*tree));
+        }
+        return map;
+    }
+    static bool is_plain(std::string_view tag) {
+        const std::string_view local = tag.substr(tag.find(':') + 1);
+        return local == "g" || local == "a" || local == "switch";
+    }
+
+    bool rewrite(Offset element, const std::vector<Offset>& around, const Moves& moves) {
+        const Place place = nth(located_.elements, element).place;
+        trees_.clear();
+        Attributes own({});
+        const auto map = map_of(element, around, own);
+        if (!map) return false;
+        const auto back = inverse(*map);
+        std::string_view tag = located_.name(element);
+        tag = tag.substr(tag.find(':') + 1);
+        Path path;
+        if (drawing::make_shape(tag, own, view_, path) || !back)
+            return refuse(place, "this element cannot be moved", "draw it as a path");
+        if (moves.bends() && tag != "path" && tag != "polyline" && tag != "polygon")
+            return refuse(place, fmt::format("this <{}> would have more corners than it can have", tag),
+                          "draw it as a path");
+        if (moves.parted()) return write_parted(tag, own, moves, *back, place);
+        const auto made = moved(path.mapped(*map), moves);
+        if (!made) {
+            return refuse(place,
+                          "this element moves, and is drawn elsewhere than it stands, as by a use element",
+                          "draw it where it is");
+        }
+        return write(tag, own, path, made->mapped(*back), place);
+    }
+
+    // A path in mm with its corners where they go; curves follow their ends.
+    static std::optional<Path> moved(const Path& path, const Moves& moves) {
+        Path made;
+        for (const Subpath& subpath : path.subpaths()) {
+            const auto start = moves.find(subpath.start);
+            if (!start) return std::nullopt;
+            made.move(*start);
+            Vec2 was = subpath.start;
+            Vec2 is = *start;
+            for (const PathStep& step : subpath.steps) {
+                const auto to = moves.find(step.to);
+                if (!to) return std::nullopt;
+                if (step.curve) {
+                    const Vec2 u = step.to - was;
+                    const Vec2 v = *to - is;
+                    const double size = dot(u, u);
+                    const auto follow = [&](Vec2 p) {
+                        if (size < 1e-12 || length(v - u) < 1e-12) return is + (p - was);
+                        const double c = dot(u, v) / size;
+                        const double s = cross(u, v) / size;
+                        const Vec2 d = p - was;
+                        return is + Vec2{c * d.x - s * d.y, s * d.x + c * d.y};
+                    };
+                    made.cubic(follow(step.control_1), follow(step.control_2), *to);
+                } else {
+                    for (const Vec2 at : moves.through(was, step.to)) made.line(at);
+                    made.line(*to);
+                }
+                was = step.to;
+                is = *to;
+            }
+            if (subpath.closed) {
+                for (const Vec2 at : moves.through(was, subpath.start)) made.line(at);
+                made.close();
+            }
+        }
+        return made;
+    }
+
+    bool write_parted(std::string_view tag, const Attributes& own, const Moves& moves, const Affine& back,
+                      Place place) {
+        const xml::Attribute* d = own.find("d");
+        if (tag != "path" || d == nullptr) {
+            return refuse(place, "what is cut by this element goes apart on its two sides",
+                          "draw it as a path: that can have both sides");
+        }
+        std::string text;
+        for (const Segment& one : moves.edges())
+            text += fmt::format("{}M {} {}", text.empty() ? "" : " ", point(back(one.a)), point(back(one.b)));
+        replace(*d, std::move(text));
+        return true;
+    }
+
+    bool write(std::string_view tag, const Attributes& own, const Path& was, const Path& is, Place place) {
+        const Subpath& shape = is.subpaths().front();
+        if (tag == "path") {
+            replace(*own.find("d"), path_text(is));
+            return true;
+        }
+        if (tag == "polyline" || tag == "polygon") {
+            std::string text = point(shape.start);
+            for (const PathStep& step : shape.steps) text += " " + point(step.to);
+            replace(*own.find("points"), std::move(text));
+            return true;
+        }
+        if (tag == "line")
+            return write_all(own,
+                             {{"x1", shape.start.x},
+                              {"y1", shape.start.y},
+                              {"x2", shape.steps.front().to.x},
+                              {"y2", shape.steps.front().to.y}},
+                             place);
+        const Box before = box_of(was);
+        const Box after = box_of(is);
+        const Vec2 by = after.min - before.min;
+        const bool shifted = is_shifted(was, is, by);
+        if (tag == "rect" &&
+            (shifted || (own.find("rx") == nullptr && own.find("ry") == nullptr && is_square(is, after))))
+            return write_all(own,
+                             {{"x", after.min.x},
+                              {"y", after.min.y},
+                              {"width", after.max.x - after.min.x},
+                              {"height", after.max.y - after.min.y}},
+                             place);
+        if ((tag == "circle" || tag == "ellipse") && shifted)
+            return write_all(own, {{"cx", after.centre().x}, {"cy", after.centre().y}}, place);
+        return refuse(place, fmt::format("this <{}> would be none any more", tag), "draw it as a path");
+    }
+
+    bool write_all(const Attributes& own, const std::vector<std::pair<std::string_view, double>>& values,
+                   Place place) {
+        for (const auto& [name, value] : values) {
+            const xml::Attribute* attribute = own.find(name);
+            if (attribute == nullptr && std::abs(value) < 1e-6) continue;
+            if (attribute == nullptr)
+                return refuse(place, fmt::format("this element has no {} that could be changed", name),
+                              "write all its coordinates");
+            replace(*attribute, number(value));
+        }
+        return true;
+    }
+
+    static Box box_of(const Path& path) {
+        Box box;
+        for (const Subpath& subpath : path.subpaths()) {
+            box.extend(subpath.start);
+            for (const PathStep& step : subpath.steps) box.extend(step.to);
+        }
+        return box;
+    }
+    static bool is_shifted(const Path& was, const Path& is, Vec2 by) {
+        for (std::size_t i = 0; i < was.subpaths().size(); ++i) {
+            const Subpath& one = was.subpaths()[i];
+            const Subpath& other = is.subpaths()[i];
+            if (distance(one.start + by, other.start) > kSameShapeMm ||
+                one.steps.size() != other.steps.size())
+                return false;
+            for (std::size_t k = 0; k < one.steps.size(); ++k) {
+                if (distance(one.steps[k].to + by, other.steps[k].to) > kSameShapeMm) return false;
+            }
+        }
+        return true;
+    }
+    static bool is_square(const Path& is, const Box& box) {
+        const auto on = [&](Vec2 p) {
+            return std::min(std::abs(p.x - box.min.x), std::abs(p.x - box.max.x)) <= kSameShapeMm &&
+                   std::min(std::abs(p.y - box.min.y), std::abs(p.y - box.max.y)) <= kSameShapeMm;
+        };
+        const Subpath& shape = is.subpaths().front();
+        return on(shape.start) && std::all_of(shape.steps.begin(), shape.steps.end(),
+                                              [&](const PathStep& step) { return on(step.to); });
+    }
+
+    const Source& source_;
+    const xml::Located& located_;
+    Diagnostics& diagnostics_;
+    std::map<std::pair<int, int>, Moves> moves_;  // by the place of an element
+    Box before_, after_;                          // of all lines
+    std::optional<drawing::ViewBox> box_;
+    Vec2 page_, view_;
+    Affine to_mm_;
+    std::vector<xml::Tree> trees_;  // attributes live in them
+    std::vector<Replacement> replacements_;
+};
+
+}  // namespace
+
+std::optional<std::string> write_moved(const Source& source, const CreasePattern& pattern,
+                                       const EditedSheet& edited, Diagnostics& diagnostics) {
+    Diagnostics unheard;  // it has been read before
+    const auto located = xml::locate(source.text, unheard, xml::Doctype::skip);
+    if (!located) return std::nullopt;
+    return Writer(source, *located, pattern, edited, diagnostics).run();
+}
+
+}  // namespace popup::edit
