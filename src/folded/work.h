@@ -7,8 +7,8 @@ namespace popup::folded {
 // One step is about one multiplication of a factorisation, and takes about a nanosecond.
 class Work {
  public:
-    // What is spent on one sheet, loops that are tried in several ways included: 20 s or so. A sheet of
-    // 50 × 50 panels takes a half of it.
+    // What is spent on one sheet, loops that are tried in several ways included: some 20 s by the estimate
+    // above.
     static constexpr double kOfASheet = 2e10;
 
     explicit Work(double most = kOfASheet) : most_(most), left_(most) {}
