@@ -111,25 +111,13 @@ double EdgeIndex::clearance(Vec2 p, double limit) const {
 }
 
 bool EdgeIndex::is_within(Vec2 p, double limit) const {
-    if (tree_) {
-        const TreeBox window{{p.x - limit, p.y - limit}, {p.x + limit, p.y + limit}};
-        // There are few in the window: to look at all costs less than to stop at one.
-        bool is_near = false;
-        tree_->entries.query(bg::index::intersects(window),
-                             boost::make_function_output_iterator([&](const Entry& entry) {
-                                 is_near = is_near || distance(p, (*this)[entry.second]) < limit;
-                             }));
-        return is_near;
-    }
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-        const Segment& s = segments_[i];
-        // Most are far off by their boxes.
-        if (std::min(s.a.x, s.b.x) > p.x + limit || std::max(s.a.x, s.b.x) < p.x - limit ||
-            std::min(s.a.y, s.b.y) > p.y + limit || std::max(s.a.y, s.b.y) < p.y - limit)
-            continue;
-        if (state_[i] != State::removed && distance(p, s) < limit) return true;
-    }
-    return false;
+    // There are few in the box: to look at all costs less than to stop at one.
+    bool is_near = false;
+    visit(tree_.get(), segments_, {p - Vec2{limit, limit}, p + Vec2{limit, limit}}, [&](int number) {
+        is_near = is_near || (state_[static_cast<std::size_t>(number)] != State::removed &&
+                              distance(p, (*this)[number]) < limit);
+    });
+    return is_near;
 }
 
 int EdgeIndex::winding(Vec2 p) const {
