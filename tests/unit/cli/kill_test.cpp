@@ -122,6 +122,15 @@ class Kills : public testing::Test {
         return kMostCalls;
     }
 
+    // Runs the words and kills them so many seconds later; says when.
+    std::string kill_at(double seconds, const std::vector<std::string>& words, int number) const {
+        Background run(words, options());
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        run.send(SIGKILL);
+        run.wait();
+        return fmt::format("killed after {} s, number {}", seconds, number);
+    }
+
     // At moments of the clock: `times` of them over a little more than a run takes.
     void at_any_time(const Files& before, const std::vector<std::string>& arguments, int times) {
         const Files after = made(before, arguments);
@@ -131,12 +140,7 @@ class Kills : public testing::Test {
         Random random(static_cast<std::uint64_t>(times));
         for (int i = 0; i < times; ++i) {
             begin(before);
-            Background run(words, options());
-            const std::chrono::duration<double> moment(1.2 * random.unit() * took);
-            std::this_thread::sleep_for(moment);
-            run.send(SIGKILL);
-            run.wait();
-            const std::string said = fmt::format("killed after {} s, number {}", moment.count(), i);
+            const std::string said = kill_at(1.2 * random.unit() * took, words, i);
             expect_old_or_new(before, after, said);
             expect_mended(after, arguments, said);
         }
@@ -154,6 +158,27 @@ class Kills : public testing::Test {
         }
     }
 
+    // What stands after a batch was killed, but for its results, which are neither old nor new in between;
+    // and the next batch succeeds.
+    void expect_batch_goes_on(const Files& before, const Files& whole,
+                              const std::vector<std::string>& arguments, const std::string& moment) {
+        Files now = files_in(scratch_ / "here");
+        now.erase("r");
+        for (const auto& [name, bytes] : now) {
+            const auto old = before.find(name);
+            EXPECT_TRUE(bytes == whole.at(name) || (old != before.end() && bytes == old->second))
+                << name << " is neither old nor new, " << moment;
+        }
+        expect_done_is_there(whole, moment);
+        // A worker may outlive the first process by a moment.
+        RunResult next;
+        EXPECT_TRUE(eventually([&] {
+            next = popupc(arguments, options());
+            return next.exit == 0;
+        })) << next.err
+            << moment;
+    }
+
     // At moments of the clock while jobs are done side by side; the next batch goes on from there.
     void batch_at_any_time(const Files& before, const std::vector<std::string>& arguments, int times) {
         Files whole = made(before, arguments);
@@ -164,27 +189,9 @@ class Kills : public testing::Test {
         Random random(static_cast<std::uint64_t>(times));
         for (int i = 0; i < times && !HasFailure(); ++i) {
             begin(before);
-            Background run(words, options());
-            const std::chrono::duration<double> moment(1.2 * random.unit() * took);
-            std::this_thread::sleep_for(moment);
-            run.send(SIGKILL);
-            run.wait();
-            const std::string said = fmt::format("killed after {} s, number {}", moment.count(), i);
-            Files now = files_in(scratch_ / "here");
-            now.erase("r");
-            for (const auto& [name, bytes] : now) {
-                const auto old = before.find(name);
-                EXPECT_TRUE(bytes == whole.at(name) || (old != before.end() && bytes == old->second))
-                    << name << " is neither old nor new, " << said;
-            }
-            expect_done_is_there(whole, said);
-            // A worker may outlive the first process by a moment.
-            RunResult next;
-            EXPECT_TRUE(eventually([&] {
-                next = popupc(arguments, options());
-                return next.exit == 0;
-            })) << next.err
-                << said;
+            const std::string said = kill_at(1.2 * random.unit() * took, words, i);
+            expect_batch_goes_on(before, whole, arguments, said);
+            Files now;
             EXPECT_TRUE(eventually([&] {
                 now = files_in(scratch_ / "here", true);
                 return now.erase("r") == 1 && now == whole;
@@ -287,21 +294,8 @@ TEST_F(Kills, OfABatchLoseNothingThatIsDone) {
             EXPECT_EQ(first.exit, 0) << first.err;
             break;
         }
-        Files now = files_in(scratch_ / "here");
-        now.erase("r");
-        for (const auto& [name, bytes] : now) {
-            const auto old = before.find(name);
-            EXPECT_TRUE(bytes == whole.at(name) || (old != before.end() && bytes == old->second))
-                << name << " is neither old nor new, " << moment;
-        }
-        expect_done_is_there(whole, moment);
-        // A worker may outlive the first process by a moment.
-        RunResult next;
-        EXPECT_TRUE(eventually([&] {
-            next = popupc(kBatch, options());
-            return next.exit == 0;
-        })) << next.err;
-        now = files_in(scratch_ / "here", true);
+        expect_batch_goes_on(before, whole, kBatch, moment);
+        Files now = files_in(scratch_ / "here", true);
         EXPECT_EQ(now.erase("r"), 1U);
         EXPECT_EQ(now, whole) << moment;
     }
