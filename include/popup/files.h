@@ -22,7 +22,7 @@ struct Source {
 };
 
 // Reads a whole file, or standard input for "-". Files above `limit_bytes` are refused.
-// On failure: an `unreadable-input` error (missing, a directory, no permission, too large) and nullopt.
+// nullopt after an `unreadable-input` error (missing, a directory, no permission, too large) with its name.
 std::optional<Source> read_source(const std::string& name, Diagnostics& diagnostics,
                                   std::size_t limit_bytes = 64u << 20);
 

@@ -403,18 +403,22 @@ std::string Source::stem() const {
 
 std::optional<Source> read_source(const std::string& name, Diagnostics& diagnostics,
                                   std::size_t limit_bytes) {
+    const bool standard = name == "-";
+    // Who gathers troubles of several files has no name on them.
+    const std::string unread = diagnostics.file().empty()
+                                   ? (standard ? "standard input" : name) + " cannot be read: "
+                                   : "cannot be read: ";
     const auto refuse = [&](const std::string& why) {
-        diagnostics.error("unreadable-input", {}, "cannot be read: " + why);
+        diagnostics.error("unreadable-input", {}, unread + why);
         return std::nullopt;
     };
-    const bool standard = name == "-";
     const Descriptor file(standard ? -1 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (!standard && !file.open()) return refuse(reason(errno));
     const int fd = standard ? STDIN_FILENO : file.get();
     struct stat status {};
     if (::fstat(fd, &status) != 0) return refuse(reason(errno));
     if (S_ISDIR(status.st_mode)) {
-        diagnostics.error("unreadable-input", {}, "cannot be read: " + reason(EISDIR))
+        diagnostics.error("unreadable-input", {}, unread + reason(EISDIR))
             .hint("name the files in it; only check, fix and gallery look into directories");
         return std::nullopt;
     }
