@@ -27,6 +27,29 @@ Sides side_from(double lowest, double highest) {
     return less <= kRoundingMm ? Sides::one : less <= kFirmMm ? Sides::one_nearly : Sides::both;
 }
 
+double level_length(Vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+
+// Whether the first lies further than `distance` beyond an edge of the second, both seen from above.
+bool beyond_an_edge(const Triangle3& first, const Triangle3& second, double distance) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 from = second.at(i);
+        const Vec3 along = second.at((i + 1) % 3) - from;
+        const auto off = [&](Vec3 p) { return along.x * (p.y - from.y) - along.y * (p.x - from.x); };
+        // The side on which the third corner is not.
+        const double inside = off(second.at((i + 2) % 3));
+        const double sign = inside > 0.0 ? -1.0 : 1.0;
+        const double least = std::min({sign * off(first[0]), sign * off(first[1]), sign * off(first[2])});
+        if (least > 0.0 && least * least > distance * distance * (along.x * along.x + along.y * along.y))
+            return true;
+    }
+    return false;
+}
+
+// True only if they are further apart than `distance`, seen from above.
+bool level_apart(const Triangle3& a, const Triangle3& b, double distance) {
+    return beyond_an_edge(a, b, distance) || beyond_an_edge(b, a, distance);
+}
+
 }  // namespace
 
 double Moves::turns() const {
@@ -43,6 +66,27 @@ double stray(Vec3 point, const Moves& moves) {
 
 double stray(const Triangle3& triangle, const Moves& moves) {
     return std::max({stray(triangle[0], moves), stray(triangle[1], moves), stray(triangle[2], moves)});
+}
+
+// A turn by t about a line of direction u moves what is at w from the line by sin t (u × w), and by at most
+// t² / 2 times its distance from the line besides.
+double level_stray(Vec3 point, const Moves& moves) {
+    double moved = 0.0;  // whichever way
+    double level = 0.0;
+    for (const Arm& arm : moves.arms) {
+        const Vec3 from_line = point - arm.at;
+        const double away = length(cross(from_line, arm.dir)) + moved;
+        const double along = level_length(arm.dir) * (std::abs(from_line.z) + moved) +
+                             std::abs(arm.dir.z) * (level_length(from_line) + level);
+        level += arm.turn * (along + 0.5 * arm.turn * away);
+        moved += arm.turn * away;
+    }
+    return level;
+}
+
+double level_stray(const Triangle3& triangle, const Moves& moves) {
+    return std::max(
+        {level_stray(triangle[0], moves), level_stray(triangle[1], moves), level_stray(triangle[2], moves)});
 }
 
 Vec3 direction_in_frame(const Frame& frame, Vec3 d) {
@@ -145,6 +189,9 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
         }
         if (std::max(before, behind) > distance_mm * size) continue;
         // The whole triangle has been looked at so.
+        if (piece.level > 0 &&
+            level_apart(fixed, piece.corners, distance_mm + level_stray(piece.corners, moves) + kRoundingMm))
+            continue;
         if (piece.level > 0 && surely_apart(fixed, piece.corners, distance_mm + most)) continue;
         const ClosestPoints closest = closest_points(fixed, piece.corners);
         if (closest.distance > distance_mm + most) continue;
@@ -171,15 +218,20 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
 }
 
 // Calls `use(triangle of the plate with fewer, triangle of the other, whether that plate is a)` for triangles
-// whose boxes come within `margin(triangle)` of each other, until it gives false.
+// whose boxes come within `margin(triangle)` of each other, until it gives false; the number of the former
+// then, else 0. Begins with the triangle of that number.
 template <typename Margin, typename Use>
-void NearnessTest::each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use) {
+std::size_t NearnessTest::each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use,
+                                    std::size_t first) {
     const Patches& a = whole ? pose.a->whole : pose.a->core;
     const Patches& b = whole ? pose.b->whole : pose.b->core;
     const bool few_is_a = b.all().size() > a.all().size();
     const Patches& few = few_is_a ? a : b;
     const Patches& many = few_is_a ? b : a;
-    for (const Triangle2& flat : few.all()) {
+    const std::vector<Triangle2>& all = few.all();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t at = (first + i) % all.size();
+        const Triangle2& flat = all[at];
         const Triangle3 triangle = few_is_a ? lifted(flat) : placed(flat, pose.b_in_a);
         const double reach = margin(triangle, few_is_a);
         Box box;
@@ -197,9 +249,32 @@ void NearnessTest::each_near(const PairPose& pose, bool whole, const Margin& mar
         many.query(box, near_);
         for (const int number : near_) {
             const Triangle2& other = many.all()[static_cast<std::size_t>(number)];
-            if (!use(triangle, few_is_a ? placed(other, pose.b_in_a) : lifted(other), few_is_a)) return;
+            if (!use(triangle, few_is_a ? placed(other, pose.b_in_a) : lifted(other), few_is_a)) return at;
         }
     }
+    return 0;
+}
+
+bool NearnessTest::clear(const PairPose& pose) {
+    bool all = true;
+    double reach = 0.0;  // of the moving triangle that is looked at
+    double level = 0.0;
+    not_cleared_ = each_near(
+        pose, false,
+        [&](const Triangle3& moving, bool moving_is_a) {
+            const Moves& moves = moving_is_a ? pose.from_a : pose.from_b;
+            reach = stray(moving, moves);
+            level = level_stray(moving, moves) + kRoundingMm;
+            return reach;
+        },
+        [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
+            Found found;
+            all = level_apart(fixed, moving, level) || surely_apart(fixed, moving, reach) ||
+                  cleared(fixed, moving, moving_is_a ? pose.from_a : pose.from_b, 0.0, found);
+            return all;
+        },
+        not_cleared_);
+    return all;
 }
 
 Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool whole) {

@@ -33,6 +33,11 @@ struct Moves {
 // lengthened. No point of a triangle or a hull goes further than the corner for which this is largest.
 double stray(Vec3 point, const Moves& moves);
 double stray(const Triangle3& triangle, const Moves& moves);
+// How far it can get along the page in whose coordinates this is, whatever it does square to it. On the
+// nearly open card plates lie in nearly one plane and turn about lines of it: they rise, and hardly move
+// along it.
+double level_stray(Vec3 point, const Moves& moves);
+double level_stray(const Triangle3& triangle, const Moves& moves);
 
 // Plates a and b in the page coordinates of a. `from_b`: how b moves against a; `from_a`: a against b.
 struct PairPose {
@@ -73,6 +78,8 @@ struct Found {
 // the next call; one caller at a time. Cost: triangles of one that come near the other's, found by a tree.
 class NearnessTest {
  public:
+    // True only if the cores do not meet in the whole range.
+    bool clear(const PairPose& pose);
     Found operator()(const PairPose& pose, double distance_mm, bool whole);
     // How far points of one plate's core that may meet the other's move at most within the range.
     double stray_of_near(const PairPose& pose);
@@ -82,13 +89,16 @@ class NearnessTest {
 
  private:
     template <typename Margin, typename Use>
-    void each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use);
+    std::size_t each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use,
+                          std::size_t first = 0);
     struct Piece {
         Triangle3 corners;
         int level;
     };
     bool cleared(const Triangle3& fixed, const Triangle3& moving, const Moves& moves, double distance_mm,
                  Found& found);
+    // The triangle for which clear() was last false: of a range next to that it mostly is, too.
+    std::size_t not_cleared_ = 0;
     std::vector<int> near_;
     std::vector<Piece> pieces_;
 };

@@ -185,7 +185,7 @@ void PairSearch::contacts(const Cell& cell, int a, int b, std::vector<ContactRan
         if (crossed) here = crossing_(*pose_.a, *pose_.b, pose_.b_in_a);
         const bool looked = crossed;
         crossed = here && here->inside_mm > kInBothMm;
-        if (!crossed && nearness_(pose_, 0.0, false).nearness == Nearness::clear) continue;
+        if (!crossed && nearness_.clear(pose_)) continue;
         if (!looked) here = crossing_(*pose_.a, *pose_.b, pose_.b_in_a);
         crossed = here && here->inside_mm > kInBothMm;
         const double width = range.to - range.from;
