@@ -145,16 +145,17 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
 
 }  // namespace
 
-std::vector<PlateShape> plate_shapes(const Assembly& assembly) {
+std::vector<PlateShape> plate_shapes(const Assembly& assembly, const MotionOptions& options) {
     std::vector<PlateShape> shapes;
     shapes.reserve(assembly.plates.size());
-    for (const Plate& plate : assembly.plates) shapes.push_back(plate_shape(plate));
+    for (const Plate& plate : assembly.plates)
+        shapes.push_back(plate_shape(plate, options.clearance_mm.has_value()));
     return shapes;
 }
 
 Examination examine(const Assembly& assembly, const MotionOptions& options) {
     Linkage linkage(assembly);
-    return examine(assembly, linkage, plate_shapes(assembly), options);
+    return examine(assembly, linkage, plate_shapes(assembly, options), options);
 }
 
 Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,

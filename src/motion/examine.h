@@ -14,8 +14,8 @@
 
 namespace popup {
 
-// Of all plates, by number.
-std::vector<PlateShape> plate_shapes(const Assembly& assembly);
+// Of all plates, by number, for an examination with these options.
+std::vector<PlateShape> plate_shapes(const Assembly& assembly, const MotionOptions& options);
 
 // As examine(assembly, options) of popup/motion.h, from the assembly's linkage and shapes. `recall`: what an
 // earlier one has left, and what this one leaves; null: nothing.

@@ -81,7 +81,7 @@ class Order {
         }
         work_.sweep = {0.0, kFlatDeg, false};
         find_parts();
-        shapes_ = plate_shapes(work_);
+        shapes_ = plate_shapes(work_, options_);
     }
 
     // The steps. Empty: all may go at once, or there is nothing to be put in an order, or no order was found.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <tuple>
 #include <utility>
 
+#include "base/geometry/ears.h"
 #include "base/geometry/hull.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/triangulate.h"
@@ -12,8 +15,43 @@
 namespace popup {
 namespace {
 
+// Ears that do not add up to the polygon by more than rounding are not all of it.
+constexpr double kAreaError = 1e-12;
+
+double area_of(const Triangulation& triangulation) {
+    double twice = 0.0;
+    for (const auto& [a, b, c] : triangulation.triangles) {
+        const std::vector<Vec2>& points = triangulation.points;
+        twice += cross(points[b] - points[a], points[c] - points[a]);
+    }
+    return 0.5 * twice;
+}
+
+// Most plates are rings of few corners, of which triangles are cut at a tenth of what triangulate() takes.
+Triangulation triangles_of(const Polygon& polygon) {
+    std::optional<Triangulation> ears = clip_ears(polygon);
+    if (ears) {
+        const Box box = bounds(polygon.outer);
+        const double wanted = area(polygon);
+        if (std::abs(area_of(*ears) - wanted) <= kAreaError * (wanted + box.width() * box.height()))
+            return *std::move(ears);
+    }
+    return triangulate(polygon);
+}
+
+// By their corners: neighbours in the list are neighbours on the plate, and what looks for the first place of
+// all begins there.
+void put_in_order(std::vector<Triangle2>& triangles) {
+    const auto before = [](Vec2 p, Vec2 q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); };
+    for (Triangle2& t : triangles)
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end(), before), t.end());
+    std::sort(triangles.begin(), triangles.end(), [&](const Triangle2& s, const Triangle2& t) {
+        return std::lexicographical_compare(s.begin(), s.end(), t.begin(), t.end(), before);
+    });
+}
+
 void append(const Polygon& polygon, std::vector<Triangle2>& triangles) {
-    const Triangulation found = triangulate(polygon);
+    const Triangulation found = triangles_of(polygon);
     for (const auto& t : found.triangles) {
         triangles.push_back({found.points[t[0]], found.points[t[1]], found.points[t[2]]});
     }
@@ -124,17 +162,18 @@ Polygon reach_of(const Plate& plate) {
     return swept;
 }
 
-PlateShape plate_shape(const Plate& plate) {
+PlateShape plate_shape(const Plate& plate, bool distances) {
     const Polygon reach = reach_of(plate);
     PlateShape shape;
     shape.hull = convex_hull(reach.outer);
     shape.box = bounds(reach.outer);
     shape.radius = 0.5 * std::min(shape.box.width(), shape.box.height());
     std::vector<Triangle2> whole;
-    append(reach, whole);
+    if (distances) append(reach, whole);
     std::vector<Triangle2> core;
     for (const Polygon& part : core_of(reach, shape.box)) append(part, core);
     shape.whole = Patches(std::move(whole));
+    put_in_order(core);
     shape.core = Patches(std::move(core));
     shape.edges = EdgeIndex(edges_of(reach));
     shape.rings.push_back(reach.outer);

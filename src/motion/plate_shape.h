@@ -40,7 +40,7 @@ struct PlateShape {
     Ring hull;            // convex, of the whole plate
     Box box;              // of the plate
     double radius = 0.0;  // no circle on the plate is larger
-    Patches whole;        // the plate
+    Patches whole;        // the plate, where its least distance to others is asked for; else empty
     Patches core;         // its points at least kTouchMm inside its edges; may be empty
     EdgeIndex edges;
     std::vector<std::vector<Vec2>> rings;  // outer and holes
@@ -50,7 +50,8 @@ struct PlateShape {
     [[nodiscard]] double to_edge(Vec2 p, double limit) const { return edges.clearance(p, limit); }
 };
 
-// Cost: near linear in corners.
-PlateShape plate_shape(const Plate& plate);
+// Cost: near linear in corners. `distances`: least distances will be asked for, for which the whole plate is
+// cut into triangles besides its core.
+PlateShape plate_shape(const Plate& plate, bool distances = false);
 
 }  // namespace popup

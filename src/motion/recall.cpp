@@ -116,7 +116,7 @@ std::vector<PlateShape> Recall::take_shapes() {
     for (std::size_t i = 0; i < assembly_.plates.size(); ++i) {
         const bool same = i < plates_.size() && plates_[i].state == State::same;
         shapes.push_back(same ? std::move(kept_.shapes[static_cast<std::size_t>(plates_[i].before)])
-                              : plate_shape(assembly_.plates[i]));
+                              : plate_shape(assembly_.plates[i], options_.clearance_mm.has_value()));
     }
     return shapes;
 }

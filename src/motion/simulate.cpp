@@ -159,7 +159,7 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
     std::optional<Recall> recall;
     if (options.memory != nullptr && sheet == nullptr)
         recall.emplace(*options.memory, assembly, judge.linkage, options);
-    std::vector<PlateShape> shapes = recall ? recall->take_shapes() : plate_shapes(assembly);
+    std::vector<PlateShape> shapes = recall ? recall->take_shapes() : plate_shapes(assembly, options);
     motion.examination = examine(assembly, judge.linkage, shapes, options, recall ? &*recall : nullptr);
     if (sheet != nullptr) {
         const Sweep& sweep = assembly.sweep;

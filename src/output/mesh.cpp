@@ -11,7 +11,7 @@
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
-#include "output/ears.h"
+#include "base/geometry/ears.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 

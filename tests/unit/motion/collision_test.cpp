@@ -171,7 +171,7 @@ TEST(Collision, ExcessSaysHowMuchShorterThePieceMustBe) {
 TEST(Collision, MoveThatIsSaidToFreeTwoElementsDoes) {
     const TipUnderTent tip;
     const Built built = build(tip.design());
-    const std::vector<PlateShape> shapes = plate_shapes(*built.assembly);
+    const std::vector<PlateShape> shapes = plate_shapes(*built.assembly, {});
     // The page's two plates come first, then those of each element.
     const std::vector<std::pair<int, int>> pairs{{2, 4}, {2, 5}, {3, 4}, {3, 5}};
     MoveBudget budget;

@@ -1,4 +1,4 @@
-#include "output/ears.h"
+#include "base/geometry/ears.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,8 +93,11 @@ std::optional<Triangulation> clip_ears(const Polygon& polygon) {
             rest.cut_off(at);
             --left;
             tried = 0;
+            // The neighbour's turn comes later: one cut after the other would give a fan of long triangles.
+            at = rest.after(next);
+        } else {
+            at = next;
         }
-        at = next;
     }
     if (!(rest.turn(at) > 0.0)) return std::nullopt;
     result.triangles.push_back({static_cast<std::uint32_t>(rest.before(at)), static_cast<std::uint32_t>(at),

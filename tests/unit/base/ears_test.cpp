@@ -1,5 +1,5 @@
 // Triangles by cutting off ears: each place once, and what cannot be done so is left to others.
-#include "output/ears.h"
+#include "base/geometry/ears.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +57,26 @@ TEST(Ears, CoverEachPlaceOfARingOnceAndNothingElse) {
             EXPECT_EQ(count, lies_in(ring, p) ? 1 : 0) << round;
         }
     }
+}
+
+// One cut beside the other would give a fan: what asks where triangles are would find all of them everywhere.
+TEST(Ears, AreNoFan) {
+    Ring ring;
+    for (int i = 0; i < 128; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / 128;
+        ring.push_back(20.0 * Vec2{std::cos(turn), std::sin(turn)});
+    }
+    ring.push_back({19.0, 0.0});
+    const auto ears = clip_ears({ring, {}});
+    ASSERT_TRUE(ears.has_value());
+    double boxes = 0.0;
+    for (const auto& t : ears->triangles) {
+        Box box;
+        for (const std::uint32_t corner : t) box.extend(ears->points[corner]);
+        boxes += box.width() * box.height();
+    }
+    // Of a fan they would cover it more than thirty times.
+    EXPECT_LT(boxes, 8.0 * std::numbers::pi * 20.0 * 20.0);
 }
 
 TEST(Ears, LeaveOutCornersOnStraightEdges) {
