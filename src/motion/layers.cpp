@@ -239,12 +239,14 @@ class LayerSearch {
     }
 
     bool look_at_all() {
+        // The sooner many layers are known, the more is passed over.
+        for (const std::vector<Triangle2>& triangles : seen_) {
+            if (triangles.empty()) continue;
+            const Triangle2& first = triangles[0];
+            if (!count(1.0 / 3.0 * (first[0] + first[1] + first[2]))) return false;
+        }
         std::vector<int> near;
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            if (!seen_[i].empty()) {
-                const Triangle2& first = seen_[i][0];
-                if (!count(1.0 / 3.0 * (first[0] + first[1] + first[2]))) return false;
-            }
             const Segment& diagonal = boxes_[static_cast<int>(i)];
             boxes_.query({diagonal.a, diagonal.b}, near);
             for (const int other : near) {
