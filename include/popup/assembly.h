@@ -130,15 +130,20 @@ struct Trace {
 // What its author measures with; which papers are at hand follows from it (LayoutOptions::papers).
 enum class UnitSystem { unknown, metric, inches };
 
-// How models are to stand: with the spine upright, as a greeting card on a shelf, or flat on a table, the
-// open card facing up.
-enum class Orientation { upright, flat };
+// How models are to stand: with the spine upright, as a greeting card on a shelf; flat on a table, the open
+// card facing up; or as a stage, the right page on the ground and the left one its back wall.
+enum class Orientation {
+    guessed,  // as scene writers see fit: nobody says
+    upright,
+    flat,
+    stage
+};
 
 struct Assembly {
     std::string file;
     std::string stem;
     UnitSystem units = UnitSystem::unknown;  // of documents, by their unit
-    Orientation orientation = Orientation::upright;
+    Orientation orientation = Orientation::guessed;
     std::vector<Piece> pieces;
     std::vector<Plate> plates;
     std::vector<Line> lines;

@@ -193,9 +193,8 @@ struct Design {
     Unit unit;
     double width_mm = 279.4;   // > 0
     double height_mm = 215.9;  // > 0
-    Orientation orientation = Orientation::upright;
-    bool says_orientation = false;  // it is written in the document
-    double opens_deg = 180.0;       // how far the card opens: above 0, at most 180
+    Orientation orientation = Orientation::guessed;
+    double opens_deg = 180.0;  // how far the card opens: above 0, at most 180
     std::optional<Color> left, right;
     Place page_place;
     TextRange list_text;     // the list of structures, from "<" to after its end tag

@@ -29,6 +29,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "assembly/orientation_names.h"
 #include "popup/assembly.h"
 #include "popup/joints.h"
 #include "popup/print.h"
@@ -43,7 +44,6 @@ inline constexpr std::array<std::string_view, 5> kLineNames{"cut", "mountain", "
 inline constexpr std::array<std::string_view, std::variant_size_v<Print>> kPrintNames{"area", "stroke",
                                                                                       "text", "image"};
 inline constexpr std::array<std::string_view, 3> kUnitSystemNames{"unknown", "metric", "inches"};
-inline constexpr std::array<std::string_view, 2> kOrientationNames{"upright", "flat"};
 
 // A T, whether it may be changed or not.
 template <typename Self, typename T>

@@ -1,5 +1,7 @@
 #include "output/emit_design.h"
 
+#include "assembly/orientation_names.h"
+#include "base/nth.h"
 #include "base/text/json_text.h"
 #include "output/emit_json.h"
 #include "popup/design.h"
@@ -120,8 +122,8 @@ std::string emit_design(const Design& design) {
               {"structures", list(design.structures, [](const Structure& s) { return json(s); })},
               {"lines", list(design.lines, [](const DrawnLine& l) { return json(l); })}};
     if (design.opens_deg < 180.0) made["opens_deg"] = design.opens_deg;
-    if (design.says_orientation)
-        made["orientation"] = design.orientation == Orientation::flat ? "flat" : "upright";
+    if (design.orientation != Orientation::guessed)
+        made["orientation"] = nth(kOrientationNames, design.orientation);
     if (!design.prints.empty())
         made["prints"] = list(design.prints, [](const DrawnPrint& print) { return json(print); });
     return json_text(made);

@@ -9,11 +9,14 @@
 #include <limits>
 #include <utility>
 
+#include "assembly/orientation_names.h"
+#include "base/nth.h"
 #include "base/text/numbers.h"
 #include "output/examination_json.h"
 #include "output/gltf_meshes.h"
 #include "output/gltf_values.h"
 #include "output/keys.h"
+#include "output/orientation.h"
 #include "output/plate_edges.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
@@ -23,6 +26,7 @@ namespace {
 
 constexpr double kHalfRoot = 0.7071067811865476;  // sin and cos of 45°: half of a quarter turn
 constexpr int kLengthDecimals = 6;
+constexpr int kTurnDecimals = 9;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
 
 class SceneBuilder {
@@ -34,16 +38,20 @@ class SceneBuilder {
         model_.asset.version = "2.0";
         model_.asset.generator = "popupc " POPUP_VERSION;
         add_times(keys);
+        stances_ = stances_of(cards);
+        best_deg_ = best_opening(cards, stances_);
         tinygltf::Scene scene;
         double left = 0.0;  // where the next card may begin
         for (std::size_t i = 0; i < cards.size(); ++i) {
             double shift = 0.0;
+            const Orientation orientation = stances_[i].orientation;
             if (cards.size() > 1) {
-                const auto [low, high] = extent(*cards[i].assembly, keys.trees[i], keys.tracks[i]);
+                const auto [low, high] =
+                    extent(*cards[i].assembly, orientation, keys.trees[i], keys.tracks[i]);
                 if (i > 0) shift = left - low;
                 left = shift + high + kCardGapMm;
             }
-            scene.nodes.push_back(add_card(cards[i], keys.trees[i], keys.tracks[i], shift));
+            scene.nodes.push_back(add_card(cards[i], stances_[i], keys.trees[i], keys.tracks[i], shift));
             keys.tracks[i] = {};
         }
         model_.scenes.push_back(std::move(scene));
@@ -62,9 +70,10 @@ class SceneBuilder {
         }
     }
 
-    // The smallest and largest x of any corner at any key, in mm; the spine of what moves stands at 0.
-    static std::pair<double, double> extent(const Assembly& assembly, const HingeTree& tree,
-                                            const Track& track) {
+    // How far any corner gets to the left and to the right at any key, in mm; the spine of what moves is at
+    // 0.
+    static std::pair<double, double> extent(const Assembly& assembly, Orientation orientation,
+                                            const HingeTree& tree, const Track& track) {
         const std::size_t count = assembly.plates.size();
         std::vector<Quaternion> turns(count);
         std::vector<Frame> frames(count);
@@ -79,6 +88,7 @@ class SceneBuilder {
                 turns[i] = {turn[0], turn[1], turn[2], turn[3]};
             }
             compose(assembly, tree, turns, frames);
+            stand(orientation, assembly, frames);
             for (std::size_t i = 0; i < count; ++i) {
                 for (const Vec2 p : assembly.plates[i].outline.outer) take(frames[i].point(p));
             }
@@ -115,7 +125,7 @@ class SceneBuilder {
     }
 
     // The number of the node that all of a card's are below.
-    int add_root(const SceneCard& card, double shift) {
+    int add_root(const SceneCard& card, const Stance& stance, const Track& track, double shift) {
         tinygltf::Node node;
         std::string_view name = card.prefix;
         if (name.ends_with(':')) {
@@ -126,22 +136,54 @@ class SceneBuilder {
         node.name = valid_utf8(name);
         if (node.name.empty()) node.name = moves(*card.assembly) ? "card" : "parts";
         if (shift != 0.0) node.translation = metres(Vec3{shift, 0.0, 0.0});
-        // In glTF y points up. So it does on the pages of a card that stands; of one that lies, their front
-        // does.
-        const bool flat = card.assembly->orientation == Orientation::flat;
-        if (flat) node.rotation = {-kHalfRoot, 0.0, 0.0, kHalfRoot};
-        node.extras =
-            tinygltf::Value({{"orientation", tinygltf::Value(std::string(flat ? "flat" : "upright"))}});
+        if (stance.orientation == Orientation::flat) node.rotation = {-kHalfRoot, 0.0, 0.0, kHalfRoot};
+        if (stance.orientation == Orientation::stage) {
+            const auto turn = stage_turn(*card.assembly, track, rest_key(*card.assembly, track));
+            node.rotation.assign(turn.begin(), turn.end());
+        }
+        tinygltf::Value::Object extras{
+            {"orientation", tinygltf::Value(std::string(nth(kOrientationNames, stance.orientation)))}};
+        if (stance.is_guessed) extras.emplace("orientation_guessed", tinygltf::Value(true));
+        node.extras = tinygltf::Value(std::move(extras));
         model_.nodes.push_back(std::move(node));
         return static_cast<int>(model_.nodes.size()) - 1;
     }
 
     // The number of the card's node; below it stands what moves and what stands still, each in its order.
-    int add_card(const SceneCard& card, const HingeTree& tree, const Track& track, double shift) {
-        const int root = add_root(card, shift);
+    int add_card(const SceneCard& card, const Stance& stance, const HingeTree& tree, const Track& track,
+                 double shift) {
+        const int root = add_root(card, stance, track, shift);
+        if (stance.orientation == Orientation::stage) {
+            turns_.clear();
+            for (std::size_t k = 0; k < track.angles_deg.size(); ++k)
+                turns_.push_back(stage_turn(*card.assembly, track, k));
+            add_channel(root);
+        }
         if (moves(*card.assembly)) add_moving(card, tree, track, root);
         add_standing(card, root);
         return root;
+    }
+
+    // The key at which the card rests.
+    [[nodiscard]] std::size_t rest_key(const Assembly& assembly, const Track& track) const {
+        const double there = std::clamp(best_deg_, assembly.sweep.from_deg, assembly.sweep.to_deg);
+        const auto at = std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), there);
+        return static_cast<std::size_t>(at - track.angles_deg.begin());
+    }
+
+    // What keeps a stage's ground level: the ground's own turn undone, then its normal turned up, and its
+    // page's y to the right.
+    static std::array<float, 4> stage_turn(const Assembly& assembly, const Track& track, std::size_t key) {
+        const std::size_t count = assembly.plates.size();
+        Quaternion turn{-0.5, -0.5, -0.5, 0.5};
+        for (int plate = assembly.covers.back(); plate >= 0; plate = nth(assembly.plates, plate).parent) {
+            const auto& own = track.turns[key * count + static_cast<std::size_t>(plate)];
+            turn = product(turn, {-double{own[0]}, -double{own[1]}, -double{own[2]}, double{own[3]}});
+        }
+        std::array<float, 4> told{};
+        for (std::size_t i = 0; i < told.size(); ++i)
+            told.at(i) = static_cast<float>(rounded(turn.at(i), kTurnDecimals));
+        return told;
     }
 
     // The number of a new node below `root`, of the mesh's name.
@@ -191,10 +233,7 @@ class SceneBuilder {
     // The nodes of plates that move follow `root` in the assembly's order.
     void add_moving(const SceneCard& card, const HingeTree& tree, const Track& track, int root) {
         const Assembly& assembly = *card.assembly;
-
-        const auto rest = static_cast<std::size_t>(
-            std::lower_bound(track.angles_deg.begin(), track.angles_deg.end(), rest_of(assembly.sweep)) -
-            track.angles_deg.begin());
+        const std::size_t rest = rest_key(assembly, track);
         const std::size_t count = assembly.plates.size();
         const auto folds = folds_of_plates(assembly);
         std::vector<std::string> pieces;
@@ -225,12 +264,15 @@ class SceneBuilder {
 
     void add_channel(const Track& track, std::size_t plates, std::size_t plate, int node) {
         turns_.clear();
-        bool moves = false;
-        for (std::size_t k = plate; k < track.turns.size(); k += plates) {
-            turns_.push_back(track.turns[k]);
-            moves = moves || turns_.back() != turns_.front();
-        }
-        if (!moves) return;
+        for (std::size_t k = plate; k < track.turns.size(); k += plates) turns_.push_back(track.turns[k]);
+        add_channel(node);
+    }
+
+    // Of the node's turns at all keys, `turns_`, where they differ.
+    void add_channel(int node) {
+        if (std::all_of(turns_.begin(), turns_.end(),
+                        [this](const auto& turn) { return turn == turns_.front(); }))
+            return;
         tinygltf::AnimationSampler sampler;
         sampler.input = time_accessor();
         sampler.interpolation = "LINEAR";
@@ -261,7 +303,9 @@ class SceneBuilder {
     GltfMeshes meshes_;
     tinygltf::Animation animation_;
     std::vector<float> times_;
-    std::vector<std::array<float, 4>> turns_;  // of one plate; kept for its memory
+    std::vector<Stance> stances_;  // of the cards
+    double best_deg_ = 90.0;
+    std::vector<std::array<float, 4>> turns_;  // of one node; kept for its memory
     int time_accessor_ = -1;
 };
 

@@ -9,11 +9,13 @@
 
 namespace popup {
 
-// One scene of all cards: metres, +Y up, (x, y, z) mm at (x, y, z)/1000, so that an open card faces +Z with
-// its gutter along Y. A card whose orientation is flat is turned so that its open pages face +Y instead;
-// its node's extras.orientation says which it is. A card is a node, its plates are nodes below it in the
-// hinge tree: a plate's node has its origin at the plate's pivot, so opening only turns it. Names and
-// extras as the command line's documentation says. At rest the cards stand open at 90°. The animation
+// One scene of all cards: metres, +Y up. A card stands as stance_of() says, and its node's
+// extras.orientation, with extras.orientation_guessed where nobody said it. Below that node (x, y, z) mm are
+// at (x, y, z)/1000. Upright it is not turned: an open card faces +Z with its gutter along Y. Flat it is
+// turned so that its open pages face +Y. A stage's ground faces +Y at all openings, its spine along X, so its
+// node turns as the card opens. A card is a node, its plates are nodes below it in the hinge tree: a plate's
+// node has its origin at the plate's pivot, so opening only turns it. Names and extras as the command line's
+// documentation says. At rest the cards stand open as best_opening() has it. The animation
 // `open` runs from closed to open in options.duration_s, the angle growing evenly; its extras.angles_deg
 // lists the opening angle of every key. Keys are chosen so that between them, too, no fold opens by more
 // than 0.05 mm (see keys.h). Several cards stand side by side along +X, 20 mm apart at their widest. Drawn
@@ -25,7 +27,7 @@ namespace popup {
 //
 // Plates that stand still are a node a piece, below the one of their source's name: as triangles, white where
 // they have no fill, and the traces they were drawn with as lines, black
-// ("trail"), all in space where they stand, with (x, y, z) as above. Nodes of pieces have their name in
+// ("trail"), all in space where they stand, z up. Nodes of pieces have their name in
 // extras.part. Where nothing moves there is no animation.
 //
 // Lengths are rounded to 1e-6 mm and turns to 1e-9 before they become 32-bit numbers, so that the bytes do

@@ -100,6 +100,13 @@ void compose(const Assembly& assembly, const HingeTree& tree, std::span<const Qu
     }
 }
 
+Quaternion product(const Quaternion& a, const Quaternion& b) {
+    const auto [ax, ay, az, aw] = a;
+    const auto [bx, by, bz, bw] = b;
+    return {aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz};
+}
+
 Quaternion halfway(const Quaternion& a, const Quaternion& b) {
     double product = 0.0;
     for (std::size_t i = 0; i < 4; ++i) product += a.at(i) * b.at(i);

@@ -29,6 +29,9 @@ void local_turns(const Assembly& assembly, std::span<const Frame> frames, std::s
 void compose(const Assembly& assembly, const HingeTree& tree, std::span<const Quaternion> turns,
              std::span<Frame> frames);
 
+// First b, then a.
+Quaternion product(const Quaternion& a, const Quaternion& b);
+
 // The turn in the middle of two, by the shorter way: what spherical linear interpolation gives there.
 Quaternion halfway(const Quaternion& a, const Quaternion& b);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text/numbers.h"
+#include "output/orientation.h"
 #include "output/poses.h"
 
 namespace popup {
@@ -147,6 +148,7 @@ std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards
     const Sweep range = sweep_of(cards);
     std::vector<double> angles{range.from_deg, range.to_deg};
     merge(angles, {rest_of(range)});
+    merge(angles, {best_opening(cards, stances_of(cards))});
     for (const SceneCard& card : cards) {
         if (!moves(*card.assembly)) continue;
         std::vector<double> sampled;

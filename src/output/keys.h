@@ -21,14 +21,15 @@ struct Track {
 };
 
 // Key angles for all cards at once, ascending and distinct in 32 bits, and each card's turns at them. The
-// angles are the ends and the middle of the sweep (0, 90 and 180), every sampled angle of every card (those
-// nearer than 1e-4 degrees to another may be left out), with options.fps > 0 as many more as give that many
-// keys a second, and what it takes, found by halving, so that no hinge opens by more than kMostOpeningMm at
-// any angle in between as a viewer composes the plates. Consecutive turns of a plate never have a negative
-// product, so that interpolation goes the short way. The angles are chosen by the closed form, whatever the
-// solver; turns are each card's own solver's. Errors: `locks` where a linkage cannot reach an angle between
-// the sampled ones; `model-too-large` for more turns than a file may hold. Warning: `model-coarse` when there
-// was no room for all keys wanted. Where nothing moves there are no keys. Cost: plates × keys.
+// angles are the ends and the middle of the sweep (0, 90 and 180), where the cards are seen best, every
+// sampled angle of every card (those nearer than 1e-4 degrees to another may be left out), with options.fps >
+// 0 as many more as give that many keys a second, and what it takes, found by halving, so that no hinge opens
+// by more than kMostOpeningMm at any angle in between as a viewer composes the plates. Consecutive turns of a
+// plate never have a negative product, so that interpolation goes the short way. The angles are chosen by the
+// closed form, whatever the solver; turns are each card's own solver's. Errors: `locks` where a linkage
+// cannot reach an angle between the sampled ones; `model-too-large` for more turns than a file may hold.
+// Warning: `model-coarse` when there was no room for all keys wanted. Where nothing moves there are no keys.
+// Cost: plates × keys.
 struct Keys {
     Sweep range;  // of all cards: angles_deg begin and end with it
     std::vector<double> angles_deg;

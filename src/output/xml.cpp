@@ -6,6 +6,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "assembly/orientation_names.h"
+#include "base/nth.h"
 #include "input/xml/number.h"
 #include "input/xml/page_names.h"
 #include "input/xml/path_text.h"
@@ -27,10 +29,8 @@ class DocumentText {
         line(0, "<popup version=\"{}\" units=\"{}\">", version_, design_.unit.name);
         std::string facts =
             opens_less(design_) ? fmt::format(" opens=\"{}\"", xml::format_number(design_.opens_deg)) : "";
-        if (design_.says_orientation) {
-            facts += fmt::format(" orientation=\"{}\"",
-                                 design_.orientation == Orientation::flat ? "flat" : "upright");
-        }
+        if (design_.orientation != Orientation::guessed)
+            facts += fmt::format(" orientation=\"{}\"", nth(kOrientationNames, design_.orientation));
         line(1, "<mainpage width=\"{}\" height=\"{}\"{}{}", length(design_.width_mm),
              length(design_.height_mm), facts, design_.left || design_.right ? ">" : "/>");
         if (design_.left || design_.right) {
@@ -71,7 +71,7 @@ class DocumentText {
             if (s.named().given()) version = std::max(version, std::string_view("3.0"));
         }
         const auto kept = [](const DrawnPrint& print) { return !print.dropped; };
-        if (opens_less(design) || design.says_orientation ||
+        if (opens_less(design) || design.orientation != Orientation::guessed ||
             std::any_of(design.prints.begin(), design.prints.end(), kept))
             version = std::max(version, std::string_view("3.0"));
         return version;

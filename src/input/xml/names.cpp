@@ -79,7 +79,8 @@ constexpr std::array kRows = std::to_array<Row>({
     {Name::opens, "opens", "", in({Name::mainpage}), 0,
      "how far the card opens, in degrees; 180 where nothing is given"},
     {Name::orientation, "orientation", "", in({Name::mainpage}), 0,
-     "how models of it stand: upright, its spine vertical, or flat on a table"},
+     "how models of it stand: upright, its spine vertical; flat on a table; or as a stage, its right page on "
+     "the ground. Guessed where nothing is given"},
     {Name::leftcolor, "leftcolor", "leftplanecolor", in({Name::mainpage, Name::structure}), 0,
      "colour of the left half"},
     {Name::rightcolor, "rightcolor", "rightplanecolor", in({Name::mainpage, Name::structure}), 0,

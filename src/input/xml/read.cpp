@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/orientation_names.h"
 #include "base/text/nearest.h"
 #include "input/design_limits.h"
 #include "input/text.h"
@@ -198,15 +199,17 @@ class DocumentReader {
         const auto text = value_of(field, reporter_);
         if (!text) return;
         const std::string word = lower(trimmed(text->decoded));
-        if (word != "upright" && word != "flat") {
+        const auto known = std::find(kOrientationNames.begin() + 1, kOrientationNames.end(), word);
+        if (known == kOrientationNames.end()) {
             reporter_
                 .error("bad-choice", text->place,
                        fmt::format("'{}' is no orientation of a card", shown(trimmed(text->decoded))))
-                .hint("write upright, for a model that stands on its edge, or flat, for one that lies open");
+                .hint(
+                    "write upright, for a model that stands on its edge, flat, for one that lies open, or "
+                    "stage, for one with a page on the ground and the other for a back wall");
             return;
         }
-        design_.orientation = word == "flat" ? Orientation::flat : Orientation::upright;
-        design_.says_orientation = true;
+        design_.orientation = static_cast<Orientation>(known - kOrientationNames.begin());
         warn_of_version(field, "orientation");
     }
 

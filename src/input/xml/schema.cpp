@@ -190,14 +190,15 @@ constexpr std::string_view kStructure = R"xsd(
         </xs:restriction>
       </xs:simpleType>
     </xs:attribute>
-    <xs:attribute name="orientation" default="upright">
+    <xs:attribute name="orientation">
       <xs:annotation>
-        <xs:documentation>How models of it stand: upright, with the spine vertical, or flat. From version 3.0 on.</xs:documentation>
+        <xs:documentation>How models of it stand: upright, with the spine vertical; flat on a table; or as a stage, the right page on the ground. Guessed where nothing is given. From version 3.0 on.</xs:documentation>
       </xs:annotation>
       <xs:simpleType>
         <xs:restriction base="xs:token">
           <xs:enumeration value="upright"/>
           <xs:enumeration value="flat"/>
+          <xs:enumeration value="stage"/>
         </xs:restriction>
       </xs:simpleType>
     </xs:attribute>

@@ -8,6 +8,7 @@
 #include "base/geometry/triangulate.h"
 #include "base/nth.h"
 #include "output/book/sight.h"
+#include "output/orientation.h"
 #include "output/poses.h"
 
 namespace popup::book {
@@ -62,18 +63,6 @@ void unfold(const Assembly& assembly, int piece, std::vector<Frame>& frames) {
         };
         for (Vec3& axis : frames[i].axes) axis = turned(axis);
         frames[i].origin = turned(frames[i].origin - from.origin);
-    }
-}
-
-void stand_up(const Assembly& assembly, std::vector<Frame>& frames) {
-    const Frame floor = nth(frames, assembly.covers.back());
-    const Vec3 up = floor.normal();
-    const Vec3 away = -floor.axes[0];
-    const Vec3 right = cross(away, up);
-    const auto turned = [&](Vec3 v) { return Vec3{dot(v, right), dot(v, away), dot(v, up)}; };
-    for (Frame& frame : frames) {
-        for (Vec3& axis : frame.axes) axis = turned(axis);
-        frame.origin = turned(frame.origin);
     }
 }
 
@@ -309,8 +298,8 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
         lay_down(stage.frames, nth(stage.frames, base), scene.back_up);
     } else if (scene.back_up) {
         lay_down(stage.frames, Frame{}, true);
-    } else if (scene.as_still && modellers_[scene.card].stands_up().front()) {
-        stand_up(assembly, stage.frames);
+    } else if (scene.as_still) {
+        stand(modellers_[scene.card].orientations().front(), assembly, stage.frames);
     }
     stage.placed = stage.frames;
 

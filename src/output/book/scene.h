@@ -25,7 +25,7 @@ struct Scene {
         on_table;           // the piece whose largest plate lies on the table; none: the card lies there
     bool unfolded = false;  // that piece is flat, as it is cut, and what is glued flat on it with it
     bool back_up = false;   // what lies there is turned over
-    bool as_still = false;  // as stills show it, its back a wall where they do
+    bool as_still = false;  // it stands as in stills
     std::string alt;        // for those who cannot see it
     // Plates that are to be joined, with letters: all else is pale, and what hides them is drawn as lines.
     // Corners have dots, and lines to the middle of them all.

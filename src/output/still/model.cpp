@@ -5,17 +5,15 @@
 #include <utility>
 
 #include "output/gltf_values.h"
+#include "output/orientation.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
 
 namespace popup::still {
 namespace {
 
-constexpr double kParallel = 0.99;     // cosine between a plate and a page
-constexpr double kMostParallel = 0.6;  // of the paper that rises, for a card that stands
-constexpr double kBetweenMm = 0.02;    // two papers that lie on one another
+constexpr double kBetweenMm = 0.02;  // two papers that lie on one another
 constexpr double kAjarDeg = 1.5;
-constexpr double kLiesOpenDeg = 130.0;
 constexpr Color kTraceInk{70, 70, 76};
 
 std::size_t index(int number) { return static_cast<std::size_t>(number); }
@@ -82,19 +80,6 @@ std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> f
     return lifts;
 }
 
-// Turns all of a card so that its right page lies on the ground, its outer edge towards the viewer.
-void stand_up(const Assembly& assembly, std::vector<Frame>& frames) {
-    const Frame floor = frames[index(assembly.covers.back())];
-    const Vec3 up = floor.normal();
-    const Vec3 away = -floor.axes[0];
-    const Vec3 right = cross(away, up);
-    const auto turned = [&](Vec3 v) { return Vec3{dot(v, right), dot(v, away), dot(v, up)}; };
-    for (Frame& frame : frames) {
-        for (Vec3& axis : frame.axes) axis = turned(axis);
-        frame.origin = turned(frame.origin);
-    }
-}
-
 template <typename Visit>
 void each_side(const Polygon& outline, const Visit& visit) {
     const auto sides = [&visit](const Ring& ring) {
@@ -132,7 +117,7 @@ Modeller::Modeller(std::span<const SceneCard> cards, bool printed_backs, double 
     : paper_mm_(paper_mm) {
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
-        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, false};
+        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, {}};
         for (const Plate& plate : assembly.plates) {
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
@@ -141,21 +126,14 @@ Modeller::Modeller(std::span<const SceneCard> cards, bool printed_backs, double 
         if (!moves(assembly)) card.lifts = layer_lifts(assembly);
         cards_.push_back(std::move(card));
     }
-    best_deg_ = rest_of(sweep_of(cards));
-    double widest = 180.0;
-    for (Card& card : cards_) {
-        const Assembly& assembly = *card.scene->assembly;
-        Diagnostics unheard;  // at() tells of it
-        const bool is_card = moves(assembly) && assembly.covers.size() > 1;
-        card.stands_up = is_card && place_card(assembly, best_deg_, card.frames, unheard) && stands_up(card);
-        widest = std::min(widest, is_card && !card.stands_up ? kLiesOpenDeg : best_deg_);
-    }
-    best_deg_ = std::max(best_deg_, std::min(widest, sweep_of(cards).to_deg));
+    const std::vector<Stance> stances = stances_of(cards);
+    for (std::size_t i = 0; i < stances.size(); ++i) cards_[i].orientation = stances[i].orientation;
+    best_deg_ = best_opening(cards, stances);
 }
 
-std::vector<bool> Modeller::stands_up() const {
-    std::vector<bool> each;
-    for (const Card& card : cards_) each.push_back(card.stands_up);
+std::vector<Orientation> Modeller::orientations() const {
+    std::vector<Orientation> each;
+    for (const Card& card : cards_) each.push_back(card.orientation);
     return each;
 }
 
@@ -197,7 +175,7 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
             std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
                            [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
         }
-        if (card.stands_up) stand_up(assembly, card.frames);
+        stand(card.orientation, assembly, card.frames);
         double low = HUGE_VAL;
         double high = -HUGE_VAL;
         for (std::size_t i = 0; i < card.plates.size(); ++i) {
@@ -279,24 +257,6 @@ void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& 
                 model.edges.push_back({-1, line[i] + shift, line[i + 1] + shift, light_of(kTraceInk)});
         }
     }
-}
-
-bool Modeller::stands_up(const Card& card) {
-    const Assembly& assembly = *card.scene->assembly;
-    const Vec3 floor = card.frames[index(assembly.covers.back())].normal();
-    const Vec3 wall = card.frames[index(assembly.covers.front())].normal();
-    double parallel = 0.0;
-    double other = 0.0;
-    for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-        const auto number = static_cast<int>(i);
-        if (std::find(assembly.covers.begin(), assembly.covers.end(), number) != assembly.covers.end())
-            continue;
-        const Vec3 normal = card.frames[i].normal();
-        const bool is_parallel =
-            std::max(std::abs(dot(normal, floor)), std::abs(dot(normal, wall))) > kParallel;
-        (is_parallel ? parallel : other) += std::abs(signed_area(assembly.plates[i].outline.outer));
-    }
-    return parallel > kMostParallel * (parallel + other);
 }
 
 }  // namespace popup::still

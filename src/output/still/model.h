@@ -64,8 +64,8 @@ class Modeller {
     Modeller(std::span<const SceneCard> cards, bool printed_backs, double paper_mm = 0.0);
     // The opening at which the cards are seen best: where models rest, and further open for cards that lie.
     [[nodiscard]] double best_deg() const { return best_deg_; }
-    // Of each card, whether it is seen best with one page for a back wall, and is shown so.
-    [[nodiscard]] std::vector<bool> stands_up() const;
+    // How each card stands, and is shown.
+    [[nodiscard]] std::vector<Orientation> orientations() const;
     // The plate as triangles; none of one that is not shown.
     [[nodiscard]] const std::vector<MeshPart>& mesh(std::size_t card, std::size_t plate) const {
         return cards_[card].plates[plate].parts;
@@ -90,14 +90,12 @@ class Modeller {
         std::vector<Plane> plates;
         std::vector<Frame> frames;
         std::vector<Vec3> lifts;  // of what stands still
-        bool stands_up = false;
+        Orientation orientation = Orientation::flat;
     };
     void decode_pictures();
     const Texture* texture_of(const Image& image);
     void add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const;
     static void add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model);
-    // Whether most of the paper that rises from the card is parallel to one of its pages.
-    [[nodiscard]] static bool stands_up(const Card& card);
 
     std::vector<Card> cards_;
     std::map<const std::string*, Texture> textures_;

@@ -18,10 +18,9 @@ namespace popup {
 // viewer's left shoulder and throws soft shadows, on the ground too. Seen in perspective, everything is in
 // the picture, with a margin.
 //
-// What stands up is shown standing: where most of the paper that rises from a card is parallel to one of its
-// pages, the right page lies on the ground and the left one is the back wall. Other cards open towards the
-// viewer as they lie on a table. Sheets that are folded stand as they are drawn, their largest panel on the
-// ground.
+// Cards stand as stance_of() says: as a stage, with the right page on the ground and the left one a back
+// wall, upright, or as they lie on a table. Sheets that are folded stand as they are drawn, their largest
+// panel on the ground.
 //
 // The same bytes on every machine, with the same versions of libpng, zlib and FreeType. Errors:
 // `picture-too-large` (more than 100 million pixels), `picture-failed`, `locks` where a linkage cannot reach

@@ -55,7 +55,8 @@ function placeBodies(scene, degrees) {
   }
   for (const card of scene.cards) {
     const bodies = scene.bodies.slice(card.first, card.end);
-    if (card.ground !== null) standUp(bodies, scene.bodies[card.ground].node.axes);
+    if (card.upright) turnBodies(bodies, kUpright);
+    if (card.ground !== null) turnBodies(bodies, stageOn(scene.bodies[card.ground].node.axes));
     for (const { node } of bodies) node.origin = [node.origin[0] + card.shift, node.origin[1], node.origin[2]];
   }
   for (const one of scene.collisions) {
@@ -65,11 +66,16 @@ function placeBodies(scene, degrees) {
   }
 }
 
-// Turns all of a card so that the page that stands on the right when it lies is the ground, and the other a back wall.
-function standUp(bodies, ground) {
-  const away = ground.slice(0, 3).map((value) => -value);
-  const up = ground.slice(6);
-  const rows = [cross(away, up), away, up];
+// To the right, away and up, of a card whose spine stands.
+const kUpright = [[1, 0, 0], [0, 0, -1], [0, 1, 0]];
+
+// The same of a card whose page with these axes is the ground, and the other one a back wall.
+function stageOn(ground) {
+  return [ground.slice(3, 6), ground.slice(0, 3).map((value) => -value), ground.slice(6)];
+}
+
+// Turns all of a card so that these directions of its own are those of the scene.
+function turnBodies(bodies, rows) {
   const turn = (v) => rows.map((row) => dot(row, v));
   for (const body of bodies) {
     const { axes, origin } = body.node;

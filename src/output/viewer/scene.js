@@ -104,7 +104,7 @@ function readScene(data) {
     bodies: [],
     collisions: [],
     views: data.views,
-    cards: [],  // bodies from `first` up to `end`; `ground`: the one on which the card stands, or null; `shift` along x
+    cards: [],  // bodies from `first` up to `end`; `ground`: the one on which a stage stands, or null; `shift` along x
     paper: data.paper_mm || 0,
     covers: [],  // of each card that has layers when it is closed: its first cover
   };
@@ -125,6 +125,7 @@ function readScene(data) {
       first,
       end: scene.bodies.length,
       ground: card.ground === undefined ? null : first + card.ground,
+      upright: card.upright === true,
       shift: 0,
     });
     for (const row of card.collisions || []) {

@@ -99,10 +99,11 @@ class SceneText {
         : modeller_(modeller), printed_backs_(printed_backs) {}
 
     Json add_card(const SceneCard& card, std::size_t number, const HingeTree& tree, const Track& track,
-                  bool stands_up) {
+                  Orientation orientation) {
         number_ = number;
         Json row{{"name", root_name(card)}};
-        if (stands_up) {
+        if (orientation == Orientation::upright) row["upright"] = true;
+        if (orientation == Orientation::stage) {
             const int ground = card.assembly->covers.back();
             row["ground"] = std::find(tree.order.begin(), tree.order.end(), ground) - tree.order.begin();
         }
@@ -394,10 +395,10 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const stil
         scene["views"][std::string(kViewNames.at(i))] = lengths({eye.x, eye.y, eye.z});
     }
     SceneText text(modeller, options.backs);
-    const std::vector<bool> stands_up = modeller.stands_up();
+    const std::vector<Orientation> orientations = modeller.orientations();
     Json rows = Json::array();
     for (std::size_t i = 0; i < cards.size(); ++i) {
-        rows.push_back(text.add_card(cards[i], i, keys.trees[i], keys.tracks[i], stands_up.at(i)));
+        rows.push_back(text.add_card(cards[i], i, keys.trees[i], keys.tracks[i], orientations.at(i)));
     }
     Json pictures = text.take_pictures();
     if (!pictures.empty()) scene["pictures"] = std::move(pictures);
