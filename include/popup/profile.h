@@ -110,6 +110,14 @@ enum class MarksOn {
 inline constexpr std::array kMarksOn{MarksOn::front, MarksOn::back, MarksOn::hidden, MarksOn::none};
 std::string_view to_string(MarksOn side);
 
+// How scores of folds look that go away from who looks at them, on sheets that are scored from one side.
+enum class AwayFolds {
+    whole,  // as those that come towards one
+    broken  // with short gaps, so that whoever has only the cut pieces tells the two apart
+};
+inline constexpr std::array kAwayFolds{AwayFolds::whole, AwayFolds::broken};
+std::string_view to_string(AwayFolds look);
+
 // From which side of the sheet a machine works.
 enum class ScoreSide {
     front,
@@ -135,6 +143,7 @@ struct Profile {
     bool outlined_text = false;  // text is drawn as the outlines of its letters
     Marks marks = Marks::none;
     MarksOn marks_on = MarksOn::hidden;
+    AwayFolds away_folds = AwayFolds::whole;
     // Of the bridges that hold a piece in its sheet until it is broken out, along its outer cut; 0: none.
     // What the kerf of outer cuts takes away comes on top. Else 0.05 to 10.
     double joint_mm = 0.0;

@@ -113,6 +113,7 @@ Rows profiles() {
                         {"folds", to_string(row.folds)},
                         {"verified", row.verified},
                         {"about", row.about},
+                        {"breaks_away_folds", row.away_folds == AwayFolds::broken},
                         {"one_sided", row.one_sided},
                         {"styled_paths", row.styled_paths},
                         {"machine_order", row.machine_order},

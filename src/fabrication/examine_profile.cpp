@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/nth.h"
+#include "fabrication/broken_score.h"
 #include "fabrication/count_operations.h"
 #include "popup/diagnostics.h"
 #include "popup/profile.h"
@@ -34,22 +35,23 @@ void examine_left_out(const OperationCounts& counts, const Profile& profile, Dia
         .hint("give the pens of what is to be drawn a layer");
 }
 
-void examine_sides(const OperationCounts& counts, const Profile& profile, Diagnostics& diagnostics) {
+void examine_sides(const OperationCounts& counts, const Profile& profile, ScoreSide side,
+                   Diagnostics& diagnostics) {
     // Perforated lines fold either way.
     if (!profile.one_sided || profile.folds == FoldStyle::perforated) return;
     if (!profile.draws(Operation::mountain) || !profile.draws(Operation::valley)) return;
     const std::size_t mountains = at(counts, Operation::mountain);
     const std::size_t valleys = at(counts, Operation::valley);
     if (mountains == 0 || valleys == 0) return;
-    diagnostics
-        .remark("one-sided-folds", {},
-                fmt::format("the sheets have {} mountain and {}, and the profile {} scores all of them from "
-                            "one side",
-                            mountains, counted(valleys, "valley fold"), profile.name))
-        .hint(
-            "paper folds best away from its score: take --score-side both, which puts valley folds on a "
-            "mirrored "
-            "sheet for the back, or --fold-style perforated, which folds either way, or crease them by hand");
+    Diagnostic& finding = diagnostics.remark(
+        "one-sided-folds", {},
+        fmt::format("the sheets have {} mountain and {}, and the profile {} scores all of them from one side",
+                    mountains, counted(valleys, "valley fold"), profile.name));
+    if (is_broken(Operation::mountain, profile, side) || is_broken(Operation::valley, profile, side))
+        finding.hint("a score with gaps is of a fold away from you, a whole one of a fold towards you");
+    finding.hint(
+        "paper folds best away from its score: take --score-side both, which puts valley folds on a mirrored "
+        "sheet for the back, or --fold-style perforated, which folds either way, or crease them by hand");
 }
 
 // Programs that move cuts themselves do so by layer or colour.
@@ -78,7 +80,7 @@ void examine_kerf(const OperationCounts& counts, const Profile& profile, Diagnos
 void examine_profile(const Layout& layout, const Profile& profile, ScoreSide side, Diagnostics& diagnostics) {
     const OperationCounts counts = count_operations(layout, profile);
     examine_left_out(counts, profile, diagnostics);
-    if (side != ScoreSide::both) examine_sides(counts, profile, diagnostics);
+    if (side != ScoreSide::both) examine_sides(counts, profile, side, diagnostics);
     examine_kerf(counts, profile, diagnostics);
 }
 

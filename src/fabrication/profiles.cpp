@@ -124,6 +124,7 @@ Profile machine(std::string name, std::string about, FoldStyle folds, Pens pens)
 Profile laser(std::string name, std::string about, Pens pens) {
     Profile profile = machine(std::move(name), std::move(about), FoldStyle::score, std::move(pens));
     profile.one_sided = true;
+    profile.away_folds = AwayFolds::broken;
     return profile;
 }
 
@@ -280,6 +281,16 @@ std::string_view to_string(MarksOn side) {
             return "none";
     }
     broken_invariant("where marks are is one of its enumerators", __FILE__, __LINE__);
+}
+
+std::string_view to_string(AwayFolds look) {
+    switch (look) {
+        case AwayFolds::whole:
+            return "whole";
+        case AwayFolds::broken:
+            return "broken";
+    }
+    broken_invariant("a look of folds is one of its enumerators", __FILE__, __LINE__);
 }
 
 Operation operation_of(const PatternLine& line, const Profile& profile) {

@@ -282,6 +282,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                  {"about", reader.text("about", profile.about)},
                  {"base", [](const toml::node&) { /* read first, see above */ }},
                  {"folds", reader.choice("folds", profile.folds, kFoldStyles)},
+                 {"away-folds", reader.choice("away-folds", profile.away_folds, kAwayFolds)},
                  {"one-sided", reader.flag("one-sided", profile.one_sided)},
                  {"styled-paths", reader.flag("styled-paths", profile.styled_paths)},
                  {"machine-order", reader.flag("machine-order", profile.machine_order)},

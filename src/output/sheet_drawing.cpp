@@ -10,6 +10,7 @@
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
 #include "base/text/utf8.h"
+#include "fabrication/broken_score.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/halos.h"
@@ -269,7 +270,11 @@ class Drawer {
             } else {
                 begin(operation, line.plate);
             }
-            run(std::array{line.at.a, line.at.b}, false);
+            if (is_broken(operation, drawing_.profile, options_.score_side) && !(line.at.a == line.at.b)) {
+                for (const Segment& part : broken_score(line.at)) run(std::array{part.a, part.b}, false);
+            } else {
+                run(std::array{line.at.a, line.at.b}, false);
+            }
         }
     }
 

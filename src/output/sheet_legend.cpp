@@ -10,6 +10,7 @@
 
 #include "base/nth.h"
 #include "base/text/utf8.h"
+#include "fabrication/broken_score.h"
 
 namespace popup {
 namespace {
@@ -199,9 +200,14 @@ class FreeSpace {
     std::vector<char> taken_;
 };
 
-LegendLine sample_of(const Row& row, const Profile& profile, Vec2 left) {
+LegendLine sample_of(const Row& row, const Profile& profile, ScoreSide side, Vec2 left) {
     const Pen& pen = profile.pen(row.operation);
     LegendLine line{{}, pen.color, pen.width_mm, false};
+    if (is_broken(row.operation, profile, side)) {
+        for (const Segment& part : broken_score({left, left + Vec2{kSampleMm, 0.0}}))
+            line.strokes.push_back({part.a, part.b});
+        return line;
+    }
     if (!profile.dashes(row.operation)) {
         line.strokes.push_back({left, left + Vec2{kSampleMm, 0.0}});
         return line;
@@ -220,14 +226,14 @@ Ring box_at(Vec2 low, Vec2 size) {
     return {low, low + Vec2{size.x, 0.0}, low + size, low + Vec2{0.0, size.y}};
 }
 
-void add_row(const Row& row, const Profile& profile, Vec2 left, LegendBox& legend) {
+void add_row(const Row& row, const Profile& profile, ScoreSide side, Vec2 left, LegendBox& legend) {
     double text_at = kTextAtMm;
     switch (row.sample) {
         case Row::Sample::none:
             text_at = kPadMm;
             break;
         case Row::Sample::line:
-            legend.lines.push_back(sample_of(row, profile, left + Vec2{kPadMm, 0.0}));
+            legend.lines.push_back(sample_of(row, profile, side, left + Vec2{kPadMm, 0.0}));
             break;
         case Row::Sample::target: {
             const Vec2 size{kSampleMm, 0.7 * kRowMm};
@@ -303,7 +309,7 @@ std::optional<LegendBox> legend_of(const SheetDrawing& drawing, const Layout& la
         for (std::size_t column = 0; column < widths.size(); ++column) {
             double y = corner->y + height - 0.5 * (kRowMm + kPadMm);
             for (std::size_t i = column * each; i < std::min((column + 1) * each, rows.size()); ++i) {
-                add_row(rows[i], profile, {left, y}, legend);
+                add_row(rows[i], profile, options.score_side, {left, y}, legend);
                 y -= kRowMm;
             }
             left += widths[column];

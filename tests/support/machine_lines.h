@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "fabrication/broken_score.h"
 #include "output/sheet_drawing.h"
 #include "support/profiles.h"
 
@@ -86,8 +87,14 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
             const Operation operation = fold.kind == LineKind::valley     ? Operation::valley
                                         : fold.kind == LineKind::mountain ? Operation::mountain
                                                                           : Operation::seam;
-            if (profile.folds != FoldStyle::perforated)
-                all.push_back({operation, false, {placed(fold.at.a), placed(fold.at.b)}});
+            // From the front, from which all is scored here.
+            const bool broken = profile.folds == FoldStyle::score && operation != Operation::valley &&
+                                profile.away_folds == AwayFolds::broken;
+            const auto scored = broken ? broken_score(fold.at) : std::vector<Segment>{fold.at};
+            for (const Segment& one : scored) {
+                if (profile.folds != FoldStyle::perforated)
+                    all.push_back({operation, false, {placed(one.a), placed(one.b)}});
+            }
             if (profile.folds == FoldStyle::perforated || profile.folds == FoldStyle::both) {
                 for (const Segment& cut : perforated(fold.at, profile.perforation))
                     all.push_back({Operation::perforation, false, {placed(cut.a), placed(cut.b)}});

@@ -92,6 +92,7 @@ struct BuildOptions {
     bool watch = false;
     std::string profile_file;                // empty: a built-in profile
     std::optional<FoldStyle> folds;          // instead of the profile's
+    std::optional<AwayFolds> away_folds;     // likewise
     std::optional<Perforation> perforation;  // likewise
     std::optional<Marks> marks;              // likewise
     std::optional<MarksOn> marks_on;         // likewise

@@ -121,6 +121,12 @@ void add_profile_options(CLI::App& verb, Options& options) {
                                                {"perforated", FoldStyle::perforated},
                                                {"both", FoldStyle::both}});
           });
+    value(verb, "--away-folds", "LOOK",
+          "whole or broken: scores of folds away from you, instead of the profile's", "Lines",
+          [&build](std::string_view text) {
+              build.away_folds = choose<AwayFolds>(
+                  "--away-folds", text, {{"whole", AwayFolds::whole}, {"broken", AwayFolds::broken}});
+          });
     value(verb, "--perforation", "CUT,GAP",
           "of perforated folds (default 2,1); CUT,GAP,CLEAR: and their ends", "Lines",
           [&build](std::string_view text) { build.perforation = perforation_option(text); });
@@ -204,6 +210,7 @@ std::optional<ProfileFile> load_profile(Options& options) {
 void finish_profile(Options& options) {
     Profile& profile = options.compile.output.profile;
     profile.folds = options.build.folds.value_or(profile.folds);
+    profile.away_folds = options.build.away_folds.value_or(profile.away_folds);
     profile.perforation = options.build.perforation.value_or(profile.perforation);
     profile.marks = options.build.marks.value_or(profile.marks);
     profile.marks_on = options.build.marks_on.value_or(profile.marks_on);

@@ -149,7 +149,7 @@ TEST(Dxf, HandlesAreUniqueAndBelowTheSeedAndOwnersExist) {
 }
 
 // Sheet 1 holds the page: two slits of 45 mm, an outline of 720 mm, valley folds of 70, 60 and √1.25 mm, and
-// a mountain fold of 30 mm.
+// a mountain fold of 30 mm, which has four gaps of a millimetre.
 TEST(Dxf, LayersHoldTheLinesOfTheirOperations) {
     const Dxf dxf = parsed(written(test::example_layout(), *find_profile("lightburn")).front());
     const auto found = shares(dxf);
@@ -159,8 +159,8 @@ TEST(Dxf, LayersHoldTheLinesOfTheirOperations) {
     EXPECT_NEAR(found.at("outer-cut").length, 720.0, 1e-5);
     EXPECT_EQ(found.at("inner-cut").count, 2U);
     EXPECT_NEAR(found.at("inner-cut").length, 90.0, 1e-5);
-    EXPECT_EQ(found.at("score").count, 4U);
-    EXPECT_NEAR(found.at("score").length, 70.0 + 60.0 + std::sqrt(1.25) + 30.0, 1e-5);
+    EXPECT_EQ(found.at("score").count, 8U);
+    EXPECT_NEAR(found.at("score").length, 70.0 + 60.0 + std::sqrt(1.25) + 26.0, 1e-5);
     for (const Entity& entity : dxf.entities) {
         EXPECT_TRUE(dxf.layers.contains(entity.layer));
         EXPECT_EQ(entity.color, entity.layer == "mark"        ? 6

@@ -144,6 +144,7 @@ Written written(const Layout& layout, const Profile& profile, OutputOptions opti
 Profile cutting_profile() {
     Profile profile = with_slits("lightburn");
     profile.marks_on = MarksOn::none;
+    profile.away_folds = AwayFolds::whole;
     return profile;
 }
 

@@ -176,6 +176,7 @@ TEST(LightBurn, HoldsWhatThePatternHasOfEachOperation) {
     for (const Profile& row : profile_table()) {
         Profile profile = with_slits(row.name);
         profile.marks_on = MarksOn::none;  // no lines of the pattern
+        profile.away_folds = AwayFolds::whole;
         const std::vector<std::string> sheets = written(layout, profile);
         ASSERT_EQ(sheets.size(), 2U);
         for (int sheet = 0; sheet < 2; ++sheet) {
