@@ -54,7 +54,7 @@ struct Label {
     Vec2 at;
     double height_mm = 4.0;  // of the capitals
     double angle = 0.0;      // radians, counter-clockwise
-    bool on_back = false;    // of a target there: shown on backs alone
+    bool on_back = false;    // of what is there: shown on backs alone
 };
 
 // A tab with room for its piece's name: "2L castle" instead of the number alone.
@@ -72,6 +72,9 @@ struct PatternPiece {
     std::vector<GlueTarget> targets;
     std::vector<Label> labels;
     std::optional<NamedTab> named_tab;  // for marks that may only stand where something is glued
+    // Of a piece that is glued flat: its number, where it is glued and nobody sees it later; `on_back` says
+    // on which side. For such marks, too.
+    std::optional<Label> hidden_number;
     std::vector<Polygon>
         silhouette;  // the piece's paper, tabs included, slits ignored; what layout must keep apart
     Box bounds;      // of the silhouette

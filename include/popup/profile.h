@@ -103,8 +103,9 @@ double clear_of(Marks marks);
 enum class MarksOn {
     front,   // all of it, names of pieces too
     back,    // all of it, on the back of the sheet
-    hidden,  // on the front what a glued tab or piece covers later; the rest on the back if the machine works
-             // there anyway, else it is left out. A piece's name then stands in one of its tabs with room
+    hidden,  // what a glued tab or piece covers later, on both sides; the rest on the back if the machine
+             // works there anyway, else it is left out. A piece's name then stands in one of its tabs with
+             // room, the number of one that is glued flat where it is glued
     none
 };
 inline constexpr std::array kMarksOn{MarksOn::front, MarksOn::back, MarksOn::hidden, MarksOn::none};

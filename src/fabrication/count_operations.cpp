@@ -18,6 +18,7 @@ OperationCounts count_operations(const Layout& layout, const Profile& profile) {
             count(Operation::mark, piece.targets.size());
             for (const Label& label : piece.labels)
                 count(Operation::mark, names || label.kind != LabelKind::piece ? 1 : 0);
+            if (!names && piece.hidden_number) count(Operation::mark);
         }
         for (const PatternLine& line : piece.lines) {
             const Operation what = operation_of(line, profile);

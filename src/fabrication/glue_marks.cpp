@@ -131,4 +131,8 @@ bool marks_names(MarksOn where, ScoreSide side, bool back) {
     return marks_joints(where, side, back);
 }
 
+bool marks_covered_backs(MarksOn where, ScoreSide side, bool back) {
+    return where == MarksOn::hidden && back && side != ScoreSide::back;
+}
+
 }  // namespace popup

@@ -13,8 +13,10 @@ namespace popup {
 std::vector<std::vector<Vec2>> target_ticks(const Ring& outline);
 
 // Whether this side of the sheet has the targets and the numbers of tabs, or the names of pieces, of which
-// nothing glued covers those on the front.
+// nothing glued covers those on the front; or of them only what is on the back of the paper and covered
+// there: targets of pieces that are glued on from behind, and the numbers of pieces that are glued flat.
 bool marks_joints(MarksOn where, ScoreSide side, bool back);
 bool marks_names(MarksOn where, ScoreSide side, bool back);
+bool marks_covered_backs(MarksOn where, ScoreSide side, bool back);
 
 }  // namespace popup

@@ -45,6 +45,7 @@ void scale_pattern(Pattern& pattern, double by) {
         };
         for (Label& label : piece.labels) scale_label(label);
         if (piece.named_tab) scale_label(piece.named_tab->named);
+        if (piece.hidden_number) scale_label(*piece.hidden_number);
         for (Polygon& part : piece.silhouette) scale(part, by);
         piece.bounds = {by * piece.bounds.min, by * piece.bounds.max};
     }

@@ -208,12 +208,13 @@ class Drawer {
         }
         if (drawing_.shapes.back().runs == 0) drawing_.shapes.pop_back();
     }
-    // Whether the machine draws such labels on this side, so that no pen needs to.
-    [[nodiscard]] bool is_marked(LabelKind kind) const {
-        if (!is_shown(Operation::mark, options_, view_)) return false;
+    // Whether the machine draws such labels on this side, so that no pen needs to. `on_back`: of the paper.
+    [[nodiscard]] bool is_marked(LabelKind kind, bool on_back) const {
+        if (!is_shown(Operation::mark, options_, view_) || (on_back && !view_.back)) return false;
         const MarksOn where = drawing_.profile.marks_on;
-        return kind == LabelKind::piece ? marks_names(where, options_.score_side, view_.back)
-                                        : marks_joints(where, options_.score_side, view_.back);
+        if (kind == LabelKind::piece) return marks_names(where, options_.score_side, view_.back);
+        return marks_joints(where, options_.score_side, view_.back) ||
+               (on_back && marks_covered_backs(where, options_.score_side, view_.back));
     }
     void mark(const std::string& written, Vec2 at, double cap_mm, double angle) {
         if (written.empty() || cap_mm <= 0.0) return;
@@ -231,28 +232,33 @@ class Drawer {
         return has_name || label.kind == LabelKind::piece ? of_design(label, prefix_) : label;
     }
     void marks(const PatternPiece& piece) {
-        if (is_marked(LabelKind::target)) {
-            for (const GlueTarget& target : piece.targets) {
-                if (target.on_back && !view_.back) continue;
-                for (const std::vector<Vec2>& tick : target_ticks(target.outline)) {
-                    begin(Operation::mark, target.plate);
-                    run(tick, false);
-                }
+        for (const GlueTarget& target : piece.targets) {
+            if (!is_marked(LabelKind::target, target.on_back)) continue;
+            for (const std::vector<Vec2>& tick : target_ticks(target.outline)) {
+                begin(Operation::mark, target.plate);
+                run(tick, false);
             }
         }
         // Where names stand by themselves no tab needs one.
-        const NamedTab* named = piece.named_tab && !is_marked(LabelKind::piece) ? &*piece.named_tab : nullptr;
+        const bool names = is_marked(LabelKind::piece, false);
+        const NamedTab* named = piece.named_tab && !names ? &*piece.named_tab : nullptr;
         for (std::size_t i = 0; i < piece.labels.size(); ++i) {
             const bool has_name = named != nullptr && named->label == i;
             const Label label = labelled(has_name ? named->named : piece.labels[i], has_name);
-            if (label.on_back && !view_.back) continue;
-            if (is_marked(label.kind)) mark(label.text, label.at, label.height_mm, label.angle);
+            if (is_marked(label.kind, label.on_back))
+                mark(label.text, label.at, label.height_mm, label.angle);
         }
-        if (!is_marked(LabelKind::piece)) return;
+        if (!names) return mark_hidden_number(piece);
         for (const PatternPrint& one : piece.prints) {
             const Text* own = std::get_if<Text>(&one.print);
             if (own != nullptr && !own->color) mark(own->text, own->at, own->height_mm, own->angle);
         }
+    }
+
+    void mark_hidden_number(const PatternPiece& piece) {
+        if (!piece.hidden_number || drawing_.profile.marks_on != MarksOn::hidden) return;
+        const Label label = labelled(*piece.hidden_number, true);
+        if (label.on_back == view_.back) mark(label.text, label.at, label.height_mm, label.angle);
     }
 
     void texts(const PatternPiece& piece, Operation operation) {
@@ -328,7 +334,7 @@ class Drawer {
                 for (const Label& own : piece.labels) {
                     const Label label = labelled(own, false);
                     if (label.text.empty() || label.height_mm <= 0.0) continue;
-                    if (is_marked(label.kind) || (label.on_back && !view_.back)) continue;
+                    if (is_marked(label.kind, label.on_back) || (label.on_back && !view_.back)) continue;
                     text(label.text, label.at, label.height_mm, label.angle, operation);
                 }
                 return;

@@ -88,12 +88,14 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
     const bool marked = !printed && profile.marks_glue();
     const bool named =
         marked && (profile.marks_on != MarksOn::hidden || options.score_side != ScoreSide::front);
-    const bool has_backs =
-        printed ? options.backs : marked && marks_joints(profile.marks_on, options.score_side, true);
+    const bool has_backs = printed
+                               ? options.backs
+                               : marked && (marks_joints(profile.marks_on, options.score_side, true) ||
+                                            marks_covered_backs(profile.marks_on, options.score_side, true));
     std::size_t targets = 0;
     std::size_t behind = 0;  // targets on backs, which only views of backs have
     std::size_t numbers = 0;
-    std::size_t flat = 0;  // pieces that are glued flat: nothing covers a number on their front
+    std::size_t flat = 0;  // pieces that are glued flat and have no room for a number where they are
     for (const Placement& placement : layout.placements) {
         const Pattern& pattern = nth(layout.designs, placement.design).pattern;
         const PatternPiece& piece = nth(pattern.pieces, placement.piece);
@@ -108,7 +110,8 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
             targets += piece.targets.size() - backs;
             numbers += tabs;
         }
-        if (!named && tabs == 0 && !piece.number.empty()) ++flat;
+        const bool hidden = marked && profile.marks_on == MarksOn::hidden && piece.hidden_number;
+        if (!named && !hidden && tabs == 0 && !piece.number.empty()) ++flat;
     }
     std::vector<std::string> missing;
     if (targets > 0) missing.push_back(counted(targets, "glue target"));
@@ -126,6 +129,26 @@ void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diag
               : profile.marks_on == MarksOn::none
                   ? "leave out --marks-on none, or build printed sheets beside these to glue by"
                   : "give the pen \"mark\" a layer, or build printed sheets beside these to glue by");
+}
+
+// Whether the marks of backs are more than those of what is covered there.
+bool marks_all_of_backs(const OutputOptions& options) {
+    const MarksOn where = options.profile.marks_on;
+    return marks_joints(where, options.score_side, true) || marks_names(where, options.score_side, true);
+}
+
+// By sheet: whether any of its paper is marked on its back where something is glued on it.
+std::vector<char> covered_backs(const Layout& layout) {
+    std::vector<char> covered(layout.sheets.size(), 0);
+    for (const Placement& placement : layout.placements) {
+        const Pattern& pattern = nth(layout.designs, placement.design).pattern;
+        const PatternPiece& piece = nth(pattern.pieces, placement.piece);
+        if ((piece.hidden_number && piece.hidden_number->on_back) ||
+            std::any_of(piece.targets.begin(), piece.targets.end(),
+                        [](const GlueTarget& one) { return one.on_back; }))
+            nth(covered, placement.sheet) = 1;
+    }
+    return covered;
 }
 
 // Joints are known where sheets are drawn.
@@ -240,7 +263,8 @@ bool is_shown(Operation operation, const OutputOptions& options, const SheetView
         if (options.print_and_cut || !options.profile.marks_glue()) return false;
         const MarksOn where = options.profile.marks_on;
         return marks_joints(where, options.score_side, view.back) ||
-               marks_names(where, options.score_side, view.back);
+               marks_names(where, options.score_side, view.back) ||
+               marks_covered_backs(where, options.score_side, view.back);
     }
     switch (options.score_side) {
         case ScoreSide::front:
@@ -269,8 +293,12 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
         options.print_and_cut ? std::vector{Part::print, Part::cut} : std::vector{Part::whole};
     const OperationCounts counts = count_operations(layout, options.profile);
     const bool folded_or_glued = is_folded_or_glued(counts);
+    const std::vector<char> covered = covered_backs(layout);
+    const bool all_of_backs = marks_all_of_backs(options);
     const auto shows_anything = [&](const SheetView& view) {
         return std::any_of(kOperations.begin(), kOperations.end(), [&](Operation operation) {
+            if (operation == Operation::mark && view.back && !all_of_backs && nth(covered, view.sheet) == 0)
+                return false;
             return counts.at(static_cast<std::size_t>(operation)) > 0 && is_shown(operation, options, view);
         });
     };
@@ -281,10 +309,10 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
         view.part = part;
         view.part_suffix = part == Part::print ? "-print" : part == Part::cut ? "-cut" : "";
         const bool front = shows_anything(view);
-        view.back = true;
-        const bool back = shows_anything(view);
         for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
             view.sheet = static_cast<int>(i);
+            view.back = true;
+            const bool back = shows_anything(view);
             const std::string number = i == 0 ? std::string() : fmt::format("-{}", i + 1);
             // A layout with nothing on it is a sheet with nothing on it.
             if (front || !back) {

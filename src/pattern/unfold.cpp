@@ -15,6 +15,7 @@
 #include "base/text/numbers.h"
 #include "pattern/chain.h"
 #include "pattern/glue_overlaps.h"
+#include "pattern/hidden_numbers.h"
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"
 #include "pattern/tabs.h"
@@ -46,6 +47,7 @@ class Unfolder {
           diagnostics_(diagnostics),
           rules_{options.tab_depth.mm, options.tab_taper.rad(), kGapMm},
           pieces_(assembly.pieces.size()),
+          hidden_numbers_(assembly),
           lines_on_(assembly.plates.size()),
           plates_{std::vector<std::optional<EdgeIndex>>(assembly.plates.size()),
                   std::vector<std::optional<EdgeIndex>>(assembly.plates.size())} {}
@@ -287,20 +289,18 @@ class Unfolder {
             under.piece.labels.push_back(
                 {LabelKind::target, glued.label, spot.at, spot.height, spot.angle, back});
         };
-        bool labelled = false;
+        std::optional<TextSpot> spot;
         for (const Polygon& part : glued.on_base) {
             under.piece.targets.push_back({part.outer, glued.base_plate, glued.label, back});
             Ring obstacle = part.outer;
             std::reverse(obstacle.begin(), obstacle.end());
             insert_ring(on_plate(glued.base_plate, back), obstacle);
-            const auto spot =
-                labelled ? std::nullopt
-                         : place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
-                                          bounds(part.outer), glued.label);
-            if (spot) label(*spot);
-            labelled = labelled || spot;
+            if (spot) continue;
+            spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
+                                  bounds(part.outer), glued.label);
         }
-        if (!labelled) label({inner_point(glued.on_base.front(), 0.1).at, kLeastText});
+        label(spot.value_or(TextSpot{inner_point(glued.on_base.front(), 0.1).at, kLeastText}));
+        pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number = hidden_numbers_.of(glued, spot);
     }
 
     void add_part(const Glue& glue, const SeamFrame& frame, const Ring& part, Work& work) {
@@ -516,6 +516,7 @@ class Unfolder {
     Diagnostics& diagnostics_;
     TabRules rules_;
     std::vector<Work> pieces_;
+    HiddenNumbers hidden_numbers_;
     std::vector<std::vector<int>> lines_on_;  // of each plate: folds and cuts that name it
     // Of the fronts and the backs of all plates, those that were asked for.
     std::array<std::vector<std::optional<EdgeIndex>>, 2> plates_;

@@ -116,12 +116,29 @@ def strays(these, those, cell):
     return f"{len(away)}, the first at ({away[0][0]:.4f}, {away[0][1]:.4f}) mm" if away else None
 
 
-def expected_lines(run, sheet):
+def sides_of(run, sheet):
+    """The sides of a sheet on which the report has lines; where both have, there is a view of each."""
+    return {view["side"] for view in run.report["cut"]["sheets"] if view["sheet"] == sheet}
+
+
+def views_of(run):
+    """All sheets in their order, each as (number, whether it is a back beside a front)."""
+    return [(sheet, back) for sheet in range(1, run.report["layout"]["sheets"] + 1) for back in (False, True)
+            if not back or sides_of(run, sheet) == {"front", "back"}]
+
+
+def of_view(run, view):
+    """What the report says of one of views_of()."""
+    sheet, back = view
+    both = len(sides_of(run, sheet)) == 2
+    return [row for row in run.report["cut"]["sheets"]
+            if row["sheet"] == sheet and (not both or (row["side"] == "back") == back)]
+
+
+def expected_lines(run, sheet_view):
     """Of one sheet by the report: length and number of paths by layer; the layers are in the order of being done."""
     lengths, paths, outer = {}, collections.Counter(), collections.Counter()
-    for view in run.report["cut"]["sheets"]:
-        if view["sheet"] != sheet:
-            continue
+    for view in of_view(run, sheet_view):
         for row in view["operations"]:
             lengths[row["layer"]] = lengths.get(row["layer"], 0.0) + row["length_mm"]
             paths[row["layer"]] += row["paths"]
@@ -227,16 +244,16 @@ def check_plates(run, file, findings):
     if status != 0:
         findings.add(file, f"gs: {last_line(said)}")
     pens = run.profile["pens"]
-    for sheet in range(1, run.report["layout"]["sheets"] + 1):
-        wanted = {pens[row["operation"]].get("spot") for view in run.report["cut"]["sheets"] if view["sheet"] == sheet
+    for page, sheet_view in enumerate(views_of(run), 1):
+        wanted = {pens[row["operation"]].get("spot") for view in of_view(run, sheet_view)
                   for row in view["operations"] if row["length_mm"] > 0} - {None}
-        plates = {re.search(r"\((.*)\)", path.name).group(1): path for path in folder.glob(f"{sheet}(*).tif")}
+        plates = {re.search(r"\((.*)\)", path.name).group(1): path for path in folder.glob(f"{page}(*).tif")}
         found = set(plates) - {"Cyan", "Magenta", "Yellow", "Black"}
         if found != wanted:
-            findings.add(file, f"page {sheet} has the plates {sorted(found)}, by the report {sorted(wanted)}")
+            findings.add(file, f"page {page} has the plates {sorted(found)}, by the report {sorted(wanted)}")
         for name in sorted(found & wanted):
             if not read_sheets.plate_has_ink(plates[name].read_bytes()):
-                findings.add(file, f"page {sheet}: the plate {name} is empty")
+                findings.add(file, f"page {page}: the plate {name} is empty")
     findings.checked["pdf plates"] += 1
     shutil.rmtree(folder)
 
@@ -317,9 +334,9 @@ def compile_sample(program, sample, profile, formats, dpi, folder, jobs, environ
     return tool(*words, cwd=folder, env=environment)
 
 
-def sheet_number(file):
-    match = re.fullmatch(r"a(?:-(\d+))?(?:\.book)?\.\w+", file)
-    return int(match.group(1) or 1)
+def view_in(file):
+    match = re.fullmatch(r"a(?:-(\d+))?(-back)?(?:\.book)?\.\w+", file)
+    return int(match.group(1) or 1), match.group(2) is not None
 
 
 def check_names(run, findings):
@@ -339,7 +356,7 @@ def check_names(run, findings):
     if any(abs(total[name] - parts[name]) > 0.001 for name in total | parts):
         findings.add("a.json", f"lengths of all sheets {dict(parts)} are not those of the run {dict(total)}")
     counts = collections.Counter(suffix_of(run, file) for file in named)
-    sheets, pieces = run.report["layout"]["sheets"], sum(one["pieces"] for one in run.report["inputs"])
+    sheets, pieces = len(views_of(run)), sum(one["pieces"] for one in run.report["inputs"])
     for suffix in run.formats:
         wanted = sheets if run.kinds[suffix] == "sheet" and suffix != ".pdf" else 1
         wanted = pieces if suffix == ".jpg" else wanted
@@ -382,47 +399,48 @@ def check_files(run, findings, rendered, closely):
     models, drawn, markup = {}, {}, []
 
     def examine(file):
-        path, suffix, sheet = run.folder / file, suffix_of(run, file), sheet_number(file)
-        expected, paths, outer = expected_lines(run, sheet)
+        path, suffix, view = run.folder / file, suffix_of(run, file), view_in(file)
+        size_mm, first = sizes[view[0] - 1], view == (1, False)
+        expected, paths, outer = expected_lines(run, view)
         if suffix == ".svg":
             markup.append(path)
-            size, drawn[sheet], names = read_sheets.read_svg(path, layers)
-            if any(abs(a - b) > 1e-4 for a, b in zip(size, sizes[sheet - 1])):
-                yield f"it is {size} mm, the sheet is {sizes[sheet - 1]} mm"
+            size, drawn[view], names = read_sheets.read_svg(path, layers)
+            if any(abs(a - b) > 1e-4 for a, b in zip(size, size_mm)):
+                yield f"it is {size} mm, the sheet is {size_mm} mm"
             if not names <= layers | printed:
                 yield f"layers that the profile does not have: {sorted(names - layers - printed)}"
-            yield from compare_lengths(drawn[sheet], expected, layers)
-            if rendered and sheet == 1:
+            yield from compare_lengths(drawn[view], expected, layers)
+            if rendered and first:
                 check_rsvg(run, file, size, findings)
         elif suffix == ".book.pdf":
             yield from check_book(run, file, findings)
         elif suffix == ".book.html":
             yield from read_models.check_book(path)
         elif suffix == ".pdf":
-            check_pdf(run, file, sizes, findings)
+            check_pdf(run, file, [sizes[sheet - 1] for sheet, _ in views_of(run)], findings)
             if closely and any("spot" in pen for pen in run.profile["pens"].values()):
                 check_plates(run, file, findings)
         elif suffix == ".dxf":
-            if closely and sheet == 1 and run.profile["name"] == "workshop":
+            if closely and first and run.profile["name"] == "workshop":
                 check_librecad(run, file, findings)
             if read_sheets.ezdxf is None:
                 findings.notes.add("DXF files: there is no ezdxf")
             else:
                 lines = read_sheets.read_dxf(path)
-                yield from compare_lengths(lines, expected, layers, more=drawn.get(sheet))
-                if sheet in drawn:
-                    yield from compare_points(lines, drawn[sheet], layers, 0.0005)
+                yield from compare_lengths(lines, expected, layers, more=drawn.get(view))
+                if view in drawn:
+                    yield from compare_points(lines, drawn[view], layers, 0.0005)
                 yield from check_dxf_paths(lines, paths, outer)
         elif suffix == ".lbrn2":
             markup.append(path)
             lines = read_sheets.read_lightburn(path)
-            yield from compare_lengths(lines, expected, layers, more=drawn.get(sheet))
-            if sheet in drawn:
-                yield from compare_points(lines, drawn[sheet], layers, 0.0005)
+            yield from compare_lengths(lines, expected, layers, more=drawn.get(view))
+            if view in drawn:
+                yield from compare_points(lines, drawn[view], layers, 0.0005)
         elif suffix == ".plt":
-            yield from check_hpgl(read_sheets.read_hpgl(path), expected, drawn.get(sheet))
+            yield from check_hpgl(read_sheets.read_hpgl(path), expected, drawn.get(view))
         elif suffix == ".png":
-            yield from check_png(path, sizes[sheet - 1], run.dpi)
+            yield from check_png(path, size_mm, run.dpi)
         elif suffix == ".jpg":
             yield from check_jpg(path)
         elif suffix in (".glb", ".gltf"):

@@ -100,6 +100,43 @@ TEST(AttachedPlane, ItsGlueAreaIsWhatLiesOnThePlateOrWhatIsGiven) {
     EXPECT_NEAR(area(given.assembly->glued_areas[0].on_base), 36.0, 1e-6);
 }
 
+// Where it is glued nobody sees it: face to face with that on the plate, and read from the same side.
+TEST(AttachedPlane, ItsNumberIsHiddenOverThatOfItsTarget) {
+    for (const std::string side : {"front", "back"}) {
+        SCOPED_TRACE(side);
+        const FromXml made =
+            from_xml(std::string(kTrunk) +
+                     leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
+        ASSERT_TRUE(made.assembly) << made.text;
+        Diagnostics diagnostics;
+        const auto pattern = make_pattern(*made.assembly, {}, diagnostics);
+        ASSERT_TRUE(pattern);
+        EXPECT_FALSE(pattern->pieces[0].hidden_number);
+        EXPECT_FALSE(pattern->pieces[1].hidden_number);
+        const std::optional<Label>& own = pattern->pieces[2].hidden_number;
+        ASSERT_TRUE(own);
+        EXPECT_EQ(own->text, "2");
+        EXPECT_TRUE(own->on_back);
+        const std::vector<Label>& labels = pattern->pieces[1].labels;
+        const auto target = std::find_if(labels.begin(), labels.end(), [](const Label& one) {
+            return one.kind == LabelKind::target && one.text == "2";
+        });
+        ASSERT_NE(target, labels.end());
+        EXPECT_EQ(target->on_back, side == "back");
+        EXPECT_EQ(own->height_mm, target->height_mm);
+        std::vector<Frame> frames(made.assembly->plates.size());
+        ASSERT_TRUE(place(*made.assembly, Angle::degrees(70), frames));
+        const int base = plates_of(made.assembly->joints.back()).places[0].parent;
+        const Frame& under = frames[static_cast<std::size_t>(base)];
+        const auto read_along = [](const Label& one) {
+            return Vec2{std::cos(one.angle), std::sin(one.angle)};
+        };
+        EXPECT_LT(distance(frames.back().point(own->at), under.point(target->at)), 1e-9);
+        EXPECT_LT(length(frames.back().direction(read_along(*own)) - under.direction(read_along(*target))),
+                  1e-9);
+    }
+}
+
 TEST(AttachedPlane, WhatCannotHoldIsRefusedWithItsNumbers) {
     EXPECT_EQ(from_xml(std::string(kTrunk) + leaf("", "M 5 7 h 4 v -4 h -4 z")).text,
               "error does-not-fit: \"leaf\": only 16.0 mm² of it lie on its plate, 1.00 mm away from folds "

@@ -121,14 +121,62 @@ TEST(GlueMarks, OfBacksAreOnBacksAlone) {
         return all;
     };
     EXPECT_EQ(told(options), "");
+    // What is glued there covers them: four corners and the number.
     options.profile.marks_on = MarksOn::hidden;
-    EXPECT_EQ(told(options),
-              "the sheets by the profile lightburn lack 1 glue target on backs; take --marks-on back, which "
-              "marks all of it on the back");
+    EXPECT_EQ(told(options), "");
+    EXPECT_EQ(marks_on(layout, options, 0, false), 5U);
+    EXPECT_EQ(marks_on(layout, options, 0, true), 5U);
     EXPECT_EQ(told(options_for("workshop", true, ScoreSide::front, false)), "");
     EXPECT_EQ(told(options_for("workshop", false, ScoreSide::front, false)),
               "the sheets by the profile workshop lack 1 glue target on backs; take --sides both, which "
               "prints them on the backs");
+}
+
+// A piece that is glued flat has its number where it is glued, on a sheet of backs that has nothing else.
+TEST(GlueMarks, NumberWhatIsGluedFlatOnItsBack) {
+    Layout layout = test::example_layout();
+    PatternPiece& house = layout.designs[0].pattern.pieces[1];
+    house.number = "2";
+    house.labels = {{LabelKind::piece, "2. house", {-20, 30}, 4.0, 0.0}};
+    const auto backs = [&](const OutputOptions& options) {
+        Diagnostics diagnostics;
+        const auto views = views_of(layout, options, diagnostics);
+        return std::count_if(views->begin(), views->end(), [](const SheetView& one) { return one.back; });
+    };
+    const auto lacking = [&](const OutputOptions& options) {
+        Diagnostics diagnostics;
+        examine_prints(layout, options, diagnostics);
+        return diagnostics.sorted().size();
+    };
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    EXPECT_EQ(backs(options), 0);
+    EXPECT_EQ(lacking(options), 1U);
+    house.hidden_number = Label{LabelKind::piece, "2", {-20, 30}, 3.0, 0.0, true};
+    EXPECT_EQ(backs(options), 1);  // of the sheet with the houses
+    EXPECT_EQ(lacking(options), 0U);
+    EXPECT_EQ(marks_on(layout, options, 1, false), 0U);
+    EXPECT_EQ(marks_on(layout, options, 1, true), 2U);  // of two houses
+    EXPECT_EQ(marks_on(layout, options, 0, true), 0U);
+    // The mark is where the number is, seen when the sheet is turned over.
+    const SheetDrawing drawing = draw_sheet(layout, options, view_of(1, true));
+    Box box;
+    for (const popup::Run& run : drawing.runs_of(drawing.shapes.front())) {
+        for (const Vec2 p : drawing.points_of(run)) box.extend(p);
+    }
+    const Vec2 middle = box.centre();
+    const auto off = [&](int placement) {
+        const Vec2 front = layout.placements.at(static_cast<std::size_t>(placement)).apply({-20, 30});
+        return distance(middle, Vec2{297 - front.x, front.y});
+    };
+    EXPECT_LT(std::min(off(1), off(2)), 1.0);
+    // Where names are marked on backs they have the number.
+    const OutputOptions both = options_for("lightburn", false, ScoreSide::both, false);
+    EXPECT_EQ(marks_on(layout, both, 1, true), 2U);
+    EXPECT_EQ(marks_on(layout, options_for("lightburn", false, ScoreSide::back, false), 1, true), 2U);
+    // On its front where that is glued.
+    house.hidden_number->on_back = false;
+    EXPECT_EQ(backs(options), 0);
+    EXPECT_EQ(marks_on(layout, options, 1, false), 2U);
 }
 
 // Numbers of pieces are those of their own card.
