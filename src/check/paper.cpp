@@ -105,7 +105,12 @@ void PaperMap::update(const Skeleton& skeleton, int owner) {
     for (; areas_seen_ < skeleton.draft.glued_areas.size(); ++areas_seen_) {
         const GluedArea& area = skeleton.draft.glued_areas[areas_seen_];
         const int number = skeleton.plate_page[static_cast<std::size_t>(area.base_plate)];
-        for (const Polygon& part : area.on_base) add(number, edges_of(part), area.base_plate, true);
+        for (const Polygon& part : area.on_base) {
+            add(number, edges_of(part), area.base_plate, true);
+            const Box box = bounds(part.outer);
+            page(number).glued_boxes.insert({box.min, box.max}, false);
+            page(number).glued.push_back(static_cast<int>(areas_seen_));
+        }
     }
     for (; feet_seen_ < skeleton.feet.size(); ++feet_seen_) {
         const Foot& foot = skeleton.feet[feet_seen_];
@@ -175,6 +180,15 @@ std::vector<Polygon> PaperMap::paper_near(int plate, int page_number, double ins
     }
     std::vector<Polygon> paper = subtract({outlines_[static_cast<std::size_t>(plate)]}, cuts);
     return inset > 0.0 ? offset(paper, -inset, Corners::sharp) : paper;
+}
+
+std::vector<int> PaperMap::glued_near(int page_number, const Box& box) const {
+    const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
+    std::vector<int> found;
+    page_edges.glued_boxes.query(box, found);
+    for (int& number : found) number = page_edges.glued[static_cast<std::size_t>(number)];
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
 }
 
 bool PaperMap::seam_near(int page_number, const Ring& ring) const {

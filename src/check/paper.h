@@ -30,7 +30,9 @@ class PaperMap {
     [[nodiscard]] std::optional<Segment> edge_along(int plate, int page, const Segment& at) const;
     // See PaperQuery::paper. Canonical, as base/geometry/regions.h has it.
     [[nodiscard]] std::vector<Polygon> paper_near(int plate, int page, double inset, const Box& near) const;
-    // Whether something is glued on the page within or on the ring.
+    // The glued areas on the page whose boxes touch the box, by their numbers in the skeleton's draft.
+    [[nodiscard]] std::vector<int> glued_near(int page, const Box& box) const;
+    // Whether a seam, or the border of a glued area, lies on the page within or on the ring.
     [[nodiscard]] bool seam_near(int page, const Ring& ring) const;
     // The owners of what ends, is cut or is glued on the page within the ring, or too near to it; each
     // perhaps several times.
@@ -54,6 +56,8 @@ class PaperMap {
         std::vector<std::size_t> run_begins;
         EdgeIndex cut_boxes;  // diagonals of the cut-outs' boxes
         std::vector<std::pair<int, Ring>> cuts;
+        EdgeIndex glued_boxes;  // diagonals of the glued areas' boxes, and their numbers
+        std::vector<int> glued;
 
         // Numbers of the edges whose boxes touch the box, in ascending order.
         void query(const Box& box, std::vector<int>& found) const;

@@ -98,6 +98,20 @@ Pierced pierce(const Sheet& sheet, int page, const Ring& ring) {
             fmt::format("it comes nearer than {} to an edge of the page", mm(sheet.tolerances.paper_mm)),
             "move it away from the edge, or make it smaller");
     }
+    // The border of an area may be far away: what lies inside of it is found by the area itself.
+    for (const int number : sheet.paper.glued_near(page, bounds(ring))) {
+        const GluedArea& glued = nth(sheet.skeleton.draft.glued_areas, number);
+        const std::vector<Polygon> lost = intersect(glued.on_base, hole);
+        const double lost_mm2 = area(lost);
+        if (lost_mm2 <= kSpeckMm2) continue;
+        return refused(
+            "does-not-fit",
+            fmt::format("it would cut {:.2f} mm² out of the {:.2f} mm² that \"{}\" is glued to, at {}",
+                        lost_mm2, area(glued.on_base), glued.element,
+                        at_mm(bounds(lost.front().outer).centre())),
+            "move it off what is glued to the page, or list it before that, which then keeps off "
+            "the hole");
+    }
     if (sheet.paper.seam_near(page, ring)) {
         return refused("does-not-fit", "a seam or a glued area lies where it would be cut",
                        "move it off what is glued to the page");

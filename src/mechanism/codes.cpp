@@ -22,7 +22,8 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "Each half of a cut element must lie wholly in its own plane, with 1 mm of paper left around it and "
      "no earlier seam under it; each seam of a glued element must lie wholly on one plane. The element was "
      "pulled towards its fold, or shortened along it, until it fits. Where even the smallest form finds no "
-     "room it is an error. Make the element smaller or move it."},
+     "room it is an error. Make the element smaller or move it. A hole is never moved: it lies 1 mm off the "
+     "edges of its page, and off seams and glued areas, or it is an error."},
     {"fold-too-short", Severity::error, "an element's apex lies beyond the end of its fold",
      "The apex of a beak, angled step or v-fold must lie on the stretch of the parent fold that is still "
      "there; earlier elements may have cut part of it away. Move the apex along the fold, or make the fold "

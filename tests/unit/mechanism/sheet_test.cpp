@@ -538,6 +538,31 @@ TEST(Sheet, RefusesHolesThatPartTheCard) {
               "warning does-not-fit: \"b\":");
 }
 
+// What a flag is glued to: 40 mm wide and 30 mm high, less its inset, which the glue keeps from the border.
+std::string glued(const std::string& outline) {
+    return "<structure type='attached-plane' id='flag'><outerpoints><point x='30' y='0'/><point x='30' "
+           "y='20'/><point x='0' y='0'/><point x='0' y='20'/></outerpoints><outline d='" +
+           outline + "'/><parentplate page='0' x='30' y='5'/></structure>";
+}
+
+// However far the border of the glued area is, and also where the hole cuts it.
+TEST(Sheet, AHoleIsNotCutThroughWhatIsGlued) {
+    const std::string flag = glued("M -20 -5 H 20 V 25 H -20 Z");
+    EXPECT_EQ(from_xml(flag + hole("M 28 8 h 4 v 4 h -4 Z")).text,
+              "error does-not-fit: \"hole\": it would cut 16.00 mm² out of the 1200.00 mm² that \"flag\" is "
+              "glued to, at (30.00, 10.00) mm\n");
+    EXPECT_EQ(from_xml(flag + hole("M 40 8 h 20 v 4 h -20 Z")).text,
+              "error does-not-fit: \"hole\": it would cut 40.00 mm² out of the 1200.00 mm² that \"flag\" is "
+              "glued to, at (45.00, 10.00) mm\n");
+    // Beside it, in a hole of its glued area, and under it where the flag is listed later.
+    EXPECT_EQ(from_xml(flag + hole("M 52 8 h 4 v 4 h -4 Z")).text, "");
+    EXPECT_EQ(
+        from_xml(glued("M -20 -5 H 20 V 25 H -20 Z M -10 5 V 15 H 10 V 5 Z") + hole("M 28 8 h 4 v 4 h -4 Z"))
+            .text,
+        "");
+    EXPECT_EQ(from_xml(hole("M 28 8 h 4 v 4 h -4 Z") + flag).text, "");
+}
+
 // --- off the paper
 
 TEST(Sheet, SaysByHowMuchAFeatureLeavesThePage) {
