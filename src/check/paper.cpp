@@ -1,6 +1,7 @@
 #include "check/paper.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/geometry/regions.h"
 #include "mechanism/site_lines.h"
@@ -15,7 +16,7 @@ bool along_line(const DirectedLine& line, const Segment& s) {
            std::abs(cross(line.dir, s.b - line.at)) < kOnLine;
 }
 
-Box box_around(const Ring& points, double margin) {
+Box box_around(std::span<const Vec2> points, double margin) {
     Box box;
     for (const Vec2 p : points) {
         box.extend(p + Vec2{margin, margin});
@@ -73,6 +74,13 @@ void PaperMap::PageEdges::query(const Box& box, std::vector<int>& found) const {
 void PaperMap::add(int page_number, std::span<const Segment> edges, int plate, bool seam) {
     constexpr std::size_t kRun = 8;
     PageEdges& there = page(page_number);
+    if (there.edges.capacity() == 0) {
+        // Most pages are of one piece, with two plates and their seams.
+        constexpr std::size_t kPiece = 16;
+        there.edges.reserve(kPiece);
+        there.obstacles.reserve(kPiece);
+        there.run_begins.reserve(kPiece / 2);
+    }
     for (std::size_t begin = 0; begin < edges.size(); begin += kRun) {
         there.run_begins.push_back(there.edges.size());
         Box box;
@@ -216,7 +224,7 @@ void PaperMap::owners_near(int page_number, const Ring& ring, std::vector<int>& 
 std::optional<Segment> PaperMap::edge_along(int plate, int page_number, const Segment& at) const {
     const PageEdges& page_edges = pages_[static_cast<std::size_t>(page_number)];
     std::vector<int> found;
-    page_edges.query(box_around({at.a, at.b}, tolerances_.rounding_mm), found);
+    page_edges.query(box_around(std::array{at.a, at.b}, tolerances_.rounding_mm), found);
     for (const int number : found) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
@@ -237,9 +245,8 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
     const double size = distance(seam.a, seam.b);
     const Vec2 trim = size > 4.0 * slack ? (slack / size) * (seam.b - seam.a) : Vec2{};
     const Segment core{seam.a + trim, seam.b - trim};
-    const Ring ends{seam.a, seam.b};
     std::vector<int> found;
-    page_edges.query(box_around(ends, slack), found);
+    page_edges.query(box_around(std::array{seam.a, seam.b}, slack), found);
     const bool crosses = std::any_of(found.begin(), found.end(), [&](int number) {
         const Obstacle& obstacle = page_edges.obstacles[static_cast<std::size_t>(number)];
         const Segment& edge = page_edges.edges[static_cast<std::size_t>(number)];
@@ -250,7 +257,7 @@ bool PaperMap::may_glue(int plate, int page_number, const DirectedLine* line, co
     if (crosses) return false;
     found.clear();
     const Vec2 middle = 0.5 * (seam.a + seam.b);
-    page_edges.cut_boxes.query(box_around({middle}, 0.0), found);
+    page_edges.cut_boxes.query({middle, middle}, found);
     return std::none_of(found.begin(), found.end(), [&](int number) {
         const auto& [owner, ring] = page_edges.cuts[static_cast<std::size_t>(number)];
         return owner == plate && contains({ring, {}}, middle);

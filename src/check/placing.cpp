@@ -65,7 +65,13 @@ Placing::Placing(const Design& design, const Structure& structure, const Element
         move_argument(element.arguments[i], kMirrored);
         element.arguments[i].changed = !read_mirrored(ground);  // the page was mended: so must this be
     }
-    for (std::size_t i = 0; i < info.points.size(); ++i) {
+    const std::size_t count = info.points.size();
+    points_.reserve(count);
+    reported_.reserve(count);
+    letters_.reserve(count);
+    element.on.reserve(count);
+    element.extra.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const DesignPoint& point = structure.points[i];
         const bool extra = info.points[i].page == PointPage::extra;
         const int page = extra ? extra_page : point.page.value_or(ground);
@@ -106,6 +112,7 @@ std::string Placing::text(Vec2 p) const {
 
 std::vector<Vec2> Placing::drawn_on(int page) const {
     std::vector<Vec2> made;
+    made.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         if (element.info->points[i].page == PointPage::fold && points_[i].page == page)
             made.push_back(points_[i].at);

@@ -153,6 +153,13 @@ std::vector<FoldCrossing> put_crossings(Ring& ring, const DirectedLine& fold) {
     return found;
 }
 
+bool has_holes(const Element& e) {
+    const std::span<const Polygon> outline = areas_of(e, "outline");
+    return !areas_of(e, "hole").empty() ||
+           std::any_of(outline.begin(), outline.end(),
+                       [](const Polygon& area) { return !area.holes.empty(); });
+}
+
 std::optional<PieceHoles> holes_of(const Element& e, const Halves& halves, const Segment& centre) {
     PieceHoles made;
     if (divide_holes(e, halves, centre, made)) return std::nullopt;

@@ -30,6 +30,7 @@ struct PieceHoles {
     std::vector<Segment> edges;  // all that is cut
 };
 
+bool has_holes(const Element& e);
 // The holes as drawn; nullopt where one is not as it must be.
 std::optional<PieceHoles> holes_of(const Element& e, const Halves& halves, const Segment& centre);
 // Looks whether all holes lie inside the piece, and leave a centre fold that holds; false after failed():
