@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/geometry/edge_index.h"
 #include "mechanism/given_points.h"
 
 namespace popup {
@@ -69,18 +70,45 @@ class Finder {
 
     void add_image(int number, int page, const Segment& line) {
         const double size = distance(line.a, line.b);
-        if (size > 0.0) on_page_[page].push_back({number, line.a, (1.0 / size) * (line.b - line.a), size});
+        if (size == 0.0) return;
+        PageImages& there = on_page_[page];
+        there.images.push_back({number, line.a, (1.0 / size) * (line.b - line.a), size});
+        there.lines.insert(line, false);
     }
 
     // The youngest that the line lies on, and that the element's points lie beside.
-    [[nodiscard]] Match fold_of(const Structure& structure) const {
+    [[nodiscard]] Match fold_of(const Structure& structure) {
         const auto there = on_page_.find(structure.fold.page);
         if (there == on_page_.end()) return {};
-        for (auto image = there->second.rbegin(); image != there->second.rend(); ++image) {
-            const auto reversed = lies_on(*image, structure.fold.begin.at, structure.fold.end.at);
-            if (reversed && stands_beside(*image, structure)) return {image->fold, *reversed};
+        there->second.lines.query(place_on_line(structure), found_);
+        for (auto number = found_.rbegin(); number != found_.rend(); ++number) {
+            const Image& image = there->second.images[static_cast<std::size_t>(*number)];
+            const auto reversed = lies_on(image, structure.fold.begin.at, structure.fold.end.at);
+            if (reversed && stands_beside(image, structure)) return {image.fold, *reversed};
         }
         return {};
+    }
+
+    // Round all places where a fold can be that the line lies on, and that the points lie beside.
+    static Box place_on_line(const Structure& structure) {
+        const Vec2 begin = structure.fold.begin.at;
+        const Vec2 end = structure.fold.end.at;
+        const double size = distance(begin, end);
+        // Such a fold is at most a snap across and a snap along away from the line. It may run askew to it,
+        // by a snap at either end; so much further away from where the points lie beside the line it may be.
+        double reach = 2.0 * kSnapMm;
+        Box box;
+        for (const DesignPoint& point : structure.points) {
+            if (size == 0.0 || point.page.value_or(structure.fold.page) != structure.fold.page) continue;
+            const Vec2 along = (1.0 / size) * (end - begin);
+            box.extend(begin + dot(along, point.at - begin) * along);
+            reach = std::max(reach, 2.0 * kSnapMm + 4.0 * kSnapMm / size * distance(begin, point.at));
+        }
+        if (box.empty()) {
+            box.extend(begin);
+            box.extend(end);
+        }
+        return {box.min - Vec2{reach, reach}, box.max + Vec2{reach, reach}};
     }
 
     // Folds often lie in one line; that one counts beside which the element's points are.
@@ -98,9 +126,11 @@ class Finder {
     // The number of a fold of that owner; -1: it is not known where it is.
     [[nodiscard]] int fold_named(int owner, std::size_t which) const {
         if (owner < 0) return 0;
-        const auto first = std::find_if(out_.folds.begin(), out_.folds.end(),
-                                        [owner](const StandingFold& fold) { return fold.owner == owner; });
-        return first == out_.folds.end()
+        // They are in build order.
+        const auto first =
+            std::lower_bound(out_.folds.begin(), out_.folds.end(), owner,
+                             [](const StandingFold& fold, int number) { return fold.owner < number; });
+        return first == out_.folds.end() || first->owner != owner
                    ? -1
                    : static_cast<int>(first - out_.folds.begin()) + static_cast<int>(which);
     }
@@ -152,7 +182,12 @@ class Finder {
 
     const Design& design_;
     Footings out_;
-    std::map<int, std::vector<Image>> on_page_;
+    struct PageImages {
+        std::vector<Image> images;
+        EdgeIndex lines;  // of each
+    };
+    std::map<int, PageImages> on_page_;
+    std::vector<int> found_;
     std::map<int, int> owner_of_page_;
     int pages_ = 0;
 };

@@ -189,15 +189,39 @@ std::vector<std::pair<TreeBox, int>> tree_boxes(std::span<const SpaceBox> reache
 }  // namespace
 
 std::vector<std::pair<int, int>> near_earlier(std::span<const SpaceBox> reached, std::size_t most_each) {
-    bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree;
+    // Trees that are packed and never change, each less than half as large as the one before, and behind
+    // them the last few, which are looked through: a tree that grows costs ten times as much.
+    constexpr std::size_t kFew = 48;
+    using Tree = bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>>;
+    const std::vector<std::pair<TreeBox, int>> boxes = tree_boxes(reached);
+    std::vector<std::pair<Tree, std::size_t>> trees;  // with the number of their first box
+    std::size_t in_trees = 0;
     std::vector<std::pair<int, int>> pairs;
-    for (const auto& one : tree_boxes(reached)) {
+    for (std::size_t number = 0; number < boxes.size(); ++number) {
+        const auto& [box, at] = boxes[number];
         std::size_t left = most_each;
-        for (auto it = tree.qbegin(bg::index::intersects(one.first)); it != tree.qend() && left > 0; ++it) {
-            pairs.emplace_back(it->second, one.second);
+        for (std::size_t i = number; i-- > in_trees && left > 0;) {
+            if (!reached[i].meets(reached[number])) continue;
+            pairs.emplace_back(static_cast<int>(i), at);
             --left;
         }
-        tree.insert(one);
+        for (const auto& tree : trees) {
+            for (auto it = tree.first.qbegin(bg::index::intersects(box)); it != tree.first.qend() && left > 0;
+                 ++it) {
+                pairs.emplace_back(it->second, at);
+                --left;
+            }
+        }
+        if (number + 1 - in_trees < kFew) continue;
+        std::size_t first = in_trees;
+        in_trees = number + 1;
+        while (!trees.empty() && trees.back().first.size() < 2 * (in_trees - first)) {
+            first = trees.back().second;
+            trees.pop_back();
+        }
+        trees.emplace_back(Tree(boxes.begin() + static_cast<std::ptrdiff_t>(first),
+                                boxes.begin() + static_cast<std::ptrdiff_t>(in_trees)),
+                           first);
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;

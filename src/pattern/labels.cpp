@@ -110,6 +110,7 @@ namespace {
 struct Candidate {
     double room;
     Vec2 at;
+    double clear;  // the distance to the plate's edges
 };
 
 // Places on the plate in a grid over its box, the roomiest first.
@@ -123,9 +124,10 @@ std::vector<Candidate> candidates_on(const EdgeIndex& plate, const Drawing* draw
             const Vec2 at{bounds.min.x + bounds.width() * (column + 0.5) / kGrid,
                           bounds.min.y + bounds.height() * (row + 0.5) / kGrid};
             if (plate.winding(at) != 1) continue;
-            double room = plate.clearance(at, limit);
+            const double clear = plate.clearance(at, limit);
+            double room = clear;
             if (drawing) room = std::min(room, drawing->lines.clearance(at, limit) - drawing->half_width);
-            if (room > 0.0) candidates.push_back({std::round(1e3 * room), at});
+            if (room > 0.0) candidates.push_back({std::round(1e3 * room), at, clear});
         }
     }
     std::stable_sort(candidates.begin(), candidates.end(),
@@ -144,18 +146,25 @@ std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawi
             return meets_box({index[i].a - at, index[i].b - at}, half);
         });
     };
-    const auto is_free = [&](Vec2 at, Vec2 half) {
-        if (!clear_of(plate, at, half)) return false;
+    const auto is_free = [&](const Candidate& place, Vec2 half) {
+        const Vec2 at = place.at;
+        // Most places are too near to an edge, or far from all of them: then nothing has to be looked for.
+        constexpr double kSurelyMm = 1e-6;
+        if (place.clear < std::min(half.x, half.y) - kSurelyMm) return false;
+        const Vec2 low = at - half - bounds.min;
+        const Vec2 high = bounds.max - at - half;
+        if (std::min({low.x, low.y, high.x, high.y}) < -kSurelyMm) return false;
+        if (place.clear < length(half) + kSurelyMm && !clear_of(plate, at, half)) return false;
         return !drawing ||
                clear_of(drawing->lines, at, half + Vec2{drawing->half_width, drawing->half_width});
     };
     for (const double height : kHeights) {
         const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
         for (const Candidate& candidate : candidates) {
-            if (is_free(candidate.at, half)) return TextSpot{candidate.at, height, 0.0};
+            if (is_free(candidate, half)) return TextSpot{candidate.at, height, 0.0};
         }
         for (const Candidate& candidate : candidates) {
-            if (is_free(candidate.at, {half.y, half.x})) {
+            if (is_free(candidate, {half.y, half.x})) {
                 return TextSpot{candidate.at, height, 0.5 * std::numbers::pi};
             }
         }
