@@ -12,10 +12,12 @@
 
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
+#include "edit/moved_places.h"
 #include "edit/quick_look.h"
 #include "edit/session.h"
 #include "input/text.h"
 #include "input/xml/read.h"
+#include "mechanism/arguments.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -216,6 +218,63 @@ NamesBefore names_before(const Edits& edits, const Design& read) {
     return made;
 }
 
+// What is found in an edited document, with its places.
+struct Looked {
+    std::optional<Design> design;  // as it was read, or would be
+    std::vector<Diagnostic> found;
+    Until last = Until::reading;
+};
+
+Looked look_at_text(const std::string& text, const std::string& name, const EditOptions& options,
+                    Edits& edits) {
+    Looked looked;
+    Diagnostics found(name);
+    looked.design = read_document({name, text}, options, found);
+    if (looked.design) looked.last = look_at(*looked.design, Until::motion, options, found, &edits);
+    looked.found = found.sorted();
+    return looked;
+}
+
+// Whether the edited design tells all that reading its document would: nothing is allowed, reading finds
+// nothing but before the first structure, nothing was added, whose places are not known yet, and what was
+// drawn anew is not read from its text.
+bool tells_all(const Edits& edits, const Diagnostics& of_reading) {
+    if (edits.after.version_changed || !of_reading.allowances().empty() || edits.before.structures.empty())
+        return false;
+    const Place first = edits.before.structures.front().place;
+    for (const Diagnostic& one : of_reading.sorted()) {
+        const bool before = std::tie(one.place.line, one.place.column) < std::tie(first.line, first.column);
+        if (!before || !one.related.empty()) return false;
+    }
+    return std::none_of(
+        edits.after.structures.begin(), edits.after.structures.end(), [](const Structure& one) {
+            return one.added ||
+                   std::any_of(one.arguments.begin(), one.arguments.end(), [](const Argument& argument) {
+                       return argument.changed &&
+                              (!argument.text.present() || !argument.given() || is_drawn(argument));
+                   });
+        });
+}
+
+// The same as look_at_text(), without reading it; nullopt where that is not certain. `changes` made `text`.
+std::optional<Looked> look_at_design(const Source& before, std::span<const xml::PatchEdit> changes,
+                                     const std::string& text, const Diagnostics& of_reading,
+                                     const EditOptions& options, Edits& edits) {
+    Looked looked;
+    looked.design = as_read(edits.after);
+    Diagnostics found(before.name);
+    looked.last = look_at(*looked.design, Until::motion, options, found, &edits);
+    looked.found = found.sorted();
+    if (looked.found.empty()) return looked;
+    // Reading finds again what it has found.
+    for (Diagnostic& one : of_reading.sorted()) looked.found.push_back(std::move(one));
+    const MovedPlaces moved(before.text, changes, text);
+    for (Diagnostic& one : looked.found) {
+        if (!moved.move(one)) return std::nullopt;
+    }
+    return looked;
+}
+
 }  // namespace
 }  // namespace edit
 
@@ -269,25 +328,29 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     for (const EditLine& line : edits) {
         if (!edit::run(session, line)) return std::nullopt;
     }
+    const std::vector<xml::PatchEdit> changes = xml::patch_edits(source, session.design, session.gone);
     Edited made;
-    made.text = xml::patch(source, session.design, session.gone);
+    made.text = xml::patched(source.text, changes);
     made.files = std::move(reading.files);
     if (made.text == source.text) return made;
     edit::Edits done{before_edits, session.design, session.take_owners()};
-    if (edit::finds_nothing(done, options.check)) return made;
-
-    Diagnostics after(source.name);
-    edit::Until last = edit::Until::reading;
-    const auto design = edit::read_document({source.name, made.text}, options, after);
-    if (design) last = edit::look_at(*design, edit::Until::motion, options, after, &done);
-    const std::vector<Diagnostic> found = after.sorted();
+    if (edit::is_as_it_was(done)) return made;
+    std::optional<edit::Looked> looked;
+    if (edit::tells_all(done, reading_errors)) {
+        looked = edit::look_at_design(source, changes, made.text, reading_errors, options, done);
+    } else if (edit::finds_nothing(done, options.check)) {
+        return made;
+    }
+    if (!looked) looked = edit::look_at_text(made.text, source.name, options, done);
+    const std::vector<Diagnostic>& found = looked->found;
     // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before = edit::counted(reading_errors);
-    if (!found.empty() && !(last == edit::Until::check && edit::is_surely_new(found, before, done))) {
-        edit::look_at(before_edits, last, options, reading_errors);
+    if (!found.empty() && !(looked->last == edit::Until::check && edit::is_surely_new(found, before, done))) {
+        edit::look_at(before_edits, looked->last, options, reading_errors);
         before = edit::counted(reading_errors);
     }
-    const edit::NamesBefore names = design ? edit::names_before(done, *design) : edit::NamesBefore();
+    const edit::NamesBefore names =
+        looked->design ? edit::names_before(done, *looked->design) : edit::NamesBefore();
     bool broken = false;
     for (const Diagnostic& one : found) {
         const auto name = names.find(one.element);

@@ -5,41 +5,17 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "input/xml/number.h"
+#include "input/xml/read.h"
 #include "popup/diagnostics.h"
 #include "popup/mechanism.h"
 #include "popup/motion.h"
 
 namespace popup::edit {
 namespace {
-
-// What is written has six decimals, and is read again so: then nothing of it has been changed.
-Design as_written(Design design) {
-    const double mm = design.unit.mm;
-    const auto rounded = [mm](double& length) {
-        const xml::ParsedNumber number = xml::parse_number(xml::format_number(length / mm));
-        if (number.fault == xml::NumberFault::none) length = number.value * mm;
-    };
-    const auto round_point = [&](DesignPoint& point) {
-        if (!point.changed) return;
-        rounded(point.at.x);
-        rounded(point.at.y);
-    };
-    for (Structure& structure : design.structures) {
-        for (DesignPoint& point : structure.points) {
-            point.changed = point.changed || structure.added;
-            round_point(point);
-        }
-        round_point(structure.fold.begin);
-        round_point(structure.fold.end);
-        if (structure.plate) round_point(structure.plate->at);
-        for (DesignPoint& point : structure.points) point.changed = false;
-        for (Argument& argument : structure.arguments) argument.changed = false;
-    }
-    return design;
-}
 
 using Numbers = std::unordered_map<std::string_view, std::size_t>;
 
@@ -184,6 +160,43 @@ Design part_of(Design design, const std::vector<bool>& kept) {
 
 }  // namespace
 
+// What is written has six decimals, and is read again so: then nothing of it has been changed.
+Design as_read(Design design) {
+    const auto rounded = [](double& value, double unit) {
+        const xml::ParsedNumber number = xml::parse_number(xml::format_number(value / unit));
+        if (number.fault == xml::NumberFault::none) value = number.value * unit;
+    };
+    const auto round_point = [&](DesignPoint& point) {
+        if (!point.changed) return;
+        rounded(point.at.x, design.unit.mm);
+        rounded(point.at.y, design.unit.mm);
+    };
+    for (Structure& structure : design.structures) {
+        for (DesignPoint& point : structure.points) {
+            point.changed = point.changed || structure.added;
+            round_point(point);
+        }
+        round_point(structure.fold.begin);
+        round_point(structure.fold.end);
+        if (structure.plate) round_point(structure.plate->at);
+        for (DesignPoint& point : structure.points) point.changed = false;
+        const ElementInfo& info = *find_element(structure.type);
+        for (std::size_t i = 0; i < structure.arguments.size(); ++i) {
+            Argument& argument = structure.arguments[i];
+            double* number = std::get_if<double>(&argument.value);
+            if (argument.changed && number != nullptr)
+                rounded(*number, info.parameters[i].kind == ParameterKind::length ? design.unit.mm : 1.0);
+            argument.changed = false;
+        }
+    }
+    xml::name_structures(design);
+    return design;
+}
+
+bool is_as_it_was(const Edits& edits) {
+    return !edits.after.version_changed && !changed(edits, numbers_before(edits.before, edits.after));
+}
+
 Owners owners_of(const CardFolds& card) {
     Owners made{{}, card.as_written};
     for (const Standing& one : card.standing) made.owners.push_back(one.owner);
@@ -249,10 +262,7 @@ bool moves_without_findings(Edits& edits, const CheckedDesign& checked, std::spa
 }
 
 bool finds_nothing(Edits& edits, const CheckOptions& options) {
-    // Names and colours are nothing that the checks look at.
-    if (!edits.after.version_changed && !changed(edits, numbers_before(edits.before, edits.after)))
-        return true;
-    const Design written = as_written(edits.after);
+    const Design written = as_read(edits.after);
     Diagnostics found(written.file);
     const auto checked = check(written, options, found);
     if (!checked || !found.sorted().empty()) return false;

@@ -30,9 +30,15 @@ struct Edits {
 // Of each structure of the edited design, its number before; none: it was added.
 std::vector<std::optional<std::size_t>> numbers_before(const Design& before, const Design& after);
 
-// Whether it is certain that nothing new is found in the edited design: the edits have changed nothing but
-// names and colours, or the checks find nothing at all in it, as it will be written, and nothing is found
-// about how its elements move that is not known from before. false: look at the document, and compare.
+// The edited design as it will be read: rounded to what is written, with the names of what has no id.
+Design as_read(Design design);
+
+// Whether the edits have changed nothing but names and colours, which the checks do not look at.
+bool is_as_it_was(const Edits& edits);
+
+// Whether it is certain that nothing new is found in the edited design: the checks find nothing at all in it,
+// as it will be read, and nothing is found about how its elements move that is not known from before.
+// false: look at the document, and compare.
 bool finds_nothing(Edits& edits, const CheckOptions& options);
 
 // Whether it is certain that nothing is found about the motion of the edited design that was not found

@@ -299,15 +299,12 @@ class Patch {
 
 }  // namespace
 
-std::vector<PatchEdit> patch_edits(const Source& source, const Design& design) {
-    return Patch(source.text, design).run({});
+std::vector<PatchEdit> patch_edits(const Source& source, const Design& design,
+                                   std::span<const TextRange> gone) {
+    return Patch(source.text, design).run(gone);
 }
 
-std::string patch(const Source& source, const Design& design) { return patch(source, design, {}); }
-
-std::string patch(const Source& source, const Design& design, std::span<const TextRange> gone) {
-    const std::string_view text = source.text;
-    const std::vector<PatchEdit> edits = Patch(text, design).run(gone);
+std::string patched(std::string_view text, std::span<const PatchEdit> edits) {
     std::string out;
     out.reserve(text.size() + edits.size() * 8);
     std::size_t at = 0;
@@ -319,6 +316,12 @@ std::string patch(const Source& source, const Design& design, std::span<const Te
     }
     out += text.substr(at);
     return out;
+}
+
+std::string patch(const Source& source, const Design& design) { return patch(source, design, {}); }
+
+std::string patch(const Source& source, const Design& design, std::span<const TextRange> gone) {
+    return patched(source.text, patch_edits(source, design, gone));
 }
 
 }  // namespace popup::xml

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,7 @@ class DocumentReader {
     Design run() {
         if (!read_root()) return std::move(design_);
         reporter_.set_structure(Reporter::kNone);
-        name_structures();
+        name_structures(design_);
         reporter_.name_structures(design_.structures);
         GroundNames(design_, reporter_).resolve();
         return std::move(design_);
@@ -542,18 +543,6 @@ class DocumentReader {
         }
     }
 
-    // The n-th structure without an id becomes e<n>; where an author has taken that name, the next free
-    // number behind all structures, so that the others keep theirs.
-    void name_structures() {
-        std::size_t spare = design_.structures.size();
-        for (std::size_t n = 0; n < design_.structures.size(); ++n) {
-            Structure& structure = design_.structures[n];
-            if (!structure.id.empty()) continue;
-            structure.id = fmt::format("e{}", n + 1);
-            while (ids_.contains(structure.id)) structure.id = fmt::format("e{}", ++spare);
-        }
-    }
-
     const Located& located_;
     Reporter reporter_;
     Values values_;
@@ -565,6 +554,20 @@ class DocumentReader {
 };
 
 }  // namespace
+
+void name_structures(Design& design) {
+    std::unordered_set<std::string_view> given;  // only looked up, never walked
+    for (const Structure& structure : design.structures) {
+        if (structure.id_given) given.insert(structure.id);
+    }
+    std::size_t spare = design.structures.size();
+    for (std::size_t n = 0; n < design.structures.size(); ++n) {
+        Structure& structure = design.structures[n];
+        if (structure.id_given) continue;
+        structure.id = fmt::format("e{}", n + 1);
+        while (given.contains(structure.id)) structure.id = fmt::format("e{}", ++spare);
+    }
+}
 
 Reading read_document(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "popup/language.h"
@@ -27,6 +28,13 @@ struct PatchEdit {
     std::string text;
 };
 // What patch() changes, in the order of the text; none overlap.
-std::vector<PatchEdit> patch_edits(const Source& source, const Design& design);
+std::vector<PatchEdit> patch_edits(const Source& source, const Design& design,
+                                   std::span<const TextRange> gone = {});
+// The text with these changes.
+std::string patched(std::string_view text, std::span<const PatchEdit> edits);
+
+// Names structures that have no id of their own, as reading does: the n-th is e<n>; where an author has taken
+// that name, it has the next free number behind all structures, so that the others keep theirs.
+void name_structures(Design& design);
 
 }  // namespace popup::xml

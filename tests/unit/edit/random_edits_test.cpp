@@ -2,6 +2,7 @@
 // against a whole reading, check, closing and motion of the document before it and after it, which share
 // nothing with the quick look of edits.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -53,6 +55,19 @@ Found by_code(const Found& found) {
     return made;
 }
 
+// Findings to the last word, with their places.
+std::multiset<std::string> told(const Diagnostics& diagnostics) {
+    std::multiset<std::string> all;
+    for (const Diagnostic& one : diagnostics.sorted()) {
+        std::string text = fmt::format("{}:{}: {} [{}] {}", one.place.line, one.place.column, one.message,
+                                       one.code, fmt::join(one.hints, "; "));
+        for (const Related& related : one.related)
+            text += fmt::format(" {}:{}: {}", related.place.line, related.place.column, related.text);
+        all.insert(std::move(text));
+    }
+    return all;
+}
+
 std::ptrdiff_t without_id(const Design& design) {
     return std::count_if(design.structures.begin(), design.structures.end(),
                          [](const Structure& one) { return !one.id_given; });
@@ -62,6 +77,7 @@ std::ptrdiff_t without_id(const Design& design) {
 struct Looked {
     std::optional<Design> design;
     Found found;
+    std::multiset<std::string> told;
 };
 
 Looked look_at(const std::string& text) {
@@ -74,6 +90,7 @@ Looked look_at(const std::string& text) {
     motion.examine = false;
     if (assembly) simulate(*assembly, motion, said);
     looked.found = counted(said);
+    looked.told = told(said);
     return looked;
 }
 
@@ -225,6 +242,7 @@ struct Result {
     std::optional<Edited> edited;
     std::string of_edits, of_document;
     Found found;
+    std::multiset<std::string> told;
     bool refused = false;
 };
 
@@ -241,6 +259,7 @@ Result carry_out(const std::string& document, const std::string& line, bool forc
     result.of_edits = findings(trouble) + findings(of_edits);
     result.of_document = findings(of_document);
     result.found = counted(of_document);
+    result.told = told(of_document);
     return result;
 }
 
@@ -330,6 +349,9 @@ void edit_at_random(std::string text, std::uint64_t seed, Tally& tally) {
         }
         // A refused edit has made a document all the same, which is not written.
         const Looked after = look_at(done.edited->text);
+        EXPECT_TRUE(std::includes(after.told.begin(), after.told.end(), done.told.begin(), done.told.end()))
+            << fmt::format("said:\n{}\nfound:\n{}\n", fmt::join(done.told, "\n"), fmt::join(after.told, "\n"))
+            << done.edited->text;
         const bool same_names =
             !proposed.edit.starts_with("rename") && without_id(*now.design) == 0 && after.design;
         const Found fresh =
