@@ -55,7 +55,8 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "more than a square millimetre of it in common. Paper cannot be glued down where other paper is glued "
      "already, and one of the two hides the other. Often the same element was written twice, or two tents "
      "share their seams. The message says which plates it is, how large the place is that they share, and "
-     "where its middle is. Move one of the two, as the hint says, or take one of them out."},
+     "where its middle is. Move one of the two, as the hint says, which has been tried with all others, or "
+     "take one of them out."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",
      "The sides of the element are too short for the place they are glued to (or, for a v-fold, the angles "
      "of piece and page together exceed 360°), so that the card stops before it is open. This is looked "

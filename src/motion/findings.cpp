@@ -86,7 +86,8 @@ class Findings {
                 assembly_.plates.size() > kMostPlates)
                 continue;
             if (const auto move =
-                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), contacts, budget_)) {
+                    freeing_move(assembly_, linkage_, shapes_,
+                                 pairs_between(assembly_, joints.first, joints.second), contacts, budget_)) {
                 finding.hint(in_words(*move, "frees the two"));
                 const int still = move->joint == joints.first ? joints.second : joints.first;
                 moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
@@ -118,9 +119,16 @@ class Findings {
             finding.about(joint.name);
             also(finding, first ? most.b : most.a, first ? most.a : most.b);
             if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
-            if (const auto move =
-                    freeing_move(assembly_, linkage_, shapes_, all_pairs(joints), contacts, budget_))
+            const auto move =
+                freeing_move(assembly_, linkage_, shapes_,
+                             pairs_between(assembly_, joints.first, joints.second), contacts, budget_, true);
+            if (move) {
                 finding.hint(in_words(*move, "parts the two"));
+            } else {
+                finding.hint(
+                    "make one of the two smaller, or take it out: no move of one along what it stands on was "
+                    "found that leaves it on nothing");
+            }
         }
     }
 
@@ -295,18 +303,6 @@ class Findings {
     }
 
     // The plates of two elements, each with each.
-    [[nodiscard]] std::vector<std::pair<int, int>> all_pairs(std::pair<int, int> joints) const {
-        const auto plates = [&](int joint) {
-            return plates_of(assembly_.joints[static_cast<std::size_t>(joint)]).places;
-        };
-        std::vector<std::pair<int, int>> pairs;
-        for (const PlacedPlate& a : plates(joints.first)) {
-            for (const PlacedPlate& b : plates(joints.second))
-                pairs.emplace_back(std::minmax(a.plate, b.plate));
-        }
-        return pairs;
-    }
-
     // "12.30 mm at the top and 4.00 mm at the side opposite the gutter".
     static std::string how_far(const Protrusion& one) {
         const double along = one.direction.y * one.by_mm;

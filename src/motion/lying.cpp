@@ -103,6 +103,57 @@ std::optional<std::vector<Frame>> half_open(const Assembly& assembly) {
 
 bool may_lie(const Plate& plate) { return plate.lying != Lying::free || plate.rivet; }
 
+// What is glued to a plate along a seam may lie flat on it, and two pieces that both do are a collage.
+class Seams {
+ public:
+    Seams(const Assembly& assembly, std::span<const PlateShape> shapes, std::span<const Frame> frames) {
+        for (const Hinge& hinge : assembly.hinges) {
+            joined_.insert(std::minmax(hinge.a, hinge.b));
+            if (!hinge.glued) continue;
+            if (in_one_plane(frame_of(frames, hinge.a), frame_of(frames, hinge.b),
+                             shape_of(shapes, hinge.b))) {
+                bases_[hinge.a].insert(hinge.b);
+                bases_[hinge.b].insert(hinge.a);
+            }
+        }
+    }
+
+    [[nodiscard]] bool join(int a, int b) const {
+        if (joined_.contains(std::minmax(a, b))) return true;
+        const auto of_a = bases_.find(a);
+        const auto of_b = bases_.find(b);
+        return of_a != bases_.end() && of_b != bases_.end() &&
+               std::any_of(of_a->second.begin(), of_a->second.end(),
+                           [&](int base) { return of_b->second.contains(base); });
+    }
+
+ private:
+    std::set<std::pair<int, int>> joined_;
+    std::map<int, std::set<int>> bases_;
+};
+
+// Pairs of plates of two elements that may not lie on one another, are near each other and share a plane.
+template <typename Wanted>
+std::vector<std::pair<int, int>> lying_candidates(const Assembly& assembly, const Linkage& linkage,
+                                                  std::span<const PlateShape> shapes,
+                                                  const std::vector<Frame>& frames, const Wanted& is_wanted) {
+    std::vector<SpaceBox> boxes(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        for (const Vec2 corner : shapes[i].hull) boxes[i].extend(frames[i].point(corner));
+    }
+    std::vector<std::pair<int, int>> pairs = near_earlier(boxes, kMostNear);
+    const Seams seams(assembly, shapes, frames);
+    std::erase_if(pairs, [&](const std::pair<int, int>& one) {
+        const auto plate = [&](int i) -> const Plate& {
+            return assembly.plates[static_cast<std::size_t>(i)];
+        };
+        return !is_wanted(one.first, one.second) || seams.join(one.first, one.second) ||
+               linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
+               may_lie(plate(one.second));
+    });
+    return in_plane_pairs(assembly, shapes, std::move(pairs), frames);
+}
+
 }  // namespace
 
 std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linkage,
@@ -110,38 +161,8 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
     if (assembly.covers.empty()) return {};
     const auto frames = half_open(assembly);
     if (!frames) return {};
-    std::vector<SpaceBox> boxes(shapes.size());
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        for (const Vec2 corner : shapes[i].hull) boxes[i].extend((*frames)[i].point(corner));
-    }
-    std::vector<std::pair<int, int>> pairs = near_earlier(boxes, kMostNear);
-    // What is glued to a plate along a seam may lie flat on it, and two pieces that both do are a collage.
-    std::set<std::pair<int, int>> joined;
-    std::map<int, std::set<int>> bases;
-    for (const Hinge& hinge : assembly.hinges) {
-        joined.insert(std::minmax(hinge.a, hinge.b));
-        if (!hinge.glued) continue;
-        if (in_one_plane(frame_of(*frames, hinge.a), frame_of(*frames, hinge.b), shape_of(shapes, hinge.b))) {
-            bases[hinge.a].insert(hinge.b);
-            bases[hinge.b].insert(hinge.a);
-        }
-    }
-    const auto share_base = [&bases](int a, int b) {
-        const auto of_a = bases.find(a);
-        const auto of_b = bases.find(b);
-        return of_a != bases.end() && of_b != bases.end() &&
-               std::any_of(of_a->second.begin(), of_a->second.end(),
-                           [&](int base) { return of_b->second.contains(base); });
-    };
-    std::erase_if(pairs, [&](const std::pair<int, int>& one) {
-        const auto plate = [&](int i) -> const Plate& {
-            return assembly.plates[static_cast<std::size_t>(i)];
-        };
-        return joined.contains(std::minmax(one.first, one.second)) ||
-               linkage.joint_of(one.first) == linkage.joint_of(one.second) || may_lie(plate(one.first)) ||
-               may_lie(plate(one.second)) || share_base(one.first, one.second);
-    });
-    pairs = in_plane_pairs(assembly, shapes, std::move(pairs), *frames);
+    const auto pairs =
+        lying_candidates(assembly, linkage, shapes, *frames, [](int /*a*/, int /*b*/) { return true; });
     std::map<int, LyingPair> worst;  // by the later joint
     std::set<int> whole;             // joints of which a plate is covered: nothing is worse
     for (const auto& [a, b] : pairs) {
@@ -162,6 +183,22 @@ std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linka
         return std::pair(p.a, p.b) < std::pair(q.a, q.b);
     });
     return found;
+}
+
+std::vector<std::pair<int, int>> lying_with(const Assembly& assembly, const Linkage& linkage,
+                                            std::span<const PlateShape> shapes,
+                                            const std::vector<char>& moved) {
+    if (assembly.covers.empty()) return {};
+    const auto frames = half_open(assembly);
+    if (!frames) return {};
+    const auto is_moved = [&](int plate) { return moved[static_cast<std::size_t>(plate)] != 0; };
+    auto pairs = lying_candidates(assembly, linkage, shapes, *frames,
+                                  [&](int a, int b) { return is_moved(a) != is_moved(b); });
+    std::erase_if(pairs, [&](const std::pair<int, int>& one) {
+        return !shared(assembly, one.first, one.second, *frames, kLeastMm2);
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 bool any_lies(const Assembly& assembly, std::span<const PlateShape> shapes,

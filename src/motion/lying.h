@@ -28,6 +28,11 @@ struct LyingPair {
 std::vector<LyingPair> find_lying(const Assembly& assembly, const Linkage& linkage,
                                   std::span<const PlateShape> shapes);
 
+// Such pairs of a plate that is `moved` (by number) and one that is not: all of them, by a, b.
+std::vector<std::pair<int, int>> lying_with(const Assembly& assembly, const Linkage& linkage,
+                                            std::span<const PlateShape> shapes,
+                                            const std::vector<char>& moved);
+
 // Whether any of some pairs of plates shares a plane and any paper at all.
 bool any_lies(const Assembly& assembly, std::span<const PlateShape> shapes,
               std::span<const std::pair<int, int>> pairs);

@@ -124,8 +124,11 @@ bool Trials::examine(const Assembly& trial, Linkage& linkage, PairSearch& search
     return !contacts.contacts.empty() || !contacts.undecided.empty() || any_lies(trial, shapes_, pairs_);
 }
 
-bool Surroundings::allow(const Assembly& trial, int joint, Vec2 by) {
-    return is_on_paper(joint, by) && !sticks_out(trial) && !meets_others(trial, joint);
+std::optional<Objection> Surroundings::objection(const Assembly& trial, int joint, Vec2 by,
+                                                 bool lies_nowhere) {
+    if (!is_on_paper(joint, by) || sticks_out(trial)) return Objection{};
+    if (const auto pair = lain_on(trial, joint, lies_nowhere)) return Objection{pair};
+    return met(trial, joint);
 }
 
 // Folds and seams by which the element stands on others, moved, lie on the paper of these.
@@ -175,7 +178,31 @@ const std::vector<char>& Surroundings::plates_moved_by(int joint) {
     return at->second;
 }
 
-bool Surroundings::meets_others(const Assembly& trial, int joint) {
+bool Surroundings::lies_elsewhere(int joint, int besides) {
+    const std::vector<char> own = plates_moved_by(joint);
+    const std::vector<char>& others = plates_moved_by(besides);
+    const auto pairs = lying_with(assembly_, linkage_, shapes_, own);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const std::pair<int, int>& one) {
+        const int other = own[static_cast<std::size_t>(one.first)] != 0 ? one.second : one.first;
+        return others[static_cast<std::size_t>(other)] == 0;
+    });
+}
+
+std::optional<std::pair<int, int>> Surroundings::lain_on(const Assembly& trial, int joint,
+                                                         bool lies_nowhere) {
+    const std::vector<char>& moved = plates_moved_by(joint);
+    const auto now = lying_with(trial, linkage_, shapes_, moved);
+    if (now.empty()) return std::nullopt;
+    if (lies_nowhere) return now.front();
+    const auto [at, is_new] = lying_.try_emplace(joint);
+    if (is_new) at->second = lying_with(assembly_, linkage_, shapes_, moved);
+    for (const std::pair<int, int>& one : now) {
+        if (!std::binary_search(at->second.begin(), at->second.end(), one)) return one;
+    }
+    return std::nullopt;
+}
+
+std::optional<Objection> Surroundings::met(const Assembly& trial, int joint) {
     const std::vector<char>& moved = plates_moved_by(joint);
     const auto meets_already = [&](int a, int b) {
         return std::any_of(contacts_.begin(), contacts_.end(),
@@ -188,9 +215,9 @@ bool Surroundings::meets_others(const Assembly& trial, int joint) {
     Cell cell;
     const int count = static_cast<int>(moved.size());
     const auto is_moved = [&](int plate) { return moved[static_cast<std::size_t>(plate)] != 0; };
-    const auto meets = [&] {
+    const auto find = [&]() -> std::optional<Objection> {
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            if (!fill_cell(trial, linkage, ends[i], ends[i + 1], cell)) return true;
+            if (!fill_cell(trial, linkage, ends[i], ends[i + 1], cell)) return Objection{};
             const std::vector<SpaceBox> boxes = reach_boxes(cell, linkage, shapes_, 0.0);
             for (int a = 0; a < count; ++a) {
                 if (!is_moved(a)) continue;
@@ -204,13 +231,13 @@ bool Surroundings::meets_others(const Assembly& trial, int joint) {
                     if (search.poses() >= kMostPoses ||
                         std::any_of(found.begin(), found.end(),
                                     [](const ContactRange& one) { return one.firm; }))
-                        return true;
+                        return Objection{std::pair{low, high}};
                 }
             }
         }
-        return false;
+        return std::nullopt;
     };
-    const bool result = meets();
+    const auto result = find();
     budget_.poses -= std::min(budget_.poses, search.poses() + trial.plates.size());
     return result;
 }

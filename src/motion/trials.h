@@ -47,8 +47,14 @@ class Trials {
     CrossingTest crossing_;
 };
 
+// What speaks against a trial. `with`: what the moved element meets or lies on, of each of the two a plate;
+// none where it is something else.
+struct Objection {
+    std::optional<std::pair<int, int>> with;  // the smaller number first
+};
+
 // What is round an element: a move must leave it on its paper, let nothing stick out of the closed card that
-// does not, and let it meet nothing that it does not meet. All must outlive it.
+// does not, and let it meet nothing that it does not meet, nor lie on it. All must outlive it.
 class Surroundings {
  public:
     // `contacts`: all of the card as it is.
@@ -56,14 +62,18 @@ class Surroundings {
                  std::span<const Contact> contacts, MoveBudget& budget)
         : assembly_(assembly), linkage_(linkage), shapes_(shapes), contacts_(contacts), budget_(budget) {}
 
-    // Whether the trial, in which a joint is moved by so much on the page of its grounds, is no worse. Cost:
-    // that of examining what comes near the moved plates.
-    bool allow(const Assembly& trial, int joint, Vec2 by);
+    // Nothing, where the trial, in which a joint is moved by so much on the page of its grounds, is no worse.
+    // `lies_nowhere`: the element may not lie even on what it lies on as it is. Cost: that of examining what
+    // comes near the moved plates.
+    std::optional<Objection> objection(const Assembly& trial, int joint, Vec2 by, bool lies_nowhere);
+    // Whether a joint lies on anything as it is, besides what moves with another one.
+    bool lies_elsewhere(int joint, int besides);
 
  private:
     [[nodiscard]] bool is_on_paper(int joint, Vec2 by) const;
     bool sticks_out(const Assembly& trial);
-    bool meets_others(const Assembly& trial, int joint);
+    std::optional<Objection> met(const Assembly& trial, int joint);
+    std::optional<std::pair<int, int>> lain_on(const Assembly& trial, int joint, bool lies_nowhere);
     const std::vector<char>& plates_moved_by(int joint);
 
     const Assembly& assembly_;
@@ -71,8 +81,9 @@ class Surroundings {
     std::span<const PlateShape> shapes_;
     std::span<const Contact> contacts_;
     MoveBudget& budget_;
-    std::optional<std::vector<int>> out_;        // plates that stick out as it is
-    std::map<int, std::vector<char>> moved_by_;  // by joint: whether each plate goes along
+    std::optional<std::vector<int>> out_;                    // plates that stick out as it is
+    std::map<int, std::vector<char>> moved_by_;              // by joint: whether each plate goes along
+    std::map<int, std::vector<std::pair<int, int>>> lying_;  // by joint: pairs as it is, ascending
 };
 
 }  // namespace popup

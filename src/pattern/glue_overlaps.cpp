@@ -168,7 +168,7 @@ class GlueOverlaps {
         } else {
             finding.hint(
                 fmt::format("move \"{}\" along the fold it stands on until its tab {} is clear of tab {} of "
-                            "\"{}\"",
+                            "\"{}\" and of those of all others",
                             one.second->element, one.second->label, one.first->label, one.first->element));
         }
     }
