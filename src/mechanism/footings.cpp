@@ -77,20 +77,33 @@ class Finder {
     }
 
     // The youngest that the line lies on, and that the element's points lie beside.
-    [[nodiscard]] Match fold_of(const Structure& structure) {
+    [[nodiscard]] Match fold_of(const Structure& structure, const ElementInfo& info) {
         const auto there = on_page_.find(structure.fold.page);
         if (there == on_page_.end()) return {};
-        there->second.lines.query(place_on_line(structure), found_);
+        const std::vector<Vec2> points = points_on(structure, info);
+        there->second.lines.query(place_on_line(structure, points), found_);
         for (auto number = found_.rbegin(); number != found_.rend(); ++number) {
             const Image& image = there->second.images[static_cast<std::size_t>(*number)];
             const auto reversed = lies_on(image, structure.fold.begin.at, structure.fold.end.at);
-            if (reversed && stands_beside(image, structure)) return {image.fold, *reversed};
+            if (reversed && stands_beside(image, points)) return {image.fold, *reversed};
         }
         return {};
     }
 
+    // Its points on the page of the fold that it names.
+    static std::vector<Vec2> points_on(const Structure& structure, const ElementInfo& info) {
+        std::vector<Vec2> made;
+        for (std::size_t i = 0; i < std::min(structure.points.size(), info.points.size()); ++i) {
+            const DesignPoint& point = structure.points[i];
+            if (info.points[i].page == PointPage::fold &&
+                point.page.value_or(structure.fold.page) == structure.fold.page)
+                made.push_back(point.at);
+        }
+        return made;
+    }
+
     // Round all places where a fold can be that the line lies on, and that the points lie beside.
-    static Box place_on_line(const Structure& structure) {
+    static Box place_on_line(const Structure& structure, std::span<const Vec2> points) {
         const Vec2 begin = structure.fold.begin.at;
         const Vec2 end = structure.fold.end.at;
         const double size = distance(begin, end);
@@ -98,11 +111,11 @@ class Finder {
         // by a snap at either end; so much further away from where the points lie beside the line it may be.
         double reach = 2.0 * kSnapMm;
         Box box;
-        for (const DesignPoint& point : structure.points) {
-            if (size == 0.0 || point.page.value_or(structure.fold.page) != structure.fold.page) continue;
+        for (const Vec2 point : points) {
+            if (size == 0.0) break;
             const Vec2 along = (1.0 / size) * (end - begin);
-            box.extend(begin + dot(along, point.at - begin) * along);
-            reach = std::max(reach, 2.0 * kSnapMm + 4.0 * kSnapMm / size * distance(begin, point.at));
+            box.extend(begin + dot(along, point - begin) * along);
+            reach = std::max(reach, 2.0 * kSnapMm + 4.0 * kSnapMm / size * distance(begin, point));
         }
         if (box.empty()) {
             box.extend(begin);
@@ -112,13 +125,12 @@ class Finder {
     }
 
     // Folds often lie in one line; that one counts beside which the element's points are.
-    static bool stands_beside(const Image& fold, const Structure& structure) {
+    static bool stands_beside(const Image& fold, std::span<const Vec2> points) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
-        for (const DesignPoint& point : structure.points) {
-            if (point.page.value_or(structure.fold.page) != structure.fold.page) continue;
-            low = std::min(low, dot(fold.dir, point.at - fold.at));
-            high = std::max(high, dot(fold.dir, point.at - fold.at));
+        for (const Vec2 point : points) {
+            low = std::min(low, dot(fold.dir, point - fold.at));
+            high = std::max(high, dot(fold.dir, point - fold.at));
         }
         return low > high || (low < fold.size + kSnapMm && high > -kSnapMm);
     }
@@ -163,7 +175,7 @@ class Finder {
             const Vec2 at = structure.plate->at.at;
             parent.on_left = parent.on_right = {at, at + Vec2{1, 0}};
         } else if (!structure.finds_ground) {
-            const Match match = fold_of(structure);
+            const Match match = fold_of(structure, *info);
             if (match.fold < 0) return;
             ground.fold = match.fold;
             ground.reversed = match.reversed;
