@@ -235,11 +235,29 @@ Looked look_at_text(const std::string& text, const std::string& name, const Edit
     return looked;
 }
 
+// Whether something stands on the page of a piece that was taken out: no number is written for it.
+bool has_lost_page(const Design& design) {
+    const auto is_lost = [](const std::optional<int>& page) { return page && *page < 0; };
+    return std::any_of(design.structures.begin(), design.structures.end(),
+                       [&](const Structure& one) {
+                           return is_lost(one.ground_page()) ||
+                                  std::any_of(one.points.begin(), one.points.end(),
+                                              [&](const DesignPoint& p) { return is_lost(p.page); }) ||
+                                  std::any_of(one.arguments.begin(), one.arguments.end(),
+                                              [&](const Argument& a) { return is_lost(a.page); });
+                       }) ||
+           std::any_of(design.lines.begin(), design.lines.end(),
+                       [](const DrawnLine& one) { return one.page < 0; }) ||
+           std::any_of(design.prints.begin(), design.prints.end(),
+                       [](const DrawnPrint& one) { return one.page < 0; });
+}
+
 // Whether the edited design tells all that reading its document would: nothing is allowed, reading finds
 // nothing but before the first structure, nothing was added, whose places are not known yet, and what was
 // drawn anew is not read from its text.
 bool tells_all(const Edits& edits, const Diagnostics& of_reading) {
-    if (edits.after.version_changed || !of_reading.allowances().empty() || edits.before.structures.empty())
+    if (edits.after.version_changed || !of_reading.allowances().empty() || edits.before.structures.empty() ||
+        has_lost_page(edits.after))
         return false;
     const Place first = edits.before.structures.front().place;
     for (const Diagnostic& one : of_reading.sorted()) {

@@ -105,5 +105,26 @@ TEST(NewFindings, KnowWhatIsCalledByItsNumber) {
     EXPECT_TRUE(told(bad, "move e2 --along 380").refused);
 }
 
+// What stands on the page of a piece that is taken out has no page any more: reading says so, and nothing is
+// checked.
+TEST(NewFindings, AreThoseOfReadingWhereAPageIsGone) {
+    const std::string tent = R"(    <structure type="tent" id="tent">
+      <outerpoints>
+        <point x="-20" y="0"/> <point x="-20" y="40"/> <point x="20" y="0"/> <point x="20" y="40"/>
+        <point x="-30" y="0"/> <point x="-30" y="40"/> <point x="30" y="0"/> <point x="30" y="40"/>
+      </outerpoints>
+      <parentfold page="0"><begin x="0" y="-108"/><end x="0" y="108"/></parentfold>
+    </structure>
+)";
+    std::string on_it = beak(" id=\"beak\"", 20);
+    // Beside its folds, so that nothing is known to carry it.
+    const std::string fold = R"(page="0"><begin x="0" y="-108"/><end x="0")";
+    on_it.replace(on_it.find(fold), fold.size(), R"(page="1"><begin x="90" y="-108"/><end x="90")");
+    const Told gone = told(card(tent + on_it), "delete tent");
+    EXPECT_TRUE(gone.refused);
+    EXPECT_EQ(gone.findings.find("page-not-there"), std::string::npos) << gone.findings;
+    EXPECT_NE(gone.findings.find("bad-page"), std::string::npos) << gone.findings;
+}
+
 }  // namespace
 }  // namespace popup::test
