@@ -65,7 +65,7 @@ struct Line {
     int piece = 0;
     int plate = -1;  // -1: not known
     int other_plate = -1;
-    // Of a fold: how far it is folded in the finished piece, (0, pi]; where that is known and does not
+    // Of a fold: how far it is folded in the finished piece, [0, pi]; where that is known and does not
     // change.
     std::optional<double> fold_angle = {};
 };

@@ -24,7 +24,7 @@ struct PatternLine {
     // A seam along which another piece is glued on: a place, where nothing is folded. Other seams are folds
     // of tabs.
     bool glued_on = false;
-    // Of a fold: how far it is folded in the finished piece, (0, pi]; where that is known.
+    // Of a fold: how far it is folded in the finished piece, [0, pi]; where that is known.
     std::optional<double> fold_angle = {};
 };
 

@@ -42,6 +42,10 @@ struct EditedSheet {
         // Not empty: what one line was cannot be one line any more, because what lies on its two sides goes
         // apart. These are all the edges that it stood for.
         std::vector<Segment> parted;
+        // Not empty: how far it is folded now, degrees in [-180, 180], less than 0 the other way than it is
+        // drawn. One for all of it, or one for each of `parted`: of folds that lie on one line and are folded
+        // by different angles. Where a drawing cannot say that, `points` are where the line is.
+        std::vector<double> fold_deg = {};
     };
     std::vector<Line> lines;
     int moved_corners = 0;  // of the sheet
@@ -69,8 +73,9 @@ struct EditedSheet {
 // would not lie flat; what met would not meet again, by more than 0.01 mm, however the folds are folded; a
 // glue flap would be as much further from what it lies on, or lie beside it), with the place of a crease of
 // that panel; those of rough shapes (`not-refined`, fold_sheet()'s). The remark `folds-turn` says that folds
-// have to be folded otherwise than the drawing says for it to close. Cost: some sparse factorisations with
-// three unknowns a vertex, and near linear in corners.
+// have to be folded otherwise than the drawing said for it to close; its lines have the angles, but where the
+// options end the motion before. Cost: some sparse factorisations with three unknowns a vertex, and near
+// linear in corners.
 std::optional<EditedSheet> edit_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                       const std::vector<Join>& joins, const SheetEdit& edit,
                                       Diagnostics& diagnostics);

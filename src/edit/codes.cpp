@@ -31,12 +31,11 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
      "does."},
     {"folds-turn", Severity::remark, "an edited carton whose folds have other angles",
      "`popupc edit box.svg` has moved a vertex or an edge of a folded shape so that folds go further, or "
-     "less "
-     "far, than the drawing says: a slanted wall stands at no right angle. The sheet is that of the shape, "
-     "and closes with the angles that popupc found; a drawing has no place for them. `--fold-angle "
-     "NAME=75.9` "
-     "says those of lines that have a colour, layer or class of their own; `popupc suggest box.svg --accept "
-     "all --refinement box.refine.json` finds them where corners that meet say them."},
+     "less far, than the drawing said: a slanted wall stands at no right angle. The sheet is that of the "
+     "shape, and closes with the angles that popupc found. The drawing says them with data-fold-angle, which "
+     "other programs pass over. A path has one for each of its lines, other elements have one for all; where "
+     "that is too few, or an element is drawn elsewhere than it stands, another remark tells it. "
+     "`--fold-angle` counts before what drawings say: leave it out then."},
     {"no-such-element", Severity::error, "an id that no element has",
      "An edit, or `popupc show`, names an element by its id, and no element has that id. An element "
      "without an id is called e and its number in the list, counted from 1. `popupc show` lists all "

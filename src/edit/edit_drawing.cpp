@@ -173,18 +173,25 @@ std::optional<Vec2> shift_of(const Reading& reading, const CreasePattern& patter
     for (const CreaseLine& line : reading.creases->lines)
         is.insert(is.end(), line.points.begin(), line.points.end());
     std::vector<Vec2> meant;
+    std::vector<Vec2> maybe;
     for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
         const EditedSheet::Line& line = edited.lines[i];
-        for (const Segment& one : line.parted) meant.insert(meant.end(), {one.a, one.b});
+        // Folds whose angles differ may have parted their line, and are on it if not.
+        const bool apart = !line.parted.empty() && line.fold_deg.empty();
+        std::vector<Vec2>& parted = apart ? meant : maybe;
+        for (const Segment& one : line.parted) parted.insert(parted.end(), {one.a, one.b});
         for (const auto& [stretch, at] : line.through) meant.push_back(at);
-        if (line.parted.empty()) meant.insert(meant.end(), line.points.begin(), line.points.end());
+        if (!apart) meant.insert(meant.end(), line.points.begin(), line.points.end());
     }
     if (is.empty() || meant.empty()) return std::nullopt;
     const Vec2 shift = bounds(is).min - bounds(meant).min;
     for (Vec2& p : meant) p = p + shift;
+    std::vector<Vec2> known = meant;
+    for (const Vec2 p : maybe) known.push_back(p + shift);
     const auto before = [](Vec2 a, Vec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
     std::sort(is.begin(), is.end(), before);
     std::sort(meant.begin(), meant.end(), before);
+    std::sort(known.begin(), known.end(), before);
     const auto all_in = [](const std::vector<Vec2>& some, const std::vector<Vec2>& all) {
         return std::all_of(some.begin(), some.end(), [&](Vec2 p) {
             auto at = std::lower_bound(all.begin(), all.end(), p.x - kReadAgainMm,
@@ -195,7 +202,7 @@ std::optional<Vec2> shift_of(const Reading& reading, const CreasePattern& patter
             return false;
         });
     };
-    return all_in(meant, is) && all_in(is, meant) ? std::optional(shift) : std::nullopt;
+    return all_in(meant, is) && all_in(is, known) ? std::optional(shift) : std::nullopt;
 }
 
 // Panels pass through each other that did not: told as an error.

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/nth.h"
+#include "input/drawing/fold_angles.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
 #include "input/drawing/transform.h"
@@ -27,6 +29,7 @@ using xml::Offset;
 
 constexpr double kReadCornerMm = 2e-3;  // a corner of an element, and of the lines that were read from it
 constexpr double kSameShapeMm = 1e-4;
+constexpr std::string_view kFoldAngle = "data-fold-angle";
 
 // Six decimals at most, without zeros at the end.
 std::string number(double value) {
@@ -80,10 +83,15 @@ class Moves {
             through_.push_back({line.points[from], line.points[(from + 1) % line.points.size()], at});
         }
         moved_ = moved_ || to.moved;
-        parted_.insert(parted_.end(), to.parted.begin(), to.parted.end());
-        any_parted_ = any_parted_ || !to.parted.empty();
-        for (std::size_t i = 0; to.parted.empty() && i + (line.closed ? 0U : 1U) < line.points.size(); ++i)
-            straight_.push_back({to.points[i], to.points[(i + 1) % to.points.size()]});
+        const bool apart = !to.parted.empty() && to.fold_deg.empty();
+        goes_apart_ = goes_apart_ || apart;
+        has_angles_ = has_angles_ || !to.fold_deg.empty();
+        angles_differ_ = angles_differ_ || to.fold_deg.size() > 1;
+        Drawn& drawn = lines_.emplace_back();
+        drawn.fold_deg = to.fold_deg;
+        drawn.parted = to.parted;
+        for (std::size_t i = 0; !apart && i + (line.closed ? 0U : 1U) < line.points.size(); ++i)
+            drawn.straight.push_back({to.points[i], to.points[(i + 1) % to.points.size()]});
     }
     void sort() {
         std::sort(rows_.begin(), rows_.end(), [](const Segment& a, const Segment& b) {
@@ -106,12 +114,43 @@ class Moves {
         }
         return found;
     }
-    [[nodiscard]] bool parted() const { return any_parted_; }
+    // What is cut goes apart on its two sides.
+    [[nodiscard]] bool goes_apart() const { return goes_apart_; }
+    [[nodiscard]] bool has_angles() const { return has_angles_; }
+    [[nodiscard]] bool angles_differ() const { return angles_differ_; }  // of folds of one line
+    [[nodiscard]] std::size_t lines() const { return lines_.size(); }
     // All edges, of what has parted.
     [[nodiscard]] std::vector<Segment> edges() const {
-        std::vector<Segment> all = straight_;
-        all.insert(all.end(), parted_.begin(), parted_.end());
+        std::vector<Segment> all;
+        for (const Drawn& one : lines_) {
+            if (one.parted.empty()) all.insert(all.end(), one.straight.begin(), one.straight.end());
+        }
+        for (const Drawn& one : lines_) all.insert(all.end(), one.parted.begin(), one.parted.end());
         return all;
+    }
+    // What data-fold-angle says then, of lines or of these edges, given what it said of the lines, if it did.
+    [[nodiscard]] std::string angles(const std::vector<std::optional<double>>& said, bool of_edges) const {
+        std::vector<std::string> words;
+        const auto add = [&](std::size_t line, std::size_t times) {
+            const std::vector<double>& deg = lines_[line].fold_deg;
+            std::optional<double> same;
+            if (deg.size() == 1) {
+                same = deg.front();
+            } else if (!said.empty()) {
+                same = said[line];
+            }
+            words.insert(words.end(), times, same ? number(*same) : "auto");
+        };
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (!of_edges || lines_[i].parted.empty()) add(i, of_edges ? lines_[i].straight.size() : 1);
+        }
+        for (const Drawn& one : lines_) {
+            for (std::size_t i = 0; of_edges && i < one.parted.size(); ++i)
+                words.push_back(one.fold_deg.empty() ? "auto" : number(one.fold_deg[i]));
+        }
+        if (std::adjacent_find(words.begin(), words.end(), std::not_equal_to<>()) == words.end())
+            return words.front();
+        return fmt::format("{}", fmt::join(words, " "));
     }
     [[nodiscard]] std::optional<Vec2> find(Vec2 p) const {
         auto at = std::lower_bound(rows_.begin(), rows_.end(), p.x - kReadCornerMm,
@@ -134,8 +173,12 @@ class Moves {
     };
     std::vector<Segment> rows_;  // from where to where
     std::vector<Through> through_;
-    std::vector<Segment> straight_, parted_;
-    bool moved_ = false, any_parted_ = false;
+    struct Drawn {
+        std::vector<Segment> straight, parted;
+        std::vector<double> fold_deg;
+    };
+    std::vector<Drawn> lines_;
+    bool moved_ = false, goes_apart_ = false, has_angles_ = false, angles_differ_ = false;
 };
 
 class Writer {
@@ -159,8 +202,9 @@ class Writer {
             while (!around.empty() && nth(located_.elements, around.back()).after <= i) around.pop_back();
             const Place place = located_.elements[i].place;
             const auto found = moves_.find({place.line, place.column});
-            if (found != moves_.end() && found->second.moved() && !rewrite(i, around, found->second))
-                return std::nullopt;
+            const bool changes =
+                found != moves_.end() && (found->second.moved() || found->second.has_angles());
+            if (changes && !rewrite(i, around, found->second)) return std::nullopt;
             around.push_back(i);
         }
         grow_page();
@@ -281,27 +325,71 @@ class Writer {
         }
         return map;
     }
+    static std::string_view local_name(std::string_view tag) { return tag.substr(tag.find(':') + 1); }
     static bool is_plain(std::string_view tag) {
-        const std::string_view local = tag.substr(tag.find(':') + 1);
+        const std::string_view local = local_name(tag);
         return local == "g" || local == "a" || local == "switch";
+    }
+
+    // The folds of an element that does not move have other angles, and it draws elsewhere than it stands.
+    bool is_drawn_elsewhere(Offset element, const std::vector<Offset>& around) {
+        return !drawing::is_shape(local_name(located_.name(element))) ||
+               std::any_of(around.begin(), around.end(),
+                           [&](Offset one) { return !is_plain(located_.name(one)); });
+    }
+    void tell_unsaid(Place place, std::string why, std::string hint) {
+        diagnostics_.remark("folds-turn", place, std::move(why)).hint(std::move(hint));
+    }
+
+    // What an element says of the angles of its folds. `edges`: it is written as these.
+    void write_angles(const Attributes& own, const Moves& moves, bool edges) {
+        std::optional<drawing::ShapeProblem> problem;
+        const auto said = drawing::fold_angles(own, moves.lines(), problem);
+        const xml::Attribute* given = own.find(kFoldAngle);
+        if (problem || !(moves.has_angles() || (edges && given != nullptr))) return;
+        const std::string text = moves.angles(said, edges);
+        if (given != nullptr) {
+            replace(*given, text);
+        } else if (text != "auto") {
+            const auto tag = trees_.back().root();
+            replacements_.push_back({tag.start_tag().offset + 1 + tag.name().size(), 0,
+                                     fmt::format(" {}=\"{}\"", kFoldAngle, text)});
+        }
     }
 
     bool rewrite(Offset element, const std::vector<Offset>& around, const Moves& moves) {
         const Place place = nth(located_.elements, element).place;
+        if (!moves.moved() && is_drawn_elsewhere(element, around)) {
+            tell_unsaid(place,
+                        "the folds of this element have other angles now, and it is drawn elsewhere "
+                        "than it stands",
+                        "draw it where it is, so that it can have a data-fold-angle of its own");
+            return true;
+        }
         trees_.clear();
         Attributes own({});
         const auto map = map_of(element, around, own);
         if (!map) return false;
         const auto back = inverse(*map);
-        std::string_view tag = located_.name(element);
-        tag = tag.substr(tag.find(':') + 1);
+        const std::string_view tag = local_name(located_.name(element));
+        const bool splits = moves.angles_differ() && tag == "path" && own.find("d") != nullptr;
+        if (moves.angles_differ() && !splits) {
+            tell_unsaid(place,
+                        fmt::format("the folds of this <{}> have different angles now, and it has one "
+                                    "data-fold-angle for all of them",
+                                    tag),
+                        "draw it as a path: that can have one for each of its lines");
+        }
+        const bool edges = moves.goes_apart() || splits;
+        write_angles(own, moves, edges);
+        if (!moves.moved() && !edges) return true;
         Path path;
         if (drawing::make_shape(tag, own, view_, path) || !back)
             return refuse(place, "this element cannot be moved", "draw it as a path");
         if (moves.bends() && tag != "path" && tag != "polyline" && tag != "polygon")
             return refuse(place, fmt::format("this <{}> would have more corners than it can have", tag),
                           "draw it as a path");
-        if (moves.parted()) return write_parted(tag, own, moves, *back, place);
+        if (edges) return write_parted(tag, own, moves, *back, place);
         const auto made = moved(path.mapped(*map), moves);
         if (!made) {
             return refuse(place,

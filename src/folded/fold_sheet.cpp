@@ -208,7 +208,9 @@ class Lowering {
             if (fold.is_bend()) continue;  // nothing to cut or to score
             Line line{is_mountain ? LineKind::mountain : LineKind::valley, stretch,
                       nth(sheet_.panels, fold.left).piece, left, right};
-            if (std::abs(angle) > kFoldedRad) line.fold_angle = std::min(std::abs(angle), kPi);
+            const bool to_lie_flat = fold.target == 0.0 && (fold.ink & (kMountain | kValley)) != 0;
+            if (std::abs(angle) > kFoldedRad || to_lie_flat)
+                line.fold_angle = std::abs(angle) > kFoldedRad ? std::min(std::abs(angle), kPi) : 0.0;
             out_.lines.push_back(line);
         }
     }

@@ -275,6 +275,7 @@ class Drawer {
                 begin(operation, line.plate, kMarkColor, kMarkMm);
             } else {
                 begin(operation, line.plate);
+                drawing_.shapes.back().fold_angle = line.fold_angle;
             }
             if (is_broken(operation, drawing_.profile, options_.score_side) && !(line.at.a == line.at.b)) {
                 for (const Segment& part : broken_score(line.at)) run(std::array{part.a, part.b}, false);

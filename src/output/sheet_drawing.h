@@ -46,12 +46,13 @@ struct SheetShape {
     Operation operation = Operation::outer_cut;
     std::size_t first_run = 0;
     std::size_t runs = 0;
-    int piece = -1;         // index into SheetDrawing::pieces, -1: the sheet's own
-    int plate = -1;         // index into SheetPiece::plate_names, -1: none
-    int depth = 0;          // of a cut: in how many contours of the sheet it lies
-    bool outline = false;   // the cut round a piece, or a part of it
-    bool filled = false;    // an area in its colour, or with its picture, without a line
-    bool halo = false;      // an area below what could not be seen otherwise (output/halos.h)
+    int piece = -1;                         // index into SheetDrawing::pieces, -1: the sheet's own
+    int plate = -1;                         // index into SheetPiece::plate_names, -1: none
+    std::optional<double> fold_angle = {};  // of a fold, radians; where that is known
+    int depth = 0;                          // of a cut: in how many contours of the sheet it lies
+    bool outline = false;                   // the cut round a piece, or a part of it
+    bool filled = false;                    // an area in its colour, or with its picture, without a line
+    bool halo = false;                      // an area below what could not be seen otherwise (output/halos.h)
     int image = -1;         // of an area: index into SheetDrawing::images, -1: it has a colour
     Color color;            // of the line, or of the area
     double width_mm = 0.0;  // of the line

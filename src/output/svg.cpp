@@ -18,6 +18,9 @@ namespace popup {
 namespace {
 
 constexpr int kDecimals = 4;
+constexpr int kAngleDecimals = 6;
+// By which folds of drawings go that do not say it (input/drawing/folded/read.h).
+constexpr std::string_view kUnsaidDegrees = "90";
 constexpr int kDashDecimals = 3;
 
 class SvgText {
@@ -47,6 +50,7 @@ class SvgText {
     void image(const SheetShape& shape);
     std::string fresh_id(const std::string& wanted);
     void plate(const SheetShape& shape);
+    void fold_angle(const SheetShape& shape);
 
     const SheetDrawing& drawing_;
     const Profile& profile_;
@@ -171,6 +175,16 @@ void SvgText::plate(const SheetShape& shape) {
     raw("\" ");
 }
 
+// Where who reads the drawing would take another angle.
+void SvgText::fold_angle(const SheetShape& shape) {
+    if (!shape.fold_angle) return;
+    const std::string degrees = number_text(*shape.fold_angle * 180.0 / std::numbers::pi, kAngleDecimals);
+    if (degrees == kUnsaidDegrees) return;
+    raw("data-fold-angle=\"");
+    raw(degrees);
+    raw("\" ");
+}
+
 std::string SvgText::fresh_id(const std::string& wanted) {
     std::string id = wanted;
     for (int i = 2; std::find(ids_.begin(), ids_.end(), id) != ids_.end(); ++i)
@@ -218,6 +232,7 @@ void SvgText::shape(const SheetShape& shape) {
     if (shape.image >= 0) return image(shape);
     raw("   <path ");
     plate(shape);
+    fold_angle(shape);
     paint(shape);
     geometry(shape);
     raw("/>\n");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "folded/carton/follow_lines.h"
 #include "folded/carton/move_vertices.h"
 #include "folded/carton/rough.h"
+#include "folded/carton/turned_folds.h"
 #include "folded/carton/vertices.h"
 #include "popup/sheet_edit.h"
 
@@ -36,21 +38,30 @@ std::vector<Vec2> points_of(const EditedSheet::Line& line) {
     return points;
 }
 
+// As a drawing says it that is read.
+void fold(CreaseLine& line, double deg) {
+    line.fold_deg = std::abs(deg);
+    if (deg < 0.0) line.use = line.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
+}
+
 // The pattern with its lines where they went.
 CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edited) {
     CreasePattern made = pattern;
     made.lines.clear();
     for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
         CreaseLine line = pattern.lines[i];
-        if (edited.lines[i].parted.empty()) {
-            line.points = points_of(edited.lines[i]);
+        const EditedSheet::Line& to = edited.lines[i];
+        if (to.parted.empty()) {
+            line.points = points_of(to);
+            if (!to.fold_deg.empty()) fold(line, to.fold_deg.front());
             made.lines.push_back(std::move(line));
             continue;
         }
         line.closed = false;
-        for (const Segment& one : edited.lines[i].parted) {
-            line.points = {one.a, one.b};
-            made.lines.push_back(line);
+        for (std::size_t k = 0; k < to.parted.size(); ++k) {
+            CreaseLine& one = made.lines.emplace_back(line);
+            one.points = {to.parted[k].a, to.parted[k].b};
+            if (!to.fold_deg.empty()) fold(one, to.fold_deg[k]);
         }
     }
     return made;
@@ -115,6 +126,7 @@ std::optional<EditedSheet> edit_sheet(const CreasePattern& pattern, const FoldOp
     if (!examined) return std::nullopt;
     EditedSheet made = folded::follow_lines(pattern, options, shape->sheet(), examined->sheet);
     made.turn_deg = examined->turn_deg;
+    folded::turn_folds(pattern, options, *shape, *examined, made, diagnostics);
     folded::RoughShape rough{shape->sheet(), shape->tree(), shape->state().angles(), {}};
     made.before = folded::pattern_of(pattern, rough, rough.angles);
     rough.sheet = examined->sheet;

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kOverlapMm2 = 0.01;
-constexpr double kToldDeg = 0.01;
 constexpr double kSquare = 0.02;     // cosine: a crease that leans by more turns nothing parallel
 constexpr double kSameAngle = 1e-9;  // radians: what turns by less stays as it was, to the last digit
 
@@ -37,8 +36,8 @@ class Examiner {
         fold_panels();
         fold_flaps(lying);
         if (!meets() || !lies_glued(lying)) return std::nullopt;
-        tell_turns();
-        return ExaminedEdit{std::move(sheet_), std::move(angles_), turn_deg_};
+        const double turn_deg = most_turn_deg();
+        return ExaminedEdit{std::move(sheet_), std::move(angles_), turn_deg};
     }
 
  private:
@@ -177,28 +176,12 @@ class Examiner {
         return true;
     }
 
-    void tell_turns() {
-        std::size_t most = 0;
+    [[nodiscard]] double most_turn_deg() const {
+        double most = 0.0;
         const std::vector<double>& before = shape_.state().angles();
-        for (std::size_t i = 0; i < angles_.size(); ++i) {
-            const double turn_deg = std::abs(angles_[i] - before[i]) / kDegree;
-            if (turn_deg <= turn_deg_) continue;
-            turn_deg_ = turn_deg;
-            most = i;
-        }
-        if (turn_deg_ <= kToldDeg) return;
-        const Fold& fold = sheet_.folds[most];
-        diagnostics_
-            .remark(
-                "folds-turn", nth(pattern_.lines, fold.line).place,
-                fmt::format("for the shape to close, folds are not to be folded as the drawing says: that "
-                            "between {} and {} by {:.2f}°, and not by {:.2f}°",
-                            shape_.name_of(fold.left), shape_.name_of(fold.right),
-                            std::abs(angles_[most]) / kDegree, std::abs(before[most]) / kDegree))
-            .hint(
-                "--fold-angle NAME=DEG says it of lines with a name of their own, and popupc suggest finds "
-                "it "
-                "where corners that meet say it, with --accept all --refinement FILE");
+        for (std::size_t i = 0; i < angles_.size(); ++i)
+            most = std::max(most, std::abs(angles_[i] - before[i]) / kDegree);
+        return most;
     }
 
     // Vertices at which corners of different panels are in one place.
@@ -255,7 +238,6 @@ class Examiner {
     Diagnostics& diagnostics_;
     Sheet sheet_;
     std::vector<double> angles_;  // by fold, radians: those that close it
-    double turn_deg_ = 0.0;
 };
 
 }  // namespace

@@ -23,9 +23,8 @@ struct ExaminedEdit {
 // their shapes from vertices as these stand, and flaps that lay on something so that they are parallel to it
 // again. nullopt after `edit-refused`, at the crease of a panel: one would have no area
 // or lie over another on the sheet, corners that met would not meet again, a panel would turn over, or
-// a glue flap would be further from what it lies on, or lie beside it, by more than 0.01 mm. The remark
-// `folds-turn` where folds have other angles. Cost: near linear in corners, as long as few panels are near
-// one another.
+// a glue flap would be further from what it lies on, or lie beside it, by more than 0.01 mm. Cost: near
+// linear in corners, as long as few panels are near one another.
 std::optional<ExaminedEdit> examine_edit(const CreasePattern& pattern, const Vertices& shape,
                                          const MovedVertices& moved, std::vector<Vec2> corners,
                                          Diagnostics& diagnostics);

@@ -209,7 +209,7 @@ class Examiner {
             return say("is a fold, and does not name its two plates");
         if (line.kind == LineKind::seam && moves(in_) && line.plate < 0)
             return say("is a seam, and does not name its plate");
-        if (line.fold_angle && !(*line.fold_angle > 0.0 && *line.fold_angle <= kHalfTurn))
+        if (line.fold_angle && !(*line.fold_angle >= 0.0 && *line.fold_angle <= kHalfTurn))
             say("is folded by no angle from 0 to 180 degrees");
     }
 

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "input/drawing/fold_angles.h"
 #include "input/drawing/notation.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
@@ -451,14 +452,14 @@ class Tracer {
         }
         if (flat_.lines.empty()) return;
         std::vector<Polyline> lines = std::exchange(flat_.lines, {});
+        std::optional<ShapeProblem> problem;
+        fold_angles_ = fold_angles(attributes, lines.size(), problem);
+        if (problem) return tell(*problem);
         out_.elements.push_back(
             {context.instance >= 0 ? name_at(context.instance) : short_name(name_of(attributes)),
              name_at(context.group), place});
-        if (context.owner > 0) {
-            add_by_layer(std::move(lines), context);
-        } else {
-            add_by_style(std::move(lines), context);
-        }
+        if (context.owner > 0) return add_by_layer(std::move(lines), context);
+        add_by_style(std::move(lines), context);
     }
 
     [[nodiscard]] std::string name_at(int number) const {
@@ -466,12 +467,14 @@ class Tracer {
     }
 
     void add_lines(std::vector<Polyline>&& lines, Use use, const Context& context) {
-        for (Polyline& line : lines) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            Polyline& line = lines[i];
             out_.lines.push_back({std::move(line.points), line.closed, use,
                                   static_cast<int>(out_.elements.size()) - 1, context.owner,
                                   context.style.stroke.color, context.style.width * context.to_mm.growth(),
                                   context.style.dash});
             out_.lines.back().opacity = context.style.opacity * context.style.stroke_opacity;
+            if (!fold_angles_.empty()) out_.lines.back().fold_deg = fold_angles_[i];
             rules_.say(context.said, context.style.stroke, out_.lines.back());
         }
     }
@@ -580,7 +583,8 @@ class Tracer {
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
     Tally tally_;
-    Flattened flat_;  // the lines of the shape at hand, the curves of all
+    Flattened flat_;                                  // the lines of the shape at hand, the curves of all
+    std::vector<std::optional<double>> fold_angles_;  // of these lines; none: it says nothing of them
     int exact_places_ = 0;
     bool stopped_ = false;
     Tracing out_;

@@ -269,6 +269,7 @@ class Reader {
             return;
         }
         for (std::size_t i = 0; i < edges_.size(); ++i) read_angle((*angles->list())[i], i);
+        read_flat_folds(*angles->list());
     }
 
     void read_letter(const JsonValue& json, std::size_t edge) {
@@ -315,6 +316,19 @@ class Reader {
                 .hint("angles of valleys are positive, those of mountains negative");
         }
         angles_[edge] = std::min(std::abs(*angle), kFoldedDeg);
+    }
+
+    // Mountains and valleys of 0 are scored and lie flat, where others are folded. Where none is, the file
+    // shows the flat sheet, and says nothing.
+    void read_flat_folds(const std::vector<JsonValue>& angles) {
+        const bool folded = std::any_of(angles_.begin(), angles_.end(),
+                                        [](const auto& angle) { return angle && *angle > 0.0; });
+        for (std::size_t i = 0; folded && i < edges_.size(); ++i) {
+            const double* angle = angles[i].number();
+            if (angle != nullptr && *angle == 0.0 &&
+                (uses_[i] == CreaseUse::mountain || uses_[i] == CreaseUse::valley))
+                angles_[i] = 0.0;
+        }
     }
 
     // --- size and lines

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -19,6 +20,7 @@
 #include "popup/geometry.h"
 #include "popup/language.h"
 #include "popup/refinement.h"
+#include "popup/sheet_edit.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -202,7 +204,101 @@ TEST(EditDrawing, WhatDoesNotMoveStaysByteForByte) {
     wanted.replace(wanted.find(outline), outline.size(),
                    "M 50,10 150,10 150,50 190,50 190,160 150,150 150,191.231056 50,191.231056 50,150 10,160 "
                    "10,50 50,50 Z");
+    // The front leans by arctan(10 / 40): the folds of one line have different angles, and part it.
+    const std::string crease = "M50 50H150V150H50Z";
+    wanted.replace(wanted.find(crease), crease.size(),
+                   "M 50,50 150,50 M 150,50 150,150 M 150,150 50,150 M 50,150 50,50");
+    wanted.replace(wanted.find("<path id"), 5, "<path data-fold-angle=\"90 90 75.963757 90\"");
     EXPECT_EQ(*done.text, wanted);
+}
+
+// Where the vertices of a folded drawing are.
+std::map<std::string, Vec3> vertices_of(const std::string& drawing) {
+    Diagnostics said("box.svg");
+    std::map<std::string, Vec3> places;
+    const auto sheet = show_sheet(pattern_of(drawing), {}, {}, said);
+    if (!sheet) return places;
+    for (const ShownSheet::Panel& panel : sheet->panels) {
+        for (const ShownSheet::Vertex& one : panel.vertices) places[one.name] = one.at;
+    }
+    return places;
+}
+
+// Edits that turn folds, read again: what moves is where it was to go, all else where it was.
+TEST(EditDrawing, TurnedFoldsAreReadAgain) {
+    struct Row {
+        std::string what, edit;
+        std::set<std::string> move;
+        Vec3 by;
+    };
+    std::string two = kTray;  // the creases as lines of their own, two in one element
+    const std::string crease = "M50 50H150V150H50Z";
+    two.replace(two.find(crease), crease.size(), "M50 50H150M150 150H50M50 50V150M150 150V50");
+    std::string named = kTray;  // that do not say which way
+    named.replace(named.find("mountain"), 8, "fold");
+    for (const Row& row :
+         std::vector<Row>{{kTray, "edge front.1-2 --by 0,-10,0", {"front.1", "front.2"}, {0, -10, 0}},
+                          {two, "edge front.1-2 --by 0,-10,0", {"front.1", "front.2"}, {0, -10, 0}},
+                          {two, "edge left.1-4 --by 4,0,2", {"left.1", "left.4"}, {4, 0, 2}},
+                          {named, "edge front.1-2 --by 0,20,0", {"front.1", "front.2"}, {0, 20, 0}}}) {
+        const Done done = edit(row.what, {row.edit});
+        ASSERT_TRUE(done.text) << row.edit << done.told;
+        EXPECT_NE(done.told.find("[folds-turn]"), std::string::npos) << done.told;
+        const auto before = vertices_of(row.what);
+        const auto after = vertices_of(*done.text);
+        ASSERT_EQ(after.size(), before.size());
+        int moved = 0;
+        for (const auto& [name, at] : before) {
+            ASSERT_TRUE(after.contains(name)) << name;
+            const bool goes = std::any_of(row.move.begin(), row.move.end(), [&](const std::string& one) {
+                return distance(before.at(one), at) < 1e-6;
+            });
+            EXPECT_LT(distance(after.at(name), goes ? at + row.by : at), 1e-4)
+                << row.edit << ": " << name << "\n"
+                << *done.text;
+            moved += goes ? 1 : 0;
+        }
+        EXPECT_EQ(moved, 4);  // each as a corner of two walls
+        // Nothing turns any more when it is edited again.
+        const Done again = edit(*done.text, {"extrude base --by 0"});
+        ASSERT_TRUE(again.text) << again.told;
+        EXPECT_EQ(*again.text, *done.text);
+        EXPECT_EQ(again.told.find("[folds-turn]"), std::string::npos) << again.told;
+    }
+}
+
+// What says of its lines how far they are folded goes on doing so.
+TEST(EditDrawing, AnglesThatWereSaidStay) {
+    std::string drawing = kTray;
+    const std::string crease = "d=\"M50 50H150V150H50Z\"";
+    drawing.replace(drawing.find(crease), crease.size(),
+                    "data-fold-angle='90 90 auto 80' d=\"M50 50H150M150 150H50M50 50V150M150 150V50\"");
+    const Done done = edit(drawing, {"edge front.1-2 --by 0,-10,0"});
+    ASSERT_TRUE(done.text) << done.told;
+    EXPECT_NE(done.text->find("data-fold-angle='90 75.963757 auto 80'"), std::string::npos) << *done.text;
+}
+
+// A rectangle has one angle for its four sides.
+TEST(EditDrawing, ElementsThatCannotHaveTheAngleAreTold) {
+    std::string drawing = kTray;
+    const std::string crease =
+        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
+    drawing.replace(
+        drawing.find(crease), crease.size(),
+        "<rect class=\"mountain\" stroke=\"#ff0000\" x=\"50\" y=\"50\" width=\"100\" height=\"100\"/>");
+    const Done done = edit(drawing, {"edge front.1-2 --by 0,-10,0"});
+    ASSERT_TRUE(done.text) << done.told;
+    EXPECT_NE(done.told.find("the folds of this <rect> have different angles now, and it has one "
+                             "data-fold-angle for all of them [folds-turn]"),
+              std::string::npos)
+        << done.told;
+    EXPECT_EQ(done.text->find("data-fold-angle"), std::string::npos);
+    // With --fold-to it is not known how far they go in the end.
+    DrawingEditOptions half;
+    half.fold.to = 0.5;
+    const Done part = edit(kTray, {"edge front.1-2 --by 0,-1,0"}, half);
+    ASSERT_TRUE(part.text) << part.told;
+    EXPECT_EQ(part.text->find("data-fold-angle"), std::string::npos) << *part.text;
 }
 
 TEST(EditDrawing, NothingMovedIsEveryByte) {
@@ -223,7 +319,7 @@ TEST(EditDrawing, ThereAndBackIsTheOldDrawing) {
              {kTray, "vertex front+left --by 0,0,-5", "vertex front+left --by 0,0,5"},
              {kTray, "extrude base --by 10", "extrude base --by -10"},
              {carton("fefco_0201(300, 200, 150, 3)"), "extrude front --by 20", "extrude front --by -20"},
-             {carton("gift_bag(180, 80, 240, 0.2)"), "extrude right --by 6", "extrude right --by -6"}}) {
+             {carton("gift_bag(180, 80, 240, 0.2)"), "extrude right-1 --by 6", "extrude right-1 --by -6"}}) {
         const Done done = edit(row.drawing, {row.there, row.back});
         ASSERT_TRUE(done.text) << row.there << done.told;
         expect_same(corners_of(*done.text), corners_of(row.drawing), row.there);

@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "popup/files.h"
 #include "popup/language.h"
 #include "popup/motion.h"
 #include "popup/refinement.h"
+#include "support/run_program.h"
 #include "support/sanitized.h"
 
 namespace popup {
@@ -130,6 +134,64 @@ TEST(KitCartons, MayBeAcceptedWhole) {
         for (const auto& [a, b] : crossings_of(refined->pattern, true))
             ADD_FAILURE() << file.path() << ": " << a << " crosses " << b;
         EXPECT_FALSE(diagnostics.has_findings()) << file.path();
+    }
+    EXPECT_EQ(seen, 11);
+}
+
+// Folds by which way and how far they go, and how long they are; rounded, and sorted. Small ones may differ
+// in a digit.
+std::vector<std::pair<long, long>> folds_of(const CreasePattern& pattern) {
+    Diagnostics diagnostics;
+    const auto assembly = fold_sheet(pattern, {}, diagnostics);
+    std::vector<std::pair<long, long>> folds;
+    if (!assembly) return folds;
+    for (const Line& line : assembly->lines) {
+        if (line.kind != LineKind::mountain && line.kind != LineKind::valley) continue;
+        const double deg = line.fold_angle.value_or(0.0) * 180.0 / std::numbers::pi;
+        folds.emplace_back(std::lround((line.kind == LineKind::mountain ? -10.0 : 10.0) * deg),
+                           std::lround(100.0 * distance(line.at.a, line.at.b)));
+    }
+    std::sort(folds.begin(), folds.end());
+    return folds;
+}
+
+// All of the kit's cartons, built as SVG and as FOLD and read again: all folds go as far as they did, and
+// nothing collides.
+TEST(KitCartons, FoldClosedWhenTheyAreReadBack) {
+    int seen = 0;
+    for (const auto& file : std::filesystem::directory_iterator(kCartons)) {
+        if (file.path().extension() != ".fl") continue;
+        if (seen++ % (test::kSanitized ? 6 : 1) != 0) continue;
+        const auto pattern = drawing(file.path());
+        ASSERT_TRUE(pattern) << file.path();
+        const test::ScratchDirectory there;
+        const test::RunOptions in_there{.directory = there.path(), .input = {}, .environment = {}};
+        const test::RunResult built =
+            test::popupc({"build", file.path().string(), "-o", "box.svg", "-o", "box.fold", "-q"}, in_there);
+        ASSERT_EQ(built.exit, 0) << file.path() << built.err;
+        std::vector<std::pair<long, long>> of_sheets;  // a carton of two pieces has two
+        for (const auto& made : std::filesystem::directory_iterator(there.path())) {
+            ReadOptions read;
+            read.drawing.as = DrawnAs::folded;
+            Diagnostics diagnostics;
+            const auto source = read_source(made.path().string(), diagnostics);
+            ASSERT_TRUE(source);
+            const auto again = read_source_text(*source, read, diagnostics).creases;
+            ASSERT_TRUE(again) << file.path() << made.path();
+            const auto folds = folds_of(*again);
+            const bool is_fold = made.path().extension() == ".fold";
+            if (is_fold) {
+                EXPECT_EQ(folds, folds_of(*pattern)) << file.path();
+            } else {
+                of_sheets.insert(of_sheets.end(), folds.begin(), folds.end());
+            }
+            const test::RunResult checked =
+                test::popupc({"check", made.path().string(), "--as", "folded"}, in_there);
+            EXPECT_EQ(checked.exit, 0) << file.path() << checked.err;
+            EXPECT_EQ(checked.err.find("warning"), std::string::npos) << file.path() << checked.err;
+        }
+        std::sort(of_sheets.begin(), of_sheets.end());
+        EXPECT_EQ(of_sheets, folds_of(*pattern)) << file.path();
     }
     EXPECT_EQ(seen, 11);
 }

@@ -1,5 +1,6 @@
 #include "input/drawing/folded/read.h"
 
+#include <cmath>
 #include <utility>
 
 #include "base/nth.h"
@@ -35,6 +36,19 @@ std::optional<double> angle_of(const TracedLine& line) {
     return kFoldedDeg * *line.opacity;
 }
 
+// The drawing may say an angle itself; then the other way than a fold follows the others is that of
+// mountains.
+void fold(CreaseLine& crease, const TracedLine& line, bool own_sheet) {
+    if (crease.use == CreaseUse::cut) return;
+    if (!line.fold_deg) {
+        if (crease.use != CreaseUse::fold && !own_sheet) crease.fold_deg = angle_of(line);
+        return;
+    }
+    crease.fold_deg = std::abs(*line.fold_deg);
+    if (*line.fold_deg < 0.0)
+        crease.use = crease.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
+}
+
 }  // namespace
 
 std::optional<CreasePattern> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
@@ -48,7 +62,7 @@ std::optional<CreasePattern> read(const Tracing& tracing, const Source& source, 
     for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
         SheetLine& line = drawn.lines[i];
         CreaseLine crease{std::move(line.points), line.closed, use_of(line.ink)};
-        if ((line.ink & (kMountain | kValley)) != 0) crease.fold_deg = angle_of(*drawn.drawn_by[i]);
+        fold(crease, *drawn.drawn_by[i], tracing.own_sheet);
         crease.place = nth(tracing.elements, line.element).place;
         crease.name = to_string(drawn.drawn_by[i]->color);
         pattern.lines.push_back(std::move(crease));

@@ -1,4 +1,5 @@
 // What is read of a drawing: shapes, units, transforms and styles, held against formulas.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "input/drawing/read.h"
 #include "input/drawing/style.h"
 #include "input/drawing/transform.h"
+#include "popup/language.h"
 #include "popup/path.h"
 #include "popup/profile.h"
 #include "support/drawings.h"
@@ -388,6 +390,67 @@ TEST(Drawing, NumbersBeyondReasonAreRefused) {
 }
 
 // --- styles
+
+// How far the lines of a folded drawing are folded, and as what.
+std::string angles_of(const std::string& element) {
+    Diagnostics said("box.svg");
+    ReadOptions read;
+    read.drawing.as = DrawnAs::folded;
+    const std::string text =
+        drawing("<path class='cut' stroke='#000' fill='none' d='M0 0H90V90H0Z'/>" + element);
+    const Reading reading = read_source_text({"box.svg", text}, read, said);
+    std::string all;
+    if (!reading.creases) {
+        for (const Diagnostic& one : said.sorted()) {
+            if (one.severity == Severity::error) all += one.message + " [" + one.code + "]";
+        }
+        return all;
+    }
+    for (const CreaseLine& line : reading.creases->lines) {
+        if (line.use == CreaseUse::cut) continue;
+        all += all.empty() ? "" : ", ";
+        all += kCreaseUseNames.at(static_cast<std::size_t>(line.use));
+        if (line.fold_deg) all += " " + fmt::format("{}", *line.fold_deg);
+    }
+    return all;
+}
+
+TEST(Drawing, FoldsGoAsFarAsTheirElementSays) {
+    struct Row {
+        std::string element, folds;
+    };
+    const std::string two = "fill='none' d='M10 0V90M20 0V90'";
+    for (const Row& row : std::vector<Row>{
+             {"<path class='valley' stroke='#f0f' data-fold-angle='60' " + two + "/>",
+              "valley 60, valley 60"},
+             {"<path class='valley' stroke='#f0f' data-fold-angle=' 60,\n128.571429 ' " + two + "/>",
+              "valley 60, valley 128.571429"},
+             {"<path class='valley' stroke='#f0f' data-fold-angle='auto 0' " + two + "/>",
+              "valley, valley 0"},
+             {"<path class='mountain' stroke='#f0f' data-fold-angle='-30 180' " + two + "/>",
+              "valley 30, mountain 180"},
+             {"<path class='fold' stroke='#f0f' data-fold-angle='30 -30' " + two + "/>",
+              "fold 30, mountain 30"},
+             // Before what Origami Simulator reads in the opacity, which stays as it was.
+             {"<path stroke='#ff0000' stroke-opacity='0.5' data-fold-angle='60 auto' " + two + "/>",
+              "mountain 60, mountain 90"},
+             {"<line stroke='#ff0000' x1='10' y1='0' x2='10' y2='90' data-fold-angle='45'/>", "mountain 45"},
+             {"<g data-fold-angle='45'><path class='valley' stroke='#f0f' " + two + "/></g>",
+              "valley, valley"},
+             // Of a cut it says nothing.
+             {"<path class='cut' stroke='#000' data-fold-angle='60' " + two + "/>", ""},
+             {"<path class='valley' stroke='#f0f' data-fold-angle='60 70 80' " + two + "/>",
+              "'data-fold-angle' has 3 angles, and its element draws 2 lines [bad-number]"},
+             {"<path class='valley' stroke='#f0f' data-fold-angle='' " + two + "/>",
+              "'data-fold-angle' has 0 angles, and its element draws 2 lines [bad-number]"},
+             {"<path class='valley' stroke='#f0f' data-fold-angle='60 1e3' " + two + "/>",
+              "'data-fold-angle' has \"1e3\", which is no angle from -180 to 180 degrees, nor auto "
+              "[bad-number]"},
+             {"<path class='valley' stroke='#f0f' data-fold-angle='60deg' " + two + "/>",
+              "'data-fold-angle' has \"60deg\", which is no angle from -180 to 180 degrees, nor auto "
+              "[bad-number]"}})
+        EXPECT_EQ(angles_of(row.element), row.folds) << row.element;
+}
 
 TEST(DrawingStyle, RulesWeighAsInCss) {
     // What of a tag, a class, an id, the style and an attribute says stroke or none decides whether the

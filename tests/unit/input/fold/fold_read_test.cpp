@@ -57,10 +57,17 @@ TEST(FoldRead, KnowsLettersAndAngles) {
         EXPECT_EQ(lines[i].name, std::to_string(i));
     }
     EXPECT_EQ(lines[2].fold_deg, 90.0);
-    EXPECT_EQ(lines[3].fold_deg, std::nullopt);
+    EXPECT_EQ(lines[3].fold_deg, 0.0);
     EXPECT_EQ(one.pattern->fold_deg, 180.0);
     EXPECT_EQ(lines[4].fold_deg, 45.0);
     EXPECT_EQ(lines[4].place.line, 2);
+    // All flat: the angles are those of the sheet as it lies there.
+    const Read flat = read(
+        R"({"frame_unit": "mm", "vertices_coords": [[0,0],[1,0],[2,0]], "edges_vertices": [[0,1],[1,2]],
+"edges_assignment": ["M","V"], "edges_foldAngle": [0,0]})");
+    ASSERT_TRUE(flat.pattern) << flat.told;
+    EXPECT_EQ(flat.pattern->lines[0].fold_deg, std::nullopt);
+    EXPECT_EQ(flat.pattern->lines[1].fold_deg, std::nullopt);
 }
 
 TEST(FoldRead, InheritsFrames) {
