@@ -205,9 +205,17 @@ std::optional<Vec2> shift_of(const Reading& reading, const CreasePattern& patter
     return all_in(meant, is) && all_in(is, known) ? std::optional(shift) : std::nullopt;
 }
 
+// Of the first line that an edit changes.
+Place place_of_change(const CreasePattern& pattern, const EditedSheet& edited) {
+    for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+        if (edited.lines[i].moved || !edited.lines[i].fold_deg.empty()) return pattern.lines[i].place;
+    }
+    return {};
+}
+
 // Panels pass through each other that did not: told as an error.
-bool crosses_anew(const EditedSheet& edited, const DrawingEditOptions& options, const std::string& what,
-                  Diagnostics& heard) {
+bool crosses_anew(const EditedSheet& edited, const CreasePattern& pattern, const DrawingEditOptions& options,
+                  const std::string& what, Diagnostics& heard) {
     const Crossings after = crossings_in(edited.after, true, options.fold, options.motion);
     if (after.empty()) return false;
     const Crossings before = crossings_in(edited.before, true, options.fold, options.motion);
@@ -221,7 +229,7 @@ bool crosses_anew(const EditedSheet& edited, const DrawingEditOptions& options, 
     const auto named = std::find_if(edited.names.begin(), edited.names.end(),
                                     [&](const EditedSheet::Name& name) { return name.is == one; });
     heard
-        .error("edit-refused", named != edited.names.end() ? named->place : Place{},
+        .error("edit-refused", named != edited.names.end() ? named->place : place_of_change(pattern, edited),
                one.empty() ? fmt::format("after {} the sheet could not be folded all the way", what)
                            : fmt::format("after {} \"{}\" would pass through \"{}\", and nothing did there "
                                          "before",
@@ -346,7 +354,8 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
         }
         std::optional<std::string> text;
         const std::string what = fmt::format("{}", fmt::join(line.words, " "));
-        if (edited && (options.force || !crosses_anew(*edited, options, shown(what), heard)))
+        if (edited &&
+            (options.force || !crosses_anew(*edited, *reading.creases, options, shown(what), heard)))
             text = edit::write_moved(now, *reading.creases, *edited, heard);
         if (text) {
             Diagnostics unheard(source.name);
@@ -357,7 +366,7 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
                 options.ruler = again.creases->ruler;
             } else {
                 heard
-                    .error("edit-refused", {},
+                    .error("edit-refused", place_of_change(*reading.creases, *edited),
                            fmt::format("after {} the drawing would be read otherwise than it is meant",
                                        shown(what)))
                     .hint(

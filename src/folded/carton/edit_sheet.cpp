@@ -67,6 +67,19 @@ CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edi
     return made;
 }
 
+// Of a fold that ends at a corner.
+Place place_at(const CreasePattern& pattern, const folded::Sheet& sheet, int corner) {
+    for (const folded::Fold& fold : sheet.folds) {
+        const bool ends_there =
+            std::any_of(fold.stretches.begin(), fold.stretches.end(), [&](const folded::Stretch& one) {
+                return distance(sheet.at(one.a), sheet.at(corner)) <= kGapeMm ||
+                       distance(sheet.at(one.b), sheet.at(corner)) <= kGapeMm;
+            });
+        if (ends_there) return nth(pattern.lines, fold.line).place;
+    }
+    return {};
+}
+
 // What panels were called and are called now: those whose boxes have the same middle are the same.
 std::vector<EditedSheet::Name> names_after(const CreasePattern& pattern, const folded::Vertices& shape,
                                            const folded::Sheet& sheet, const folded::RoughShape& after) {
@@ -116,7 +129,7 @@ std::optional<EditedSheet> edit_sheet(const CreasePattern& pattern, const FoldOp
     folded::Unfolded flat = folded::unfold(*shape, moved);
     if (flat.gape_mm > kGapeMm) {
         return refuse(
-            {},
+            place_at(pattern, shape->sheet(), flat.gapes_at),
             fmt::format("the panels around {} would not lie flat on the sheet: they miss each other by "
                         "{:.3g} mm",
                         shown_point(pattern.ruler, shape->sheet().at(flat.gapes_at)), flat.gape_mm),

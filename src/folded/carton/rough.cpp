@@ -20,6 +20,15 @@ namespace {
 constexpr double kWholeWay = 0.998;   // as fold_sheet() has it
 constexpr double kMovedShare = 1e-3;  // of the sheet: so far may corners be moved to close loops
 
+// Of a fold of those that get the least far.
+Place place_of_worst(const CreasePattern& pattern, const Sheet& sheet, const Paths& paths) {
+    const auto worst =
+        std::min_element(paths.clusters.begin(), paths.clusters.end(),
+                         [](const Cluster& a, const Cluster& b) { return a.reached < b.reached; });
+    if (worst == paths.clusters.end() || worst->folds.empty()) return {};
+    return nth(pattern.lines, nth(sheet.folds, worst->folds.front()).line).place;
+}
+
 }  // namespace
 
 std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, const FoldOptions& options,
@@ -35,7 +44,8 @@ std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, cons
     }
     if (paths.reached < kWholeWay) {
         diagnostics
-            .error("not-refined", {}, "loops of this sheet do not close, so that its shape cannot be refined")
+            .error("not-refined", place_of_worst(pattern, *sheet, paths),
+                   "loops of this sheet do not close, so that its shape cannot be refined")
             .hint("popupc check says which loop stays open");
         return nullptr;
     }

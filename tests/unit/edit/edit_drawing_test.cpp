@@ -278,6 +278,31 @@ TEST(EditDrawing, AnglesThatWereSaidStay) {
     EXPECT_NE(done.text->find("data-fold-angle='90 75.963757 auto 80'"), std::string::npos) << *done.text;
 }
 
+// Where four scored folds meet, corners that rise leave less than 360°. The refusal stands at one of the
+// folds.
+TEST(EditDrawing, WhatWouldNotLieFlatIsToldWhereItIsDrawn) {
+    const std::string drawing =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
+ <g fill="none" stroke-width="0.3">
+  <path class="cut" stroke="#000" d="M0 0H100V100H0Z"/>
+  <path class="valley" stroke="#f0f" data-fold-angle="0" d="M0 0 50 50M100 0 50 50M100 100 50 50M0 100 50 50"/>
+ </g>
+</svg>
+)";
+    Diagnostics said("box.svg");
+    DrawingEditOptions options;
+    const std::vector<EditLine> lines{{words_of("vertex 1.2 --by 0,0,10"), {}}};
+    EXPECT_FALSE(edit_drawing({"box.svg", drawing}, lines, options, said, said));
+    const Diagnostic told = said.sorted().back();
+    EXPECT_EQ(told.code, "edit-refused");
+    EXPECT_EQ(
+        told.message,
+        "the panels around (100.00, 100.00) mm would not lie flat on the sheet: they miss each other by "
+        "5.6 mm");
+    EXPECT_EQ(told.place.line, 4);
+    EXPECT_EQ(told.place.column, 3);
+}
+
 // A rectangle has one angle for its four sides.
 TEST(EditDrawing, ElementsThatCannotHaveTheAngleAreTold) {
     std::string drawing = kTray;
