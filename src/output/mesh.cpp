@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
+#include "base/geometry/ears.h"
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/geometry/triangulate.h"
-#include "base/geometry/ears.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 
