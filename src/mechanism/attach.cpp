@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/geometry/laid.h"
 #include "base/geometry/regions.h"
 #include "mechanism/site_lines.h"
 
@@ -16,18 +17,7 @@ constexpr double kGlueInsetMm = 1.0;  // glue stays this far away from folds and
 constexpr double kLeastGlueMm2 = 25.0;
 constexpr double kLostGlueMm2 = 0.5;  // more of a given area may not lie beside the paper
 
-// Where points of the piece's page lie on the plate's page.
-struct Laid {
-    Vec2 from, own_dir, to, base_dir;
-    bool back;
-
-    [[nodiscard]] Vec2 operator()(Vec2 p) const {
-        const Vec2 d = p - from;
-        const double aside = cross(own_dir, d);
-        return to + dot(own_dir, d) * base_dir + (back ? -aside : aside) * left_of(base_dir);
-    }
-};
-
+// The piece's page on the plate's.
 Laid laid(const Element& e, const Bed& bed) {
     return {e.extra[G], unit(e.extra[H] - e.extra[G]), bed.line.a, unit(bed.line.b - bed.line.a), bed.back};
 }
@@ -35,13 +25,7 @@ Laid laid(const Element& e, const Bed& bed) {
 std::vector<Polygon> glued_area(const Element& e, const Bed& bed) {
     const Laid lay = laid(e, bed);
     std::vector<Polygon> piece;
-    for (Polygon part : areas_of(e, "outline")) {
-        for (Vec2& p : part.outer) p = lay(p);
-        for (Ring& hole : part.holes) {
-            for (Vec2& p : hole) p = lay(p);
-        }
-        piece.push_back(std::move(part));
-    }
+    for (const Polygon& part : areas_of(e, "outline")) piece.push_back(lay(part));
     Box near;
     for (const Polygon& part : piece) {
         for (const Vec2 p : part.outer) near.extend(p);

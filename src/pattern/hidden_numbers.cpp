@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/laid.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
 
@@ -13,31 +14,13 @@ namespace {
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
 
-// From the back the base is seen in a mirror.
-double side_of(const Rigid& how) { return how.back ? -1.0 : 1.0; }
-
-Vec2 own_of(const Rigid& how, Vec2 on_base) {
-    const Vec2 off = on_base - how.base_at;
-    return how.own_at + dot(off, how.base_dir) * how.own_dir +
-           side_of(how) * cross(how.base_dir, off) * left_of(how.own_dir);
-}
-Vec2 base_of(const Rigid& how, Vec2 own) {
-    const Vec2 off = own - how.own_at;
-    return how.base_at + dot(off, how.own_dir) * how.base_dir +
-           side_of(how) * cross(how.own_dir, off) * left_of(how.base_dir);
-}
+Laid laid(const Rigid& how) { return {how.own_at, how.own_dir, how.base_at, how.base_dir, how.back}; }
 
 // The largest text on what of the base's paper the piece covers.
 std::optional<TextSpot> spot_on_covered(const Plate& base, const Plate& own, const Rigid& how,
                                         const std::string& text) {
-    Polygon piece;
-    for (const Vec2 p : own.outline.outer) piece.outer.push_back(base_of(how, p));
-    for (const Ring& hole : own.outline.holes) {
-        Ring& made = piece.holes.emplace_back();
-        for (const Vec2 p : hole) made.push_back(base_of(how, p));
-    }
     std::optional<TextSpot> best;
-    for (const Polygon& part : intersect({base.outline}, {piece})) {
+    for (const Polygon& part : intersect({base.outline}, {laid(how)(own.outline)})) {
         const auto spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
                                          bounds(part.outer), text);
         if (spot && (!best || spot->height > best->height)) best = spot;
@@ -62,8 +45,11 @@ std::optional<Label> HiddenNumbers::of(const GluedArea& glued, const std::option
                : spot_on_covered(nth(in_.plates, glued.base_plate), nth(in_.plates, glued.plate), *how,
                                  glued.label);
     if (!spot) return std::nullopt;
-    const double angle = angle_of(how->own_dir) + side_of(*how) * (spot->angle - angle_of(how->base_dir));
-    return Label{LabelKind::piece, glued.label, own_of(*how, spot->at), spot->height, angle, !how->behind};
+    // From the back the base is seen in a mirror.
+    const double turned = spot->angle - angle_of(how->base_dir);
+    const double angle = angle_of(how->own_dir) + (how->back ? -turned : turned);
+    return Label{LabelKind::piece, glued.label, laid(*how).inverse()(spot->at),
+                 spot->height,     angle,       !how->behind};
 }
 
 }  // namespace popup
