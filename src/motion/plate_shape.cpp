@@ -3,41 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/geometry/ears.h"
 #include "base/geometry/hull.h"
 #include "base/geometry/regions.h"
-#include "base/geometry/triangulate.h"
 
 namespace popup {
 namespace {
-
-// Ears that do not add up to the polygon by more than rounding are not all of it.
-constexpr double kAreaError = 1e-12;
-
-double area_of(const Triangulation& triangulation) {
-    double twice = 0.0;
-    for (const auto& [a, b, c] : triangulation.triangles) {
-        const std::vector<Vec2>& points = triangulation.points;
-        twice += cross(points[b] - points[a], points[c] - points[a]);
-    }
-    return 0.5 * twice;
-}
-
-// Most plates are rings of few corners, of which triangles are cut at a tenth of what triangulate() takes.
-Triangulation triangles_of(const Polygon& polygon) {
-    std::optional<Triangulation> ears = clip_ears(polygon);
-    if (ears) {
-        const Box box = bounds(polygon.outer);
-        const double wanted = area(polygon);
-        if (std::abs(area_of(*ears) - wanted) <= kAreaError * (wanted + box.width() * box.height()))
-            return *std::move(ears);
-    }
-    return triangulate(polygon);
-}
 
 // By their corners: neighbours in the list are neighbours on the plate, and what looks for the first place of
 // all begins there.
@@ -51,7 +25,7 @@ void put_in_order(std::vector<Triangle2>& triangles) {
 }
 
 void append(const Polygon& polygon, std::vector<Triangle2>& triangles) {
-    const Triangulation found = triangles_of(polygon);
+    const Triangulation found = quick_triangles(polygon);
     for (const auto& t : found.triangles) {
         triangles.push_back({found.points[t[0]], found.points[t[1]], found.points[t[2]]});
     }

@@ -11,7 +11,6 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
-#include "base/geometry/triangulate.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 
@@ -164,8 +163,7 @@ std::vector<ColorGroup> drawn_groups(const Plate& plate) {
 }
 
 void append(const Polygon& polygon, Vec2 pivot, MeshPart& part) {
-    std::optional<Triangulation> ears = clip_ears(polygon);
-    const Triangulation triangles = ears ? *std::move(ears) : triangulate(polygon);
+    const Triangulation triangles = quick_triangles(polygon);
     const auto first = static_cast<std::uint32_t>(part.points.size());
     for (const Vec2 p : triangles.points) part.points.push_back(p - pivot);
     for (const auto& triangle : triangles.triangles) {

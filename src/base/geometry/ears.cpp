@@ -1,5 +1,6 @@
 #include "base/geometry/ears.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -9,6 +10,7 @@ namespace popup {
 namespace {
 
 constexpr std::size_t kMostCorners = 200;
+constexpr double kAreaError = 1e-12;  // that is rounding
 
 double twice_area(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
@@ -75,7 +77,19 @@ std::vector<Vec2> corners_of(const Ring& ring) {
     return corners;
 }
 
+double area_of(const Triangulation& triangulation) {
+    double twice = 0.0;
+    for (const auto& [a, b, c] : triangulation.triangles)
+        twice += twice_area(triangulation.points[a], triangulation.points[b], triangulation.points[c]);
+    return 0.5 * twice;
+}
+
 }  // namespace
+
+Triangulation quick_triangles(const Polygon& polygon) {
+    std::optional<Triangulation> ears = clip_ears(polygon);
+    return ears ? *std::move(ears) : triangulate(polygon);
+}
 
 std::optional<Triangulation> clip_ears(const Polygon& polygon) {
     if (!polygon.holes.empty() || polygon.outer.size() > kMostCorners) return std::nullopt;
@@ -102,6 +116,10 @@ std::optional<Triangulation> clip_ears(const Polygon& polygon) {
     if (!(rest.turn(at) > 0.0)) return std::nullopt;
     result.triangles.push_back({static_cast<std::uint32_t>(rest.before(at)), static_cast<std::uint32_t>(at),
                                 static_cast<std::uint32_t>(rest.after(at))});
+    const Box box = bounds(polygon.outer);
+    const double wanted = area(polygon);
+    if (std::abs(area_of(result) - wanted) > kAreaError * (wanted + box.width() * box.height()))
+        return std::nullopt;
     return result;
 }
 
