@@ -302,7 +302,6 @@ class Findings {
         return text;
     }
 
-    // The plates of two elements, each with each.
     // "12.30 mm at the top and 4.00 mm at the side opposite the gutter".
     static std::string how_far(const Protrusion& one) {
         const double along = one.direction.y * one.by_mm;

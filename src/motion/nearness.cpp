@@ -255,51 +255,44 @@ std::size_t NearnessTest::each_near(const PairPose& pose, bool whole, const Marg
     return 0;
 }
 
-bool NearnessTest::clear(const PairPose& pose) {
-    bool all = true;
-    double reach = 0.0;  // of the moving triangle that is looked at
-    double level = 0.0;
-    not_cleared_ = each_near(
-        pose, false,
-        [&](const Triangle3& moving, bool moving_is_a) {
-            const Moves& moves = moving_is_a ? pose.from_a : pose.from_b;
-            reach = stray(moving, moves);
-            level = level_stray(moving, moves) + kRoundingMm;
-            return reach;
-        },
-        [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
-            Found found;
-            all = level_apart(fixed, moving, level) || surely_apart(fixed, moving, reach) ||
-                  cleared(fixed, moving, moving_is_a ? pose.from_a : pose.from_b, 0.0, found);
-            return all;
-        },
-        not_cleared_);
-    return all;
-}
-
-Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool whole) {
+// Begins with the triangle of that number, and sets it to the one at which it ended: the first that is not
+// clear, or, `to_the_end`, the first that is within the distance.
+Found NearnessTest::look(const PairPose& pose, double distance_mm, bool whole, bool to_the_end,
+                         std::size_t& first) {
     Found found;
-    const auto moves = [&](bool moving_is_a) -> const Moves& {
-        return moving_is_a ? pose.from_a : pose.from_b;
-    };
-    double reach = 0.0;  // of the moving triangle that is looked at
-    each_near(
+    double reach = 0.0;  // of the moving triangle that is looked at, and the distance
+    double level = 0.0;
+    first = each_near(
         pose, whole,
         [&](const Triangle3& moving, bool moving_is_a) {
-            reach = stray(moving, moves(moving_is_a)) + distance_mm;
+            const Moves& moves = moving_is_a ? pose.from_a : pose.from_b;
+            reach = stray(moving, moves) + distance_mm;
+            level = level_stray(moving, moves) + distance_mm + kRoundingMm;
             return reach;
         },
         [&](const Triangle3& moving, const Triangle3& fixed, bool moving_is_a) {
-            if (surely_apart(fixed, moving, reach)) return true;  // most are; cleared() relies on it
+            // Most are; cleared() relies on it.
+            if (level_apart(fixed, moving, level) || surely_apart(fixed, moving, reach)) return true;
             Found here;
-            if (cleared(fixed, moving, moves(moving_is_a), distance_mm, here)) return true;
+            if (cleared(fixed, moving, moving_is_a ? pose.from_a : pose.from_b, distance_mm, here))
+                return true;
             if (found.nearness == Nearness::clear || here.nearness == Nearness::within ||
                 here.least_mm < found.least_mm) {
                 found = here;
             }
-            return found.nearness != Nearness::within;
-        });
+            return to_the_end && found.nearness != Nearness::within;
+        },
+        first);
     return found;
+}
+
+bool NearnessTest::clear(const PairPose& pose) {
+    return look(pose, 0.0, false, false, not_cleared_).nearness == Nearness::clear;
+}
+
+Found NearnessTest::operator()(const PairPose& pose, double distance_mm, bool whole) {
+    std::size_t first = 0;
+    return look(pose, distance_mm, whole, true, first);
 }
 
 double NearnessTest::stray_of_near(const PairPose& pose) {

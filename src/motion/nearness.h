@@ -88,6 +88,7 @@ class NearnessTest {
     ClosestPoints least(const PairPose& pose, double limit_mm);
 
  private:
+    Found look(const PairPose& pose, double distance_mm, bool whole, bool to_the_end, std::size_t& first);
     template <typename Margin, typename Use>
     std::size_t each_near(const PairPose& pose, bool whole, const Margin& margin, const Use& use,
                           std::size_t first = 0);
