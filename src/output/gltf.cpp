@@ -38,20 +38,19 @@ class SceneBuilder {
         model_.asset.version = "2.0";
         model_.asset.generator = "popupc " POPUP_VERSION;
         add_times(keys);
-        stances_ = stances_of(cards);
-        best_deg_ = best_opening(cards, stances_);
+        best_deg_ = keys.best_deg;
         tinygltf::Scene scene;
         double left = 0.0;  // where the next card may begin
         for (std::size_t i = 0; i < cards.size(); ++i) {
             double shift = 0.0;
-            const Orientation orientation = stances_[i].orientation;
+            const Stance& stance = keys.stances[i];
             if (cards.size() > 1) {
                 const auto [low, high] =
-                    extent(*cards[i].assembly, orientation, keys.trees[i], keys.tracks[i]);
+                    extent(*cards[i].assembly, stance.orientation, keys.trees[i], keys.tracks[i]);
                 if (i > 0) shift = left - low;
                 left = shift + high + kCardGapMm;
             }
-            scene.nodes.push_back(add_card(cards[i], stances_[i], keys.trees[i], keys.tracks[i], shift));
+            scene.nodes.push_back(add_card(cards[i], stance, keys.trees[i], keys.tracks[i], shift));
             keys.tracks[i] = {};
         }
         model_.scenes.push_back(std::move(scene));
@@ -303,7 +302,6 @@ class SceneBuilder {
     GltfMeshes meshes_;
     tinygltf::Animation animation_;
     std::vector<float> times_;
-    std::vector<Stance> stances_;  // of the cards
     double best_deg_ = 90.0;
     std::vector<std::array<float, 4>> turns_;  // of one node; kept for its memory
     int time_accessor_ = -1;

@@ -143,12 +143,12 @@ void merge(std::vector<double>& angles, const std::vector<double>& more) {
 
 // The angles asked for, before any refinement; nothing when there are too many.
 std::optional<std::vector<double>> asked_angles(std::span<const SceneCard> cards,
-                                                const OutputOptions& options, double plates,
+                                                const OutputOptions& options, double best_deg, double plates,
                                                 Diagnostics& diagnostics) {
     const Sweep range = sweep_of(cards);
     std::vector<double> angles{range.from_deg, range.to_deg};
     merge(angles, {rest_of(range)});
-    merge(angles, {best_opening(cards, stances_of(cards))});
+    merge(angles, {best_deg});
     for (const SceneCard& card : cards) {
         if (!moves(*card.assembly)) continue;
         std::vector<double> sampled;
@@ -275,8 +275,10 @@ std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOp
         moving.push_back(i);
         plates += static_cast<double>(cards[i].assembly->plates.size());
     }
+    keys.stances = stances_of(cards);
+    keys.best_deg = best_opening(cards, keys.stances);
     if (moving.empty()) return keys;
-    const auto angles = asked_angles(cards, options, plates, diagnostics);
+    const auto angles = asked_angles(cards, options, keys.best_deg, plates, diagnostics);
     if (!angles) return std::nullopt;
     const auto most =
         static_cast<std::size_t>(std::min(kMostKeys, kMostTurnsRefined / std::max(plates, 1.0)));

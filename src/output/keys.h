@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/hinge_tree.h"
+#include "output/orientation.h"
 #include "popup/output.h"
 
 namespace popup {
@@ -35,6 +36,8 @@ struct Keys {
     std::vector<double> angles_deg;
     std::vector<Track> tracks;     // one a card, all with the same angles; empty for what does not move
     std::vector<HingeTree> trees;  // likewise
+    std::vector<Stance> stances;   // of all cards, whether they move or not
+    double best_deg = 90.0;        // best_opening() of them
 };
 std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOptions& options,
                                 Diagnostics& diagnostics);

@@ -10,7 +10,7 @@ namespace popup {
 namespace {
 
 constexpr double kParallel = 0.99;     // cosine between a plate and a page
-constexpr double kMostParallel = 0.6;  // of the paper that rises, for a stage
+constexpr double kMostParallel = 0.6;  // of the paper that rises: from there on it is a stage
 constexpr double kLiesOpenDeg = 130.0;
 
 bool is_card(const Assembly& assembly) { return moves(assembly) && assembly.covers.size() > 1; }
@@ -62,18 +62,15 @@ Orientation guessed(const Assembly& assembly) {
     if (!place_card(assembly, rest_of(assembly.sweep), frames, unheard)) return Orientation::flat;
     const Risen paper = risen(assembly, frames);
     const double all = paper.parallel + paper.other;
-    if (all > 0.0 && paper.parallel > kMostParallel * all) return Orientation::stage;
+    if (all > 0.0 && paper.parallel >= kMostParallel * all) return Orientation::stage;
     return all > 0.0 ? Orientation::flat : Orientation::upright;
 }
 
-}  // namespace
-
-Stance stance_of(const Assembly& assembly) {
-    const Orientation said = assembly.orientation;
-    const bool can_be = said == Orientation::stage ? is_card(assembly) : moves(assembly);
-    if (said == Orientation::guessed || !can_be) return {guessed(assembly), true};
-    return {said, false};
-}
+// Directions of the scene, in the world of the plates; unit and square to each other.
+struct Bearings {
+    Vec3 right, away, up;
+    [[nodiscard]] Vec3 turned(Vec3 v) const { return {dot(v, right), dot(v, away), dot(v, up)}; }
+};
 
 Bearings bearings_of(Orientation orientation, const Assembly& assembly, std::span<const Frame> frames) {
     switch (orientation) {
@@ -88,6 +85,15 @@ Bearings bearings_of(Orientation orientation, const Assembly& assembly, std::spa
             return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     }
     broken_invariant("an orientation is one of its enumerators", __FILE__, __LINE__);
+}
+
+}  // namespace
+
+Stance stance_of(const Assembly& assembly) {
+    const Orientation said = assembly.orientation;
+    const bool can_be = said == Orientation::stage ? is_card(assembly) : moves(assembly);
+    if (said == Orientation::guessed || !can_be) return {guessed(assembly), true};
+    return {said, false};
 }
 
 void stand(Orientation orientation, const Assembly& assembly, std::span<Frame> frames) {

@@ -25,21 +25,14 @@ struct Stance {
 // Only what has two covers can be a stage, and what nothing moves lies flat whatever it says. Cost: one
 // placing of the plates.
 Stance stance_of(const Assembly& assembly);
+std::vector<Stance> stances_of(std::span<const SceneCard> cards);
 
-// Directions of the scene, in the world of the plates; unit and square to each other.
-struct Bearings {
-    Vec3 right, away, up;
-    [[nodiscard]] Vec3 turned(Vec3 v) const { return {dot(v, right), dot(v, away), dot(v, up)}; }
-};
-// Where the plates are in these places. A stage turns with its ground, the last of the covers; the others
-// stay.
-Bearings bearings_of(Orientation orientation, const Assembly& assembly, std::span<const Frame> frames);
-// The same places as whoever looks at the scene finds them: x to the right, y away, z up.
+// Turns all plates of a card to where whoever looks at the scene finds them: x to the right, y away, z up. A
+// stage turns with its ground, the last of the covers; the others turn alike at all openings.
 void stand(Orientation orientation, const Assembly& assembly, std::span<Frame> frames);
 
 // At which opening the cards are seen best, in pictures, in the viewer, and where models rest: as rest_of()
 // has it, and 130° open, or as far as they get, where all cards lie flat.
 double best_opening(std::span<const SceneCard> cards, std::span<const Stance> stances);
-std::vector<Stance> stances_of(std::span<const SceneCard> cards);
 
 }  // namespace popup
