@@ -44,6 +44,13 @@ struct CreaseLine {
     std::string name = {};  // by which options name it: "#ff0000", or the number of its edge
 };
 
+// Gives a line an angle as drawings say it, degrees in [-180, 180]: less than 0 is the other way than it is
+// drawn. Of a fold that does not say which way, less than 0 is a mountain, and all else stays as it is.
+inline void fold_by(CreaseLine& line, double deg) {
+    line.fold_deg = deg < 0.0 ? -deg : deg;
+    if (deg < 0.0) line.use = line.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
+}
+
 // What a FOLD file says beside its pattern, for whoever writes that pattern as FOLD again. Values are JSON as
 // they were written, but for white space outside of texts, so that no digit is lost. Elements are known by
 // where they are, because mending a sheet splits, joins and leaves out edges; none are kept where no column

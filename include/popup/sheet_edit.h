@@ -42,9 +42,9 @@ struct EditedSheet {
         // Not empty: what one line was cannot be one line any more, because what lies on its two sides goes
         // apart. These are all the edges that it stood for.
         std::vector<Segment> parted;
-        // Not empty: how far it is folded now, degrees in [-180, 180], less than 0 the other way than it is
-        // drawn. One for all of it, or one for each of `parted`: of folds that lie on one line and are folded
-        // by different angles. Where a drawing cannot say that, `points` are where the line is.
+        // Not empty: how far it is folded now, degrees as fold_by() takes them. One for all of it, or one for
+        // each of `parted`: of folds that lie on one line and are folded by different angles. Where a drawing
+        // cannot say that, `points` are where the line is.
         std::vector<double> fold_deg = {};
     };
     std::vector<Line> lines;

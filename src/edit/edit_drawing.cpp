@@ -344,12 +344,14 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
         const Source now{source.name, made.text};
         const Reading reading = read_source_text(now, read, heard);
         std::optional<EditedSheet> edited;
+        std::optional<Diagnostic> turned;  // told once it is known what the drawing says of it
         if (reading.creases) {
             Diagnostics again(source.name);  // mends are told by whatever folds the drawing
             edited = edit_sheet(*reading.creases, options.fold, options.joins, *edit, again);
             for (const Diagnostic& one : again.sorted()) {
-                if (one.severity == Severity::error || one.code == "folds-turn")
+                if (one.severity == Severity::error)
                     heard.add(one.severity, one.code, one.place, one.message) = one;
+                if (one.code == "folds-turn") turned = one;
             }
         }
         std::optional<std::string> text;
@@ -373,6 +375,15 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
                         "a drawing reaches no further than 100 m, and its lines are drawn where they stand");
                 text.reset();
             }
+        }
+        if (turned) {
+            // The writer has named what cannot say it.
+            const std::vector<Diagnostic> named = heard.sorted();
+            const bool all_say = text && turned->hints.empty() &&
+                                 std::none_of(named.begin(), named.end(),
+                                              [](const Diagnostic& one) { return one.code == "folds-turn"; });
+            if (all_say) turned->hints.emplace_back("the drawing says so now, with data-fold-angle");
+            heard.add(turned->severity, turned->code, turned->place, turned->message) = *turned;
         }
         tell(heard, line, of_edits, of_document);
         if (!text) return std::nullopt;

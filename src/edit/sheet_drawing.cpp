@@ -17,6 +17,7 @@
 #include "input/drawing/size.h"
 #include "input/drawing/transform.h"
 #include "input/xml/locate.h"
+#include "input/xml/read.h"
 #include "input/xml/tree.h"
 #include "popup/path.h"
 
@@ -29,7 +30,6 @@ using xml::Offset;
 
 constexpr double kReadCornerMm = 2e-3;  // a corner of an element, and of the lines that were read from it
 constexpr double kSameShapeMm = 1e-4;
-constexpr std::string_view kFoldAngle = "data-fold-angle";
 
 // Six decimals at most, without zeros at the end.
 std::string number(double value) {
@@ -67,11 +67,6 @@ std::string path_text(const Path& path) {
     }
     return text;
 }
-
-struct Replacement {
-    std::size_t begin = 0, length = 0;
-    std::string text;
-};
 
 // Where the lines of one element go.
 class Moves {
@@ -208,17 +203,9 @@ class Writer {
             around.push_back(i);
         }
         grow_page();
-        std::sort(replacements_.begin(), replacements_.end(),
-                  [](const Replacement& a, const Replacement& b) { return a.begin < b.begin; });
-        std::string text;
-        std::size_t at = 0;
-        for (const Replacement& one : replacements_) {
-            text.append(source_.text, at, one.begin - at);
-            text += one.text;
-            at = one.begin + one.length;
-        }
-        text.append(source_.text, at, std::string::npos);
-        return text;
+        std::sort(changes_.begin(), changes_.end(),
+                  [](const xml::PatchEdit& a, const xml::PatchEdit& b) { return a.begin < b.begin; });
+        return xml::patched(source_.text, changes_);
     }
 
  private:
@@ -228,7 +215,8 @@ class Writer {
     }
 
     void replace(const xml::Attribute& attribute, std::string text) {
-        replacements_.push_back({attribute.value.raw.offset, attribute.value.raw.length, std::move(text)});
+        const TextRange raw = attribute.value.raw;
+        changes_.push_back({raw.offset, raw.offset + raw.length, std::move(text)});
     }
 
     bool read_page() {
@@ -342,18 +330,26 @@ class Writer {
     }
 
     // What an element says of the angles of its folds. `edges`: it is written as these.
-    void write_angles(const Attributes& own, const Moves& moves, bool edges) {
+    void write_angles(const Attributes& own, const Moves& moves, bool edges, Place place) {
         std::optional<drawing::ShapeProblem> problem;
         const auto said = drawing::fold_angles(own, moves.lines(), problem);
-        const xml::Attribute* given = own.find(kFoldAngle);
-        if (problem || !(moves.has_angles() || (edges && given != nullptr))) return;
+        const xml::Attribute* given = own.find(drawing::kFoldAngle);
+        if (!moves.has_angles() && !(edges && given != nullptr)) return;
+        if (problem) {
+            tell_unsaid(place,
+                        "the folds of this element have other angles now, and its data-fold-angle has one "
+                        "for each line of one of the places at which it is drawn",
+                        "draw it once, where it is");
+            return;
+        }
         const std::string text = moves.angles(said, edges);
         if (given != nullptr) {
             replace(*given, text);
         } else if (text != "auto") {
             const auto tag = trees_.back().root();
-            replacements_.push_back({tag.start_tag().offset + 1 + tag.name().size(), 0,
-                                     fmt::format(" {}=\"{}\"", kFoldAngle, text)});
+            const std::size_t behind_name = tag.start_tag().offset + 1 + tag.name().size();
+            changes_.push_back(
+                {behind_name, behind_name, fmt::format(" {}=\"{}\"", drawing::kFoldAngle, text)});
         }
     }
 
@@ -381,7 +377,7 @@ class Writer {
                         "draw it as a path: that can have one for each of its lines");
         }
         const bool edges = moves.goes_apart() || splits;
-        write_angles(own, moves, edges);
+        write_angles(own, moves, edges, place);
         if (!moves.moved() && !edges) return true;
         Path path;
         if (drawing::make_shape(tag, own, view_, path) || !back)
@@ -541,7 +537,7 @@ class Writer {
     Vec2 page_, view_;
     Affine to_mm_;
     std::vector<xml::Tree> trees_;  // attributes live in them
-    std::vector<Replacement> replacements_;
+    std::vector<xml::PatchEdit> changes_;
 };
 
 }  // namespace

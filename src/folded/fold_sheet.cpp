@@ -209,8 +209,11 @@ class Lowering {
             Line line{is_mountain ? LineKind::mountain : LineKind::valley, stretch,
                       nth(sheet_.panels, fold.left).piece, left, right};
             const bool to_lie_flat = fold.target == 0.0 && (fold.ink & (kMountain | kValley)) != 0;
-            if (std::abs(angle) > kFoldedRad || to_lie_flat)
-                line.fold_angle = std::abs(angle) > kFoldedRad ? std::min(std::abs(angle), kPi) : 0.0;
+            if (std::abs(angle) > kFoldedRad) {
+                line.fold_angle = std::min(std::abs(angle), kPi);
+            } else if (to_lie_flat) {
+                line.fold_angle = 0.0;
+            }
             out_.lines.push_back(line);
         }
     }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDecimals = 4;
 constexpr int kAngleDecimals = 6;
-// By which folds of drawings go that do not say it (input/drawing/folded/read.h).
+// By which folds of drawings go that do not say it (CreasePattern::fold_deg).
 constexpr std::string_view kUnsaidDegrees = "90";
 constexpr int kDashDecimals = 3;
 

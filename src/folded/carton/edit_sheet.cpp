@@ -38,12 +38,6 @@ std::vector<Vec2> points_of(const EditedSheet::Line& line) {
     return points;
 }
 
-// As a drawing says it that is read.
-void fold(CreaseLine& line, double deg) {
-    line.fold_deg = std::abs(deg);
-    if (deg < 0.0) line.use = line.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
-}
-
 // The pattern with its lines where they went.
 CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edited) {
     CreasePattern made = pattern;
@@ -53,7 +47,7 @@ CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edi
         const EditedSheet::Line& to = edited.lines[i];
         if (to.parted.empty()) {
             line.points = points_of(to);
-            if (!to.fold_deg.empty()) fold(line, to.fold_deg.front());
+            if (!to.fold_deg.empty()) fold_by(line, to.fold_deg.front());
             made.lines.push_back(std::move(line));
             continue;
         }
@@ -61,7 +55,7 @@ CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edi
         for (std::size_t k = 0; k < to.parted.size(); ++k) {
             CreaseLine& one = made.lines.emplace_back(line);
             one.points = {to.parted[k].a, to.parted[k].b};
-            if (!to.fold_deg.empty()) fold(one, to.fold_deg[k]);
+            if (!to.fold_deg.empty()) fold_by(one, to.fold_deg[k]);
         }
     }
     return made;

@@ -28,24 +28,29 @@ class TurnedFolds {
           examined_(examined),
           before_(shape.state().angles()) {}
 
-    // False: some lines cannot have their angles.
-    bool give(EditedSheet& made) const {
+    // What keeps lines from having their angles, or the angles from counting.
+    struct Lacks {
+        bool unparted = false;   // a line is more than its folds, and they differ
+        bool overruled = false;  // the options say other angles
+    };
+    Lacks give(EditedSheet& made) const {
         std::vector<std::vector<std::size_t>> folds_of(pattern_.lines.size());
         for (std::size_t i = 0; i < before_.size(); ++i)
             nth(folds_of, shape_.sheet().folds[i].line).push_back(i);
-        bool all = true;
+        Lacks lacks;
         for (std::size_t i = 0; i < folds_of.size(); ++i) {
             const bool turned = std::any_of(folds_of[i].begin(), folds_of[i].end(), [&](std::size_t fold) {
                 return std::abs(examined_.angles[fold] - before_[fold]) > kSameDeg * kDegree;
             });
             if (!turned) continue;
-            const bool given = options_.to >= 1.0 && give(pattern_.lines[i], folds_of[i], made.lines[i]);
-            all = all && given && !is_overruled(pattern_.lines[i]);
+            if (options_.to < 1.0) continue;
+            lacks.unparted |= !give(pattern_.lines[i], folds_of[i], made.lines[i]);
+            lacks.overruled |= is_overruled(pattern_.lines[i]);
         }
-        return all;
+        return lacks;
     }
 
-    void tell(bool all_given, Diagnostics& diagnostics) const {
+    void tell(const Lacks& lacks, Diagnostics& diagnostics) const {
         if (examined_.turn_deg <= kToldDeg) return;
         std::size_t most = 0;
         for (std::size_t i = 0; i < before_.size(); ++i) {
@@ -58,21 +63,17 @@ class TurnedFolds {
                         "between {} and {} by {:.2f}°, and not by {:.2f}°",
                         shape_.name_of(fold.left), shape_.name_of(fold.right),
                         std::abs(examined_.angles[most]) / kDegree, std::abs(before_[most]) / kDegree));
-        if (all_given) {
-            told.hint("the drawing says so now, with data-fold-angle");
-        } else if (options_.to < 1.0) {
+        if (options_.to < 1.0) {
             told.hint(
-                "with --fold-to it is not known how far they go in the end, and the drawing does not say "
-                "it; edit the whole shape, without --fold-to");
-        } else if (!options_.fold_angles.empty()) {
-            told.hint(
-                "the drawing says so now, with data-fold-angle; leave --fold-angle out, for that counts "
-                "before what drawings say");
-        } else {
-            told.hint(
-                "the drawing says so, with data-fold-angle, but for lines that are more than their folds: "
-                "draw folds and cuts as lines of their own");
+                "with --fold-to it is not known how far they go in the end; edit the whole shape, without "
+                "--fold-to");
         }
+        if (lacks.overruled)
+            told.hint("leave --fold-angle out next time: it counts before what drawings say");
+        if (lacks.unparted)
+            told.hint(
+                "a line that is more than its folds cannot have the angles of each: draw folds and cuts as "
+                "lines of their own");
     }
 
  private:
@@ -90,8 +91,10 @@ class TurnedFolds {
     [[nodiscard]] double degrees_of(const CreaseLine& line, std::size_t fold) const {
         const double deg = std::abs(examined_.angles[fold]) / kDegree;
         if (deg <= kSameDeg) return 0.0;
+        // What is drawn as a fold that goes as the others let it stays so, unless it becomes a mountain.
         const bool was_mountain =
-            line.use == CreaseUse::fold ? before_[fold] < 0.0 : line.use == CreaseUse::mountain;
+            line.use == CreaseUse::mountain ||
+            (line.use == CreaseUse::fold && before_[fold] < 0.0 && examined_.angles[fold] < 0.0);
         return was_mountain == (examined_.angles[fold] < 0.0) ? deg : -deg;
     }
 
@@ -135,8 +138,7 @@ class TurnedFolds {
 void turn_folds(const CreasePattern& pattern, const FoldOptions& options, const Vertices& shape,
                 const ExaminedEdit& examined, EditedSheet& made, Diagnostics& diagnostics) {
     const TurnedFolds turned(pattern, options, shape, examined);
-    const bool all_given = turned.give(made);
-    turned.tell(all_given, diagnostics);
+    turned.tell(turned.give(made), diagnostics);
 }
 
 }  // namespace popup::folded

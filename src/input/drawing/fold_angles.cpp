@@ -13,7 +13,6 @@
 namespace popup::drawing {
 namespace {
 
-constexpr std::string_view kAttribute = "data-fold-angle";
 constexpr std::string_view kBetween = " \t\r\n,";
 constexpr double kMostDeg = 180.0;
 
@@ -34,7 +33,7 @@ std::optional<Angles> angles_in(std::string_view text, std::string& fault) {
         const xml::ParsedNumber number = xml::parse_number(word);
         if (number.fault != xml::NumberFault::none || std::abs(number.value) > kMostDeg) {
             fault = fmt::format("'{}' has \"{}\", which is no angle from -180 to 180 degrees, nor auto",
-                                kAttribute, shown(std::string(word)));
+                                kFoldAngle, shown(std::string(word)));
             return std::nullopt;
         }
         angles.emplace_back(number.value);
@@ -45,14 +44,14 @@ std::optional<Angles> angles_in(std::string_view text, std::string& fault) {
 }  // namespace
 
 Angles fold_angles(const Attributes& attributes, std::size_t lines, std::optional<ShapeProblem>& problem) {
-    const xml::Attribute* attribute = attributes.find(kAttribute);
+    const xml::Attribute* attribute = attributes.find(kFoldAngle);
     if (attribute == nullptr) return {};
     std::string fault;
     std::optional<Angles> angles = angles_in(attribute->value.decoded, fault);
     if (angles && angles->size() == 1) return Angles(lines, angles->front());
     if (angles && angles->size() == lines) return std::move(*angles);
     if (angles)
-        fault = fmt::format("'{}' has {} angles, and its element draws {} {}", kAttribute, angles->size(),
+        fault = fmt::format("'{}' has {} angles, and its element draws {} {}", kFoldAngle, angles->size(),
                             lines, lines == 1 ? "line" : "lines");
     if (!problem) problem = ShapeProblem{attribute, "bad-number", std::move(fault), std::nullopt};
     return {};

@@ -36,17 +36,13 @@ std::optional<double> angle_of(const TracedLine& line) {
     return kFoldedDeg * *line.opacity;
 }
 
-// The drawing may say an angle itself; then the other way than a fold follows the others is that of
-// mountains.
 void fold(CreaseLine& crease, const TracedLine& line, bool own_sheet) {
     if (crease.use == CreaseUse::cut) return;
     if (!line.fold_deg) {
         if (crease.use != CreaseUse::fold && !own_sheet) crease.fold_deg = angle_of(line);
         return;
     }
-    crease.fold_deg = std::abs(*line.fold_deg);
-    if (*line.fold_deg < 0.0)
-        crease.use = crease.use == CreaseUse::mountain ? CreaseUse::valley : CreaseUse::mountain;
+    fold_by(crease, *line.fold_deg);
 }
 
 }  // namespace
