@@ -12,6 +12,7 @@
 #include "input/design_limits.h"
 #include "input/text.h"
 #include "input/xml/path_text.h"
+#include "input/xml/read.h"
 
 namespace popup::flatlang {
 namespace {
@@ -411,13 +412,7 @@ Design finished(Card card, const Source& source) {
     Design design = std::move(*card.design);
     design.file = source.name;
     design.stem = source.stem();
-    std::size_t spare = design.structures.size();
-    for (std::size_t n = 0; n < design.structures.size(); ++n) {
-        Structure& structure = design.structures[n];
-        if (structure.id_given) continue;
-        structure.id = fmt::format("e{}", n + 1);
-        while (card.ids.contains(structure.id)) structure.id = fmt::format("e{}", ++spare);
-    }
+    xml::name_structures(design);
     return design;
 }
 
