@@ -300,7 +300,8 @@ class Unfolder {
                                   bounds(part.outer), glued.label);
         }
         label(spot.value_or(TextSpot{inner_point(glued.on_base.front(), 0.1).at, kLeastText}));
-        pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number = hidden_numbers_.of(glued, spot);
+        std::optional<Label>& number = pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number;
+        if (!number) number = hidden_numbers_.of(glued, spot);
     }
 
     void add_part(const Glue& glue, const SeamFrame& frame, const Ring& part, Work& work) {
