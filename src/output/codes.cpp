@@ -15,6 +15,13 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "faceOrders and edgeOrders, and lists with another number of values, because they speak of elements by "
      "numbers that have changed; and, where several designs go into one file, all keys, because they would "
      "speak of the others too. Write each design into a file of its own, or copy what is missing."},
+    {"backs-to-mark", Severity::remark, "sheets have backs that are to be marked before the fronts are cut",
+     "A piece that is glued flat has no tab that could hide its number. Its number is marked on its back, "
+     "which the glue covers, and on a back on which something is glued. Such sheets have a second file, "
+     "whose "
+     "name ends in -back. It is mirrored, as the sheet is seen when it is turned over from left to right. "
+     "Mark it first, then turn the sheet over and cut the front. --marks-on front marks the numbers where "
+     "they are seen; --marks-on none leaves all marks out."},
     {"font-missing", Severity::error, "the font of the labels cannot be read",
      "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu "
      "Sans, so that sheets look the same on every machine. The file named in the message is not there, may "
@@ -22,8 +29,8 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "Debian the package fonts-dejavu-core brings it), or write SVG, which only names the font."},
     {"glue-marks-left-out", Severity::remark, "the sheets do not say what is glued where",
      "Profiles of lasers and cutters do not print; they mark the places of tabs and the numbers of tabs and "
-     "places with a pen of their own, \"mark\". By default only what a glued tab covers later is marked. A "
-     "piece that is glued flat has no tab, and so no number that would be covered. Here something that the "
+     "places with a pen of their own, \"mark\". By default only what is covered later is marked: places "
+     "under glued tabs, and the backs of pieces that are glued flat. Here something that the "
      "gluing needs is neither printed nor marked. What is glued to the back of a plate has its target there, "
      "and "
      "only sheets with backs show it: --sides both prints them, --marks-on back marks them. Else take "

@@ -151,6 +151,24 @@ std::vector<char> covered_backs(const Layout& layout) {
     return covered;
 }
 
+// A sheet of backs that nobody asked for says in its name alone what it is.
+void examine_backs(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
+    if (options.print_and_cut || !options.profile.marks_glue() || marks_all_of_backs(options) ||
+        !marks_covered_backs(options.profile.marks_on, options.score_side, true))
+        return;
+    const std::vector<char> covered = covered_backs(layout);
+    const auto backs = static_cast<std::size_t>(std::count(covered.begin(), covered.end(), 1));
+    if (backs == 0) return;
+    diagnostics
+        .remark("backs-to-mark", {},
+                fmt::format("{} a back with the numbers of what is glued flat: its file ends in -back, and "
+                            "is mirrored",
+                            backs == 1 ? "1 sheet has" : fmt::format("{} sheets have", backs)))
+        .hint(
+            "mark the back first, turn the sheet over from left to right, and cut the front; --marks-on none "
+            "leaves all marks out");
+}
+
 // Joints are known where sheets are drawn.
 void examine_joints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
     if (options.profile.joint_mm <= 0.0 || !options.profile.draws(Operation::outer_cut)) return;
@@ -208,6 +226,7 @@ double margin_needed(const OutputOptions& options) {
 
 void examine_prints(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
     examine_glue_marks(layout, options, diagnostics);
+    examine_backs(layout, options, diagnostics);
     examine_joints(layout, options, diagnostics);
     examine_legend(layout, options, diagnostics);
     const Profile& profile = options.profile;
