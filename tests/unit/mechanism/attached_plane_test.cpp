@@ -34,13 +34,16 @@ std::string leaf(std::string_view attributes, std::string_view outline, std::str
 constexpr std::string_view kSquare =
     "M 5 7 H 25 V -3 H 5 Z";  // to the right of G–H: away from the centre fold
 
+// Seen from the back, left of A–B is where right of it is from the front.
+FromXml square_leaf_on(const std::string& side) {
+    return from_xml(std::string(kTrunk) +
+                    leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
+}
+
 TEST(AttachedPlane, LiesOnItsPlateAtEveryAngleOnEitherSide) {
     for (const std::string side : {"front", "back"}) {
         SCOPED_TRACE(side);
-        // Seen from the back, left of A–B is where right of it is from the front.
-        const FromXml made =
-            from_xml(std::string(kTrunk) +
-                     leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
+        const FromXml made = square_leaf_on(side);
         ASSERT_TRUE(made.assembly) << made.text;
         EXPECT_EQ(made.text, "");
         const std::size_t plate = made.assembly->plates.size() - 1;
@@ -104,9 +107,7 @@ TEST(AttachedPlane, ItsGlueAreaIsWhatLiesOnThePlateOrWhatIsGiven) {
 TEST(AttachedPlane, ItsNumberIsHiddenOverThatOfItsTarget) {
     for (const std::string side : {"front", "back"}) {
         SCOPED_TRACE(side);
-        const FromXml made =
-            from_xml(std::string(kTrunk) +
-                     leaf("side='" + side + "'", side == "front" ? kSquare : "M 5 7 H 25 V 17 H 5 Z"));
+        const FromXml made = square_leaf_on(side);
         ASSERT_TRUE(made.assembly) << made.text;
         Diagnostics diagnostics;
         const auto pattern = make_pattern(*made.assembly, {}, diagnostics);

@@ -15,56 +15,12 @@
 #include "popup/check.h"
 #include "popup/motion.h"
 #include "popup/path.h"
+#include "sheet_features.h"
 #include "support/designs.h"
 #include "support/freeform_sheet.h"
-#include "support/paper_balance.h"
 
 namespace popup::test {
 namespace {
-
-constexpr double kPage = 200.0 * 150.0;
-
-std::string freeform(const std::string& d, const std::string& more = "", const std::string& id = "f") {
-    return "<structure type='freeform' id='" + id + "'><outline d='" + d + "'/>" + more + "</structure>";
-}
-std::string hole(const std::string& d, const std::string& id = "hole") {
-    return "<structure type='hole' id='" + id + "'><outline d='" + d + "'/></structure>";
-}
-std::string box(double u, double v, double x, double y, const std::string& id) {
-    return "<structure type='box-fold' id='" + id + "'><point x='" + std::to_string(u) + "' y='" +
-           std::to_string(v) + "'/><point x='" + std::to_string(x) + "' y='" + std::to_string(y) +
-           "'/></structure>";
-}
-
-// The plates share the paper out, less what holes take; and all seams close at every degree.
-void expect_sound(const FromXml& made, double holes = 0.0) {
-    ASSERT_TRUE(made.assembly) << made.text;
-    const Balance balance = balance_of(*made.assembly, 0);
-    EXPECT_NEAR(balance.plates, kPage - holes, 1e-6);
-    EXPECT_LT(balance.overlap, 5e-4);  // Boost rounds corners to some 1e-6 mm
-    MotionOptions options;
-    for (int deg = 0; deg <= 180; ++deg) options.angles.push_back(Angle::degrees(deg));
-    options.examine = false;
-    Diagnostics diagnostics;
-    const auto motion = simulate(*made.assembly, options, diagnostics);
-    ASSERT_TRUE(motion) << findings(diagnostics);
-    EXPECT_LE(motion->max_closure_mm, 1e-6);
-    EXPECT_LE(motion->flat_error_deg, 1e-6);
-}
-
-std::vector<Segment> lines_of(const Assembly& assembly, LineKind kind) {
-    std::vector<Segment> lines;
-    for (const Line& line : assembly.lines) {
-        if (line.kind == kind) lines.push_back(line.at);
-    }
-    return lines;
-}
-
-double length_of(const std::vector<Segment>& lines) {
-    double sum = 0.0;
-    for (const Segment& line : lines) sum += distance(line.a, line.b);
-    return sum;
-}
 
 // --- side folds and centre folds
 
@@ -473,94 +429,6 @@ TEST(Sheet, TouchPointsBecomeAClosedCatmullRomCurve) {
                  "</parentfold></structure>")
             .text,
         "error no-outline: \"f\": this freeform has no outline\n");
-}
-
-// --- holes
-
-TEST(Sheet, AHoleGoesThroughAllThatItLiesOnAndSplitsFolds) {
-    // Over the gutter below the box, over its left fold, and wholly in the box.
-    const FromXml made = from_xml(box(-30, -10, 20, 40, "b") + hole("M -5 -40 h 10 v 20 h -10 Z", "a") +
-                                  hole("M -34 0 h 8 v 10 h -8 Z M 5 0 h 5 v 5 h -5 Z", "c"));
-    EXPECT_EQ(made.text, "");
-    expect_sound(made, 200.0 + 80.0 + 25.0);
-    EXPECT_EQ(made.assembly->plates.size(), 4U);
-    const std::vector<Segment> valleys = lines_of(*made.assembly, LineKind::valley);
-    EXPECT_NEAR(length_of(valleys), (150.0 - 50.0 - 20.0) + (50.0 - 10.0) + 50.0, 1e-6);
-    for (const Segment& line : valleys) {
-        const Vec2 middle = 0.5 * (line.a + line.b);
-        EXPECT_FALSE(std::abs(middle.x) < 5.0 && middle.y > -40.0 && middle.y < -20.0);
-    }
-    // The border of the page, the two cuts of the box, less 2 mm that were cut already, and the holes.
-    EXPECT_NEAR(length_of(lines_of(*made.assembly, LineKind::cut)), 700.0 + 100.0 + 60.0 + 36.0 + 20.0, 1e-6);
-}
-
-TEST(Sheet, AHoleOverACutTakesIt) {
-    const FromXml made = from_xml(box(-30, -10, 20, 40, "b") + hole("M -15 35 h 10 v 10 h -10 Z"));
-    EXPECT_EQ(made.text, "");
-    expect_sound(made, 100.0);
-    EXPECT_NEAR(length_of(lines_of(*made.assembly, LineKind::cut)), 700.0 + 100.0 - 10.0 + 40.0, 1e-6);
-}
-
-TEST(Sheet, AHoleMayStandBesideTheStructures) {
-    const auto read = [](const std::string& before, const std::string& inside) {
-        Diagnostics diagnostics;
-        auto design =
-            xml::read({"card.xml", "<popup version='3.0' units='mm'><mainpage width='200' height='150'/>" +
-                                       before + "<structurelist>" + box(-30, -10, 20, 40, "b") + inside +
-                                       "</structurelist></popup>"},
-                      {}, diagnostics);
-        EXPECT_EQ(findings(diagnostics), "");
-        return write_document(design.value());
-    };
-    const std::string d = "M -5 0 h 3 v 3 h -3 Z";
-    const std::string as_structure = "<structure type='hole'><outline page='0' d='" + d + "'/></structure>";
-    EXPECT_EQ(read("<hole page='0' d='" + d + "'/>", ""), read("", as_structure));
-    EXPECT_EQ(
-        read("<hole page='0' d='" + d + "'/><hole d='M 5 0 h 3 v 3 h -3 Z'/>", ""),
-        read("", as_structure + "<structure type='hole'><outline d='M 5 0 h 3 v 3 h -3 Z'/></structure>"));
-}
-
-TEST(Sheet, RefusesHolesThatPartTheCard) {
-    EXPECT_EQ(from_xml(hole("M 80 0 h 30 v 10 h -30 Z")).text,
-              "error does-not-fit: \"hole\": it leaves the page by 10.00 mm\n");
-    EXPECT_EQ(from_xml(hole("M 80 0 h 19.5 v 10 h -19.5 Z")).text,
-              "error does-not-fit: \"hole\": it comes nearer than 1.00 mm to an edge of the page\n");
-    EXPECT_EQ(
-        from_xml(box(-30, -10, 20, 40, "b") + hole("M -12 -12 h 4 v 54 h -4 Z")).text,
-        "error hole-off-piece: \"hole\": it leaves 0.00 mm of a fold of \"b\" in one stretch; the least is "
-        "1.00 mm\n");
-    EXPECT_EQ(from_xml(box(-30, -10, 20, 40, "b") + hole("M -25 -12 h 4 v 54 h -4 Z")).text,
-              "error hole-off-piece: \"hole\": it cuts \"b/left\" into 2 parts\n");
-    EXPECT_EQ(from_xml(hole("M 10 0 h 20 v 20 h -20 Z M 15 5 v 10 h 10 v -10 Z")).text,
-              "error hole-off-piece: \"hole\": it has an island at (15.00, 5.00) mm, which would fall out\n");
-    // What comes later keeps away from it.
-    EXPECT_EQ(from_xml(hole("M 5 0 h 10 v 10 h -10 Z") + box(-20, -10, 20, 20, "b")).text.substr(0, 26),
-              "warning does-not-fit: \"b\":");
-}
-
-// What a flag is glued to: 40 mm wide and 30 mm high, less its inset, which the glue keeps from the border.
-std::string glued(const std::string& outline) {
-    return "<structure type='attached-plane' id='flag'><outerpoints><point x='30' y='0'/><point x='30' "
-           "y='20'/><point x='0' y='0'/><point x='0' y='20'/></outerpoints><outline d='" +
-           outline + "'/><parentplate page='0' x='30' y='5'/></structure>";
-}
-
-// However far the border of the glued area is, and also where the hole cuts it.
-TEST(Sheet, AHoleIsNotCutThroughWhatIsGlued) {
-    const std::string flag = glued("M -20 -5 H 20 V 25 H -20 Z");
-    EXPECT_EQ(from_xml(flag + hole("M 28 8 h 4 v 4 h -4 Z")).text,
-              "error does-not-fit: \"hole\": it would cut 16.00 mm² out of the 1200.00 mm² that \"flag\" is "
-              "glued to, at (30.00, 10.00) mm\n");
-    EXPECT_EQ(from_xml(flag + hole("M 40 8 h 20 v 4 h -20 Z")).text,
-              "error does-not-fit: \"hole\": it would cut 40.00 mm² out of the 1200.00 mm² that \"flag\" is "
-              "glued to, at (45.00, 10.00) mm\n");
-    // Beside it, in a hole of its glued area, and under it where the flag is listed later.
-    EXPECT_EQ(from_xml(flag + hole("M 52 8 h 4 v 4 h -4 Z")).text, "");
-    EXPECT_EQ(
-        from_xml(glued("M -20 -5 H 20 V 25 H -20 Z M -10 5 V 15 H 10 V 5 Z") + hole("M 28 8 h 4 v 4 h -4 Z"))
-            .text,
-        "");
-    EXPECT_EQ(from_xml(hole("M 28 8 h 4 v 4 h -4 Z") + flag).text, "");
 }
 
 // --- off the paper
