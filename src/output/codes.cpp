@@ -17,11 +17,10 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "speak of the others too. Write each design into a file of its own, or copy what is missing."},
     {"backs-to-mark", Severity::remark, "sheets have backs that are to be marked before the fronts are cut",
      "A piece that is glued flat has no tab that could hide its number. Its number is marked on its back, "
-     "which the glue covers, and on a back on which something is glued. Such sheets have a second file, "
-     "whose "
-     "name ends in -back. It is mirrored, as the sheet is seen when it is turned over from left to right. "
-     "Mark it first, then turn the sheet over and cut the front. --marks-on front marks the numbers where "
-     "they are seen; --marks-on none leaves all marks out."},
+     "which the glue covers, and on a back on which something is glued. Such sheets have a mirrored back, "
+     "drawn as the sheet is seen when it is turned over from left to right: a second file whose name ends "
+     "in -back, in PDF the page after the front. Mark it first, then turn the sheet over and cut the front. "
+     "--marks-on front marks the numbers where they are seen; --marks-on none leaves all marks out."},
     {"font-missing", Severity::error, "the font of the labels cannot be read",
      "A PDF carries the font of its labels with it, and that font is read from one known file, DejaVu "
      "Sans, so that sheets look the same on every machine. The file named in the message is not there, may "

@@ -153,7 +153,8 @@ std::vector<char> covered_backs(const Layout& layout) {
 
 // A sheet of backs that nobody asked for says in its name alone what it is.
 void examine_backs(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
-    if (options.print_and_cut || !options.profile.marks_glue() || marks_all_of_backs(options) ||
+    if (options.backs || options.print_and_cut || !options.profile.marks_glue() ||
+        marks_all_of_backs(options) ||
         !marks_covered_backs(options.profile.marks_on, options.score_side, true))
         return;
     const std::vector<char> covered = covered_backs(layout);
@@ -161,12 +162,12 @@ void examine_backs(const Layout& layout, const OutputOptions& options, Diagnosti
     if (backs == 0) return;
     diagnostics
         .remark("backs-to-mark", {},
-                fmt::format("{} a back with the numbers of what is glued flat: its file ends in -back, and "
-                            "is mirrored",
-                            backs == 1 ? "1 sheet has" : fmt::format("{} sheets have", backs)))
+                fmt::format("{} mirrored back{}, with the numbers of what is glued flat",
+                            backs == 1 ? "1 sheet has a" : fmt::format("{} sheets have", backs),
+                            backs == 1 ? "" : "s"))
         .hint(
-            "mark the back first, turn the sheet over from left to right, and cut the front; --marks-on none "
-            "leaves all marks out");
+            "mark the back first (the file whose name ends in -back; in PDF the page after the front), turn "
+            "the sheet over from left to right, and cut the front; --marks-on none leaves all marks out");
 }
 
 // Joints are known where sheets are drawn.

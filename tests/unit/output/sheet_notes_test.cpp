@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "output/sheet_drawing.h"
@@ -22,6 +23,17 @@ std::size_t marks_on(const Layout& layout, const OutputOptions& options, int she
     return static_cast<std::size_t>(
         std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
                       [](const SheetShape& one) { return one.operation == Operation::mark; }));
+}
+
+// The findings with that code, each followed by its first hint.
+std::vector<std::string> told_of(std::string_view code, const Layout& layout, const OutputOptions& options) {
+    Diagnostics diagnostics;
+    examine_prints(layout, options, diagnostics);
+    std::vector<std::string> told;
+    for (const Diagnostic& one : diagnostics.sorted()) {
+        if (one.code == code) told.push_back(one.message + "; " + one.hints.front());
+    }
+    return told;
 }
 
 // --- marks
@@ -93,6 +105,30 @@ TEST(GlueMarks, ThatAreLeftOutAreTold) {
     EXPECT_TRUE(none.sorted().empty());
 }
 
+// What is glued flat is numbered on backs; that these come before the fronts is told where nobody asked for
+// them.
+TEST(GlueMarks, OnBacksThatNobodyAskedForAreTold) {
+    Layout layout = test::example_layout();
+    layout.designs[0].pattern.pieces[0].targets.push_back(
+        {test::rectangle(-80, -40, -60, -20), 0, "2", true});
+    const auto told = [&](const OutputOptions& options) { return told_of("backs-to-mark", layout, options); };
+    OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
+    const std::vector<std::string> none;
+    EXPECT_EQ(told(options),
+              std::vector<std::string>{
+                  "1 sheet has a mirrored back, with the numbers of what is glued flat; mark the back first "
+                  "(the file whose name ends in -back; in PDF the page after the front), turn the sheet over "
+                  "from left to right, and cut the front; --marks-on none leaves all marks out"});
+    for (const MarksOn asked : {MarksOn::none, MarksOn::front, MarksOn::back}) {
+        options.profile.marks_on = asked;
+        EXPECT_EQ(told(options), none);
+    }
+    EXPECT_EQ(told(options_for("lightburn", true, ScoreSide::front, false)), none);
+    EXPECT_EQ(told(options_for("workshop", false, ScoreSide::front, false)), none);
+    layout = test::example_layout();
+    EXPECT_EQ(told(options_for("lightburn", false, ScoreSide::front, false)), none);
+}
+
 // What is glued to a back is marked where it is glued, or it is told that it is not.
 TEST(GlueMarks, OfBacksAreOnBacksAlone) {
     Layout layout = test::example_layout();
@@ -113,23 +149,18 @@ TEST(GlueMarks, OfBacksAreOnBacksAlone) {
     };
     EXPECT_EQ(printed_on(false, false), 1);
     EXPECT_EQ(printed_on(true, true), 3);
-    const auto told = [&](const OutputOptions& of) {
-        Diagnostics diagnostics;
-        examine_prints(layout, of, diagnostics);
-        std::string all;
-        for (const Diagnostic& one : diagnostics.sorted()) all += one.message + "; " + one.hints.front();
-        return all;
-    };
-    EXPECT_EQ(told(options), "");
+    const auto told = [&](const OutputOptions& of) { return told_of("glue-marks-left-out", layout, of); };
+    const std::vector<std::string> none;
+    EXPECT_EQ(told(options), none);
     // What is glued there covers them: four corners and the number.
     options.profile.marks_on = MarksOn::hidden;
-    EXPECT_EQ(told(options), "");
+    EXPECT_EQ(told(options), none);
     EXPECT_EQ(marks_on(layout, options, 0, false), 5U);
     EXPECT_EQ(marks_on(layout, options, 0, true), 5U);
-    EXPECT_EQ(told(options_for("workshop", true, ScoreSide::front, false)), "");
+    EXPECT_EQ(told(options_for("workshop", true, ScoreSide::front, false)), none);
     EXPECT_EQ(told(options_for("workshop", false, ScoreSide::front, false)),
-              "the sheets by the profile workshop lack 1 glue target on backs; take --sides both, which "
-              "prints them on the backs");
+              std::vector<std::string>{"the sheets by the profile workshop lack 1 glue target on backs; take "
+                                       "--sides both, which prints them on the backs"});
 }
 
 // A piece that is glued flat has its number where it is glued, on a sheet of backs that has nothing else.
@@ -144,9 +175,7 @@ TEST(GlueMarks, NumberWhatIsGluedFlatOnItsBack) {
         return std::count_if(views->begin(), views->end(), [](const SheetView& one) { return one.back; });
     };
     const auto lacking = [&](const OutputOptions& options) {
-        Diagnostics diagnostics;
-        examine_prints(layout, options, diagnostics);
-        return diagnostics.sorted().size();
+        return told_of("glue-marks-left-out", layout, options).size();
     };
     OutputOptions options = options_for("lightburn", false, ScoreSide::front, false);
     EXPECT_EQ(backs(options), 0);
