@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "base/geometry/edge_index.h"
@@ -40,16 +42,16 @@ HiddenNumbers::HiddenNumbers(const Assembly& assembly)
 std::optional<Label> HiddenNumbers::of(const GluedArea& glued, const std::optional<TextSpot>& target) const {
     const Rigid* how = nth(how_, glued.plate);
     if (how == nullptr || how->base != glued.base_plate || how->beside) return std::nullopt;
-    const std::optional<TextSpot> spot =
-        target ? target
-               : spot_on_covered(nth(in_.plates, glued.base_plate), nth(in_.plates, glued.plate), *how,
-                                 glued.label);
+    std::string number = upright_number(glued.label);
+    const std::optional<TextSpot> spot = target ? target
+                                                : spot_on_covered(nth(in_.plates, glued.base_plate),
+                                                                  nth(in_.plates, glued.plate), *how, number);
     if (!spot) return std::nullopt;
     // From the back the base is seen in a mirror.
     const double turned = spot->angle - angle_of(how->base_dir);
     const double angle = angle_of(how->own_dir) + (how->back ? -turned : turned);
-    return Label{LabelKind::piece, glued.label, laid(*how).inverse()(spot->at),
-                 spot->height,     angle,       !how->behind};
+    return Label{LabelKind::piece, std::move(number), laid(*how).inverse()(spot->at), spot->height, angle,
+                 !how->behind};
 }
 
 }  // namespace popup

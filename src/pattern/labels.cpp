@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "pattern/tabs.h"
@@ -32,6 +34,19 @@ bool meets_box(const Segment& s, Vec2 half) {
 }
 
 }  // namespace
+
+std::string upright_number(std::string_view number) {
+    constexpr std::string_view kDigits = "01689";
+    constexpr std::string_view kTurned = "01986";
+    std::string turned;
+    for (const char c : number) {
+        const std::size_t digit = kDigits.find(c);
+        if (digit == std::string_view::npos) return std::string(number);
+        turned.insert(turned.begin(), kTurned[digit]);
+    }
+    const bool another = turned != number && !turned.starts_with('0');
+    return std::string(number) + (another ? "." : "");
+}
 
 double text_width(std::string_view text, double cap_height) {
     double width = 0.0;  // in heights of capitals

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/geometry/edge_index.h"
@@ -12,6 +13,10 @@ namespace popup {
 
 // Width of a line of text in DejaVu Sans whose capitals are `cap_height` high; never too small.
 double text_width(std::string_view text, double cap_height);
+
+// The number of a piece as it is written alone: with a full stop where it would be another number for those
+// who hold the piece upside down. "6." and "16." (91), but "7", "8" and "6L".
+std::string upright_number(std::string_view number);
 
 // Text of this size, its middle at `at`.
 struct TextSpot {

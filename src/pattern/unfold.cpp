@@ -285,9 +285,9 @@ class Unfolder {
         const Plate& base = in_.plates[at(glued.base_plate)];
         const bool back = in_.plates[at(glued.plate)].lying == Lying::on_back;
         Work& under = pieces_[at(base.piece)];
+        const std::string number = upright_number(glued.label);
         const auto label = [&](const TextSpot& spot) {
-            under.piece.labels.push_back(
-                {LabelKind::target, glued.label, spot.at, spot.height, spot.angle, back});
+            under.piece.labels.push_back({LabelKind::target, number, spot.at, spot.height, spot.angle, back});
         };
         std::optional<TextSpot> spot;
         for (const Polygon& part : glued.on_base) {
@@ -297,11 +297,11 @@ class Unfolder {
             insert_ring(on_plate(glued.base_plate, back), obstacle);
             if (spot) continue;
             spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
-                                  bounds(part.outer), glued.label);
+                                  bounds(part.outer), number);
         }
         label(spot.value_or(TextSpot{inner_point(glued.on_base.front(), 0.1).at, kLeastText}));
-        std::optional<Label>& number = pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number;
-        if (!number) number = hidden_numbers_.of(glued, spot);
+        std::optional<Label>& hidden = pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number;
+        if (!hidden) hidden = hidden_numbers_.of(glued, spot);
     }
 
     void add_part(const Glue& glue, const SeamFrame& frame, const Ring& part, Work& work) {
@@ -455,7 +455,7 @@ class Unfolder {
         const std::vector<Label>& labels = pieces_[number].piece.labels;
         const bool has_tab = std::any_of(labels.begin(), labels.end(),
                                          [](const Label& one) { return one.kind == LabelKind::tab; });
-        write_on_piece(number, order.empty() || has_tab ? name : order);
+        write_on_piece(number, order.empty() || has_tab ? name : upright_number(order));
     }
 
     // "3" of a piece with the tabs "3L" and "3R"; empty for one without tabs.

@@ -7,13 +7,16 @@
 #include <random>
 #include <set>
 
-#include "pattern/labels.h"
 #include "pattern/tabs.h"
 #include "support/designs.h"
 #include "support/prints.h"
+#include "unit/pattern/hand_made_card.h"
 
 namespace popup {
 namespace {
+
+using test::sides_of;
+using Card = test::HandMadeCard;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -21,103 +24,8 @@ double number(std::mt19937& random, double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967295.0);
 }
 
-// ---- designs made by hand
-// -------------------------------------------------------------------------------------
-
-struct Card {
-    Assembly assembly;
-
-    // A base page of two plates, 200 × 160 mm, with the gutter as its only fold.
-    Card() {
-        assembly.file = "card.xml";
-        assembly.pieces.push_back({"page", {0, 1}});
-        Plate left;
-        left.name = "page/left";
-        left.outline.outer = {{-100, -80}, {0, -80}, {0, 80}, {-100, 80}};
-        Plate right;
-        right.name = "page/right";
-        right.outline.outer = {{0, -80}, {100, -80}, {100, 80}, {0, 80}};
-        assembly.plates = {left, right};
-        const Ring corners{{-100, -80}, {100, -80}, {100, 80}, {-100, 80}};
-        for (std::size_t i = 0; i < 4; ++i) cut(0, {corners[i], corners[(i + 1) % 4]});
-        assembly.lines.push_back({LineKind::valley, {{0, -80}, {0, 80}}, 0, 0, 1});
-    }
-
-    void cut(int piece, Segment at) { assembly.lines.push_back({LineKind::cut, at, piece, -1, -1}); }
-
-    // A symmetric v-fold: apex on the gutter, seams of this length at angle `a` from it, the piece's halves
-    // `g` wide.
-    void v_fold(double apex_y, double seam, double a, double g, double height) {
-        const int piece = static_cast<int>(assembly.pieces.size());
-        const int plate = static_cast<int>(assembly.plates.size());
-        const std::string id = "v" + std::to_string(piece);
-        const Vec2 apex{0, apex_y};
-        const Vec2 end_left = apex + seam * Vec2{-std::sin(a), std::cos(a)};
-        const Vec2 end_right = apex + seam * Vec2{std::sin(a), std::cos(a)};
-        const Vec2 e{0, 0};
-        const Vec2 g_at = seam * Vec2{-std::sin(g), std::cos(g)};
-        const Vec2 h_at = seam * Vec2{std::sin(g), std::cos(g)};
-        const double top = std::max(0.0, g_at.y) + height;
-        const Vec2 i_at{g_at.x, top};
-        const Vec2 j_at{h_at.x, top};
-        const Vec2 f{0, top};
-        assembly.pieces.push_back({id, {plate, plate + 1}});
-        Plate left;
-        left.name = id + "/left";
-        left.piece = piece;
-        left.outline.outer = {g_at, e, f, i_at};
-        left.fill = Color{255, 0, 0};
-        Plate right;
-        right.name = id + "/right";
-        right.piece = piece;
-        right.outline.outer = {e, h_at, j_at, f};
-        assembly.plates.push_back(left);
-        assembly.plates.push_back(right);
-        cut(piece, {h_at, j_at});
-        cut(piece, {j_at, f});
-        cut(piece, {f, i_at});
-        cut(piece, {i_at, g_at});
-        // The waist may call a glued edge a seam; the pattern then draws it once.
-        assembly.lines.push_back({LineKind::seam, {g_at, e}, piece, plate, -1});
-        assembly.lines.push_back({LineKind::mountain, {e, f}, piece, plate, plate + 1});
-        const std::string label = std::to_string(piece);
-        assembly.glue.push_back(
-            {plate, 0, {e, g_at}, {apex, end_left}, label + "L", Color{1, 2, 3}, id, {7, 3}});
-        assembly.glue.push_back({plate + 1, 1, {h_at, e}, {end_right, apex}, label + "R", {}, id, {7, 3}});
-    }
-
-    Pattern pattern(const PatternOptions& options = {}) {
-        diagnostics = Diagnostics("card.xml");
-        auto result = make_pattern(assembly, options, diagnostics);
-        EXPECT_TRUE(result.has_value());
-        return result.value_or(Pattern{});
-    }
-    Diagnostics diagnostics;
-};
-
 // ---- checks that use nothing of the code under test
 // -------------------------------------------------------------
-
-std::vector<Segment> edges(const Ring& ring) {
-    std::vector<Segment> result;
-    for (std::size_t i = 0; i < ring.size(); ++i) result.push_back({ring[i], ring[(i + 1) % ring.size()]});
-    return result;
-}
-
-std::vector<Segment> edges(const Contour& contour) {
-    auto result = edges(contour.points);
-    if (!contour.closed) result.pop_back();
-    return result;
-}
-
-double ring_distance(const Ring& a, const Ring& b) {
-    if (contains({a, {}}, b[0]) || contains({b, {}}, a[0])) return 0.0;
-    double best = HUGE_VAL;
-    for (const Segment& s : edges(a)) {
-        for (const Segment& t : edges(b)) best = std::min(best, distance(s, t));
-    }
-    return best;
-}
 
 bool strictly_crosses(const Segment& s, const Segment& t) {
     const auto side = [](const Segment& line, Vec2 p) {
@@ -133,7 +41,7 @@ bool strictly_crosses(const Segment& s, const Segment& t) {
 }
 
 bool is_simple(const Ring& ring) {
-    const auto all = edges(ring);
+    const auto all = sides_of(ring);
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t j = i + 2; j < all.size(); ++j) {
             if (i == 0 && j + 1 == all.size()) continue;
@@ -144,14 +52,14 @@ bool is_simple(const Ring& ring) {
 }
 
 bool overlap(const Ring& a, const Ring& b) {
-    for (const Segment& s : edges(a)) {
-        for (const Segment& t : edges(b)) {
+    for (const Segment& s : sides_of(a)) {
+        for (const Segment& t : sides_of(b)) {
             if (strictly_crosses(s, t)) return true;
         }
     }
     const auto inside = [](const Ring& ring, Vec2 p) {
         double off = HUGE_VAL;
-        for (const Segment& s : edges(ring)) off = std::min(off, distance(p, s));
+        for (const Segment& s : sides_of(ring)) off = std::min(off, distance(p, s));
         return contains({ring, {}}, p) && off > 1e-4;
     };
     return std::any_of(a.begin(), a.end(), [&](Vec2 p) { return inside(b, p); }) ||
@@ -201,23 +109,23 @@ void expect_targets_in_order(const Assembly& assembly, const Pattern& pattern) {
             for (const Vec2 p : ring) EXPECT_TRUE(contains(plate, p)) << name << " " << p.x << " " << p.y;
             const Glue* glue = glue_of(assembly, *targets[i]);
             ASSERT_NE(glue, nullptr);
-            std::vector<Segment> all = edges(plate.outer);
+            std::vector<Segment> all = sides_of(plate.outer);
             for (const Ring& hole : plate.holes) {
-                const auto more = edges(hole);
+                const auto more = sides_of(hole);
                 all.insert(all.end(), more.begin(), more.end());
             }
             for (const Segment& edge : all) {
                 const auto near = beside(edge, glue->on_base);
                 if (!near) continue;
-                for (const Segment& own : edges(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
+                for (const Segment& own : sides_of(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
             }
             for (std::size_t j = 0; j < i; ++j) {
                 EXPECT_FALSE(overlap(ring, targets[j]->outline)) << name;
                 if (glue_of(assembly, *targets[j]) == glue) continue;  // parts of one tab
-                for (const Segment& edge : edges(targets[j]->outline)) {
+                for (const Segment& edge : sides_of(targets[j]->outline)) {
                     const auto near = beside(edge, glue->on_base);
                     if (!near) continue;
-                    for (const Segment& own : edges(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
+                    for (const Segment& own : sides_of(ring)) EXPECT_GE(distance(own, *near), 0.999) << name;
                 }
             }
         }
@@ -230,7 +138,7 @@ void expect_tabs_clear_of_paper(const Assembly& assembly, const Pattern& pattern
         // All cuts and seams of a piece, two by two: none crosses another.
         std::vector<Segment> all;
         for (const Contour& contour : piece.cuts) {
-            const auto own = edges(contour);
+            const auto own = sides_of(contour);
             all.insert(all.end(), own.begin(), own.end());
         }
         for (const PatternLine& line : piece.lines) all.push_back(line.at);
@@ -338,7 +246,7 @@ TEST(Pattern, SeamsAreDrawnOnceAndAreNoCuts) {
     for (const PatternLine& line : pattern.pieces[1].lines) {
         if (line.kind != LineKind::seam) continue;
         seams += distance(line.at.a, line.at.b);
-        for (const Segment& cut : edges(pattern.pieces[1].cuts[0])) {
+        for (const Segment& cut : sides_of(pattern.pieces[1].cuts[0])) {
             // The middle of a seam is never on a cut.
             EXPECT_GT(distance(lerp(line.at.a, line.at.b, 0.5), cut), 0.1);
         }
@@ -389,7 +297,7 @@ TEST(Pattern, GeneratedDesignsOfAllElementsUnfoldSoundly) {
             std::vector<Segment> all;
             double within = 0.0;
             for (const Contour& contour : piece.cuts) {
-                const auto own = edges(contour);
+                const auto own = sides_of(contour);
                 all.insert(all.end(), own.begin(), own.end());
                 if (contour.closed) within += signed_area(contour.points);
             }
@@ -455,7 +363,7 @@ TEST(Pattern, AnObstacleUnderTheMiddleSplitsATab) {
     ASSERT_EQ(parts.size(), 2U);
     for (const Ring& part : parts) {
         EXPECT_TRUE(is_simple(part));
-        for (const Segment& edge : edges(part)) EXPECT_GE(distance(edge, post[0]), 0.999);
+        for (const Segment& edge : sides_of(part)) EXPECT_GE(distance(edge, post[0]), 0.999);
     }
     EXPECT_NEAR(seam_stretches(parts)[0].to, 24.0, 1e-3);
     EXPECT_NEAR(seam_stretches(parts)[1].from, 26.0, 1e-3);
@@ -470,7 +378,7 @@ TEST(Pattern, SmallBumpsBetweenObstaclesAreCutOff) {
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_LE(parts[0].size(), 8U);
     EXPECT_GT(length_with_depth(parts, 3.9), 70);
-    for (const Segment& edge : edges(parts[0])) {
+    for (const Segment& edge : sides_of(parts[0])) {
         for (const Segment& tip : tips) EXPECT_GE(distance(edge, tip), 0.999);
     }
 }
@@ -480,129 +388,6 @@ TEST(Pattern, WhatLiesBehindTheSeamTrimsNothing) {
     const auto parts = trimmed_tab(50, {10, 0.5, 1}, behind, behind);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].size(), 4U);
-}
-
-TEST(Pattern, LabelsOfTabsFitIntoThem) {
-    const auto parts = trimmed_tab(40, {10, 0.5, 1}, std::vector<Segment>{{{12, 6}, {70, 6}}}, {});
-    const auto spot = place_in_tab(parts, "12L");
-    ASSERT_TRUE(spot.has_value());
-    const Vec2 half{0.5 * text_width("12L", spot->height), 0.5 * spot->height};
-    for (const Vec2 corner : {half, -half, Vec2{half.x, -half.y}, Vec2{-half.x, half.y}}) {
-        EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const Ring& part) {
-            return contains({part, {}}, spot->at + corner);
-        }));
-    }
-    EXPECT_GE(spot->height, 2.0);
-}
-
-TEST(Pattern, NamesInTabsHaveRoomBelowTheirLine) {
-    for (const double depth : {3.6, 5.0, 7.0, 10.0}) {
-        const std::vector<Ring> parts{{{0, 0}, {80, 0}, {80, depth}, {0, depth}}};
-        const auto spot = place_if_it_fits(parts, "2L jumpy");
-        ASSERT_TRUE(spot) << depth;
-        EXPECT_GE(spot->at.y - (0.5 + 0.34) * spot->height, 0.39) << depth;
-    }
-    EXPECT_FALSE(place_if_it_fits(std::vector<Ring>{{{0, 0}, {80, 0}, {80, 2.5}, {0, 2.5}}}, "2L jumpy"));
-}
-
-TEST(Pattern, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
-    Card card;
-    card.v_fold(-30, 60, 50 * kPi / 180, 70 * kPi / 180, 40);
-    const Pattern pattern = card.pattern();
-    for (const PatternPiece& piece : pattern.pieces) {
-        const auto label = std::find_if(piece.labels.begin(), piece.labels.end(),
-                                        [](const Label& l) { return l.kind == LabelKind::piece; });
-        ASSERT_NE(label, piece.labels.end());
-        // The base has no tabs; the v-fold's are 1L and 1R.
-        EXPECT_EQ(label->text, (piece.name == "page" ? "" : "1. ") + piece.name);
-        const double c = std::cos(label->angle);
-        const double s = std::sin(label->angle);
-        const Vec2 x = 0.5 * text_width(label->text, label->height_mm) * Vec2{c, s};
-        const Vec2 y = 0.5 * label->height_mm * Vec2{-s, c};
-        const Ring box{label->at - x - y, label->at + x - y, label->at + x + y, label->at - x + y};
-        EXPECT_TRUE(contains({piece.silhouette[0].outer, {}}, label->at));
-        for (const GlueTarget& target : piece.targets) EXPECT_GT(ring_distance(box, target.outline), 0.0);
-        for (const Segment& side : edges(box)) {
-            for (const PatternLine& line : piece.lines) EXPECT_GT(distance(side, line.at), 0.5);
-            for (const Contour& contour : piece.cuts) {
-                for (const Segment& cut : edges(contour)) EXPECT_GT(distance(side, cut), 0.5);
-            }
-        }
-    }
-}
-
-TEST(Pattern, NamesOfPiecesStandClearOfDrawnLinesWhereTheyCan) {
-    Card card;
-    const Vec2 before = card.pattern().pieces[0].labels[0].at;
-    card.assembly.plates[0].prints.emplace_back(Stroke{{before - Vec2{3, 3}, before + Vec2{3, 3}}, 2.0, {}});
-    card.assembly.plates[1].prints.emplace_back(Stroke{{{50, -80}, {50, 80}}, 90.0, {}});
-    const Label label = card.pattern().pieces[0].labels[0];
-    for (const Plate& plate : card.assembly.plates) {
-        for (const Stroke& stroke : test::prints_of<Stroke>(plate.prints)) {
-            const Segment line{stroke.points[0], stroke.points[1]};
-            EXPECT_GT(distance(label.at, line), 0.5 * stroke.width_mm + 0.5 * label.height_mm);
-        }
-    }
-    card.assembly.plates[0].prints.emplace_back(Stroke{{{-50, -80}, {-50, 80}}, 100.0, {}});
-    EXPECT_EQ(card.pattern().pieces[0].labels.size(),
-              1U);  // no room left beside them, but never without a name
-}
-
-// Two pieces may be glued to one place of a plate, if it is on both sides of it.
-TEST(Pattern, WhatIsGluedToABackHasItsTargetThere) {
-    Card card;
-    for (const bool back : {true, false}) {
-        Plate flat;
-        flat.name = back ? "behind" : "before";
-        flat.piece = static_cast<int>(card.assembly.pieces.size());
-        flat.outline.outer = {{0, 0}, {40, 0}, {40, 30}, {0, 30}};
-        flat.lying = back ? Lying::on_back : Lying::on_front;
-        const int plate = static_cast<int>(card.assembly.plates.size());
-        card.assembly.pieces.push_back({flat.name, {plate}});
-        card.assembly.plates.push_back(flat);
-        card.assembly.glued_areas.push_back(
-            {plate, 1, {{{{40, -20}, {80, -20}, {80, 10}, {40, 10}}, {}}}, back ? "1" : "2", flat.name, {}});
-    }
-    card.v_fold(-40, 30, kPi / 4, kPi / 5, 20);
-    card.assembly.glue.back().on_back = true;
-    const Pattern pattern = card.pattern();
-    const PatternPiece& page = pattern.pieces[0];
-    std::map<std::string, bool> targets;
-    for (const GlueTarget& one : page.targets) targets[one.label] = one.on_back;
-    const std::map<std::string, bool> expected{{"1", true}, {"2", false}, {"3L", false}, {"3R", true}};
-    EXPECT_EQ(targets, expected);
-    std::map<std::string, bool> labels;
-    for (const Label& one : page.labels) {
-        if (one.kind == LabelKind::target) labels[one.text] = one.on_back;
-    }
-    EXPECT_EQ(labels, expected);
-}
-
-// It has no tab that says where it is glued.
-TEST(Pattern, SmallPiecesThatAreGluedFlatHaveTheirNumberAtLeast) {
-    Card card;
-    for (const double width : {10.0, 60.0}) {
-        Plate flat;
-        flat.name = width < 20.0 ? "small one" : "large one";
-        flat.piece = static_cast<int>(card.assembly.pieces.size());
-        flat.outline.outer = {{0, 0}, {width, 0}, {width, 12}, {0, 12}};
-        flat.lying = Lying::on_front;
-        const int plate = static_cast<int>(card.assembly.plates.size());
-        card.assembly.pieces.push_back({flat.name, {plate}});
-        card.assembly.plates.push_back(flat);
-        card.assembly.glued_areas.push_back(
-            {plate,
-             1,
-             {{{{20, width}, {30, width}, {30, 6 + width}, {20, 6 + width}}, {}}},
-             std::to_string(plate),
-             flat.name,
-             {}});
-    }
-    const Pattern pattern = card.pattern();
-    ASSERT_EQ(pattern.pieces[1].labels.size(), 1U);
-    EXPECT_EQ(pattern.pieces[1].labels[0].text, "2");
-    ASSERT_EQ(pattern.pieces[2].labels.size(), 1U);
-    EXPECT_EQ(pattern.pieces[2].labels[0].text, "3. large one");
 }
 
 TEST(Pattern, FillsStrokesAndPlateNamesAreCarried) {
