@@ -5,7 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "fabrication/kerf.h"
+#include "popup/find.h"
+#include "popup/tabs.h"
 #include "run/crew.h"
 #include "run/unique_stems.h"
 #include "run/unused_allowances.h"
@@ -36,12 +37,17 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     return true;
 }
 
-void run_last_stages(CompiledDesign& one, const CompileOptions& options) {
+// Whether a pattern is made, or only what it would say is found.
+enum class Draw { yes, no };
+
+// False: a stage that finds something was not asked for, or not reached.
+bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw draw) {
     if (one.checked) one.assembly = assemble(*one.checked, options.assemble, one.diagnostics);
     if (one.assembly) one.assembly->stem = one.stem;
-    if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics)) return;
+    if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics))
+        return false;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
-    if (!one.assembly || options.until <= Stage::assembly) return;
+    if (!one.assembly || options.until <= Stage::assembly) return false;
     if (moves(*one.assembly)) {
         MotionOptions motion = options.motion;
         if (options.fitting_size)
@@ -49,23 +55,25 @@ void run_last_stages(CompiledDesign& one, const CompileOptions& options) {
         one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
                                  : simulate(*one.assembly, motion, one.diagnostics);
     }
-    if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return;
-    one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+    if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return false;
+    if (draw == Draw::no) judge_tabs(*one.assembly, options.pattern, one.diagnostics);
+    if (draw == Draw::yes) one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+    return true;
 }
 
-// What is said once no further stage will say anything.
-void conclude(CompiledDesign& one, const CompileOptions& options) {
+// What is said once no further stage will say anything. `whole`: all that find something have run.
+void conclude(CompiledDesign& one, const CompileOptions& options, bool whole) {
     one.diagnostics.apply_allowances();
     // What has not been looked for cannot be missed.
-    if (!one.pattern || (one.motion && !one.motion->examination) || one.diagnostics.has_errors()) return;
+    if (!whole || (one.motion && !one.motion->examination) || one.diagnostics.has_errors()) return;
     std::set<std::string_view> unasked;
     if (!options.motion.clearance_mm) unasked.insert("clearance-low");
     tell_unused_allowances(one.diagnostics, unasked);
 }
 
 void compile_one(CompiledDesign& one, const CompileOptions& options) {
-    if (run_first_stages(one, options)) run_last_stages(one, options);
-    conclude(one, options);
+    const bool whole = run_first_stages(one, options) && run_last_stages(one, options, Draw::yes);
+    conclude(one, options, whole);
 }
 
 // Designs share nothing, so any thread takes the next one.
@@ -110,26 +118,16 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
 }
 
 void compile_further(CompiledDesign& one, const CompileOptions& options) {
-    if (one.checked && options.until > Stage::check) run_last_stages(one, options);
-    conclude(one, options);
+    const bool whole =
+        one.checked && options.until > Stage::check && run_last_stages(one, options, Draw::yes);
+    conclude(one, options, whole);
 }
 
-void lay_out_run(Compilation& run, const CompileOptions& options) {
-    std::vector<DesignPattern> patterns;
-    for (const CompiledDesign& one : run.designs) {
-        if (one.pattern) patterns.push_back({one.source.name, one.stem, *one.pattern});
-    }
-    if (patterns.empty() || run.has_errors()) return;
-    LayoutOptions layout = options.layout;
-    if (const auto& first = run.designs.front().assembly; first && layout.papers == PaperFamily::automatic)
-        layout.papers = papers_for(first->units);
-    layout.nesting.threads = options.threads;
-    layout.nesting.may_start_thread = options.may_start_thread;
-    layout.nesting.thread_ended = options.thread_ended;
-    run.layout = lay_out(std::move(patterns), layout, run.run_diagnostics);
-    const KerfWidths kerf = KerfWidths::of(options.output.profile);
-    if (run.layout && !apply_kerf(*run.layout, kerf, layout.spacing.mm, run.run_diagnostics))
-        run.layout.reset();
+void find_further(CompiledDesign& one, const CompileOptions& options) {
+    CompileOptions all = options;
+    all.until = Stage::pattern;
+    const bool whole = one.checked && run_last_stages(one, all, Draw::no);
+    conclude(one, options, whole);
 }
 
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,

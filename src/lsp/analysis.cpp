@@ -10,6 +10,7 @@
 
 #include "input/text.h"
 #include "input/xml/read.h"
+#include "popup/find.h"
 #include "repair/mend_document.h"
 #include "repair/move_element.h"
 
@@ -103,34 +104,36 @@ Span underlined(const Text& text, std::size_t at) {
 Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth, const Stages& stages) {
     Analysis made;
     made.depth = depth;
-    auto text = std::make_shared<const Text>(source.text);
-    made.text = text;
+    const bool goes_on = stages && depth == Depth::whole;
+    made.text = goes_on ? stages->text : std::make_shared<const Text>(source.text);
+    const Text& text = *made.text;
     CompileOptions compile_options = options.compile;
     compile_options.read.language = options.language->name;
     compile_options.until = depth == Depth::check ? Stage::check : Stage::pattern;
     compile_options.threads = 1;
     compile_options.progress = {};
     CompiledDesign one;
-    if (stages && depth == Depth::whole) {
-        one = *stages;
-        compile_further(one, compile_options);
+    if (goes_on) {
+        one = stages->design;
+        find_further(one, compile_options);
     } else {
         one = std::move(compile({source}, compile_options, options.policy).designs.front());
     }
     std::optional<Fixer> fixer;
     const bool document = options.language->name == "xml";
-    if (depth == Depth::check && document && one.checked) made.stages = std::make_shared<CompiledDesign>(one);
     const ExaminationMemory* memory = compile_options.motion.memory;
     if (memory != nullptr && one.motion && one.motion->examination) made.examined = memory->share();
     if (document && one.design) {
-        made.standing = footings_of(*one.design);
+        made.standing = goes_on ? stages->standing : footings_of(*one.design);
         fixer.emplace(one, *one.design, made.standing);
     }
+    if (depth == Depth::check && document && one.checked)
+        made.stages = std::make_shared<Checked>(Checked{one, made.standing, made.text});
     for (Diagnostic& diagnostic : one.diagnostics.sorted()) {
         Finding& finding = made.findings.emplace_back();
-        finding.at = underlined(*text, text->offset(diagnostic.place));
+        finding.at = underlined(text, text.offset(diagnostic.place));
         for (const Related& related : diagnostic.related)
-            finding.related.push_back({underlined(*text, text->offset(related.place)), related.text});
+            finding.related.push_back({underlined(text, text.offset(related.place)), related.text});
         finding.diagnostic = std::move(diagnostic);
         if (fixer) fixer->add_to(finding);
     }

@@ -40,8 +40,13 @@ struct Finding {
     bool late = false;       // as mark_late() found
 };
 
-// What a check has left for whoever looks at the motion of the same text: its stages, done once.
-using Stages = std::shared_ptr<const CompiledDesign>;
+// What a check has left for whoever looks at the motion of the same text: what is done once.
+struct Checked {
+    CompiledDesign design;
+    Footings standing;
+    std::shared_ptr<const Text> text;
+};
+using Stages = std::shared_ptr<const Checked>;
 
 struct Analysis {
     std::shared_ptr<const Text> text;  // that was looked at

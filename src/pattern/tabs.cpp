@@ -145,6 +145,13 @@ Vec2 SeamFrame::to_page(Vec2 p) const {
     return seam_.a + p.x * along_ + p.y * out_;
 }
 
+Ring SeamFrame::to_page(const Ring& ring) const {
+    Ring made;
+    made.reserve(ring.size());
+    for (const Vec2 p : ring) made.push_back(to_page(p));
+    return made;
+}
+
 Vec2 SeamFrame::to_seam(Vec2 p) const { return {dot(p - seam_.a, along_), dot(p - seam_.a, out_)}; }
 
 double SeamFrame::text_angle() const {

@@ -20,6 +20,7 @@ class SeamFrame {
     [[nodiscard]] double length() const { return length_; }
     // The seam's ends map to themselves exactly.
     [[nodiscard]] Vec2 to_page(Vec2 p) const;
+    [[nodiscard]] Ring to_page(const Ring& ring) const;
     [[nodiscard]] Vec2 to_seam(Vec2 p) const;
     [[nodiscard]] Segment to_seam(const Segment& s) const { return {to_seam(s.a), to_seam(s.b)}; }
     // Direction of the seam for text that must not stand on its head: in (-90°, 90°], in radians.

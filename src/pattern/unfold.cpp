@@ -18,6 +18,7 @@
 #include "pattern/hidden_numbers.h"
 #include "pattern/labels.h"
 #include "pattern/silhouette.h"
+#include "pattern/tab_places.h"
 #include "pattern/tabs.h"
 #include "popup/image.h"
 #include "popup/pattern.h"
@@ -25,32 +26,20 @@
 namespace popup {
 namespace {
 
-// What a tab must stay off.
-constexpr double kGapMm = 1.0;
-// A tab with less depth than this along half its seam holds badly.
-constexpr double kWeakMm = 3.0;
 // Folds whose angles, in radians, are the same to so many decimals are one where they meet in line.
 constexpr int kAngleDecimals = 6;
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
-
-void insert_ring(EdgeIndex& index, const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        index.insert({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]}, true);
-    }
-}
 
 class Unfolder {
  public:
     Unfolder(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics)
         : in_(assembly),
           diagnostics_(diagnostics),
-          rules_{options.tab_depth.mm, options.tab_taper.rad(), kGapMm},
+          rules_(tab_rules(options)),
           pieces_(assembly.pieces.size()),
           hidden_numbers_(assembly),
-          lines_on_(assembly.plates.size()),
-          plates_{std::vector<std::optional<EdgeIndex>>(assembly.plates.size()),
-                  std::vector<std::optional<EdgeIndex>>(assembly.plates.size())} {}
+          places_(assembly, rules_) {}
 
     Pattern run() {
         sort_lines();
@@ -86,18 +75,12 @@ class Unfolder {
         std::vector<TaggedSegment> tab_cuts;   // the tabs' free edges and the rests of their seams,
         std::vector<TaggedSegment> tab_seams;  // and the lines between piece and tab
         std::vector<Polygon> tabs;
-        std::optional<EdgeIndex> outside;  // what tabs of this piece must stay off
     };
 
     void sort_lines() {
         for (std::size_t i = 0; i < in_.lines.size(); ++i) {
             const Line& line = in_.lines[i];
             Work& work = pieces_[at(line.piece)];
-            const bool fold = line.kind == LineKind::mountain || line.kind == LineKind::valley;
-            if (fold || line.kind == LineKind::cut) {
-                if (line.plate >= 0) lines_on_[at(line.plate)].push_back(static_cast<int>(i));
-                if (line.other_plate >= 0) lines_on_[at(line.other_plate)].push_back(static_cast<int>(i));
-            }
             switch (line.kind) {
                 case LineKind::cut:
                     work.cuts.push_back({line.at, 0});
@@ -158,106 +141,33 @@ class Unfolder {
         PatternPiece& piece = pieces_[number].piece;
         const Piece& from = in_.pieces[number];
         piece.name = from.name;
-        std::vector<Polygon> outlines;
         for (const int index : from.plates) {
             const Plate& plate = in_.plates[at(index)];
-            outlines.push_back(plate.outline);
             if (plate.fill) piece.prints.push_back({Area{plate.outline, *plate.fill}, index});
             for (const Print& print : plate.prints) add_print(print, {plate.outline}, index, piece);
         }
-        piece.silhouette = from.paper.empty() ? silhouette_of(outlines) : from.paper;
+        piece.silhouette = places_.paper(static_cast<int>(number));
         for (const Print& print : from.prints) add_print(print, piece.silhouette, -1, piece);
-    }
-
-    // Everything on a plate that a target must stay off: its edges, lines on it, and what was glued to this
-    // side of it before.
-    EdgeIndex& on_plate(int plate, bool back = false) {
-        std::optional<EdgeIndex>& index = plates_.at(back ? 1 : 0)[at(plate)];
-        if (!index) {
-            std::vector<Segment> lines;
-            for (const int line : lines_on_[at(plate)]) lines.push_back(in_.lines[at(line)].at);
-            index.emplace(edges_of(in_.plates[at(plate)].outline), lines);
-        }
-        return *index;
-    }
-
-    EdgeIndex& off_piece(Work& work) {
-        if (!work.outside) {
-            std::vector<Segment> edges;
-            for (const Polygon& part : work.piece.silhouette) {
-                const auto own = edges_of(part);
-                edges.insert(edges.end(), own.begin(), own.end());
-            }
-            work.outside.emplace(std::move(edges));
-        }
-        return *work.outside;
-    }
-
-    // The obstacles of an index near a tab, in the coordinates of its seam.
-    std::vector<Segment> near(const EdgeIndex& index, const SeamFrame& frame, const Ring& tab) {
-        Box box;
-        for (const Vec2 p : tab) box.extend(frame.to_page(p));
-        const Vec2 margin{2.0 * kGapMm, 2.0 * kGapMm};
-        index.query({box.min - margin, box.max + margin}, found_);
-        std::vector<Segment> obstacles;
-        obstacles.reserve(found_.size());
-        for (const int i : found_) obstacles.push_back(frame.to_seam(index[i]));
-        return obstacles;
-    }
-
-    // Adds to the obstacles the stretches of a seam where the tab's own side is not as it must be: off the
-    // plate or on an earlier target, in the piece or on another of its tabs.
-    void block(const EdgeIndex& index, const SeamFrame& frame, int free_winding,
-               std::vector<Segment>& obstacles) {
-        constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
-        std::vector<double> ends{0.0, frame.length()};
-        for (const Segment& s : obstacles) {
-            const double a = s.a.y - kBeside;
-            const double b = s.b.y - kBeside;
-            if ((a > 0.0) == (b > 0.0)) continue;
-            const double t = lerp(s.a, s.b, a / (a - b)).x;
-            if (t > 0.0 && t < frame.length()) ends.push_back(t);
-        }
-        std::sort(ends.begin(), ends.end());
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            const Vec2 probe = frame.to_page({0.5 * (ends[i] + ends[i + 1]), kBeside});
-            if (index.winding(probe) == free_winding) continue;
-            obstacles.push_back({{ends[i], kBeside}, {ends[i + 1], kBeside}});
-        }
     }
 
     void add_tab(const Glue& glue) {
         const SeamFrame on_piece(glue.on_piece, true);
         const SeamFrame on_base(glue.on_base, glue.on_back);
-        const int piece_number = in_.plates[at(glue.piece_plate)].piece;
-        Work& work = pieces_[at(piece_number)];
-        EdgeIndex& base = on_plate(glue.base_plate, glue.on_back);
-        EdgeIndex& outside = off_piece(work);
-        const Ring full = full_tab(on_piece.length(), rules_);
-        std::vector<Segment> base_side = near(base, on_base, full);
-        std::vector<Segment> piece_side = near(outside, on_piece, full);
-        block(base, on_base, 1, base_side);
-        block(outside, on_piece, 0, piece_side);
-        const std::vector<Ring> parts = trimmed_tab(on_piece.length(), rules_, base_side, piece_side);
-        judge(glue, on_piece.length(), parts);
+        Work& work = pieces_[at(in_.plates[at(glue.piece_plate)].piece)];
+        const std::vector<Ring> parts = places_.place(glue);
+        judge_tab(in_, rules_, glue, parts, diagnostics_);
 
         work.tab_label = glue.label;
         work.glued.push_back(glue.on_piece);
         Work& under = pieces_[at(in_.plates[at(glue.base_plate)].piece)];
         for (const Ring& part : parts) {
             add_part(glue, on_piece, part, work);
-            Ring target;
-            for (const Vec2 p : part) target.push_back(on_base.to_page(p));
-            // The base's front sees the tab from the other side: what was counter-clockwise is clockwise, as
-            // what is taken away has to be.
-            Ring taken = target;
-            std::reverse(glue.on_back ? taken.begin() : target.begin(),
-                         glue.on_back ? taken.end() : target.end());
-            insert_ring(base, taken);
+            Ring target = on_base.to_page(part);
+            // The base's front sees the tab from the other side.
+            if (!glue.on_back) std::reverse(target.begin(), target.end());
             under.piece.targets.push_back({std::move(target), glue.base_plate, glue.label, glue.on_back});
         }
         add_rest_of_seam(on_piece, parts, work);
-        base.insert(glue.on_base, false);
         if (const auto spot = place_in_tab(parts, glue.label)) {
             work.piece.labels.push_back({LabelKind::tab, glue.label, on_piece.to_page(spot->at), spot->height,
                                          on_piece.text_angle()});
@@ -292,9 +202,7 @@ class Unfolder {
         std::optional<TextSpot> spot;
         for (const Polygon& part : glued.on_base) {
             under.piece.targets.push_back({part.outer, glued.base_plate, glued.label, back});
-            Ring obstacle = part.outer;
-            std::reverse(obstacle.begin(), obstacle.end());
-            insert_ring(on_plate(glued.base_plate, back), obstacle);
+            places_.take(glued.base_plate, back, part.outer);
             if (spot) continue;
             spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
                                   bounds(part.outer), number);
@@ -324,7 +232,6 @@ class Unfolder {
                 work.tab_cuts.push_back({edge, 0});
             }
         }
-        insert_ring(*work.outside, ring);
         work.tabs.push_back({std::move(joined), {}});
         if (glue.fill) work.piece.prints.push_back({Area{{std::move(ring), {}}, *glue.fill}, -1});
     }
@@ -343,30 +250,6 @@ class Unfolder {
             work.tab_cuts.push_back(
                 {{frame.to_page({reached, 0.0}), frame.to_page({frame.length(), 0.0})}, 0});
         }
-    }
-
-    void judge(const Glue& glue, double seam, const std::vector<Ring>& parts) {
-        const double wanted = std::min(kWeakMm, rules_.depth);
-        const double good = length_with_depth(parts, wanted - 1e-6);
-        if (good > 0.5 * seam) return;
-        const std::string& base = in_.plates[at(glue.base_plate)].name;
-        const std::string message =
-            parts.empty()
-                ? fmt::format("nothing is left of glue tab {} on its seam of {:.2f} mm", glue.label, seam)
-                : fmt::format(
-                      "glue tab {} is at least {:.4g} mm deep along only {:.2f} mm of its seam of "
-                      "{:.2f} mm",
-                      glue.label, wanted, good, seam);
-        const std::array<Ring, 1> full{full_tab(seam, rules_)};
-        const bool short_seam = length_with_depth(full, wanted - 1e-6) <= 0.5 * seam;
-        diagnostics_.warning("tab-too-small", glue.place, message)
-            .about(glue.element)
-            .hint(short_seam
-                      ? "make the seam longer, or taper the tabs less"
-                      : fmt::format(
-                            "move the element so that {:.4g} mm of {} beside the seam are clear of folds, "
-                            "cuts and earlier tabs",
-                            wanted + kGapMm, base));
     }
 
     void finish(std::size_t number) {
@@ -504,7 +387,7 @@ class Unfolder {
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
             const auto spot = place_on_plate(
-                on_plate(plate), drawing_of(in_.plates[at(plate)].prints, in_.pieces[number].prints),
+                places_.on_plate(plate), drawing_of(in_.plates[at(plate)].prints, in_.pieces[number].prints),
                 bounds(in_.plates[at(plate)].outline.outer), text);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
@@ -518,10 +401,7 @@ class Unfolder {
     TabRules rules_;
     std::vector<Work> pieces_;
     HiddenNumbers hidden_numbers_;
-    std::vector<std::vector<int>> lines_on_;  // of each plate: folds and cuts that name it
-    // Of the fronts and the backs of all plates, those that were asked for.
-    std::array<std::vector<std::optional<EdgeIndex>>, 2> plates_;
-    std::vector<int> found_;
+    TabPlaces places_;
     std::vector<FoldedTag> folded_;
     std::map<std::tuple<int, int, int, double>, int> folded_tags_;  // by piece, kind, plate and rounded angle
     Pattern out_;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "popup/compile.h"
+#include "popup/find.h"
+#include "support/designs.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -36,7 +38,14 @@ std::string commented(const std::string& mark, const std::string& comment) {
 Diagnostics checked(const std::string& document, const DiagnosticPolicy& policy = {},
                     CompileOptions options = {}) {
     options.until = Stage::pattern;
-    return compile({Source{"card.xml", document}}, options, policy).designs.front().diagnostics;
+    Diagnostics found = compile({Source{"card.xml", document}}, options, policy).designs.front().diagnostics;
+    // Without its pattern the same is found.
+    options.until = Stage::check;
+    CompiledDesign further = compile({Source{"card.xml", document}}, options, policy).designs.front();
+    find_further(further, options);
+    EXPECT_EQ(test::findings(further.diagnostics), test::findings(found));
+    EXPECT_FALSE(further.pattern.has_value());
+    return found;
 }
 
 std::vector<std::string> codes(const Diagnostics& found) {

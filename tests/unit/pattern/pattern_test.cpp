@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pattern/tabs.h"
+#include "popup/tabs.h"
 #include "support/designs.h"
 #include "support/prints.h"
 #include "unit/pattern/hand_made_card.h"
@@ -280,6 +281,9 @@ TEST(Pattern, TabsOfRandomDesignsCrossNothing) {
         expect_targets_in_order(card.assembly, pattern);
         expect_tabs_clear_of_paper(card.assembly, pattern);
         trimmed += static_cast<int>(card.diagnostics.has_findings());
+        Diagnostics judged;
+        judge_tabs(card.assembly, {}, judged);
+        EXPECT_EQ(test::findings(judged), test::findings(card.diagnostics));
         if (HasFailure()) FAIL() << "round " << round;
     }
     EXPECT_GT(trimmed, 5);
