@@ -176,59 +176,56 @@ SpaceBox reach_box(const Cell& cell, const Linkage& linkage, int plate, std::spa
 
 namespace {
 
-std::vector<std::pair<TreeBox, int>> tree_boxes(std::span<const SpaceBox> reached) {
-    std::vector<std::pair<TreeBox, int>> boxes;
-    boxes.reserve(reached.size());
-    for (const auto& [low, high] : reached) {
-        boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}},
-                           static_cast<int>(boxes.size()));
-    }
-    return boxes;
+// The number of a box is a fourth direction of its tree, so that in a heap, too, the tree knows where the
+// earlier ones are. Space counts more: what is apart in it is apart in the tree.
+using NumberedPoint = bg::model::point<double, 4, bg::cs::cartesian>;
+using NumberedBox = bg::model::box<NumberedPoint>;
+constexpr double kApartByNumber = 1e-3;
+
+NumberedBox numbered(const SpaceBox& box, double first, double last) {
+    NumberedBox made;
+    bg::set<bg::min_corner, 0>(made, box.low.x);
+    bg::set<bg::min_corner, 1>(made, box.low.y);
+    bg::set<bg::min_corner, 2>(made, box.low.z);
+    bg::set<bg::min_corner, 3>(made, kApartByNumber * first);
+    bg::set<bg::max_corner, 0>(made, box.high.x);
+    bg::set<bg::max_corner, 1>(made, box.high.y);
+    bg::set<bg::max_corner, 2>(made, box.high.z);
+    bg::set<bg::max_corner, 3>(made, kApartByNumber * last);
+    return made;
 }
 
 }  // namespace
 
 std::vector<std::pair<int, int>> near_earlier(std::span<const SpaceBox> reached, std::size_t most_each) {
-    // Trees that are packed and never change, each less than half as large as the one before, and behind
-    // them the last few, which are looked through: a tree that grows costs ten times as much.
-    constexpr std::size_t kFew = 48;
-    using Tree = bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>>;
-    const std::vector<std::pair<TreeBox, int>> boxes = tree_boxes(reached);
-    std::vector<std::pair<Tree, std::size_t>> trees;  // with the number of their first box
-    std::size_t in_trees = 0;
+    std::vector<std::pair<NumberedBox, int>> boxes;
+    boxes.reserve(reached.size());
+    for (const SpaceBox& box : reached) {
+        const int number = static_cast<int>(boxes.size());
+        boxes.emplace_back(numbered(box, number, number), number);
+    }
+    const bg::index::rtree<std::pair<NumberedBox, int>, bg::index::rstar<16>> tree(boxes.begin(),
+                                                                                   boxes.end());
     std::vector<std::pair<int, int>> pairs;
-    for (std::size_t number = 0; number < boxes.size(); ++number) {
-        const auto& [box, at] = boxes[number];
+    for (int number = 1; number < static_cast<int>(boxes.size()); ++number) {
+        const NumberedBox earlier = numbered(reached[static_cast<std::size_t>(number)], 0.0, number - 0.5);
         std::size_t left = most_each;
-        for (std::size_t i = number; i-- > in_trees && left > 0;) {
-            if (!reached[i].meets(reached[number])) continue;
-            pairs.emplace_back(static_cast<int>(i), at);
+        for (auto it = tree.qbegin(bg::index::intersects(earlier)); left > 0 && it != tree.qend(); ++it) {
+            pairs.emplace_back(it->second, number);
             --left;
         }
-        for (const auto& tree : trees) {
-            for (auto it = tree.first.qbegin(bg::index::intersects(box)); it != tree.first.qend() && left > 0;
-                 ++it) {
-                pairs.emplace_back(it->second, at);
-                --left;
-            }
-        }
-        if (number + 1 - in_trees < kFew) continue;
-        std::size_t first = in_trees;
-        in_trees = number + 1;
-        while (!trees.empty() && trees.back().first.size() < 2 * (in_trees - first)) {
-            first = trees.back().second;
-            trees.pop_back();
-        }
-        trees.emplace_back(Tree(boxes.begin() + static_cast<std::ptrdiff_t>(first),
-                                boxes.begin() + static_cast<std::ptrdiff_t>(in_trees)),
-                           first);
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
 
 std::vector<std::pair<int, int>> near_pairs(std::span<const SpaceBox> reached, std::size_t most) {
-    const std::vector<std::pair<TreeBox, int>> boxes = tree_boxes(reached);
+    std::vector<std::pair<TreeBox, int>> boxes;
+    boxes.reserve(reached.size());
+    for (const auto& [low, high] : reached) {
+        boxes.emplace_back(TreeBox{{low.x, low.y, low.z}, {high.x, high.y, high.z}},
+                           static_cast<int>(boxes.size()));
+    }
     const bg::index::rtree<std::pair<TreeBox, int>, bg::index::rstar<16>> tree(boxes.begin(), boxes.end());
     std::vector<std::pair<int, int>> pairs;
     for (const auto& [box, number] : boxes) {
