@@ -1,12 +1,11 @@
 // Where what stood in a text stands once it has been edited.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
+#include "input/xml/encoding.h"
 #include "input/xml/read.h"
 #include "popup/diagnostics.h"
 
@@ -26,12 +25,8 @@ class MovedPlaces {
     bool move(Diagnostic& finding) const;
 
  private:
-    using Lines = std::vector<std::size_t>;  // where each begins
-    static Lines lines_of(std::string_view text);
-
-    std::string_view before_, after_;
+    xml::PlaceTable before_, after_;
     std::span<const xml::PatchEdit> changes_;
-    Lines lines_before_, lines_after_;
 };
 
 }  // namespace popup::edit

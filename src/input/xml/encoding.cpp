@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,21 +36,46 @@ std::size_t sequence_length(std::string_view text) {
     return 0;
 }
 
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }
+
 constexpr std::string_view kSaveAsUtf8 = "save the document as UTF-8";
 
 }  // namespace
 
 Place PlaceCounter::at(std::size_t offset) {
     for (; at_ < offset; ++at_) {
-        const auto byte = static_cast<unsigned char>(text_[at_]);
-        if (byte == '\n') {
+        if (text_[at_] == '\n') {
             ++place_.line;
             place_.column = 1;
-        } else if ((byte & 0xc0U) != 0x80) {
+        } else if (begins_character(text_[at_])) {
             ++place_.column;
         }
     }
     return place_;
+}
+
+PlaceTable::PlaceTable(std::string_view text)
+    : text_(text), lines_{text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0} {
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+        lines_.push_back(at + 1);
+}
+
+std::optional<Place> PlaceTable::place_of(std::size_t offset) const {
+    const auto behind = std::upper_bound(lines_.begin(), lines_.end(), offset);
+    if (behind == lines_.begin() || offset > text_.size()) return std::nullopt;
+    const std::string_view passed = text_.substr(*(behind - 1), offset - *(behind - 1));
+    const auto column = std::count_if(passed.begin(), passed.end(), begins_character);
+    return Place{static_cast<int>(behind - lines_.begin()), static_cast<int>(column) + 1};
+}
+
+std::optional<std::size_t> PlaceTable::offset_of(Place place) const {
+    if (place.line <= 0 || static_cast<std::size_t>(place.line) > lines_.size()) return std::nullopt;
+    std::size_t at = lines_[static_cast<std::size_t>(place.line) - 1];
+    for (int column = 1; column < place.column && at < text_.size() && text_[at] != '\n'; ++column) {
+        ++at;
+        while (at < text_.size() && !begins_character(text_[at])) ++at;
+    }
+    return at;
 }
 
 bool check_encoding(std::string_view text, Diagnostics& diagnostics) {

@@ -1,7 +1,10 @@
 // The bytes of a document, before anything is made of them.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "popup/diagnostics.h"
 
@@ -24,6 +27,22 @@ class PlaceCounter {
     std::string_view text_;
     std::size_t at_;
     Place place_{1, 1};
+};
+
+// The same places for questions in any order, both ways. Cost: one pass over the text to begin with, then
+// that of a line each.
+class PlaceTable {
+ public:
+    // `text` must outlive this object.
+    explicit PlaceTable(std::string_view text);
+    // nullopt: it is behind the text.
+    [[nodiscard]] std::optional<Place> place_of(std::size_t offset) const;
+    // nullopt: there is no such line. A column behind the end of its line is that end.
+    [[nodiscard]] std::optional<std::size_t> offset_of(Place place) const;
+
+ private:
+    std::string_view text_;
+    std::vector<std::size_t> lines_;  // where each begins
 };
 
 // Adds an error and returns false when the text is empty (`empty-input`), not UTF-8 (`encoding`), or holds a
