@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <numeric>
 
 #include "motion/cells.h"
+#include "motion/joints/joint.h"
 
 namespace popup {
 namespace {
@@ -24,31 +25,40 @@ struct Pose {
 struct Walk {
     const Assembly& assembly;
     const Linkage& linkage;
+    const Walked& walked;
     Diagnostics& diagnostics;
     std::vector<Frame> frames;
-    int stuck = 0;
+    std::size_t stuck = 0;
+
+    bool place(double deg) {
+        for (const std::size_t joint : walked.joints) {
+            stuck = joint;
+            if (!place_plates(assembly.joints[joint], Angle::degrees(deg), frames)) return false;
+        }
+        return true;
+    }
 
     bool look(double deg, Pose& pose) {
         pose.deg = deg;
-        if (!place(assembly, Angle::degrees(deg), frames, &stuck)) return false;
+        if (!place(deg)) return false;
         pose.bends.resize(linkage.turns().size());
-        for (std::size_t i = 0; i < pose.bends.size(); ++i)
-            pose.bends[i] = linkage.bend(static_cast<int>(i), frames);
+        for (const int turn : walked.turns)
+            pose.bends[static_cast<std::size_t>(turn)] = linkage.bend(turn, frames);
         return true;
     }
 
     void locks(double reached, double missed) {
-        int joint = stuck;
+        std::size_t joint = stuck;
         while (reached >= 0.0 && missed - reached > kLockDeg) {
             const double middle = 0.5 * (reached + missed);
-            if (place(assembly, Angle::degrees(middle), frames, &stuck)) {
+            if (place(middle)) {
                 reached = middle;
             } else {
                 missed = middle;
                 joint = stuck;
             }
         }
-        report_lock(assembly.joints[static_cast<std::size_t>(joint)], reached, missed, diagnostics);
+        report_lock(assembly.joints[joint], reached, missed, diagnostics);
     }
 
     // The plate that turns furthest between two poses, and how far at most.
@@ -57,25 +67,22 @@ struct Walk {
         const auto bends = [&](int n) {
             return Bends{from.bends[static_cast<std::size_t>(n)], to.bends[static_cast<std::size_t>(n)]};
         };
-        for (std::size_t i = 0; i < assembly.plates.size(); ++i) {
-            const int turn = linkage.drive_turn(static_cast<int>(i));
+        for (const int plate : walked.plates) {
+            const int turn = linkage.drive_turn(plate);
             // A law leads from everywhere to everywhere.
             if (linkage.turns()[static_cast<std::size_t>(turn)].law >= 0) continue;
             const double by = travel(linkage.turns(), turn, to.deg - from.deg, bends);
-            if (by > most.first) most = {by, static_cast<int>(i)};
+            if (by > most.first) most = {by, plate};
         }
         return most;
     }
 
     // Where a parent fold passes flat, its linkages have the least room.
     [[nodiscard]] bool passes_flat(const Pose& from, const Pose& to) const {
-        for (std::size_t j = 0; j < assembly.joints.size(); ++j) {
-            const int fold = linkage.fold_turn(static_cast<int>(j));
-            if (fold < 0) continue;
+        return std::any_of(walked.parent_folds.begin(), walked.parent_folds.end(), [&](int fold) {
             const auto n = static_cast<std::size_t>(fold);
-            if (Bends{from.bends[n], to.bends[n]}.passes()) return true;
-        }
-        return false;
+            return Bends{from.bends[n], to.bends[n]}.passes();
+        });
     }
 
     bool jumps(int plate, double turn, double deg) {
@@ -113,7 +120,54 @@ struct Walk {
     }
 };
 
+void make_unique(std::vector<int>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 }  // namespace
+
+Walked walk_of_all(const Assembly& assembly, const Linkage& linkage) {
+    Walked all;
+    all.joints.resize(assembly.joints.size());
+    all.plates.resize(assembly.plates.size());
+    all.turns.resize(linkage.turns().size());
+    std::iota(all.joints.begin(), all.joints.end(), std::size_t{0});
+    std::iota(all.plates.begin(), all.plates.end(), 0);
+    std::iota(all.turns.begin(), all.turns.end(), 0);
+    for (std::size_t j = 0; j < assembly.joints.size(); ++j) {
+        const int fold = linkage.fold_turn(static_cast<int>(j));
+        if (fold >= 0) all.parent_folds.push_back(fold);
+    }
+    return all;
+}
+
+Walked walk_of(const std::vector<int>& plates, const std::vector<int>& placed, Linkage& linkage) {
+    Walked made;
+    made.plates = plates;
+    const auto turns = linkage.turns();
+    for (const int plate : plates) {
+        const auto need = [&](int turn) { made.turns.push_back(turn); };
+        travel_needs(turns, linkage.drive_turn(plate), need);
+        const int fold = linkage.fold_turn(linkage.joint_of(plate));
+        if (fold < 0) continue;
+        made.parent_folds.push_back(fold);
+        made.turns.push_back(fold);
+    }
+    make_unique(made.parent_folds);
+    make_unique(made.turns);
+    std::vector<int> all = plates;
+    all.insert(all.end(), placed.begin(), placed.end());
+    for (const int turn : made.turns) {
+        const Turn& one = turns[static_cast<std::size_t>(turn)];
+        for (const int plate : {one.plate, one.other}) {
+            if (plate >= 0) all.push_back(plate);
+        }
+    }
+    make_unique(all);
+    linkage.joints_under(all, made.joints);
+    return made;
+}
 
 void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diagnostics& diagnostics) {
     diagnostics
@@ -127,9 +181,10 @@ void report_lock(const Joint& joint, double reached_deg, double missed_deg, Diag
         .about(joint.name);
 }
 
-bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, Diagnostics& diagnostics,
+bool passes_whole_way(const Assembly& assembly, const Linkage& linkage, const Walked& walked,
+                      Diagnostics& diagnostics,
                       const std::function<void(double, std::span<const Frame>)>& seen) {
-    Walk walk{assembly, linkage, diagnostics, std::vector<Frame>(assembly.plates.size())};
+    Walk walk{assembly, linkage, walked, diagnostics, std::vector<Frame>(assembly.plates.size())};
     Pose here;
     const double least = least_opening(assembly.sweep);
     if (!walk.look(least, here)) {

@@ -1,6 +1,5 @@
 // Frames of all plates at one angle: joint by joint, in the order in which they stand.
-#include <algorithm>
-
+#include "motion/hinge_gap.h"
 #include "motion/joints/joint.h"
 #include "popup/motion.h"
 
@@ -19,11 +18,7 @@ bool place(const Assembly& assembly, Angle theta, std::span<Frame> frames, int* 
 double closure_error(const Assembly& assembly, std::span<const Frame> frames, int* worst) {
     double largest = 0.0;
     for (std::size_t i = 0; i < assembly.hinges.size(); ++i) {
-        const Hinge& hinge = assembly.hinges[i];
-        const Frame& a = frames[static_cast<std::size_t>(hinge.a)];
-        const Frame& b = frames[static_cast<std::size_t>(hinge.b)];
-        const double open = std::max(distance(a.point(hinge.a_line.a), b.point(hinge.b_line.a)),
-                                     distance(a.point(hinge.a_line.b), b.point(hinge.b_line.b)));
+        const double open = gap_of(assembly.hinges[i], frames);
         if (open > largest) {
             largest = open;
             if (worst != nullptr) *worst = static_cast<int>(i);

@@ -105,8 +105,8 @@ Recall::Recall(ExaminationMemory& memory, const Assembly& assembly, const Linkag
 bool Recall::knows_nothing(const MotionOptions& options) const {
     const Sweep& was = kept_.sweep;
     const Sweep& is = assembly_.sweep;
-    return kept_.clearance_mm != options.clearance_mm || was.from_deg != is.from_deg ||
-           was.to_deg != is.to_deg || was.closed_flat != is.closed_flat;
+    return kept_.clearance_mm != options.clearance_mm || kept_.angles != options.angles ||
+           was.from_deg != is.from_deg || was.to_deg != is.to_deg || was.closed_flat != is.closed_flat;
 }
 
 std::vector<PlateShape> Recall::take_shapes() {
@@ -127,11 +127,13 @@ void Recall::keep(std::vector<PlateShape> shapes) {
         return;
     }
     kept_.clearance_mm = options_.clearance_mm;
+    kept_.angles = options_.angles;
     kept_.sweep = assembly_.sweep;
     kept_.plate_chains.clear();
     for (const PlateNow& one : plates_) kept_.plate_chains.push_back(one.chain);
     kept_.reaches = std::move(reaches_);
     kept_.shapes = std::move(shapes);
+    kept_.gaps = std::move(gaps_);
     kept_.known = true;
 }
 

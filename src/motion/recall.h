@@ -1,15 +1,19 @@
 // What one examination leaves for the next one of the same design, which has changed a little.
 //
+// What moves as it did has passed the whole way then, and its hinges open as far as they did.
 // A pair of plates whose chains (motion/chains.h) and outlines are as they were has the findings that it had.
 // A plate that moves as before, but has another outline, is redrawn: as a base page is from which something
 // is cut. Whoever was clear of it and does not come near the part that was redrawn is clear of it still,
 // because what crosses does so at paper that both have there.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "motion/cells.h"
@@ -48,10 +52,16 @@ struct LayersKept {
     std::size_t work = 0;
 };
 
+// Of hinges, by the chains of their plates and their lines: how far each opens at most, mm, at the angles
+// asked for that lie on the way from closed to open.
+using HingeKey = std::array<double, 10>;
+using HingeGaps = std::map<HingeKey, double>;
+
 struct ExaminationMemory::Kept {
     Chains chains;
     bool known = false;  // what follows is of a whole examination
     std::optional<double> clearance_mm;
+    std::vector<Angle> angles;
     Sweep sweep;
     std::vector<int> plate_chains;  // by plate, as all that follows
     std::vector<Polygon> reaches;   // reach_of()
@@ -59,6 +69,7 @@ struct ExaminationMemory::Kept {
     std::vector<std::vector<SpaceBox>> boxes;               // of each cell
     std::unordered_map<std::uint64_t, PairFindings> pairs;  // by chains; those that were near
     LayersKept layers;
+    HingeGaps gaps;
 };
 
 // Plates in the order in which they are numbered.
@@ -92,7 +103,7 @@ class Recall {
     enum class State { same, redrawn, changed };
     struct PlateNow {
         int chain = -1;
-        int before = -1;  // its number in what is kept; -1: it is new there
+        int before = -1;  // its number in what is kept; -1: it moves otherwise than anything there
         State state = State::changed;
         Box redrawn;  // where its outline has changed
     };
@@ -118,6 +129,7 @@ class Recall {
     ExaminationMemory::Share& share() const { return memory_.share_; }
     // What was found is not whole, and not kept.
     void drop() { whole_ = false; }
+    void keep_gaps(HingeGaps gaps) { gaps_ = std::move(gaps); }
     [[nodiscard]] bool keeps() const { return can_keep_ && whole_; }
 
  private:
@@ -134,6 +146,7 @@ class Recall {
     std::vector<int> touched_;
     std::unordered_map<int, int> by_chain_;
     std::vector<Polygon> reaches_;
+    HingeGaps gaps_;
 };
 
 }  // namespace popup

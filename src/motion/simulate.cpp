@@ -9,6 +9,7 @@
 #include "motion/findings.h"
 #include "motion/passage.h"
 #include "motion/sweep.h"
+#include "motion/whole_way.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -133,19 +134,17 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
         return std::nullopt;
     }
     if (assembly.sweep.closed_flat && !judge.is_flat(motion)) return std::nullopt;
+    const bool examine_too = options.examine && !assembly.sweep.bends;
+    std::optional<Recall> recall;
+    if (options.memory != nullptr && sheet == nullptr && examine_too)
+        recall.emplace(*options.memory, assembly, judge.linkage, options);
+    const auto way = pass_whole_way(assembly, judge.linkage, motion.angles, options.tolerances,
+                                    recall ? &*recall : nullptr, diagnostics);
+    if (!way) return std::nullopt;
+    motion.max_closure_mm = way->most_open_mm;
     // Most of the angles that are asked for lie on the way.
-    std::vector<double> closed_at;
-    const auto seen = [&](double deg, std::span<const Frame> frames) {
-        const bool asked =
-            std::binary_search(motion.angles.begin(), motion.angles.end(), Angle::degrees(deg), by_degrees);
-        const double open = asked ? closure_error(assembly, frames) : HUGE_VAL;
-        if (open > options.tolerances.closure_mm) return;
-        closed_at.push_back(deg);
-        motion.max_closure_mm = std::max(motion.max_closure_mm, open);
-    };
-    if (!passes_whole_way(assembly, judge.linkage, diagnostics, seen)) return std::nullopt;
     for (const Angle at : motion.angles) {
-        if (std::binary_search(closed_at.begin(), closed_at.end(), at.deg)) continue;
+        if (std::binary_search(way->closed_at.begin(), way->closed_at.end(), at.deg)) continue;
         if (!place(assembly, at, judge.here, &stuck)) {
             report_lock(assembly.joints[static_cast<std::size_t>(stuck)], -1.0, at.deg, diagnostics);
             return std::nullopt;
@@ -155,10 +154,7 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
     // A sheet that nothing drives is not forced at all.
     if (is_driven(judge.linkage)) motion.not_forced = free_plates(assembly);
     report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
-    if (!options.examine || assembly.sweep.bends) return motion;
-    std::optional<Recall> recall;
-    if (options.memory != nullptr && sheet == nullptr)
-        recall.emplace(*options.memory, assembly, judge.linkage, options);
+    if (!examine_too) return motion;
     std::vector<PlateShape> shapes = recall ? recall->take_shapes() : plate_shapes(assembly, options);
     motion.examination = examine(assembly, judge.linkage, shapes, options, recall ? &*recall : nullptr);
     if (sheet != nullptr) {

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
+#include <variant>
 
 #include "output/xml.h"
 #include "popup/compile.h"
@@ -26,6 +29,7 @@ std::string found(const Compilation& run) {
     std::string text = test::findings(one.diagnostics);
     if (!one.motion || !one.motion->examination) return text;
     const Examination& all = *one.motion->examination;
+    text += fmt::format("open {} mm, off {}°\n", one.motion->max_closure_mm, one.motion->flat_error_deg);
     text += fmt::format("up to {}, {} pairs\n", all.decided_up_to_deg, all.pairs > 0);
     for (const Contact& contact : all.contacts) text += numbers(contact);
     for (const Undecided& two : all.undecided)
@@ -130,15 +134,81 @@ TEST(ExaminationMemory, FindsWhatAnExaminationOfEverythingFinds) {
             }
             const Design was = design;
             change(design, random);
-            // What cannot be built any more has nothing to compare.
+            // What cannot be built any more has nothing to remember.
             MotionOptions unexamined;
             unexamined.examine = false;
-            if (compiled(design, unexamined).has_errors()) design = was;
+            if (!compiled(design, unexamined).has_errors()) continue;
+            ASSERT_EQ(found(compiled(design, with)), found(compiled(design, without)));
+            design = was;
         }
     }
     EXPECT_GT(compared, 4 * seeds);
     EXPECT_GT(remembered, 2 * seeds);
     EXPECT_GT(with_contacts, seeds / 2);
+}
+
+std::string passed(const Assembly& assembly, const MotionOptions& options) {
+    Diagnostics diagnostics;
+    const auto motion = simulate(assembly, options, diagnostics);
+    return test::findings(diagnostics) +
+           (motion ? fmt::format("open {} mm, off {}°", motion->max_closure_mm, motion->flat_error_deg) : "");
+}
+
+// Bends a linkage or a hinge by a little or by much.
+void bend(Assembly& assembly, test::Dice& random) {
+    const double by = random.below(2) == 0 ? random.uniform(-1e-6, 1e-6) : random.uniform(-0.4, 0.4);
+    if (random.below(3) == 0) {
+        Hinge& hinge = assembly.hinges[random.below(assembly.hinges.size())];
+        hinge.a_line.a.x += by;
+        return;
+    }
+    Joint& joint = assembly.joints[random.below(assembly.joints.size())];
+    FourBar* bars = std::get_if<FourBar>(&joint.how);
+    if (bars == nullptr) return;
+    if (random.below(2) == 0) {
+        // Both sides, so that it still closes: a piece that is too narrow holds the card.
+        const double less = random.uniform(0.0, bars->parallel ? 40.0 : 1.2);
+        for (Bar* bar : {&bars->left, &bars->right}) bar->far = std::max(0.01, bar->far - less);
+        return;
+    }
+    Bar& bar = random.below(2) == 0 ? bars->left : bars->right;
+    (random.below(2) == 0 ? bar.near : bar.far) += by * (bars->parallel ? 10.0 : 1.0);
+}
+
+// What does not get through the whole way is told as without a memory, and what was known before stays known.
+TEST(ExaminationMemory, FindsWhatDoesNotPassTheWholeWay) {
+    const auto seeds = test::sanitized_count<std::uint64_t>(6, 2);
+    std::map<std::string, int> codes;
+    int remembered = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        test::Dice random{seed * 977};
+        const auto built = test::build(test::generate(seed, 9));
+        ASSERT_TRUE(built.assembly.has_value());
+        ExaminationMemory memory;
+        MotionOptions with;
+        with.memory = &memory;
+        if (seed % 3 == 0) with.angles = {Angle::degrees(0), Angle::degrees(62.5), Angle::degrees(77)};
+        MotionOptions without = with;
+        without.memory = nullptr;
+        Assembly now = *built.assembly;
+        for (int step = 0; step < 10; ++step) {
+            SCOPED_TRACE(fmt::format("seed {} step {}", seed, step));
+            if (step == 7) with.tolerances.closure_mm = without.tolerances.closure_mm = 1e-14;
+            if (step == 8) with.tolerances = without.tolerances = {};
+            const std::string found = passed(now, without);
+            ASSERT_EQ(passed(now, with), found);
+            const bool is_error = found.find("error ") != std::string::npos;
+            const bool little = memory.share().changed_plates < memory.share().plates;
+            remembered += !is_error && little ? 1 : 0;
+            for (const char* code : {"locks", "seam-open"})
+                codes[code] += found.find(code) != std::string::npos ? 1 : 0;
+            if (is_error) now = *built.assembly;
+            bend(now, random);
+        }
+    }
+    EXPECT_GT(codes["locks"], 0);
+    EXPECT_GT(codes["seam-open"], 0);
+    EXPECT_GT(remembered, static_cast<int>(seeds));
 }
 
 // One element of many changes: less than a twentieth of all pairs is looked at again.
