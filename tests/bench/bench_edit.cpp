@@ -53,6 +53,10 @@ BENCHMARK_CAPTURE(BM_Tents, follow, "move e500 --along 0.5 --follow")->Unit(benc
 BENCHMARK_CAPTURE(BM_Tents, point, "point e500.G --by 0,0.5 --alone")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Tents, points, "point e500.A --by 0,0.5")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Tents, copy, "copy e500 --step 0.1")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Tents, add, "add tent --id new --on gutter --at 2 --length 1 --width 30 --height 12")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Tents, outline, "outline e500 --d 'M -30,0 H 30 V 5 H 10 V 3 H -10 V 5 H -30 Z'")
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Tents, rename, "rename e500 other")->Unit(benchmark::kMillisecond);
 
 // Elements of several kinds, many of them on each other.
@@ -61,6 +65,9 @@ BENCHMARK_CAPTURE(BM_Mixed, delete, "delete e500")->Unit(benchmark::kMillisecond
 BENCHMARK_CAPTURE(BM_Mixed, set, "set e500 --height 5")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Mixed, follow, "move e499 --along 0.5 --follow")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Mixed, point, "point e500.G --by 0,0.5")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Mixed, copy, "copy e499 --step 0.5")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Mixed, add, "add tent --id new --on gutter --at 2 --length 1 --width 10 --height 4")
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_Mixed, rename, "rename e499 other")->Unit(benchmark::kMillisecond);
 
 }  // namespace
