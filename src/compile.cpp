@@ -13,8 +13,7 @@
 
 namespace popup {
 namespace {
-// The stages of one design, in order, up to its check. What is read as an assembly enters there. False: they
-// end here.
+// The stages of one design, in order, up to its check; assemblies enter there. False: they end here.
 bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     Reading reading = read_source_text(one.source, options.read, one.diagnostics);
     one.printed = std::move(reading.printed);
@@ -56,8 +55,11 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
                                  : simulate(*one.assembly, motion, one.diagnostics);
     }
     if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return false;
-    if (draw == Draw::no) judge_tabs(*one.assembly, options.pattern, one.diagnostics);
-    if (draw == Draw::yes) one.pattern = make_pattern(*one.assembly, options.pattern, one.diagnostics);
+    PatternOptions pattern = options.pattern;
+    if (options.clearing_move)
+        pattern.clearing_move = std::bind_front(options.clearing_move, std::cref(one), std::cref(options));
+    if (draw == Draw::no) judge_tabs(*one.assembly, pattern, one.diagnostics);
+    if (draw == Draw::yes) one.pattern = make_pattern(*one.assembly, pattern, one.diagnostics);
     return true;
 }
 
@@ -84,31 +86,17 @@ CrewOptions crew_of(const CompileOptions& options) {
 
 }  // namespace
 
-std::string_view version() { return POPUP_VERSION; }
-
-bool Compilation::has_errors() const {
-    return run_diagnostics.has_errors() ||
-           std::any_of(designs.begin(), designs.end(),
-                       [](const CompiledDesign& one) { return one.diagnostics.has_errors(); });
-}
-
-bool Compilation::has_findings() const {
-    return run_diagnostics.has_findings() ||
-           std::any_of(designs.begin(), designs.end(),
-                       [](const CompiledDesign& one) { return one.diagnostics.has_findings(); });
-}
-
 Compilation compile(std::vector<Source> sources, const CompileOptions& options,
                     const DiagnosticPolicy& policy) {
     Compilation run;
     run.run_diagnostics = Diagnostics({}, policy);
     run.designs.resize(sources.size());
+    std::vector<std::string> stems;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         run.designs[i].source = std::move(sources[i]);
         run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
+        stems.push_back(run.designs[i].source.stem());
     }
-    std::vector<std::string> stems;
-    for (const CompiledDesign& one : run.designs) stems.push_back(one.source.stem());
     stems = unique_stems(std::move(stems));
     for (std::size_t i = 0; i < stems.size(); ++i) run.designs[i].stem = std::move(stems[i]);
     share_work(run.designs.size(), crew_of(options),

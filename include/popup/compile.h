@@ -46,6 +46,12 @@ struct CompileOptions {
     std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
                                              const std::string& element, double by_mm)>
         fitting_size = {};
+    // Asked of an element of which a tab is glued where one of an earlier element is, as PatternOptions has
+    // it; clearing_move() of popup/edit.h is such a function. It is given what fitting_size is given. Empty:
+    // no moves are told.
+    std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
+                                             const std::string& element)>
+        clearing_move = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.

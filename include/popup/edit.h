@@ -72,6 +72,18 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
 std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, double by_mm);
 
+// A move along its fold that keeps the tabs of an element clear of those of all others, as the words of a
+// hint: "moving "b" 10.00 mm along its fold, by (0.00, 10.00) mm on the page, keeps its tabs clear of all
+// others: popupc edit … move b --along=10.00mm --follow". That edit was made, and the document read, checked,
+// moved and unfolded: it has no `glue-overlaps` of the element any more, and no finding that it did not have.
+// The shortest move of those that were tried, one way or the other, up to 100 mm; lengths are rounded up to
+// the hundredth. nullopt: none of them does, or the design is no document, has more than 150 elements, or
+// elements that do not move straight along their fold. Precondition: the design has been assembled, and moved
+// if it moves, with these options. Cost: a look at its tabs for each half a millimetre, and up to eight
+// compilations as far as the pattern, fewer if the document has more than 20 elements.
+std::optional<std::string> clearing_move(const CompiledDesign& design, const CompileOptions& options,
+                                         const std::string& element);
+
 // What `popupc show` tells of a design.
 struct ShowOptions {
     std::string id;    // of one structure alone, and what stands on it; empty: everything

@@ -1,6 +1,7 @@
 // The Pattern: flat pieces with tagged lines, tabs, labels and colours, ready to be laid out.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,7 +91,16 @@ struct PatternOptions {
     Length tab_depth = Length::millimetres(10.0);  // > 0
     Angle tab_taper = Angle::degrees(30.0);        // of a tab's ends, off the perpendicular; [0°, 80°]
     Tolerances tolerances;
+    // Asked of an element of which a tab is glued where one of an earlier element is: a move that was tried
+    // and keeps its tabs clear of all others, as the words of a hint; nullopt: none does. Asked of three
+    // elements at most. Empty: nobody knows of moves.
+    std::function<std::optional<std::string>(const std::string& element)> clearing_move = {};
 };
+
+// By how much the tabs of an element and those of others take one another's seams, before anything is
+// trimmed: mm of seams, added up. 0: they are clear of one another. Cost: linear in tabs, for each of its
+// own.
+double shared_seams(const Assembly& assembly, const std::string& element, const PatternOptions& options);
 
 // Unfolds the assembly: a piece of each of its pieces, in their order. Tabs are trimmed so that none crosses
 // another, a fold, a cut-out or an edge; what is left of each is drawn, as its target, with the same number

@@ -59,7 +59,9 @@ int run_lsp(const Options& options) {
     check_motion_options(options);
     lsp::ServerOptions server;
     server.compile = options.compile;
-    server.compile.fitting_size = {};  // tried with every key that is pressed, sizes would take too long
+    // Tried with every key that is pressed, they would take too long.
+    server.compile.fitting_size = {};
+    server.compile.clearing_move = {};
     server.policy = options.policy;
     server.open_view = open_view;
     // A request that asks too much is refused, and the next one answered.

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "edit/session.h"
+#include "edit/trial.h"
 #include "input/xml/read.h"
 #include "popup/edit.h"
 #include "popup/mechanism.h"
@@ -137,15 +137,10 @@ class SizeSearch {
         if (!edit::set(session, {words[0], {words[1]}, {{std::string(size.name), words[3]}}})) return {};
         Source source = one_.source;
         source.text = xml::patch(one_.source, session.design, session.gone);
-        const auto assembly = closed(source, found);
-        return assembly && !finds_more(found) ? sticks_out_by(element, *assembly) : std::nullopt;
-    }
-
-    [[nodiscard]] std::optional<Assembly> closed(const Source& source, Diagnostics& found) const {
-        const auto design = read_design(source, options_.read, found);
-        if (!design) return std::nullopt;
-        const auto checked = check(*design, options_.check, found);
-        return checked ? assemble(*checked, options_.assemble, found) : std::nullopt;
+        const auto assembly = edit::assembled(source, options_, found);
+        const bool is_worse =
+            edit::finds_more(edit::count_findings(one_.diagnostics), edit::count_findings(found));
+        return assembly && !is_worse ? sticks_out_by(element, *assembly) : std::nullopt;
     }
 
     std::optional<double> sticks_out_by(const std::string& element, const Assembly& assembly) {
@@ -161,17 +156,6 @@ class SizeSearch {
         return most;
     }
 
-    // Whether there is a finding that the design as it is does not have.
-    [[nodiscard]] bool finds_more(const Diagnostics& found) const {
-        std::map<std::pair<std::string, std::string>, int> more;
-        for (const Diagnostic& one : found.sorted()) {
-            if (one.severity != Severity::remark) ++more[{std::string(one.code), one.element}];
-        }
-        if (more.empty()) return false;
-        for (const Diagnostic& one : one_.diagnostics.sorted()) --more[{std::string(one.code), one.element}];
-        return std::any_of(more.begin(), more.end(), [](const auto& row) { return row.second > 0; });
-    }
-
     // Carries the edit out in the document, and closes the card.
     bool keeps_inside(const std::string& element, const Size& size) {
         const EditLine edit{words_of(element, size), {}};
@@ -183,7 +167,7 @@ class SizeSearch {
         Source source = one_.source;
         source.text = edited->text;
         Diagnostics unheard;
-        const auto assembly = closed(source, unheard);
+        const auto assembly = edit::assembled(source, options_, unheard);
         return assembly && sticks_out_by(element, *assembly) == 0.0;
     }
 
@@ -211,10 +195,7 @@ class SizeSearch {
 
 std::optional<std::string> fitting_size(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, double by_mm) {
-    const Language* language = find_language(design.source, options.read.language);
-    if (!design.design || !design.checked || language == nullptr || language->patch == nullptr ||
-        language->drawn)
-        return std::nullopt;
+    if (!edit::can_be_tried(design, options)) return std::nullopt;
     return SizeSearch(design, options).fitting(element, by_mm);
 }
 

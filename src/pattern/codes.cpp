@@ -10,8 +10,10 @@ constexpr std::array kPatternCodes = std::to_array<CodeInfo>({
      "Each glue tab needs its own place on the plate it is glued to. Here more than 5 mm, or a quarter, of a "
      "seam "
      "lies where the tab of an earlier element is glued, so nothing is left there of the later tab, and the "
-     "joint may not hold. The message says which tabs these are and where they meet. Move one of the two "
-     "elements, turn the seam so that its tab lies on the other side, or make the tabs less deep with "
+     "joint may not hold. The message says which tabs these are and where they meet. Where the hint names a "
+     "move, it has been tried: the tabs are clear of all others then, and nothing else is found. Else move "
+     "one of the two elements, turn the seam so that its tab lies on the other side, or make the tabs less "
+     "deep with "
      "--tab-depth."},
     {"tab-too-small", Severity::warning, "little is left of a glue tab",
      "A glue tab runs along each seam of a piece, and its target on the plate it is glued to. Both are "

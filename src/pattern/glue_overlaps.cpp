@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
+#include "pattern/tabs.h"
 
 namespace popup {
 namespace {
@@ -22,11 +24,20 @@ constexpr double kMostShare = 0.25;
 constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
 constexpr double kAll = 0.999;    // of a seam: nothing that follows can cover more of it
 constexpr double kSamePointMm = 1e-6;
+constexpr int kMostTried = 3;  // elements of which moves are tried
+
+TabRules rules_of(const PatternOptions& options) {
+    return {options.tab_depth.mm, options.tab_taper.rad(), 0.0};
+}
 
 struct WantedPlace {
     const Glue* glue;
     Ring outline;  // on the page of the plate it is glued to, counter-clockwise
 };
+
+bool meet(const Box& a, const Box& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
 
 // Where an element is glued on what an earlier one is glued on, of its worst tab.
 struct SharedPlace {
@@ -95,8 +106,9 @@ bool same(const Ring& a, const Ring& b) {
 
 class GlueOverlaps {
  public:
-    GlueOverlaps(const Assembly& assembly, const TabRules& rules, Diagnostics& diagnostics)
-        : in_(assembly), diagnostics_(diagnostics) {
+    GlueOverlaps(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics)
+        : in_(assembly), options_(options), diagnostics_(diagnostics) {
+        const TabRules rules = rules_of(options);
         for (const Glue& glue : in_.glue) {
             tabs_of_[glue.element].push_back(&glue);
             sides_[{glue.base_plate, glue.on_back}].add(
@@ -138,6 +150,11 @@ class GlueOverlaps {
         });
     }
 
+    std::optional<std::string> tried_move(const std::string& element) {
+        if (!options_.clearing_move || tried_++ >= kMostTried) return std::nullopt;
+        return options_.clearing_move(element);
+    }
+
     void report(const SharedPlace& one) {
         const SeamFrame frame(one.second->on_base, one.second->on_back);
         Box on_page;
@@ -165,6 +182,8 @@ class GlueOverlaps {
         if (are_the_same(one.first->element, one.second->element)) {
             finding.hint(fmt::format("\"{}\" is the same as \"{}\" in all points: take one of the two out",
                                      one.second->element, one.first->element));
+        } else if (const auto move = tried_move(one.second->element)) {
+            finding.hint(*move);
         } else {
             finding.hint(
                 fmt::format("move \"{}\" along the fold it stands on until its tab {} is clear of tab {} of "
@@ -174,7 +193,9 @@ class GlueOverlaps {
     }
 
     const Assembly& in_;
+    const PatternOptions& options_;
     Diagnostics& diagnostics_;
+    int tried_ = 0;
     std::map<std::pair<int, bool>, PlateSide> sides_;
     std::map<std::string, std::vector<const Glue*>> tabs_of_;
     std::map<std::string, SharedPlace> worst_;  // by the later element
@@ -183,8 +204,27 @@ class GlueOverlaps {
 
 }  // namespace
 
-void report_glue_overlaps(const Assembly& assembly, const TabRules& rules, Diagnostics& diagnostics) {
-    GlueOverlaps(assembly, rules, diagnostics).report();
+double shared_seams(const Assembly& assembly, const std::string& element, const PatternOptions& options) {
+    const TabRules rules = rules_of(options);
+    double shared = 0.0;
+    for (const Glue& own : assembly.glue) {
+        if (own.element != element) continue;
+        const WantedPlace place = wanted_place(own, rules);
+        const Box box = bounds(place.outline);
+        for (const Glue& other : assembly.glue) {
+            if (other.element == element || other.base_plate != own.base_plate ||
+                other.on_back != own.on_back)
+                continue;
+            const WantedPlace others = wanted_place(other, rules);
+            if (!meet(box, bounds(others.outline))) continue;
+            shared += seam_within(own, others.outline) + seam_within(other, place.outline);
+        }
+    }
+    return shared;
+}
+
+void report_glue_overlaps(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics) {
+    GlueOverlaps(assembly, options, diagnostics).report();
 }
 
 }  // namespace popup

@@ -35,6 +35,7 @@ class Unfolder {
  public:
     Unfolder(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics)
         : in_(assembly),
+          options_(options),
           diagnostics_(diagnostics),
           rules_(tab_rules(options)),
           pieces_(assembly.pieces.size()),
@@ -44,7 +45,7 @@ class Unfolder {
     Pattern run() {
         sort_lines();
         for (std::size_t i = 0; i < pieces_.size(); ++i) unfold_plates(i);
-        report_glue_overlaps(in_, rules_, diagnostics_);
+        report_glue_overlaps(in_, options_, diagnostics_);
         for (const Glue& glue : in_.glue) add_tab(glue);
         for (const GluedArea& area : in_.glued_areas) add_glued_area(area);
         for (std::size_t i = 0; i < pieces_.size(); ++i) finish(i);
@@ -397,6 +398,7 @@ class Unfolder {
     }
 
     const Assembly& in_;
+    const PatternOptions& options_;
     Diagnostics& diagnostics_;
     TabRules rules_;
     std::vector<Work> pieces_;

@@ -214,7 +214,10 @@ struct ConfigOptions {
 
 // Everything of one run. A verb fills what it offers.
 struct Options {
-    Options() { compile.fitting_size = fitting_size; }
+    Options() {
+        compile.fitting_size = fitting_size;
+        compile.clearing_move = clearing_move;
+    }
     std::vector<std::string> arguments;  // all of these come from
     std::set<std::string> given;         // keys of the options that stand on the command line itself
     InputOptions inputs;

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "popup/edit.h"
@@ -23,8 +25,9 @@ constexpr std::string_view kCommand = "popupc edit … ";
 
 std::vector<Diagnostic> findings_of(const Source& source) {
     CompileOptions options;
-    options.until = Stage::motion;
+    options.until = Stage::pattern;
     options.fitting_size = fitting_size;
+    options.clearing_move = clearing_move;
     const Compilation run = compile({source}, options, {});
     std::vector<Diagnostic> found;
     for (const Diagnostic& one : run.designs.front().diagnostics.sorted()) {
@@ -199,6 +202,110 @@ TEST(FittingSize, LengthsAreInTheUnitOfTheDocument) {
               "a radius of 1.00 in, not 1.50 in, keeps it inside the closed card: popupc edit … set moon "
               "--radius 1.00in");
     EXPECT_TRUE(findings_of(obeyed(card, found.front())).empty());
+}
+
+// Tents on the gutter, each from one y to another.
+Source card_of_tents(std::initializer_list<std::pair<int, int>> tents) {
+    std::string text = R"(<popup version="3.0" units="mm">
+  <mainpage width="200" height="200"/>
+  <structurelist>
+)";
+    char id = 'a';
+    for (const auto& [from, to] : tents) {
+        text += fmt::format("    <structure type=\"tent\" id=\"{}\"><outerpoints>\n", id++);
+        for (const int x : {25, 36}) {
+            for (const int side : {-x, x})
+                text += fmt::format(R"(<point x="{0}" y="{1}"/><point x="{0}" y="{2}"/>)", side, from, to);
+        }
+        text += R"(</outerpoints><parentfold><begin x="0" y="-100"/><end x="0" y="100"/></parentfold>
+    </structure>
+)";
+    }
+    return {"card.xml", text + "  </structurelist>\n</popup>\n"};
+}
+
+// The hints of all `glue-overlaps`.
+std::vector<std::string> clearing_hints(const Source& card) {
+    std::vector<std::string> hints;
+    for (const Diagnostic& one : findings_of(card)) {
+        if (one.code == "glue-overlaps") hints.insert(hints.end(), one.hints.begin(), one.hints.end());
+    }
+    return hints;
+}
+
+TEST(ClearingMove, IsTheShorterWay) {
+    EXPECT_EQ(
+        clearing_hints(card_of_tents({{-60, -40}, {-46, -26}})),
+        (std::vector<std::string>{
+            "moving \"b\" 6.00 mm along its fold, by (0.00, 6.00) mm on the page, keeps its tabs clear of "
+            "all others: popupc edit … move b --along=6.00mm --follow"}));
+    const Source back = card_of_tents({{-60, -20}, {-67, -47}});
+    EXPECT_EQ(
+        clearing_hints(back),
+        (std::vector<std::string>{
+            "moving \"b\" 13.00 mm along its fold, by (0.00, -13.00) mm on the page, keeps its tabs clear "
+            "of all others: popupc edit … move b --along=-13.00mm --follow"}));
+    for (const Diagnostic& finding : findings_of(back)) {
+        if (finding.code != "glue-overlaps") continue;
+        EXPECT_TRUE(findings_of(obeyed(back, finding)).empty());
+    }
+}
+
+// 6 mm would bring it on the third one; the other way is free, and not beyond the page.
+TEST(ClearingMove, GoesPastAThird) {
+    const Source card = card_of_tents({{-60, -40}, {-46, -26}, {-22, -2}});
+    const std::vector<std::string> hints = clearing_hints(card);
+    ASSERT_EQ(hints.size(), 1U);
+    EXPECT_NE(hints[0].find("move b --along=-34.00mm --follow"), std::string::npos) << hints[0];
+}
+
+TEST(ClearingMove, NoneIsToldWhereNoneWorks) {
+    const std::string all_over =
+        "move \"b\" along the fold it stands on until its tab 2L is clear of tab 1L of "
+        "\"a\" and of those of all others";
+    EXPECT_EQ(clearing_hints(card_of_tents({{-80, 80}, {-90, 90}})), (std::vector<std::string>{all_over}));
+}
+
+// A dozen in trouble cost no more than three.
+TEST(ClearingMove, IsTriedOfAFewElements) {
+    std::size_t asked = 0;
+    CompileOptions options;
+    options.until = Stage::pattern;
+    options.clearing_move = [&](const auto&, const auto&, const auto&) {
+        ++asked;
+        return std::optional<std::string>();
+    };
+    const Source card = card_of_tents({{-90, -80},
+                                       {-85, -75},
+                                       {-70, -60},
+                                       {-65, -55},
+                                       {-50, -40},
+                                       {-45, -35},
+                                       {-30, -20},
+                                       {-25, -15},
+                                       {-10, 0},
+                                       {-5, 5},
+                                       {10, 20},
+                                       {15, 25}});
+    const Compilation run = compile({card}, options, {});
+    const auto found = run.designs.front().diagnostics.sorted();
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [](const Diagnostic& one) { return one.code == "glue-overlaps"; }),
+              6);
+    EXPECT_EQ(asked, 3U);
+}
+
+TEST(ClearingMove, OnlyElementsOfDocumentsHaveOne) {
+    CompiledDesign one;
+    one.source = card_of_tents({{-60, -40}, {-46, -26}});
+    Diagnostics told("card.xml");
+    one.design = read_design(one.source, {}, told);
+    one.checked = check(*one.design, {}, told);
+    one.assembly = assemble(*one.checked, {}, told);
+    EXPECT_NE(clearing_move(one, {}, "b"), std::nullopt);
+    EXPECT_EQ(clearing_move(one, {}, "nobody"), std::nullopt);
+    one.source.name = "card.fl";
+    EXPECT_EQ(clearing_move(one, {}, "b"), std::nullopt);
 }
 
 TEST(FittingSize, OnlyElementsOfDocumentsHaveThem) {

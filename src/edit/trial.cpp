@@ -1,0 +1,35 @@
+#include "edit/trial.h"
+
+#include <algorithm>
+
+namespace popup::edit {
+
+bool can_be_tried(const CompiledDesign& design, const CompileOptions& options) {
+    const Language* language = find_language(design.source, options.read.language);
+    return design.design && design.checked && language != nullptr && language->patch != nullptr &&
+           !language->drawn;
+}
+
+std::optional<Assembly> assembled(const Source& source, const CompileOptions& options, Diagnostics& found) {
+    const auto design = read_design(source, options.read, found);
+    if (!design) return std::nullopt;
+    const auto checked = check(*design, options.check, found);
+    return checked ? assemble(*checked, options.assemble, found) : std::nullopt;
+}
+
+FindingCounts count_findings(const Diagnostics& found) {
+    FindingCounts counts;
+    for (const Diagnostic& one : found.sorted()) {
+        if (one.severity != Severity::remark) ++counts[{std::string(one.code), one.element}];
+    }
+    return counts;
+}
+
+bool finds_more(const FindingCounts& before, const FindingCounts& after) {
+    return std::any_of(after.begin(), after.end(), [&](const auto& row) {
+        const auto was = before.find(row.first);
+        return row.second > (was == before.end() ? 0 : was->second);
+    });
+}
+
+}  // namespace popup::edit
