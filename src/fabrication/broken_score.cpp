@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 namespace popup {
 namespace {
@@ -9,6 +14,81 @@ namespace {
 constexpr double kPeriodMm = 8.0;
 constexpr double kGapMm = 1.0;
 constexpr double kMostOfLine = 0.25;
+constexpr double kMostTurn = 30.0 / 180.0 * std::numbers::pi;  // from one chord of a curve to the next
+constexpr double kChordsMeetMm = 1e-3;
+constexpr double kScoresNothingMm = 1e-6;
+
+// Lines by where they end.
+class Chains {
+ public:
+    explicit Chains(std::span<const Segment> lines) : lines_(lines), parts_(lines.size()) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (lines[i].a == lines[i].b) continue;
+            ends_[key(lines[i].a)].push_back({i, false});
+            ends_[key(lines[i].b)].push_back({i, true});
+        }
+    }
+
+    std::vector<FoldPart> parts() {
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (parts_[i].whole > 0.0 || lines_[i].a == lines_[i].b) continue;
+            measure(chain_from(first_of_chain({i, false})));
+        }
+        return std::move(parts_);
+    }
+
+ private:
+    // A line, and whether it is followed from its end to its beginning. Of ends: whether it is the second.
+    struct Way {
+        std::size_t line = 0;
+        bool back = false;
+    };
+    using Key = std::pair<std::int64_t, std::int64_t>;
+    static Key key(Vec2 p) { return {std::llround(p.x / kChordsMeetMm), std::llround(p.y / kChordsMeetMm)}; }
+    [[nodiscard]] Vec2 end_of(Way way) const { return way.back ? lines_[way.line].a : lines_[way.line].b; }
+    [[nodiscard]] Vec2 direction(Way way) const {
+        const Vec2 along = lines_[way.line].b - lines_[way.line].a;
+        return way.back ? Vec2{-along.x, -along.y} : along;
+    }
+
+    // What goes on where a line ends.
+    [[nodiscard]] std::optional<Way> next(Way way) const {
+        const std::vector<Way>& here = ends_.at(key(end_of(way)));
+        if (here.size() != 2 || here[0].line == here[1].line) return std::nullopt;
+        const Way other = here[here[0].line == way.line ? 1 : 0];
+        const Vec2 from = direction(way);
+        const Vec2 to = direction(other);
+        if (std::abs(std::atan2(cross(from, to), dot(from, to))) > kMostTurn) return std::nullopt;
+        return other;
+    }
+    // Back along the chain from this line; of a closed one, the line itself.
+    [[nodiscard]] Way first_of_chain(Way way) const {
+        Way first{way.line, !way.back};
+        for (auto more = next(first); more; more = next(first)) {
+            if (more->line == way.line) return way;
+            first = *more;
+        }
+        return {first.line, !first.back};
+    }
+    [[nodiscard]] std::vector<Way> chain_from(Way way) const {
+        std::vector<Way> chain{way};
+        for (auto more = next(way); more && more->line != chain.front().line; more = next(*more))
+            chain.push_back(*more);
+        return chain;
+    }
+    void measure(const std::vector<Way>& chain) {
+        double length = 0.0;
+        for (const Way& way : chain) {
+            parts_[way.line] = {length, 0.0, way.back};
+            length += distance(lines_[way.line].a, lines_[way.line].b);
+        }
+        for (const Way& way : chain) parts_[way.line].whole = length;
+    }
+
+    std::span<const Segment> lines_;
+    std::vector<FoldPart> parts_;
+    std::map<Key, std::vector<Way>> ends_;
+};
 
 }  // namespace
 
@@ -26,20 +106,37 @@ bool is_broken(Operation fold, const Profile& profile, ScoreSide side) {
     broken_invariant("a score side is one of its enumerators", __FILE__, __LINE__);
 }
 
-std::vector<Segment> broken_score(const Segment& line) {
+std::vector<FoldPart> parts_of_folds(std::span<const Segment> lines) { return Chains(lines).parts(); }
+
+std::vector<Segment> broken_score(const Segment& line, const FoldPart& part) {
+    const Segment along = part.back ? Segment{line.b, line.a} : line;
     const double length = distance(line.a, line.b);
-    const double gaps = std::max(1.0, std::round(length / kPeriodMm));
-    const double half = 0.5 * std::min(kGapMm / length, kMostOfLine / gaps);
+    const double gaps = std::max(1.0, std::round(part.whole / kPeriodMm));
+    const double half = 0.5 * std::min(kGapMm / part.whole, kMostOfLine / gaps);
+    // As shares of the whole fold; on the line, of the line.
+    const double first = part.before / part.whole;
+    const double share = length / part.whole;
     std::vector<Segment> scored;
-    scored.reserve(static_cast<std::size_t>(gaps) + 1);
     double from = 0.0;
-    for (int i = 0; i < static_cast<int>(gaps); ++i) {
+    const auto score_to = [&](double to) {
+        if ((to - from) * length > kScoresNothingMm)
+            scored.push_back({lerp(along.a, along.b, from), lerp(along.a, along.b, to)});
+    };
+    for (double i = std::floor(first * gaps); i < gaps && i < std::ceil((first + share) * gaps); ++i) {
         const double middle = (i + 0.5) / gaps;
-        scored.push_back({lerp(line.a, line.b, from), lerp(line.a, line.b, middle - half)});
-        from = middle + half;
+        const double begin = (middle - half - first) / share;
+        const double end = (middle + half - first) / share;
+        if (end <= from || begin >= 1.0) continue;
+        score_to(begin);
+        from = std::min(end, 1.0);
     }
-    scored.push_back({lerp(line.a, line.b, from), line.b});
+    score_to(1.0);
+    if (!scored.empty() && from < 1.0) scored.back().b = along.b;
     return scored;
+}
+
+std::vector<Segment> broken_score(const Segment& line) {
+    return broken_score(line, {0.0, distance(line.a, line.b), false});
 }
 
 }  // namespace popup

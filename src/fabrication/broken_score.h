@@ -1,6 +1,7 @@
 // Scores that tell on the cut piece which way the paper is folded there.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "popup/geometry.h"
@@ -13,9 +14,22 @@ namespace popup {
 // they are valley folds. Scores from both sides need none: the paper folds away from each.
 bool is_broken(Operation fold, const Profile& profile, ScoreSide side);
 
-// What is scored of a line that has gaps: in the middle of each 8 mm, or of what comes nearest to that, 1 mm
-// is left out, and never more than a quarter. The ends are scored. Cost: linear in gaps.
-// Precondition: the line has a length.
+// Where a line lies in the fold that it is a part of.
+struct FoldPart {
+    double before = 0.0;  // mm of the fold before the line
+    double whole = 0.0;   // mm of all of it; 0: the line has no length
+    bool back = false;    // the line runs back along the fold
+};
+
+// Curved folds are chains of chords: lines that meet end to end, no third one there, and turn by at most 30°
+// are one fold. `lines`: of one operation on one piece. A part for each. Cost: n log n.
+std::vector<FoldPart> parts_of_folds(std::span<const Segment> lines);
+
+// What is scored of a line of a fold that has gaps: in the middle of each 8 mm along the whole fold, or of
+// what comes nearest to that, 1 mm is left out, and never more than a quarter. The ends of folds are scored.
+// Empty: all of the line lies in a gap. Cost: linear in gaps. Precondition: the line has a length.
+std::vector<Segment> broken_score(const Segment& line, const FoldPart& part);
+// Of a line that is all of its fold.
 std::vector<Segment> broken_score(const Segment& line);
 
 }  // namespace popup

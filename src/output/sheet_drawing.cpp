@@ -269,6 +269,8 @@ class Drawer {
     }
 
     void lines(const PatternPiece& piece, Operation operation) {
+        if (is_broken(operation, drawing_.profile, options_.score_side))
+            return broken_lines(piece, operation);
         for (const PatternLine& line : piece.lines) {
             if (operation_of(line, drawing_.profile) != operation) continue;
             if (line.kind == LineKind::mark) {
@@ -277,11 +279,25 @@ class Drawer {
                 begin(operation, line.plate);
                 drawing_.shapes.back().fold_angle = line.fold_angle;
             }
-            if (is_broken(operation, drawing_.profile, options_.score_side) && !(line.at.a == line.at.b)) {
-                for (const Segment& part : broken_score(line.at)) run(std::array{part.a, part.b}, false);
-            } else {
-                run(std::array{line.at.a, line.at.b}, false);
-            }
+            run(std::array{line.at.a, line.at.b}, false);
+        }
+    }
+
+    void broken_lines(const PatternPiece& piece, Operation operation) {
+        std::vector<const PatternLine*> folds;
+        std::vector<Segment> at;
+        for (const PatternLine& line : piece.lines) {
+            if (operation_of(line, drawing_.profile) != operation || line.at.a == line.at.b) continue;
+            folds.push_back(&line);
+            at.push_back(line.at);
+        }
+        const std::vector<FoldPart> parts = parts_of_folds(at);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const std::vector<Segment> scored = broken_score(at[i], parts[i]);
+            if (scored.empty()) continue;
+            begin(operation, folds[i]->plate);
+            drawing_.shapes.back().fold_angle = folds[i]->fold_angle;
+            for (const Segment& part : scored) run(std::array{part.a, part.b}, false);
         }
     }
 

@@ -59,6 +59,24 @@ struct Line {
     }
 };
 
+// Of each line of a piece, where it lies in its fold.
+inline std::vector<FoldPart> parts_of_folds_of(const PatternPiece& piece) {
+    std::vector<FoldPart> all(piece.lines.size());
+    for (const LineKind kind : {LineKind::valley, LineKind::mountain, LineKind::seam}) {
+        std::vector<std::size_t> numbers;
+        std::vector<Segment> lines;
+        for (std::size_t i = 0; i < piece.lines.size(); ++i) {
+            const PatternLine& fold = piece.lines[i];
+            if (fold.kind != kind || (kind == LineKind::seam && fold.glued_on)) continue;
+            numbers.push_back(i);
+            lines.push_back(fold.at);
+        }
+        const std::vector<FoldPart> parts = parts_of_folds(lines);
+        for (std::size_t i = 0; i < parts.size(); ++i) all[numbers[i]] = parts[i];
+    }
+    return all;
+}
+
 // What a machine does on a sheet, straight from the pattern.
 inline std::vector<Line> expected_lines(const Layout& layout, const Profile& profile, int sheet) {
     std::vector<Line> all;
@@ -80,7 +98,9 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
                                                              : Operation::outer_cut;
             for (const Vec2 p : cut.points) line.points.push_back(placed(p));
         }
-        for (const PatternLine& fold : piece.lines) {
+        const std::vector<FoldPart> parts = parts_of_folds_of(piece);
+        for (std::size_t n = 0; n < piece.lines.size(); ++n) {
+            const PatternLine& fold = piece.lines[n];
             if (fold.kind == LineKind::mark) continue;
             // Where another piece is glued on nothing is folded.
             if (fold.kind == LineKind::seam && fold.glued_on) continue;
@@ -90,7 +110,7 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
             // From the front, from which all is scored here.
             const bool broken = profile.folds == FoldStyle::score && operation != Operation::valley &&
                                 profile.away_folds == AwayFolds::broken;
-            const auto scored = broken ? broken_score(fold.at) : std::vector<Segment>{fold.at};
+            const auto scored = broken ? broken_score(fold.at, parts[n]) : std::vector<Segment>{fold.at};
             for (const Segment& one : scored) {
                 if (profile.folds != FoldStyle::perforated)
                     all.push_back({operation, false, {placed(one.a), placed(one.b)}});

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "output/sheet_drawing.h"
@@ -43,6 +45,86 @@ TEST(BrokenScore, LeavesMostOfEveryLine) {
             EXPECT_NEAR(gap, 1.0, 1e-9) << mm;
         }
     }
+}
+
+// Chords of an arc of this radius, of so many degrees.
+std::vector<Segment> arc(double radius, double deg, int chords) {
+    const auto at = [&](int i) {
+        const double turn = deg / 180.0 * std::acos(-1.0) * i / chords;
+        return Vec2{radius * std::cos(turn), radius * std::sin(turn)};
+    };
+    std::vector<Segment> lines;
+    for (int i = 0; i < chords; ++i) lines.push_back({at(i), at(i + 1)});
+    return lines;
+}
+
+// What is scored of all lines, by how far along the arc it lies: from, to; ascending, what touches is one.
+std::vector<std::pair<double, double>> scored_along_arc(const std::vector<Segment>& lines, double radius) {
+    std::vector<std::pair<double, double>> all;
+    const auto along = [radius](Vec2 p) { return radius * std::atan2(p.y, p.x); };
+    const std::vector<FoldPart> parts = parts_of_folds(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (const Segment& one : broken_score(lines[i], parts[i]))
+            all.push_back(std::minmax({along(one.a), along(one.b)}));
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<std::pair<double, double>> joined;
+    for (const auto& one : all) {
+        if (!joined.empty() && one.first - joined.back().second < 1e-6) {
+            joined.back().second = one.second;
+        } else {
+            joined.push_back(one);
+        }
+    }
+    return joined;
+}
+
+// Chords of 0.4 mm, shorter than a gap, of which half run the other way, in no order.
+TEST(BrokenScore, OfACurveFollowsItsLength) {
+    const double radius = 40.0;
+    std::vector<Segment> lines = arc(radius, 160.0, 279);
+    const double length = radius * std::atan2(lines.back().b.y, lines.back().b.x);
+    for (std::size_t i = 0; i < lines.size(); i += 2) std::swap(lines[i].a, lines[i].b);
+    for (std::size_t i = 0; i < lines.size(); ++i) std::swap(lines[i], lines[i * 7 % lines.size()]);
+    const auto scored = scored_along_arc(lines, radius);
+    ASSERT_EQ(scored.size(), 15U);  // 111.7 mm have 14 gaps
+    EXPECT_NEAR(scored.front().first, 0.0, 1e-6);
+    EXPECT_NEAR(scored.back().second, length, 1e-6);
+    for (std::size_t i = 0; i + 1 < scored.size(); ++i) {
+        EXPECT_NEAR(scored[i + 1].first - scored[i].second, 1.0, 1e-3) << i;
+        EXPECT_NEAR(scored[i].second + 0.5, length * (static_cast<double>(i) + 0.5) / 14.0, 1e-3) << i;
+    }
+}
+
+// A round fold has neither beginning nor end.
+TEST(BrokenScore, OfARingHasGapsAllRound) {
+    const std::vector<Segment> lines = arc(20.0, 360.0, 90);
+    const std::vector<FoldPart> parts = parts_of_folds(lines);
+    double all = 0.0;
+    double whole = 0.0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        all += sum(broken_score(lines[i], parts[i]));
+        whole += distance(lines[i].a, lines[i].b);
+        EXPECT_NEAR(parts[i].whole, parts[0].whole, 1e-9);
+    }
+    EXPECT_NEAR(all, whole - 16.0, 1e-6);  // 125.6 mm
+}
+
+// What turns a corner, or meets a third fold, is another fold: a corner is scored.
+TEST(BrokenScore, EndsAtCornersAndCrossings) {
+    const std::vector<Segment> square{{{0, 0}, {20, 0}}, {{20, 0}, {20, 20}}};
+    for (const FoldPart& part : parts_of_folds(square)) {
+        EXPECT_EQ(part.before, 0.0);
+        EXPECT_EQ(part.whole, 20.0);
+    }
+    const std::vector<Segment> fork{{{0, 0}, {20, 0}}, {{20, 0}, {40, 1}}, {{20, 0}, {40, -1}}};
+    for (const FoldPart& part : parts_of_folds(fork)) EXPECT_EQ(part.before, 0.0);
+    const std::vector<Segment> bend{{{40, 1}, {20, 0}}, {{0, 0}, {20, 0}}};
+    const std::vector<FoldPart> parts = parts_of_folds(bend);
+    EXPECT_EQ(parts[0].before, 0.0);
+    EXPECT_NEAR(parts[1].before, 20.025, 1e-3);
+    EXPECT_TRUE(parts[1].back);
+    EXPECT_FALSE(parts[0].back);
 }
 
 // In how many parts the folds of the example are drawn: "mountain 1 10, seam 6, valley 1 1 1".
