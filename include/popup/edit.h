@@ -80,7 +80,7 @@ std::optional<std::string> fitting_size(const CompiledDesign& design, const Comp
 // the hundredth. nullopt: none of them does, or the design is no document, has more than 150 elements, or
 // elements that do not move straight along their fold. Precondition: the design has been assembled, and moved
 // if it moves, with these options. Cost: a look at its tabs for each half a millimetre, and up to eight
-// compilations as far as the pattern, fewer if the document has more than 20 elements.
+// compilations as far as what is found of tabs, fewer if the document has more than 20 elements.
 std::optional<std::string> clearing_move(const CompiledDesign& design, const CompileOptions& options,
                                          const std::string& element);
 

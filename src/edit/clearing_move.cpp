@@ -11,6 +11,8 @@
 #include "edit/trial.h"
 #include "input/xml/read.h"
 #include "popup/edit.h"
+#include "popup/find.h"
+#include "popup/tabs.h"
 
 namespace popup {
 namespace {
@@ -143,12 +145,13 @@ class MoveSearch {
         options.clearing_move = {};
         options.motion.memory = nullptr;
         options.progress = {};
-        options.until = Stage::pattern;
+        options.until = Stage::check;
         Source source = one_.source;
         source.text = edited->text;
-        const Compilation trial = compile({source}, options, {});
-        const CompiledDesign& moved = trial.designs.front();
-        if (!moved.pattern) return std::nullopt;
+        Compilation trial = compile({source}, options, {});
+        CompiledDesign& moved = trial.designs.front();
+        find_further(moved, options);
+        if (!moved.assembly || (moves(*moved.assembly) && !moved.motion)) return std::nullopt;
         const edit::FindingCounts found = edit::count_findings(moved.diagnostics);
         if (found.contains({"glue-overlaps", element_}) || edit::finds_more(before(), found))
             return std::nullopt;
@@ -165,7 +168,7 @@ class MoveSearch {
             Diagnostics of_pattern(one_.source.name);
             PatternOptions options = options_.pattern;
             options.clearing_move = {};
-            make_pattern(*one_.assembly, options, of_pattern);
+            judge_tabs(*one_.assembly, options, of_pattern);
             for (const auto& [finding, count] : edit::count_findings(of_pattern))
                 (*before_)[finding] = std::max((*before_)[finding], count);
         }

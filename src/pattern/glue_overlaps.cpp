@@ -13,7 +13,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
-#include "pattern/tabs.h"
+#include "pattern/tab_places.h"
 
 namespace popup {
 namespace {
@@ -25,10 +25,6 @@ constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
 constexpr double kAll = 0.999;    // of a seam: nothing that follows can cover more of it
 constexpr double kSamePointMm = 1e-6;
 constexpr int kMostTried = 3;  // elements of which moves are tried
-
-TabRules rules_of(const PatternOptions& options) {
-    return {options.tab_depth.mm, options.tab_taper.rad(), 0.0};
-}
 
 struct WantedPlace {
     const Glue* glue;
@@ -108,7 +104,7 @@ class GlueOverlaps {
  public:
     GlueOverlaps(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics)
         : in_(assembly), options_(options), diagnostics_(diagnostics) {
-        const TabRules rules = rules_of(options);
+        const TabRules rules = tab_rules(options);
         for (const Glue& glue : in_.glue) {
             tabs_of_[glue.element].push_back(&glue);
             sides_[{glue.base_plate, glue.on_back}].add(
@@ -205,7 +201,7 @@ class GlueOverlaps {
 }  // namespace
 
 double shared_seams(const Assembly& assembly, const std::string& element, const PatternOptions& options) {
-    const TabRules rules = rules_of(options);
+    const TabRules rules = tab_rules(options);
     double shared = 0.0;
     for (const Glue& own : assembly.glue) {
         if (own.element != element) continue;

@@ -172,7 +172,7 @@ void judge_tab(const Assembly& assembly, const TabRules& rules, const Glue& glue
 
 void judge_tabs(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics) {
     const TabRules rules = tab_rules(options);
-    report_glue_overlaps(assembly, rules, diagnostics);
+    report_glue_overlaps(assembly, options, diagnostics);
     TabPlaces places(assembly, rules);
     for (const Glue& glue : assembly.glue) judge_tab(assembly, rules, glue, places.place(glue), diagnostics);
 }
