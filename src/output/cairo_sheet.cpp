@@ -29,6 +29,20 @@ void attach_file(cairo_surface_t* surface, const char* kind, const Bytes& bytes)
     }
 }
 
+// Pixels as Cairo has them: a word each, its channels multiplied by alpha.
+template <bool opaque>
+void fill_row(const std::uint8_t* from, std::size_t width, unsigned char* row) {
+    for (std::size_t x = 0; x < width; ++x, from += 4, row += 4) {
+        const std::uint32_t alpha = opaque ? 255U : from[3];
+        const auto scaled = [&](std::uint32_t channel) {
+            return opaque ? channel : (channel * alpha + 127U) / 255U;
+        };
+        const std::uint32_t pixel =
+            alpha << 24 | scaled(from[0]) << 16 | scaled(from[1]) << 8 | scaled(from[2]);
+        std::memcpy(row, &pixel, sizeof pixel);
+    }
+}
+
 Surface picture_surface(const Image& image) {
     const std::optional<ImagePixels> pixels = pixels_of(image);
     if (!pixels) return nullptr;
@@ -38,16 +52,14 @@ Surface picture_surface(const Image& image) {
     cairo_surface_flush(surface.get());
     unsigned char* data = cairo_image_surface_get_data(surface.get());
     const int stride = cairo_image_surface_get_stride(surface.get());
-    const std::uint8_t* from = pixels->rgba.data();
+    const auto width = static_cast<std::size_t>(pixels->width);
     for (int y = 0; y < pixels->height; ++y) {
+        const std::uint8_t* from = pixels->rgba.data() + 4 * width * static_cast<std::size_t>(y);
         unsigned char* row = data + static_cast<std::ptrdiff_t>(y) * stride;
-        for (int x = 0; x < pixels->width; ++x, from += 4, row += 4) {
-            const std::uint32_t alpha = from[3];
-            const auto scaled = [alpha](std::uint32_t channel) { return (channel * alpha + 127U) / 255U; };
-            const std::uint32_t pixel =
-                alpha << 24 | scaled(from[0]) << 16 | scaled(from[1]) << 8 | scaled(from[2]);
-            std::memcpy(row, &pixel, sizeof pixel);
-        }
+        if (pixels->opaque)
+            fill_row<true>(from, width, row);
+        else
+            fill_row<false>(from, width, row);
     }
     cairo_surface_mark_dirty(surface.get());
     if (image.format == ImageFormat::jpeg) attach_file(surface.get(), CAIRO_MIME_TYPE_JPEG, image.bytes);

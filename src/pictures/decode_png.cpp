@@ -37,6 +37,9 @@ bool decode(png_structp png, png_infop info, PngSource& source, Decoded& result,
         result.fault = ImageFault::too_many_pixels;
         return true;
     }
+    // Only alpha of its own, or a colour that is said to be clear, makes a picture other than opaque.
+    result.pixels.opaque = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) == 0 &&
+                           png_get_valid(png, info, PNG_INFO_tRNS) == 0;
     png_set_expand(png);
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
@@ -70,9 +73,11 @@ Decoded decode_png(const std::string& file) {
         result.pixels = {};
         return result;
     }
+    if (result.pixels.opaque) return result;
     const std::vector<std::uint8_t>& rgba = result.pixels.rgba;
-    for (std::size_t i = 3; i < rgba.size() && result.pixels.opaque; i += 4)
-        result.pixels.opaque = rgba[i] == 0xFF;
+    std::size_t i = 3;
+    while (i < rgba.size() && rgba[i] == 0xFF) i += 4;
+    result.pixels.opaque = i >= rgba.size();
     return result;
 }
 

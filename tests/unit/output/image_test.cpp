@@ -69,6 +69,54 @@ TEST(Image, FilesAreOpenedAndTheirPixelsAreTheirs) {
     }
 }
 
+// A PNG of two colours, the second clear.
+std::string palette_png() {
+    const std::array<unsigned char, 8> colors{200, 10, 20, 255, 0, 0, 0, 0};
+    const std::array<unsigned char, 4> pixels{0, 1, 1, 0};
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = 2;
+    image.height = 2;
+    image.format = PNG_FORMAT_RGBA_COLORMAP;
+    image.colormap_entries = 2;
+    png_alloc_size_t size = 0;
+    png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, colors.data());
+    std::string bytes(size, '\0');
+    png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, colors.data());
+    bytes.resize(size);
+    return bytes;
+}
+
+TEST(Image, OfAPaletteWithAClearColourIsNotOpaque) {
+    const auto pixels = pixels_of(opened(palette_png()));
+    ASSERT_TRUE(pixels.has_value());
+    EXPECT_FALSE(pixels->opaque);
+    EXPECT_EQ(pixels->rgba,
+              (std::vector<std::uint8_t>{200, 10, 20, 255, 0, 0, 0, 0, 0, 0, 0, 0, 200, 10, 20, 255}));
+}
+
+// Pixels are kept from when the file was read, as long as there are few of them; nobody can tell.
+TEST(Image, HasTheSamePixelsKeptAndDecodedAnew) {
+    std::vector<Image> held;
+    for (const std::string& file : {png_of(37, 20), png_of(37, 20, true), jpeg_of(64, 48), palette_png()})
+        held.push_back(opened(file));
+    // 20 of a million pixels are more than are kept.
+    for (int i = 0; i < 20; ++i) held.push_back(opened(png_of(1000, 1000)));
+    for (const Image& image : held) {
+        Image bare = image;
+        bare.bytes = std::make_shared<const std::string>(*image.bytes);
+        const auto kept = pixels_of(image);
+        const auto anew = pixels_of(bare);
+        ASSERT_TRUE(kept && anew);
+        EXPECT_EQ(kept->opaque, anew->opaque);
+        EXPECT_TRUE(kept->rgba == anew->rgba);
+        bare.width += 1;
+        EXPECT_FALSE(pixels_of(bare).has_value());
+        bare.bytes = image.bytes;
+        EXPECT_FALSE(pixels_of(bare).has_value());
+    }
+}
+
 TEST(Image, BrokenFilesAreFaults) {
     EXPECT_EQ(fault_of(""), ImageFault::not_an_image);
     EXPECT_EQ(fault_of("GIF89a"), ImageFault::not_an_image);
