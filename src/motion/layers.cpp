@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -39,23 +40,55 @@ std::vector<double> numbers_of(const ClosedPlane& plane) {
     return numbers;
 }
 
-// What two convex shapes have in common: the one cut by each edge of the other, which runs counter-clockwise.
-void clip(const Triangle2& by, std::vector<Vec2>& shape, std::vector<Vec2>& spare) {
-    for (std::size_t i = 0; i < 3 && !shape.empty(); ++i) {
-        const Vec2 from = by.at(i);
-        const Vec2 along = by.at((i + 1) % 3) - from;
-        spare.clear();
-        for (std::size_t k = 0; k < shape.size(); ++k) {
-            const Vec2 p = shape[k];
-            const Vec2 q = shape[(k + 1) % shape.size()];
-            const double hp = cross(along, p - from);
-            const double hq = cross(along, q - from);
-            if (hp >= 0.0) spare.push_back(p);
-            if ((hp > 0.0 && hq < 0.0) || (hp < 0.0 && hq > 0.0)) spare.push_back(lerp(p, q, hp / (hp - hq)));
-        }
-        std::swap(shape, spare);
-    }
+// Grows a box by a point and what is this near to it; in line, for it is done millions of times.
+void extend(Box& box, Vec2 p, double mm) {
+    box.min = {std::min(box.min.x, p.x - mm), std::min(box.min.y, p.y - mm)};
+    box.max = {std::max(box.max.x, p.x + mm), std::max(box.max.y, p.y + mm)};
 }
+
+Box box_round(const Triangle2& t, double mm) {
+    Box box;
+    for (const Vec2 p : t) extend(box, p, mm);
+    return box;
+}
+
+// What two triangles have in common: the one cut by each edge of the other, which runs counter-clockwise.
+class Common {
+ public:
+    Common(const Triangle2& shape, const Triangle2& by) {
+        std::copy(shape.begin(), shape.end(), corners_.begin());
+        std::array<Vec2, kMost> cut;
+        for (std::size_t i = 0; i < 3 && size_ > 0; ++i) {
+            const Vec2 from = by.at(i);
+            const Vec2 along = by.at((i + 1) % 3) - from;
+            std::size_t kept = 0;
+            double hp = cross(along, corners_[0] - from);
+            for (std::size_t k = 0; k < size_; ++k) {
+                const Vec2 p = corners_[k];
+                const Vec2 q = corners_[k + 1 < size_ ? k + 1 : 0];
+                const double hq = cross(along, q - from);
+                if (hp >= 0.0) cut[kept++] = p;
+                if ((hp > 0.0 && hq < 0.0) || (hp < 0.0 && hq > 0.0))
+                    cut[kept++] = lerp(p, q, hp / (hp - hq));
+                hp = hq;
+            }
+            std::copy_n(cut.begin(), kept, corners_.begin());
+            size_ = kept;
+        }
+    }
+    [[nodiscard]] std::span<const Vec2> corners() const { return {corners_.data(), size_}; }
+    [[nodiscard]] bool has_area() const {
+        if (size_ < 3) return false;
+        double twice = cross(corners_[size_ - 1], corners_[0]);
+        for (std::size_t i = 1; i < size_; ++i) twice += cross(corners_[i - 1], corners_[i]);
+        return std::abs(0.5 * twice) >= kAreaMm2;
+    }
+
+ private:
+    static constexpr std::size_t kMost = 3 * 2 * 2 * 2;  // each edge adds no more corners than there are
+    std::array<Vec2, kMost> corners_;
+    std::size_t size_ = 3;
+};
 
 // Whether the second triangle lies beside an edge of the first, which runs counter-clockwise: then they have
 // no area in common, and most that are near each other have none.
@@ -80,13 +113,14 @@ class BoxCounts {
             all.extend(diagonals[i].b);
         }
         if (all.empty()) return;
-        const double squares = kSquares * (diagonals.size() + 1);
+        const double boxes = diagonals.size() + 1;
+        const double squares = std::max(kLeastSquares * boxes, std::min(kMostSquares * boxes, kSquares));
         origin_ = all.min;
-        side_ =
+        const double side =
             std::max(std::sqrt(all.width() * all.height() / squares), (all.width() + all.height()) / squares);
-        if (!(side_ > 0.0)) side_ = 1.0;
-        columns_ = static_cast<std::size_t>(all.width() / side_) + 1;
-        rows_ = static_cast<std::size_t>(all.height() / side_) + 1;
+        if (side > 0.0) per_mm_ = 1.0 / side;
+        columns_ = static_cast<std::size_t>(all.width() * per_mm_) + 1;
+        rows_ = static_cast<std::size_t>(all.height() * per_mm_) + 1;
         // Each box adds one at its lower left square and takes it away beside it and above it; the sums from
         // the lower left are the counts.
         const std::size_t wide = columns_ + 1;
@@ -137,17 +171,20 @@ class BoxCounts {
     }
 
  private:
-    static constexpr double kSquares = 64.0;  // for each box
-    static constexpr std::size_t kBlock = 8;  // squares to either side
+    // For each box; the more there are, the more they tell, but they are all filled.
+    static constexpr double kLeastSquares = 64.0;
+    static constexpr double kMostSquares = 1024.0;
+    static constexpr double kSquares = 1 << 20;  // in all, unless there are many boxes
+    static constexpr std::size_t kBlock = 8;     // squares to either side
     struct Square {
         std::size_t column, row;
     };
-    [[nodiscard]] static std::size_t strip(double at, double side, std::size_t count) {
-        const double n = at / side;
+    [[nodiscard]] std::size_t strip(double at, std::size_t count) const {
+        const double n = at * per_mm_;
         return n > 0.0 ? std::min(static_cast<std::size_t>(n), count - 1) : 0;
     }
     [[nodiscard]] Square square_of(Vec2 p) const {
-        return {strip(p.x - origin_.x, side_, columns_), strip(p.y - origin_.y, side_, rows_)};
+        return {strip(p.x - origin_.x, columns_), strip(p.y - origin_.y, rows_)};
     }
     [[nodiscard]] std::pair<Square, Square> squares_of(const Box& box) const {
         return {square_of(box.min), square_of(box.max)};
@@ -166,7 +203,7 @@ class BoxCounts {
     }
 
     Vec2 origin_;
-    double side_ = 1.0;
+    double per_mm_ = 1.0;  // squares
     std::size_t columns_ = 0, rows_ = 0, block_columns_ = 0;
     std::vector<int> counts_;
     std::vector<int> blocks_;  // the most of each block
@@ -266,23 +303,27 @@ class LayerSearch {
         for (std::size_t n = 0; n < seen_[few].size(); ++n) {
             const Triangle2& t = shapes_[few].core.all()[n];
             const Triangle2& by = seen_[few][n];
-            if (tells_nothing_new(static_cast<int>(a), static_cast<int>(b), by)) continue;
+            // Nearly all triangles tell nothing new: not of which plate lies over which, nor of how many
+            // layers there are at most.
+            const Box near = box_round(by, kCountStepMm);
+            bool settled = is_settled(static_cast<int>(a), static_cast<int>(b), by);
+            if (settled && !may_be_thickest(near)) continue;
             Box box;
             for (const Vec2 p : t) {
                 // Seen square to the other plate and from the side differs by less than this.
                 const Vec2 there = on_page(frames_[many], frames_[few].point(p));
-                box.extend(there - Vec2{kTouchMm, kTouchMm});
-                box.extend(there + Vec2{kTouchMm, kTouchMm});
+                extend(box, there, kTouchMm);
             }
             shapes_[many].core.query(box, found_);
             if (too_much(1 + found_.size())) return false;
             for (const int number : found_) {
                 const Triangle2& other = seen_[many][static_cast<std::size_t>(number)];
                 if (beside(by, other) || beside(other, by)) continue;
-                shape_.assign(other.begin(), other.end());
-                clip(by, shape_, spare_);
-                if (shape_.size() < 3 || std::abs(signed_area(shape_)) < kAreaMm2) continue;
-                if (!meet(static_cast<int>(a), static_cast<int>(b), shape_,
+                settled = settled || is_settled(static_cast<int>(a), static_cast<int>(b), by);
+                if (settled && !may_be_thickest(common(near, box_round(other, kCountStepMm)))) continue;
+                const Common both(other, by);
+                if (!both.has_area()) continue;
+                if (!meet(static_cast<int>(a), static_cast<int>(b), both.corners(),
                           {by[0], by[1], by[2], other[0], other[1], other[2]}))
                     return false;
             }
@@ -303,30 +344,24 @@ class LayerSearch {
         return overlaps_.back();
     }
 
-    // Whether nothing that both plates have over this triangle changes which lies over which, or how many
-    // layers there are at most. So it is with nearly all triangles.
-    [[nodiscard]] bool tells_nothing_new(int a, int b, const Triangle2& seen) const {
+    // Whether nothing that both plates have over this triangle changes which lies over which.
+    [[nodiscard]] bool is_settled(int a, int b, const Triangle2& seen) const {
         if (overlaps_.empty() || overlaps_.back().a != a || overlaps_.back().b != b) return false;
         const Overlap& known = overlaps_.back();
-        Box box;
-        for (const Vec2 p : seen) {
+        return std::none_of(seen.begin(), seen.end(), [&](Vec2 p) {
             const double over = height(b, p) - height(a, p);
-            if (over > kHeightMm && known.most <= kHeightMm) return false;
-            if (over < -kHeightMm && known.least >= -kHeightMm) return false;
-            box.extend(p - Vec2{kCountStepMm, kCountStepMm});
-            box.extend(p + Vec2{kCountStepMm, kCountStepMm});
-        }
-        return !may_be_thickest(box);
+            return (over > kHeightMm && known.most <= kHeightMm) ||
+                   (over < -kHeightMm && known.least >= -kHeightMm);
+        });
     }
 
     // Adds the corners of what triangles of both plates have in common. False: it was too much work.
-    bool meet(int a, int b, const std::vector<Vec2>& shape, const std::array<Vec2, 6>& corners) {
+    bool meet(int a, int b, std::span<const Vec2> shape, const std::array<Vec2, 6>& corners) {
         Overlap& overlap = overlap_of(a, b);
         Vec2 centre;
         Box box;
         for (const Vec2 p : shape) {
-            box.extend(p - Vec2{kCountStepMm, kCountStepMm});
-            box.extend(p + Vec2{kCountStepMm, kCountStepMm});
+            extend(box, p, kCountStepMm);
             const double over = height(b, p) - height(a, p);
             overlap.least = std::min(overlap.least, over);
             overlap.most = std::max(overlap.most, over);
@@ -401,7 +436,6 @@ class LayerSearch {
     EdgeIndex boxes_;
     BoxCounts counts_{boxes_};
     std::vector<int> here_, found_;
-    std::vector<Vec2> shape_, spare_;
     std::vector<Overlap> overlaps_;  // of each two plates that have one, in order
     std::vector<Box> regions_;
     std::vector<Box> redrawn_;  // by plate: where it is redrawn
