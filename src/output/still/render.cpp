@@ -210,8 +210,8 @@ class Picture {
     void shade_ground(int y, int from, int to) {
         each_rays(
             from, to, ground_above_, [&](int x) { return ground_rays(x, y); },
-            [&](int x, int rays) {
-                if (rays < Sun::kRays) put(x, y, tones_.of(scaled(row_light_, ground_light(rays))));
+            [&](int first, int end, int rays) {
+                if (rays < Sun::kRays) put(first, end, y, tones_.of(scaled(row_light_, ground_light(rays))));
             });
     }
     void shade_table(int y, int from, int to) {
@@ -224,30 +224,34 @@ class Picture {
         int step;
         std::vector<char> uneven;
     };
-    // Calls visit(x, rays) for each pixel of a row from `from` up to `to`. Where all or none of the sun
-    // reaches two pixels that are a step apart, it does between them: shadows have wider edges. What is
-    // smaller is looked for in the same columns of all rows, wherever they begin, and followed down from
-    // where it is seen.
+    // Calls visit(first, end, rays) for the pixels of a row from `from` up to `to`, some at a time. Where all
+    // or none of the sun reaches two pixels that are a step apart, it does between them: shadows have wider
+    // edges. What is smaller is looked for in the same columns of all rows, wherever they begin, and followed
+    // down from where it is seen.
     template <typename Rays, typename Visit>
     static void each_rays(int from, int to, Above& above, const Rays& rays, const Visit& visit) {
         if (from >= to) return;
         int known = rays(from);
-        visit(from, known);
+        visit(from, from + 1, known);
         for (int x = from; x + 1 < to;) {
             char& uneven = above.uneven[index(x / above.step)];
             const int next = std::min(x - x % above.step + above.step, to - 1);
             const int there = rays(next);
             const bool is_even = there == known && (there == 0 || there == Sun::kRays);
-            const bool is_filled = is_even && uneven == 0;
+            known = there;
+            if (is_even && uneven == 0) {
+                visit(x + 1, next + 1, there);
+                x = next;
+                continue;
+            }
             bool is_same = is_even;
             for (++x; x < next; ++x) {
-                const int here = is_filled ? there : rays(x);
+                const int here = rays(x);
                 is_same = is_same && here == there;
-                visit(x, here);
+                visit(x, x + 1, here);
             }
             uneven = is_same ? 0 : 1;
-            visit(next, there);
-            known = there;
+            visit(next, next + 1, there);
         }
     }
 
@@ -293,11 +297,13 @@ class Picture {
         each_rays(
             from, to, paper_above_,
             [&](int x) { return sun_at(look, (x + 0.5) * kOver, sy, samples_.middle(x, y)); },
-            [&](int x, int rays) {
+            [&](int first, int end, int rays) {
                 if (face.texture == nullptr && (rays == 0 || rays == Sun::kRays))
-                    return put(x, y, rays == 0 ? look.dark : look.lit);
-                const Light own = color(face, look, (x + 0.5) * kOver, sy, samples_.middle(x, y), kOver);
-                put(x, y, tones_.of(scaled(own, light_of(look, rays))));
+                    return put(first, end, y, rays == 0 ? look.dark : look.lit);
+                for (int x = first; x < end; ++x) {
+                    const Light own = color(face, look, (x + 0.5) * kOver, sy, samples_.middle(x, y), kOver);
+                    put(x, y, tones_.of(scaled(own, light_of(look, rays))));
+                }
             });
     }
     static double light_of(const Look& look, int lit) { return look.shade + look.sun * lit / Sun::kRays; }
@@ -306,7 +312,7 @@ class Picture {
     [[nodiscard]] Light mean(int x, int y) const {
         Light sum{};
         samples_.each_part(x, y, [&](const Part& part) {
-            const auto samples = static_cast<float>(std::popcount(part.samples));
+            const auto samples = static_cast<float>(count_of(part.samples));
             if (part.what == 0) {
                 add(sum, row_light_, samples * static_cast<float>(ground_light(ground_rays(x, y))));
             } else if (part.what < 0) {
@@ -327,7 +333,7 @@ class Picture {
         const int rays = sun_at(look, sx(first), sy(first), part.near.at(first));
         const auto light = static_cast<float>(light_of(look, rays));
         if (face.texture == nullptr)
-            return add(sum, look.color, light * static_cast<float>(std::popcount(part.samples)));
+            return add(sum, look.color, light * static_cast<float>(count_of(part.samples)));
         for (int i = first; i < kSamples; ++i) {
             if ((part.samples & (1U << i)) != 0)
                 add(sum, color(face, look, sx(i), sy(i), part.near.at(i), 1.0), light);
@@ -342,9 +348,12 @@ class Picture {
         for (std::size_t done = 3; done < count; done *= 2)
             std::copy_n(row, std::min(done, count - done), row + done);
     }
-    void put(int x, int y, const Bytes& bytes) {
-        unsigned char* out = out_.rgb.data() + 3 * (index(y) * index(width_) + index(x));
-        for (std::size_t i = 0; i < 3; ++i) out[i] = bytes[i];
+    void put(int x, int y, const Bytes& bytes) { put(x, x + 1, y, bytes); }
+    void put(int first, int end, int y, const Bytes& bytes) {
+        unsigned char* out = out_.rgb.data() + 3 * (index(y) * index(width_) + index(first));
+        for (int x = first; x < end; ++x, out += 3) {
+            for (std::size_t i = 0; i < 3; ++i) out[i] = bytes[i];
+        }
     }
 
     static void add(Light& sum, const Light& more, float times) {

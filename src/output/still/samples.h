@@ -21,6 +21,15 @@ using SampleSet = std::uint32_t;
 inline constexpr int kSamples = kOver * kOver;  // of a pixel
 inline constexpr SampleSet kAllSamples = (1U << kSamples) - 1U;
 
+// How many they are; std::popcount() is a call where processors need not have it.
+inline constexpr auto kSampleCounts = [] {
+    std::array<std::uint8_t, kAllSamples + 1> counts{};
+    for (std::size_t i = 1; i < counts.size(); ++i)
+        counts[i] = static_cast<std::uint8_t>(counts[i / 2] + i % 2);
+    return counts;
+}();
+constexpr int count_of(SampleSet samples) { return kSampleCounts[samples]; }
+
 // Columns and rows of pixels, from `low` up to `high`, not with it.
 struct PixelBox {
     int low_x = 0, low_y = 0, high_x = 0, high_y = 0;

@@ -30,21 +30,15 @@ std::string viewer_policy(std::string_view script, std::string_view style, std::
 std::string json_in_page(std::string_view json) {
     std::string result;
     result.reserve(json.size() + json.size() / 64);
-    for (const char c : json) {
-        switch (c) {
-            case '<':
-                result += "\\u003c";
-                break;
-            case '>':
-                result += "\\u003e";
-                break;
-            case '&':
-                result += "\\u0026";
-                break;
-            default:
-                result += c;
-        }
+    std::size_t kept = 0;  // up to here
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (c != '<' && c != '>' && c != '&') continue;
+        result += json.substr(kept, i - kept);
+        result += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
+        kept = i + 1;
     }
+    result += json.substr(kept);
     return result;
 }
 
