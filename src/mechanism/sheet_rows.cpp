@@ -26,6 +26,31 @@ const DrawnPath* outline_of(const Element& e) {
     return number ? std::get_if<DrawnPath>(&e.arguments[*number].value) : nullptr;
 }
 
+bool same(const Subpath& one, const Subpath& other) {
+    const auto same_step = [](const PathStep& a, const PathStep& b) {
+        return a.to == b.to && a.curve == b.curve && a.control_1 == b.control_1 && a.control_2 == b.control_2;
+    };
+    return one.start == other.start && one.closed == other.closed &&
+           std::equal(one.steps.begin(), one.steps.end(), other.steps.begin(), other.steps.end(), same_step);
+}
+
+// The border that a line makes, if it makes one. Checking an element asks for it five times in a row, so the
+// last one of each thread is kept.
+const std::optional<Border>& border_without_loops(const Subpath& line) {
+    struct Last {
+        Subpath line;
+        std::optional<Border> border;
+    };
+    thread_local Last last;
+    if (!last.border || !same(last.line, line)) {
+        last.line = line;
+        last.border = border_of_line(line);
+        if (last.border && (without_loops(*last.border).hopeless || last.border->edges.size() < 3))
+            last.border.reset();
+    }
+    return last.border;
+}
+
 Border to_site(const Element& e, const Border& border) {
     return mapped(border, [&](Vec2 p) {
         const SitePoint at = e.site.from_page(Side::left, p);
@@ -102,8 +127,10 @@ std::optional<Border> drawn_border(const Element& e) {
 }
 
 std::optional<Border> site_border(const Element& e) {
-    auto border = drawn_border(e);
-    if (!border || without_loops(*border).hopeless || border->edges.size() < 3) return std::nullopt;
+    const auto path = drawn_path(e);
+    if (!path || path->subpaths().size() != 1) return std::nullopt;
+    const std::optional<Border>& border = border_without_loops(path->subpaths().front());
+    if (!border) return std::nullopt;
     return to_site(e, *border);
 }
 
