@@ -90,6 +90,8 @@ struct Horizon {
     Place place;                      // of the picture in the source
 };
 
+struct ImagePixels;  // popup/image.h
+
 // A picture. Its file is kept as it is and shared by all copies, so that cutting a picture at folds costs
 // nothing, and writers that can put the file itself into theirs lose nothing.
 struct Image {
@@ -105,6 +107,8 @@ struct Image {
     // Set of pictures that are still to be levelled. Then `place` and `clip` are as they were drawn, and
     // plates of the page have the picture that it does not reach yet.
     std::optional<Horizon> horizon = {};
+    // Those of the file, where they were kept when it was opened; null: pixels_of() decodes it.
+    std::shared_ptr<const ImagePixels> pixels = {};
 };
 
 // What is printed.

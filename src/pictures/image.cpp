@@ -19,29 +19,22 @@ Decoded decoded(const std::string& file, ImageFormat format) {
     return format == ImageFormat::png ? decode_png(file) : decode_jpeg(file);
 }
 
-// A file is decoded to be sure of it, and again by what shows it. As long as they are few, its pixels are
-// kept beside its bytes, and go with them: 64 MiB, of all pictures there are.
-constexpr std::size_t kMostKept = std::size_t{64} << 20;
-std::atomic<std::size_t> kept_now = 0;
+// A file is decoded to be sure of it, and what shows it needs its pixels again. They are kept while those of
+// all pictures there are take no more than this.
+constexpr std::size_t kMostKeptBytes = std::size_t{64} << 20;
+std::atomic<std::size_t> kept_bytes = 0;
 
-// Gives bytes back, and with them their pixels.
-struct WithPixels {
-    std::shared_ptr<const ImagePixels> pixels;
-    void operator()(const std::string* bytes) const { delete bytes; }
-};
-
-std::shared_ptr<const std::string> keep(std::string file, ImagePixels pixels) {
+// Null: there are too many.
+std::shared_ptr<const ImagePixels> kept(ImagePixels pixels) {
     const std::size_t size = pixels.rgba.size();
-    if (kept_now.fetch_add(size) + size > kMostKept) {
-        kept_now -= size;
-        return std::make_shared<const std::string>(std::move(file));
+    if (kept_bytes.fetch_add(size) + size > kMostKeptBytes) {
+        kept_bytes -= size;
+        return nullptr;
     }
-    const auto give_back = [size](const ImagePixels* those) {
-        delete those;
-        kept_now -= size;
-    };
-    WithPixels with{std::shared_ptr<const ImagePixels>(new ImagePixels(std::move(pixels)), give_back)};
-    return {new std::string(std::move(file)), std::move(with)};
+    return {new ImagePixels(std::move(pixels)), [size](const ImagePixels* those) {
+                delete those;
+                kept_bytes -= size;
+            }};
 }
 
 }  // namespace
@@ -73,7 +66,8 @@ std::variant<Image, ImageFault> open_image(std::string file) {
     image.width = picture.pixels.width;
     image.height = picture.pixels.height;
     image.place = {{1.0, 0.0}, {0.0, -1.0}, {0.0, 0.0}};
-    image.bytes = keep(std::move(file), std::move(picture.pixels));
+    image.bytes = std::make_shared<const std::string>(std::move(file));
+    image.pixels = kept(std::move(picture.pixels));
     return image;
 }
 
@@ -83,10 +77,7 @@ std::string_view mime_type(ImageFormat format) {
 
 std::optional<ImagePixels> pixels_of(const Image& image) {
     if (image.bytes == nullptr || format_of(*image.bytes) != image.format) return std::nullopt;
-    if (const auto* kept = std::get_deleter<WithPixels>(image.bytes)) {
-        if (kept->pixels->width != image.width || kept->pixels->height != image.height) return std::nullopt;
-        return *kept->pixels;
-    }
+    if (image.pixels != nullptr) return *image.pixels;
     Decoded picture = decoded(*image.bytes, image.format);
     if (picture.fault || picture.pixels.width != image.width || picture.pixels.height != image.height) {
         return std::nullopt;
