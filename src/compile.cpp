@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "folded/carton/ring.h"
 #include "popup/find.h"
 #include "popup/tabs.h"
 #include "run/crew.h"
@@ -36,6 +37,16 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     return true;
 }
 
+// Of a drawing that collides as it is folded, how far its folds may be meant to go.
+void tell_what_closes(CompiledDesign& one, const CompileOptions& options) {
+    const bool collides = one.motion->examination && !one.motion->examination->contacts.empty();
+    if (!collides || !find_language(one.source, options.read.language)->drawn) return;
+    const auto simulated = [&](Assembly& sheet, Diagnostics& found) {
+        return simulate_sheet(sheet, options.motion, found).has_value();
+    };
+    folded::tell_open_ring(*one.creases, options.fold, simulated, one.diagnostics);
+}
+
 // Whether a pattern is made, or only what it would say is found.
 enum class Draw { yes, no };
 
@@ -53,6 +64,7 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
             motion.fitting_size = std::bind_front(options.fitting_size, std::cref(one), std::cref(options));
         one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
                                  : simulate(*one.assembly, motion, one.diagnostics);
+        if (one.creases && one.motion) tell_what_closes(one, options);
     }
     if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return false;
     PatternOptions pattern = options.pattern;

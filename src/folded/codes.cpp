@@ -184,6 +184,16 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "do not go together are the usual reason: at each inner corner that folds flat, they differ in number "
      "by "
      "two. Else add the creases along which the paper bends."},
+    {"ring-open", Severity::remark, "walls that would meet if their folds went to another angle",
+     "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. Here "
+     "panels "
+     "go through one another then, and a row of walls, with a glue flap at its end, has a number of sides "
+     "for "
+     "which another angle is right: 60° for six walls, 120° for three as wide as one another. Folded so, "
+     "with "
+     "all other folds as they are, the walls meet, the glue flap lies on the first of them, and nothing goes "
+     "through anything: that was tried. The hint says how to give the angle, by a name that only these folds "
+     "have, or in the drawing."},
 });
 
 }  // namespace

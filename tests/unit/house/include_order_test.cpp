@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"codes.cpp",
          {"base", "trace", "input", "folded", "mechanism", "check", "motion", "parts", "pattern", "layout",
           "fabrication", "output", "run", "findings", "repair", "batch", "cli", "edit"}},
-        {"compile.cpp", {"base", "run"}},
+        {"compile.cpp", {"base", "folded", "run"}},
         {"lay_out_run.cpp", {"base", "fabrication"}},
         {"repair", {"base", "mechanism", "output"}},
         {"lsp", {"base", "input", "mechanism", "repair"}},

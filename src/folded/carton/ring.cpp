@@ -1,0 +1,342 @@
+#include "folded/carton/ring.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/nth.h"
+#include "folded/lower.h"
+#include "folded/sheet.h"
+
+namespace popup::folded {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kParallel = 0.02;    // sine of the angle between folds that are called parallel
+constexpr double kAsLong = 0.6;       // of the longest of them: so long are folds between walls
+constexpr double kMeets = 0.02;       // of the way around: by boards walls miss one another
+constexpr double kFlapWidth = 0.9;    // of the narrowest wall: a glue flap is narrower
+constexpr double kAsItIsDeg = 0.5;    // folds that are to go otherwise by less go as they should
+constexpr double kColourDeg = 180.0;  // of folds in the colours of Origami Simulator
+constexpr double kOfBoxesDeg = 90.0;
+constexpr std::size_t kMostPanels = 400;
+constexpr std::size_t kMostWalls = 64;
+constexpr std::size_t kLeastWalls = 3;
+
+// Panels side by side: fold i is between panels i and i + 1.
+struct Row {
+    std::vector<int> panels, folds;
+    std::vector<double> widths;  // of the panels
+    bool goes_on = false;        // by a fold the other way, or round to one of its panels
+};
+
+class RowFinder {
+ public:
+    explicit RowFinder(const Sheet& sheet) : sheet_(sheet), folds_(folds_by_panel(sheet)) {}
+
+    // Rows that go on no further, in both directions.
+    [[nodiscard]] std::vector<Row> rows() const {
+        std::vector<Row> found;
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+            const Fold& fold = sheet_.folds[i];
+            const int number = static_cast<int>(i);
+            for (const auto& [from, to] : {std::pair{fold.left, fold.right}, {fold.right, fold.left}}) {
+                if (next(number, from) < 0) found.push_back(row_from(number, from, to));
+            }
+        }
+        return found;
+    }
+
+ private:
+    [[nodiscard]] Segment line_of(int fold) const { return sheet_.line_of(nth(sheet_.folds, fold)); }
+
+    // How far a panel reaches from a fold that it ends at.
+    [[nodiscard]] double depth(int panel, int fold) const {
+        const Segment line = line_of(fold);
+        const Vec2 out = left_of(unit(line.b - line.a));
+        double most = 0.0;
+        for (const int corner : nth(sheet_.panels, panel).outer)
+            most = std::max(most, std::abs(dot(out, sheet_.at(corner) - line.a)));
+        return most;
+    }
+    // The fold at which a panel ends on the far side of this one, whichever way it goes; -1: there is none.
+    [[nodiscard]] int next(int fold, int panel) const {
+        const Segment line = line_of(fold);
+        const Vec2 along = unit(line.b - line.a);
+        const Vec2 out = left_of(along);
+        const double far = 0.5 * depth(panel, fold);
+        int best = -1;
+        double longest = 0.0;
+        for (const int number : nth(folds_, panel)) {
+            const Segment other = line_of(number);
+            const Vec2 way = other.b - other.a;
+            if (number == fold || std::abs(cross(along, way)) > kParallel * length(way) ||
+                std::abs(dot(out, other.a - line.a)) < far || length(way) <= longest)
+                continue;
+            best = number;
+            longest = length(way);
+        }
+        return longest >= kAsLong * distance(line.a, line.b) ? best : -1;
+    }
+    [[nodiscard]] bool same_way(int one, int other) const {
+        return nth(sheet_.folds, one).target * nth(sheet_.folds, other).target > 0.0;
+    }
+    [[nodiscard]] Row row_from(int fold, int from, int to) const {
+        Row row{{from, to}, {fold}, {depth(from, fold)}};
+        for (int more = next(fold, to); more >= 0; more = next(fold, to)) {
+            const Segment line = line_of(fold);
+            row.widths.push_back(std::abs(dot(left_of(unit(line.b - line.a)), line_of(more).a - line.a)));
+            const Fold& crossed = nth(sheet_.folds, more);
+            to = crossed.left == to ? crossed.right : crossed.left;
+            row.goes_on = !same_way(fold, more) || row.folds.size() > kMostWalls ||
+                          std::find(row.panels.begin(), row.panels.end(), to) != row.panels.end();
+            if (row.goes_on) break;
+            fold = more;
+            row.panels.push_back(to);
+            row.folds.push_back(fold);
+        }
+        row.widths.push_back(depth(to, fold));
+        return row;
+    }
+
+    const Sheet& sheet_;
+    std::vector<std::vector<int>> folds_;
+};
+
+// How far the folds between so wide walls go, and that of the flap on the last; empty: none is known by which
+// they meet.
+std::vector<double> closing_angles(const std::vector<double>& widths) {
+    const auto count = static_cast<double>(widths.size());
+    if (widths.size() == kLeastWalls) {
+        std::vector<double> deg;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double a = widths[i];
+            const double b = widths[(i + 1) % 3];
+            const double c = widths[(i + 2) % 3];
+            const double cosine = (a * a + b * b - c * c) / (2.0 * a * b);
+            if (std::abs(cosine) >= 1.0) return {};
+            deg.push_back(180.0 - std::acos(cosine) / kDegree);
+        }
+        return deg;
+    }
+    Vec2 end{0.0, 0.0};
+    double around = 0.0;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / count;
+        end = end + widths[i] * Vec2{std::cos(turn), std::sin(turn)};
+        around += widths[i];
+    }
+    return length(end) <= kMeets * around ? std::vector<double>(widths.size(), 360.0 / count)
+                                          : std::vector<double>{};
+}
+
+class RingFinder {
+ public:
+    RingFinder(const CreasePattern& pattern, const Sheet& sheet) : pattern_(pattern), sheet_(sheet) {}
+
+    [[nodiscard]] std::optional<Ring> longest() const {
+        std::optional<Ring> best;
+        for (const Row& row : RowFinder(sheet_).rows()) {
+            if (best && row.folds.size() <= best->lines.size()) continue;
+            if (auto ring = ring_of(row)) best = std::move(ring);
+        }
+        return best;
+    }
+
+ private:
+    [[nodiscard]] std::optional<Ring> ring_of(const Row& row) const {
+        const std::vector<double> walls(row.widths.begin(), row.widths.end() - 1);
+        if (row.goes_on || walls.size() < kLeastWalls || walls.size() != row.folds.size())
+            return std::nullopt;
+        if (row.widths.back() >= kFlapWidth * *std::min_element(walls.begin(), walls.end()))
+            return std::nullopt;
+        const Fold& first = nth(sheet_.folds, row.folds[0]);
+        Ring ring{{}, closing_angles(walls), std::abs(first.target) / kDegree};
+        if (ring.deg.empty()) return std::nullopt;
+        bool is_so = true;
+        for (std::size_t i = 0; i < row.folds.size(); ++i) {
+            const Fold& fold = nth(sheet_.folds, row.folds[i]);
+            if (nth(pattern_.lines, fold.line).fold_deg.value_or(kColourDeg) != kColourDeg ||
+                !stands_for_itself(row, fold.line))
+                return std::nullopt;
+            is_so = is_so && std::abs(std::abs(fold.target) / kDegree - ring.deg[i]) < kAsItIsDeg;
+            ring.lines.push_back(fold.line);
+        }
+        return is_so ? std::nullopt : std::optional(ring);
+    }
+    // Whether a line draws no fold but one of the row.
+    [[nodiscard]] bool stands_for_itself(const Row& row, int line) const {
+        std::size_t of_line = 0;
+        for (const Fold& fold : sheet_.folds) of_line += fold.line == line ? 1 : 0;
+        std::size_t of_row = 0;
+        for (const int fold : row.folds) of_row += nth(sheet_.folds, fold).line == line ? 1 : 0;
+        return of_line == of_row && of_row == 1;
+    }
+
+    const CreasePattern& pattern_;
+    const Sheet& sheet_;
+};
+
+// What becomes of other folds: those of 180°, which are in the colours of Origami Simulator, may be meant to
+// go to 90°.
+enum class Others { as_they_are, of_boxes };
+
+bool is_of(const Ring& ring, std::size_t line) {
+    return std::find(ring.lines.begin(), ring.lines.end(), static_cast<int>(line)) != ring.lines.end();
+}
+bool is_folded(const CreaseLine& line) { return line.use != CreaseUse::cut && line.use != CreaseUse::flat; }
+
+// nullopt: there are no others.
+std::optional<CreasePattern> folded_so(const CreasePattern& pattern, const Ring& ring, Others others) {
+    CreasePattern made = pattern;
+    for (std::size_t i = 0; i < ring.lines.size(); ++i)
+        nth(made.lines, ring.lines[i]).fold_deg = std::round(ring.deg[i] * 100.0) / 100.0;
+    if (others == Others::as_they_are) return made;
+    bool any = false;
+    for (CreaseLine& line : made.lines) {
+        if (!is_folded(line) || line.fold_deg != kColourDeg) continue;
+        line.fold_deg = kOfBoxesDeg;
+        any = true;
+    }
+    return any ? std::optional(std::move(made)) : std::nullopt;
+}
+
+// Whether all other folds go to 90° if all are told to, and none to less or more than is meant.
+bool may_tell_all(const CreasePattern& pattern, const Ring& ring) {
+    for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+        const CreaseLine& line = pattern.lines[i];
+        if (is_folded(line) && !is_of(ring, i) && line.fold_deg.value_or(pattern.fold_deg) != kColourDeg &&
+            line.fold_deg.value_or(pattern.fold_deg) != kOfBoxesDeg)
+            return false;
+    }
+    return true;
+}
+
+std::string shown_deg(double deg) { return fmt::format("{:.6g}", std::round(deg * 100.0) / 100.0); }
+
+// Angles by what they are given to, as --fold-angle takes them; empty: no such name is of these lines alone.
+std::string as_options(const CreasePattern& pattern, const Ring& ring) {
+    const bool alike = std::all_of(ring.deg.begin(), ring.deg.end(),
+                                   [&](double deg) { return shown_deg(deg) == shown_deg(ring.deg[0]); });
+    const auto may_name = [&](const auto& has_name) {
+        for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+            if (is_folded(pattern.lines[i]) && has_name(pattern.lines[i]) && !is_of(ring, i)) return false;
+        }
+        return true;
+    };
+    std::set<std::string> names;
+    for (const int line : ring.lines) names.insert(nth(pattern.lines, line).name);
+    const bool by_name = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        return !name.empty() && may_name([&](const CreaseLine& line) { return line.name == name; });
+    });
+    std::vector<std::string> options;
+    if (by_name && alike) {
+        for (const std::string& name : names)
+            options.push_back(fmt::format("--fold-angle '{}={}'", name, shown_deg(ring.deg[0])));
+    } else if (by_name && names.size() == ring.lines.size()) {
+        for (std::size_t i = 0; i < ring.lines.size(); ++i)
+            options.push_back(fmt::format("--fold-angle '{}={}'", nth(pattern.lines, ring.lines[i]).name,
+                                          shown_deg(ring.deg[i])));
+    } else if (alike) {
+        const CreaseUse use = nth(pattern.lines, ring.lines[0]).use;
+        if (use != CreaseUse::fold && may_name([&](const CreaseLine& line) { return line.use == use; }))
+            options.push_back(fmt::format("--fold-angle {}={}",
+                                          kCreaseUseNames.at(static_cast<std::size_t>(use)),
+                                          shown_deg(ring.deg[0])));
+    }
+    return fmt::format("{}", fmt::join(options, " "));
+}
+
+// "1, 2 and 3".
+std::string listed(const std::vector<std::string>& words) {
+    if (words.size() == 1) return words[0];
+    return fmt::format("{} and {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
+}
+
+std::string angles_of(const Ring& ring) {
+    std::vector<std::string> deg;
+    for (const double one : ring.deg) deg.push_back(shown_deg(one) + "°");
+    if (std::set<std::string>(deg.begin(), deg.end()).size() == 1) return deg[0];
+    return listed(deg) + ", in this order";
+}
+
+// Whether the elements that draw these folds draw no other.
+bool have_own_elements(const CreasePattern& pattern, const Ring& ring) {
+    for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+        if (is_of(ring, i)) continue;
+        for (const int line : ring.lines) {
+            if (nth(pattern.lines, line).place == pattern.lines[i].place) return false;
+        }
+    }
+    return true;
+}
+
+// The options that fold the sheet so; empty: none can.
+std::string all_options(const CreasePattern& pattern, const Ring& ring, Others others) {
+    std::string options = as_options(pattern, ring);
+    if (others == Others::as_they_are) return options;
+    if (!may_tell_all(pattern, ring)) return {};
+    if (angles_of(ring) == "90°") return "--fold-angle 90";
+    return options.empty() ? options : "--fold-angle 90 " + options;
+}
+
+std::string what_mends(const CreasePattern& pattern, const Ring& ring, Others others) {
+    const std::string options = all_options(pattern, ring, others);
+    if (!options.empty()) return "fold them so: " + options;
+    std::set<int> places;
+    for (const int line : ring.lines) places.insert(nth(pattern.lines, line).place.line);
+    std::vector<std::string> words;
+    words.reserve(places.size());
+    for (const int line : places) words.push_back(std::to_string(line));
+    const std::string where = fmt::format("in line{} {}", words.size() == 1 ? "" : "s", listed(words));
+    const bool of_boxes = others == Others::of_boxes;
+    const std::string own_colour =
+        fmt::format("in a colour that no other fold has, and give --fold-angle {}for that colour",
+                    of_boxes ? "90 for all and then one " : "");
+    const bool alike = angles_of(ring).find(' ') == std::string::npos;
+    if (!pattern.file.ends_with(".svg") || !alike || !have_own_elements(pattern, ring))
+        return fmt::format("draw them, {}, {}", where, own_colour);
+    return fmt::format("write data-fold-angle=\"{}\" into their elements, {}{}, or draw them {}",
+                       shown_deg(ring.deg[0]), where,
+                       of_boxes ? ", and data-fold-angle=\"90\" into those of the others" : "", own_colour);
+}
+
+}  // namespace
+
+std::optional<Ring> open_ring(const CreasePattern& pattern, const FoldOptions& options) {
+    if (!options.fold_angles.empty() || options.to < 1.0 || options.flat) return std::nullopt;
+    Diagnostics unheard;
+    const std::optional<Sheet> sheet = make_sheet(pattern, options, unheard);
+    if (!sheet || sheet->panels.size() > kMostPanels) return std::nullopt;
+    return RingFinder(pattern, *sheet).longest();
+}
+
+void tell_open_ring(const CreasePattern& pattern, const FoldOptions& options, const Simulated& simulated,
+                    Diagnostics& diagnostics) {
+    const std::optional<Ring> ring = open_ring(pattern, options);
+    if (!ring) return;
+    for (const Others others : {Others::of_boxes, Others::as_they_are}) {
+        const std::optional<CreasePattern> trial = folded_so(pattern, *ring, others);
+        if (!trial) continue;
+        Diagnostics unheard;
+        std::optional<Assembly> folded = fold_sheet(*trial, options, unheard);
+        if (!folded || !simulated(*folded, unheard) || unheard.has_findings()) continue;
+        diagnostics
+            .remark(
+                "ring-open", nth(pattern.lines, ring->lines[0]).place,
+                fmt::format("{0} walls side by side, with a glue flap at their end, meet where their {0} "
+                            "folds go by {1}, and not by {2}°{3}: so folded, nothing goes through anything",
+                            ring->lines.size(), angles_of(*ring), shown_deg(ring->is_deg),
+                            others == Others::of_boxes ? ", and all other folds by 90°" : ""))
+            .hint(what_mends(pattern, *ring, others));
+        return;
+    }
+}
+
+}  // namespace popup::folded
