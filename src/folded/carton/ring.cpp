@@ -286,21 +286,34 @@ std::string all_options(const CreasePattern& pattern, const Ring& ring, Others o
     return options.empty() ? options : "--fold-angle 90 " + options;
 }
 
-std::string what_mends(const CreasePattern& pattern, const Ring& ring, Others others) {
-    const std::string options = all_options(pattern, ring, others);
-    if (!options.empty()) return "fold them so: " + options;
+bool is_markup(const CreasePattern& pattern) { return pattern.file.ends_with(".svg"); }
+
+// For people: by the lines of a text that they can read, else by where the folds are.
+std::string where_drawn(const CreasePattern& pattern, const Ring& ring) {
     std::set<int> places;
-    for (const int line : ring.lines) places.insert(nth(pattern.lines, line).place.line);
+    std::vector<std::string> middles;
+    for (const int number : ring.lines) {
+        const CreaseLine& line = nth(pattern.lines, number);
+        places.insert(line.place.line);
+        middles.push_back(shown_point(pattern.ruler, lerp(line.points.front(), line.points.back(), 0.5)));
+    }
+    if (!is_markup(pattern)) return "their middles at " + listed(middles);
     std::vector<std::string> words;
     words.reserve(places.size());
     for (const int line : places) words.push_back(std::to_string(line));
-    const std::string where = fmt::format("in line{} {}", words.size() == 1 ? "" : "s", listed(words));
+    return fmt::format("in line{} {}", words.size() == 1 ? "" : "s", listed(words));
+}
+
+std::string what_mends(const CreasePattern& pattern, const Ring& ring, Others others) {
+    const std::string options = all_options(pattern, ring, others);
+    if (!options.empty()) return "fold them so: " + options;
+    const std::string where = where_drawn(pattern, ring);
     const bool of_boxes = others == Others::of_boxes;
     const std::string own_colour =
         fmt::format("in a colour that no other fold has, and give --fold-angle {}for that colour",
                     of_boxes ? "90 for all and then one " : "");
     const bool alike = angles_of(ring).find(' ') == std::string::npos;
-    if (!pattern.file.ends_with(".svg") || !alike || !have_own_elements(pattern, ring))
+    if (!is_markup(pattern) || !alike || !have_own_elements(pattern, ring))
         return fmt::format("draw them, {}, {}", where, own_colour);
     return fmt::format("write data-fold-angle=\"{}\" into their elements, {}{}, or draw them {}",
                        shown_deg(ring.deg[0]), where,

@@ -153,9 +153,11 @@ TEST(Ring, TheHintIsForTheDrawingWhereNoOptionTellsThemApart) {
         "write data-fold-angle=\"60\" into their elements, in lines 2, 3, 4, 5, 6 and 7, or draw them in "
         "a colour that no other fold has, and give --fold-angle for that colour");
     pattern.file = "strip.dxf";
-    EXPECT_EQ(hint(),
-              "draw them, in lines 2, 3, 4, 5, 6 and 7, in a colour that no other fold has, and give "
-              "--fold-angle for that colour");
+    EXPECT_EQ(
+        hint(),
+        "draw them, their middles at (60.00, 25.00) mm, (90.00, 25.00) mm, (115.00, 25.00) mm, (175.00, "
+        "25.00) mm, (205.00, 25.00) mm and (230.00, 25.00) mm, in a colour that no other fold has, and "
+        "give --fold-angle for that colour");
     // An attribute would be of the lid, too.
     pattern.file = "strip.svg";
     for (CreaseLine& line : pattern.lines) line.place = {2, 3};
