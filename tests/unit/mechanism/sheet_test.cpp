@@ -479,5 +479,24 @@ TEST(Sheet, ACubicThatNoFoldCutsIsOneOfItsCurves) {
     EXPECT_EQ(made.assembly->curves.size(), 8U);
 }
 
+// What is kept of an element's border from one question to the next is of the very line that it is asked of:
+// cards one after another whose outlines differ in one number, each the first anew or after others.
+TEST(Sheet, OutlinesThatDifferInOneNumberAreNotTakenForOneAnother) {
+    const auto plate_of = [](const std::string& control, const std::string& corner) {
+        const FromXml made =
+            from_xml(freeform("M 20 -20 L " + corner + " L -20 20 C " + control + " 10 30 20 20 Z"));
+        EXPECT_TRUE(made.assembly) << made.text;
+        return made.assembly ? made.assembly->plates.back().outline.outer : Ring{};
+    };
+    const Ring first = plate_of("-10 30", "-20 -20");
+    const Ring other_control = plate_of("-10 31", "-20 -20");
+    const Ring other_corner = plate_of("-10 30", "-20 -21");
+    EXPECT_FALSE(first.empty());
+    EXPECT_NE(other_control, first);
+    EXPECT_NE(other_corner, first);
+    EXPECT_EQ(plate_of("-10 30", "-20 -20"), first);
+    EXPECT_EQ(plate_of("-10 31", "-20 -20"), other_control);
+}
+
 }  // namespace
 }  // namespace popup::test
