@@ -1,14 +1,13 @@
 // The loops of a cluster as equations of its folds' angles, and their solution.
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-#include <array>
-#include <cstddef>
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
+#include "folded/closing_step.h"
 #include "folded/sheet.h"
+#include "folded/step_plan.h"
 #include "folded/work.h"
 
 namespace popup::folded {
@@ -46,53 +45,28 @@ class Closure {
     static constexpr double kBendCost = 3.0;
 
  private:
-    using Matrix = Eigen::SparseMatrix<double>;
     struct Term {
-        int column = 0;
         double sign = 1.0;
         Vec3 at, dir;  // of the fold's line on the sheet, from the loop's own point; lengths over its size
     };
-    struct Row {
-        int loop = 0;
-        int first = 0;  // condition
-        int count = 0;  // of conditions: 3 around a corner, else 6
-        double size = 0.0;
-        std::size_t begin = 0, end = 0;  // in terms_
-    };
-    // What two terms of one fold add to the normal equations: a block of them, whose columns are at these
-    // places among the values of the matrix.
-    struct Product {
-        std::size_t upper = 0, left = 0;  // terms; the conditions of `upper` come before those of `left`
-        int rows = 0, columns = 0;
-        bool diagonal = false;  // of one loop: entries below the diagonal are left out
-        std::array<int, 6> at{};
-    };
 
-    [[nodiscard]] bool can_afford(const Sheet& sheet, const std::vector<int>& loops);
-    void add_rows(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops);
-    void add_products(std::size_t folds);
+    Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work);
+    // Of the plan's loops; what is asked of them in each state goes to the members above.
+    ClosingStep equations(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan);
     // Residuals of all loops, and with `slopes` their derivatives.
     void evaluate(const Eigen::VectorXd& angles, bool slopes);
-    // The smallest step that adds `by` to the residuals, to the first order.
-    bool step(const Eigen::VectorXd& residuals, Eigen::VectorXd& by);
-    // What a step adds to the residuals, to the first order.
-    [[nodiscard]] Eigen::VectorXd change_by(const Eigen::VectorXd& by) const;
+    // The smallest step that adds this to the residuals, to the first order.
+    bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by);
     bool factorise();
 
     Work* work_;
     bool affordable_ = false;
-    double factor_steps_ = 0.0;  // what a factorisation takes
-    std::vector<Row> rows_;      // in an order that leaves the factors sparse
+    double step_work_ = 0.0;  // what a factorisation takes, with what is solved
     std::vector<Term> terms_;
-    std::vector<std::array<double, 6>> slopes_;  // by term: of its loop's conditions by its fold's angle
-    Eigen::VectorXd ease_;                       // by angle: what it costs, inverted and squared
+    std::vector<ClosingStep::Slope> slopes_;  // by term: of its loop's conditions by its fold's angle
     bool bends_ = false;
     Eigen::VectorXd residual_;
-    std::vector<Product> products_;
-    Matrix normal_;              // the upper triangle
-    std::vector<int> diagonal_;  // by condition: its place among the values
-    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
-    bool analysed_ = false;
+    ClosingStep closing_;
 };
 
 }  // namespace popup::folded

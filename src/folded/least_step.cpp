@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/nth.h"
+#include "folded/corrections.h"
 
 namespace popup::folded {
 namespace {
@@ -47,7 +48,14 @@ std::optional<Eigen::VectorXd> least_step(const std::vector<Eigen::Triplet<doubl
     if (!work.spend(solver.steps())) return std::nullopt;
     solver.factorize(normal);
     if (solver.info() != Eigen::Success) return std::nullopt;
-    Eigen::VectorXd by = transposed * solver.solve(-residual);
+    Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns);
+    Eigen::VectorXd loads = Eigen::VectorXd::Zero(residual.size());
+    add_corrections(by, [&](Eigen::VectorXd& correction) {
+        const Eigen::VectorXd left = -residual - across * by - regular * loads;
+        const Eigen::VectorXd more = solver.solve(left);
+        loads += more;
+        correction = transposed * more;
+    });
     if (!by.allFinite()) return std::nullopt;
     return by;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "folded/sine.h"
 #include "popup/geometry.h"
 
 namespace popup::folded {
@@ -17,8 +18,9 @@ struct Rigid3 {
     [[nodiscard]] Vec3 point(Vec3 p) const { return shift + direction(p); }
     // This motion after a turn about a line.
     [[nodiscard]] Rigid3 after_turn(Vec3 at, Vec3 dir, double angle) const {
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
+        const SineCosine of_angle = sine_cosine(angle);
+        const double c = of_angle.cosine;
+        const double s = of_angle.sine;
         const auto turned = [&](Vec3 v) {
             return c * v + s * cross(dir, v) + ((1.0 - c) * dot(dir, v)) * dir;
         };
@@ -38,7 +40,7 @@ inline Vec3 turn_of(const Rigid3& motion) {
     const double sine = 0.5 * length(twice_sine);
     if (sine < 1e-6 && trace > 0.0) return 0.5 * twice_sine;
     if (sine < 1e-9) return {3.14, 0.0, 0.0};  // about half a turn: far from closed, the axis does not matter
-    return (std::atan2(sine, 0.5 * (trace - 1.0)) / (2.0 * sine)) * twice_sine;
+    return (angle_of(sine, 0.5 * (trace - 1.0)) / (2.0 * sine)) * twice_sine;
 }
 
 }  // namespace popup::folded

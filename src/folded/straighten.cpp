@@ -11,6 +11,7 @@
 
 #include "base/nth.h"
 #include "folded/least_step.h"
+#include "folded/sine.h"
 
 namespace popup::folded {
 namespace {
@@ -81,7 +82,7 @@ std::vector<Between> nearly_straight(const Sheet& sheet) {
     return found;
 }
 
-double direction(Vec2 way) { return std::atan2(way.y, way.x); }
+double direction(Vec2 way) { return angle_of(way.y, way.x); }
 
 // Half of the sum of Kawasaki's theorem: the directions, taken in turn as plus and minus; within a quarter
 // turn of nought, as half turns do not count.

@@ -286,6 +286,34 @@ TEST(Samples, OutputsDoNotDependOnTheProcessor) {
     }
 }
 
+// A sheet that can close in many ways, or whose drawing has to be refined before it closes, makes much of a
+// last bit: folded sheets of others, and cartons, with the order in which they are folded.
+TEST(Samples, FoldedSheetsDoNotDependOnTheProcessor) {
+    const ScratchDirectory out;
+    std::vector<fs::path> paths;
+    for (const fs::path& path : samples_in("cartons", ".fl")) paths.push_back(kSamples / path);
+    for (const fs::path& path : samples_in("folded")) paths.push_back(kSamples / path);
+    const fs::path others = fs::path(POPUP_SOURCE_DIR).parent_path() / "shared/data/folded";
+    for (const char* name : {"fold/castlePopup.fold", "fold/mapfold.fold", "fold/miura-ori.fold",
+                             "svg/castlePopup.svg", "svg/miura-ori.svg", "svg/popupSimple.svg"}) {
+        if (fs::exists(others / name)) paths.push_back(others / name);
+    }
+    EXPECT_GT(paths.size(), 10U);
+    for (const fs::path& path : paths) {
+        std::vector<std::vector<std::string>> bytes;
+        for (const char* const without : {"", "glibc.cpu.hwcaps=-FMA,-AVX2_Usable,-FMA4,-AVX2"}) {
+            RunOptions options;
+            if (*without != '\0') options.environment["GLIBC_TUNABLES"] = without;
+            std::vector<std::string> words{"build", path, "-o", out / "a.glb", "-o", out / "a.fold"};
+            if (path.extension() != ".fl") words.insert(words.end(), {"--as", "folded"});
+            const RunResult result = popupc(words, options);
+            ASSERT_EQ(result.exit, 0) << result.err;
+            bytes.push_back({read_file(out / "a.glb"), read_file(out / "a.fold"), result.err});
+        }
+        EXPECT_TRUE(bytes[0] == bytes[1]) << path;
+    }
+}
+
 TEST(Samples, OutputsDoNotDependOnDirectoryOrLocale) {
     const ScratchDirectory out;
     fs::create_directory(out / "elsewhere");

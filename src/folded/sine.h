@@ -1,0 +1,19 @@
+// Sine, cosine and their angle, the same to the last bit on every processor. Those of the C library are not:
+// where there is a fused multiply-add it is used, and a sheet that can close in many ways, or hardly, makes
+// much of a last bit.
+#pragma once
+
+namespace popup::folded {
+
+struct SineCosine {
+    double sine = 0.0, cosine = 1.0;
+};
+
+// Right to three units of the last place, for angles (radians) up to 1e5.
+SineCosine sine_cosine(double angle);
+
+// The angle, in (-π, π], of a sine and a cosine that are both multiplied by one positive number. Right to
+// three units of the last place.
+double angle_of(double sine, double cosine);
+
+}  // namespace popup::folded
