@@ -1,5 +1,9 @@
 #include "base/text/quoted_words.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace popup {
 namespace {
 
@@ -73,6 +77,21 @@ std::vector<QuotedWord> quoted_words(std::string_view text, std::string_view cod
         if (!trouble.has_errors()) words.push_back(std::move(word));
     }
     return words;
+}
+
+std::string typed_word(std::string_view word) {
+    const auto is_plain = [](char c) {
+        return static_cast<unsigned char>(c) >= 0x80U || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+               (c >= 'A' && c <= 'Z') || std::string_view("-_./=:,+@%").find(c) != std::string_view::npos;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+    std::string typed = "'";
+    for (const char c : word) {
+        // Shells take a backslash in single quotes as it is, files of arguments do not.
+        const bool apart = c == '\'' || c == '\\';
+        typed += apart ? fmt::format("'\\{}'", c) : std::string(1, c);
+    }
+    return typed + "'";
 }
 
 }  // namespace popup

@@ -20,4 +20,8 @@ struct QuotedWord {
 // at the end and a NUL byte are errors with this code; the words before them are returned.
 std::vector<QuotedWord> quoted_words(std::string_view text, std::string_view code, Diagnostics& trouble);
 
+// The word as it is typed into a shell, or into a file of arguments: in single quotes unless it is plain.
+// "roof", "'my roof'", "'it'\''s'".
+std::string typed_word(std::string_view word);
+
 }  // namespace popup

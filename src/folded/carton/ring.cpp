@@ -8,9 +8,11 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/nth.h"
+#include "base/text/quoted_words.h"
 #include "folded/lower.h"
 #include "folded/sheet.h"
 
@@ -235,20 +237,19 @@ std::string as_options(const CreasePattern& pattern, const Ring& ring) {
     const bool by_name = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
         return !name.empty() && may_name([&](const CreaseLine& line) { return line.name == name; });
     });
+    const auto told = [](std::string_view name, double deg) {
+        return "--fold-angle " + typed_word(fmt::format("{}={}", name, shown_deg(deg)));
+    };
     std::vector<std::string> options;
     if (by_name && alike) {
-        for (const std::string& name : names)
-            options.push_back(fmt::format("--fold-angle '{}={}'", name, shown_deg(ring.deg[0])));
+        for (const std::string& name : names) options.push_back(told(name, ring.deg[0]));
     } else if (by_name && names.size() == ring.lines.size()) {
         for (std::size_t i = 0; i < ring.lines.size(); ++i)
-            options.push_back(fmt::format("--fold-angle '{}={}'", nth(pattern.lines, ring.lines[i]).name,
-                                          shown_deg(ring.deg[i])));
+            options.push_back(told(nth(pattern.lines, ring.lines[i]).name, ring.deg[i]));
     } else if (alike) {
         const CreaseUse use = nth(pattern.lines, ring.lines[0]).use;
         if (use != CreaseUse::fold && may_name([&](const CreaseLine& line) { return line.use == use; }))
-            options.push_back(fmt::format("--fold-angle {}={}",
-                                          kCreaseUseNames.at(static_cast<std::size_t>(use)),
-                                          shown_deg(ring.deg[0])));
+            options.push_back(told(kCreaseUseNames.at(static_cast<std::size_t>(use)), ring.deg[0]));
     }
     return fmt::format("{}", fmt::join(options, " "));
 }
