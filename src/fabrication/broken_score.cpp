@@ -119,8 +119,9 @@ std::vector<Segment> broken_score(const Segment& line, const FoldPart& part) {
     std::vector<Segment> scored;
     double from = 0.0;
     const auto score_to = [&](double to) {
-        if ((to - from) * length > kScoresNothingMm)
-            scored.push_back({lerp(along.a, along.b, from), lerp(along.a, along.b, to)});
+        if ((to - from) * length <= kScoresNothingMm) return false;
+        scored.push_back({lerp(along.a, along.b, from), lerp(along.a, along.b, to)});
+        return true;
     };
     for (double i = std::floor(first * gaps); i < gaps && i < std::ceil((first + share) * gaps); ++i) {
         const double middle = (i + 0.5) / gaps;
@@ -130,8 +131,7 @@ std::vector<Segment> broken_score(const Segment& line, const FoldPart& part) {
         score_to(begin);
         from = std::min(end, 1.0);
     }
-    score_to(1.0);
-    if (!scored.empty() && from < 1.0) scored.back().b = along.b;
+    if (score_to(1.0)) scored.back().b = along.b;
     return scored;
 }
 

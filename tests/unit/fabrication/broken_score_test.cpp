@@ -96,6 +96,34 @@ TEST(BrokenScore, OfACurveFollowsItsLength) {
     }
 }
 
+// However a fold is cut into lines, it has its gaps, also where one ends at an end of a line.
+TEST(BrokenScore, OfAFoldInPartsHasAllItsGaps) {
+    const auto scored_of = [](const std::vector<double>& lengths) {
+        std::vector<Segment> lines;
+        double at = 0.0;
+        for (const double length : lengths) {
+            lines.push_back({{at, 0}, {at + length, 0}});
+            at += length;
+        }
+        const std::vector<FoldPart> parts = parts_of_folds(lines);
+        double scored = 0.0;
+        for (std::size_t i = 0; i < lines.size(); ++i) scored += sum(broken_score(lines[i], parts[i]));
+        return scored;
+    };
+    EXPECT_NEAR(scored_of({5.25, 4.25}), 8.5, 1e-5);
+    EXPECT_NEAR(scored_of({11.75, 25.75}), 32.5, 1e-5);
+    for (int tenths = 10; tenths <= 60; ++tenths) {
+        for (std::size_t count = 2; count <= 60; ++count) {
+            const double whole = 0.1 * tenths * static_cast<double>(count);
+            if (std::abs(whole / 8.0 - std::floor(whole / 8.0) - 0.5) < 1e-6) continue;  // either is right
+            const double gaps = std::max(1.0, std::round(whole / 8.0));
+            const double left = whole - gaps * std::min(1.0, 0.25 * whole / gaps);
+            EXPECT_NEAR(scored_of(std::vector<double>(count, 0.1 * tenths)), left, 1e-4)
+                << count << " lines of " << tenths << " tenths";
+        }
+    }
+}
+
 // A round fold has neither beginning nor end.
 TEST(BrokenScore, OfARingHasGapsAllRound) {
     const std::vector<Segment> lines = arc(20.0, 360.0, 90);
