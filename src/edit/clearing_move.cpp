@@ -148,7 +148,7 @@ class MoveSearch {
         options.until = Stage::check;
         Source source = one_.source;
         source.text = edited->text;
-        Compilation trial = compile({source}, options, {});
+        Compilation trial = compile({source}, options, one_.diagnostics.policy());
         CompiledDesign& moved = trial.designs.front();
         find_further(moved, options);
         if (!moved.assembly || (moves(*moved.assembly) && !moved.motion)) return std::nullopt;
@@ -165,7 +165,7 @@ class MoveSearch {
     const edit::FindingCounts& before() {
         if (!before_) {
             before_ = edit::count_findings(one_.diagnostics);
-            Diagnostics of_pattern(one_.source.name);
+            Diagnostics of_pattern(one_.source.name, one_.diagnostics.policy());
             PatternOptions options = options_.pattern;
             options.clearing_move = {};
             judge_tabs(*one_.assembly, options, of_pattern);

@@ -18,7 +18,7 @@ bool can_be_tried(const CompiledDesign& design, const CompileOptions& options);
 // The source, read, checked and assembled as in a compilation. nullopt: that cannot be.
 std::optional<Assembly> assembled(const Source& source, const CompileOptions& options, Diagnostics& found);
 
-// How many warnings and errors there are of a code for an element.
+// How many warnings and errors there are of a code for an element, but for those about allowances.
 using FindingCounts = std::map<std::pair<std::string, std::string>, int>;
 FindingCounts count_findings(const Diagnostics& found);
 // Whether there are more of any than there were.
