@@ -41,8 +41,10 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
 void tell_what_closes(CompiledDesign& one, const CompileOptions& options) {
     const bool collides = one.motion->examination && !one.motion->examination->contacts.empty();
     if (!collides || !find_language(one.source, options.read.language)->drawn) return;
+    MotionOptions motion = options.motion;
+    motion.memory = nullptr;
     const auto simulated = [&](Assembly& sheet, Diagnostics& found) {
-        return simulate_sheet(sheet, options.motion, found).has_value();
+        return simulate_sheet(sheet, motion, found).has_value();
     };
     folded::tell_open_ring(*one.creases, options.fold, simulated, one.diagnostics);
 }

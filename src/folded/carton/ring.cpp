@@ -248,7 +248,11 @@ std::string as_options(const CreasePattern& pattern, const Ring& ring) {
             options.push_back(told(nth(pattern.lines, ring.lines[i]).name, ring.deg[i]));
     } else if (alike) {
         const CreaseUse use = nth(pattern.lines, ring.lines[0]).use;
-        if (use != CreaseUse::fold && may_name([&](const CreaseLine& line) { return line.use == use; }))
+        // Folds that say no direction are folded as valleys where they are free to.
+        const auto is_told = [&](const CreaseLine& line) {
+            return line.use == use || (use == CreaseUse::valley && line.use == CreaseUse::fold);
+        };
+        if (use != CreaseUse::fold && may_name(is_told))
             options.push_back(told(kCreaseUseNames.at(static_cast<std::size_t>(use)), ring.deg[0]));
     }
     return fmt::format("{}", fmt::join(options, " "));
@@ -287,7 +291,15 @@ std::string all_options(const CreasePattern& pattern, const Ring& ring, Others o
     return options.empty() ? options : "--fold-angle 90 " + options;
 }
 
-bool is_markup(const CreasePattern& pattern) { return pattern.file.ends_with(".svg"); }
+// Whether people can read its lines and write into them.
+bool is_markup(const CreasePattern& pattern) {
+    std::string end =
+        pattern.file.substr(pattern.file.size() - std::min<std::size_t>(4, pattern.file.size()));
+    std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    return end != ".dxf";
+}
 
 // For people: by the lines of a text that they can read, else by where the folds are.
 std::string where_drawn(const CreasePattern& pattern, const Ring& ring) {
