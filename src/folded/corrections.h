@@ -8,8 +8,9 @@ namespace popup::folded {
 
 // Adds to `solution` what `correct` writes, which sees the solution as it is, until the next correction would
 // be of the size of rounding, or one is not half as large as that before it, which is left out then: of
-// corrections that only follow rounding there is no end. Entries are of the size of 1, and what is less than
-// rounding beside a thousandth of that is not looked for.
+// corrections that only follow rounding there is no end. The first is added whatever it is: if it is not
+// finite, neither is the solution. Entries are of the size of 1, and what is less than rounding beside a
+// thousandth of that is not looked for.
 template <typename Correct>
 void add_corrections(Eigen::VectorXd& solution, const Correct& correct) {
     constexpr int kMost = 12;
@@ -21,7 +22,7 @@ void add_corrections(Eigen::VectorXd& solution, const Correct& correct) {
     for (int i = 0; i < kMost; ++i) {
         correct(correction);
         const double size = correction.lpNorm<Eigen::Infinity>();
-        if (!(size < kSmaller * before)) return;
+        if (i > 0 && !(size < kSmaller * before)) return;
         solution += correction;
         // Each is as small beside that before it as the next will be beside it.
         const double next = size * (size / before);

@@ -24,12 +24,15 @@ constexpr double kSolutions = 4.0;
 
 using Joined = std::vector<std::vector<int>>;
 
-// By fold: the loops that cross it, in their order.
-Joined loops_across(const Sheet& sheet, const std::vector<int>& loops) {
-    Joined across(sheet.folds.size());
+// The places of folds among those that a plan is for.
+using Columns = std::unordered_map<int, int>;
+
+// By fold of the plan: the loops that cross it, in their order.
+Joined loops_across(const Sheet& sheet, const Columns& columns, const std::vector<int>& loops) {
+    Joined across(columns.size());
     for (std::size_t i = 0; i < loops.size(); ++i) {
         for (const Step& step : nth(sheet.loops, loops[i]).steps)
-            nth(across, step.fold).push_back(static_cast<int>(i));
+            nth(across, columns.at(step.fold)).push_back(static_cast<int>(i));
     }
     return across;
 }
@@ -93,10 +96,11 @@ bool count_steps(const Joined& sets, const std::vector<double>& own, const Work&
     return work.has(kLeastFactorisations * plan.work);
 }
 
-StepPlan plan_conditions(const Sheet& sheet, const std::vector<int>& loops, const Work& work) {
+StepPlan plan_conditions(const Sheet& sheet, const Columns& columns, const std::vector<int>& loops,
+                         const Work& work) {
     StepPlan plan;
     // A fold that many loops cross joins each of them to each other.
-    Joined across = loops_across(sheet, loops);
+    Joined across = loops_across(sheet, columns, loops);
     for (const std::vector<int>& beside : across)
         plan.work += kEntrySteps * 36.0 * static_cast<double>(beside.size() * beside.size());
     if (!work.has(kLeastFactorisations * plan.work)) return plan;
@@ -104,12 +108,12 @@ StepPlan plan_conditions(const Sheet& sheet, const std::vector<int>& loops, cons
     std::vector<double> conditions;
     conditions.reserve(loops.size());
     for (const int loop : plan.loops) conditions.push_back(nth(sheet.loops, loop).corner ? 3.0 : 6.0);
-    plan.affordable = count_steps(loops_across(sheet, plan.loops), conditions, work, plan);
+    plan.affordable = count_steps(loops_across(sheet, columns, plan.loops), conditions, work, plan);
     return plan;
 }
 
-StepPlan plan_angles(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops,
-                     const Work& work) {
+StepPlan plan_angles(const Sheet& sheet, const std::vector<int>& folds, const Columns& columns,
+                     const std::vector<int>& loops, const Work& work) {
     StepPlan plan;
     plan.loops = loops;
     for (const int loop : loops) {
@@ -118,17 +122,16 @@ StepPlan plan_angles(const Sheet& sheet, const std::vector<int>& folds, const st
     }
     if (!work.has(kLeastFactorisations * plan.work)) return plan;
     std::vector<Vec2> places;
-    std::unordered_map<int, int> column;
+    places.reserve(folds.size());
     for (const int fold : folds) {
         const Segment line = sheet.line_of(nth(sheet.folds, fold));
-        column[fold] = static_cast<int>(places.size());
         places.push_back(0.5 * (line.a + line.b));
     }
     Joined sets;
     sets.reserve(loops.size());
     for (const int loop : loops) {
         sets.emplace_back();
-        for (const Step& step : nth(sheet.loops, loop).steps) sets.back().push_back(column.at(step.fold));
+        for (const Step& step : nth(sheet.loops, loop).steps) sets.back().push_back(columns.at(step.fold));
     }
     plan.angle_order = plane_order(sets, places);
     for (std::vector<int>& set : sets) {
@@ -143,8 +146,10 @@ StepPlan plan_angles(const Sheet& sheet, const std::vector<int>& folds, const st
 
 StepPlan plan_steps(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops,
                     const Work& work) {
-    const StepPlan of_conditions = plan_conditions(sheet, loops, work);
-    const StepPlan of_angles = plan_angles(sheet, folds, loops, work);
+    Columns columns;
+    for (std::size_t i = 0; i < folds.size(); ++i) columns[folds[i]] = static_cast<int>(i);
+    const StepPlan of_conditions = plan_conditions(sheet, columns, loops, work);
+    const StepPlan of_angles = plan_angles(sheet, folds, columns, loops, work);
     if (!of_angles.affordable && !of_conditions.affordable) return {};
     const bool takes_angles =
         of_angles.affordable && (!of_conditions.affordable || of_angles.work < of_conditions.work);
