@@ -82,13 +82,14 @@ class Way {
 
     void look(double deg, std::span<const Frame> frames) {
         if (!std::binary_search(asked_.begin(), asked_.end(), Angle::degrees(deg), by_degrees)) return;
-        bool closed = true;
+        here_.clear();
         for (const std::size_t i : hinges_) {
-            const double gap = gap_of(assembly_.hinges[i], frames);
-            closed = closed && gap <= tolerances_.closure_mm;
-            if (closed) gaps_[i] = std::max(gaps_[i], gap);
+            here_.push_back(gap_of(assembly_.hinges[i], frames));
+            if (!(here_.back() <= tolerances_.closure_mm)) return;
         }
-        if (closed) result_.closed_at.push_back(deg);
+        for (std::size_t n = 0; n < hinges_.size(); ++n)
+            gaps_[hinges_[n]] = std::max(gaps_[hinges_[n]], here_[n]);
+        result_.closed_at.push_back(deg);
     }
 
     const Assembly& assembly_;
@@ -97,6 +98,7 @@ class Way {
     const Tolerances& tolerances_;
     std::vector<std::size_t> hinges_;  // that are looked at
     std::vector<double> gaps_;         // the most that each opens
+    std::vector<double> here_;         // by those that are looked at, at one angle
     WholeWay result_;
 };
 
