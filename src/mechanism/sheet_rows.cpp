@@ -43,10 +43,11 @@ const std::optional<Border>& border_without_loops(const Subpath& line) {
     };
     thread_local Last last;
     if (!last.border || !same(last.line, line)) {
+        last.border.reset();
         last.line = line;
-        last.border = border_of_line(line);
-        if (last.border && (without_loops(*last.border).hopeless || last.border->edges.size() < 3))
-            last.border.reset();
+        std::optional<Border> border = border_of_line(line);
+        if (border && !without_loops(*border).hopeless && border->edges.size() >= 3)
+            last.border = std::move(border);
     }
     return last.border;
 }

@@ -1,6 +1,7 @@
 #include "popup/image.h"
 
 #include <atomic>
+#include <memory>
 #include <utility>
 
 #include "pictures/decode.h"
@@ -27,11 +28,12 @@ std::atomic<std::size_t> kept_bytes = 0;
 // Null: there are too many.
 std::shared_ptr<const ImagePixels> kept(ImagePixels pixels) {
     const std::size_t size = pixels.rgba.size();
+    auto made = std::make_unique<const ImagePixels>(std::move(pixels));
     if (kept_bytes.fetch_add(size) + size > kMostKeptBytes) {
         kept_bytes -= size;
         return nullptr;
     }
-    return {new ImagePixels(std::move(pixels)), [size](const ImagePixels* those) {
+    return {made.release(), [size](const ImagePixels* those) {
                 delete those;
                 kept_bytes -= size;
             }};
