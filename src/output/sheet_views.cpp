@@ -153,8 +153,8 @@ std::vector<char> covered_backs(const Layout& layout) {
 
 // A sheet of backs that nobody asked for says in its name alone what it is.
 void examine_backs(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
-    if (options.backs || options.print_and_cut || !options.profile.marks_glue() ||
-        marks_all_of_backs(options) ||
+    if (options.backs || options.score_side != ScoreSide::front || options.print_and_cut ||
+        !options.profile.marks_glue() || marks_all_of_backs(options) ||
         !marks_covered_backs(options.profile.marks_on, options.score_side, true))
         return;
     const std::vector<char> covered = covered_backs(layout);
@@ -162,7 +162,7 @@ void examine_backs(const Layout& layout, const OutputOptions& options, Diagnosti
     if (backs == 0) return;
     diagnostics
         .remark("backs-to-mark", {},
-                fmt::format("{} mirrored back{}, with the numbers of what is glued flat",
+                fmt::format("{} mirrored back{}, with marks of what is glued there",
                             backs == 1 ? "1 sheet has a" : fmt::format("{} sheets have", backs),
                             backs == 1 ? "" : "s"))
         .hint(

@@ -116,7 +116,7 @@ TEST(GlueMarks, OnBacksThatNobodyAskedForAreTold) {
     const std::vector<std::string> none;
     EXPECT_EQ(told(options),
               std::vector<std::string>{
-                  "1 sheet has a mirrored back, with the numbers of what is glued flat; mark the back first "
+                  "1 sheet has a mirrored back, with marks of what is glued there; mark the back first "
                   "(the file whose name ends in -back; in PDF the page after the front), turn the sheet over "
                   "from left to right, and cut the front; --marks-on none leaves all marks out"});
     for (const MarksOn asked : {MarksOn::none, MarksOn::front, MarksOn::back}) {
