@@ -286,16 +286,6 @@ class Solver {
     std::vector<double> residual_;
 };
 
-// Whether a panel would have no area left.
-bool turns_panels_over(const Sheet& sheet, const Solver& solver) {
-    return std::any_of(sheet.panels.begin(), sheet.panels.end(), [&](const Panel& panel) {
-        Ring ring;
-        ring.reserve(panel.outer.size());
-        for (const int corner : panel.outer) ring.push_back(sheet.at(corner) + solver.moved_by(corner));
-        return signed_area(ring) <= 0.0;
-    });
-}
-
 }  // namespace
 
 Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
@@ -321,19 +311,39 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
                 result.most_mm = by;
                 result.corner = static_cast<int>(i);
             }
-            if (result.most_mm > most_mm || turns_panels_over(sheet, solver) ||
-                (best.closes && result.most_mm >= kClearlyLess * best.most_mm))
+            if (result.most_mm > most_mm || (best.closes && result.most_mm >= kClearlyLess * best.most_mm))
                 continue;
+            std::vector<Vec2> moved = sheet.corners;
+            for (std::size_t i = 0; i < moved.size(); ++i)
+                moved[i] = moved[i] + solver.moved_by(static_cast<int>(i));
+            if (!keeps_panels(sheet, moved)) continue;
             best = result;
-            corners = sheet.corners;
-            for (std::size_t i = 0; i < corners.size(); ++i)
-                corners[i] = corners[i] + solver.moved_by(static_cast<int>(i));
+            corners = std::move(moved);
         }
         if (best.closes) break;
     }
     if (!best.closes) return best;
     move_corners(sheet, std::move(corners));
     return best;
+}
+
+bool keeps_panels(const Sheet& sheet, const std::vector<Vec2>& corners) {
+    constexpr double kLeastLeft = 1e-3;
+    const bool have_areas = std::all_of(sheet.panels.begin(), sheet.panels.end(), [&](const Panel& panel) {
+        Ring before;
+        Ring after;
+        for (const int corner : panel.outer) {
+            before.push_back(sheet.at(corner));
+            after.push_back(nth(corners, corner));
+        }
+        return signed_area(after) > kLeastLeft * signed_area(before);
+    });
+    return have_areas && std::all_of(sheet.folds.begin(), sheet.folds.end(), [&](const Fold& fold) {
+               return std::all_of(fold.stretches.begin(), fold.stretches.end(), [&](const Stretch& one) {
+                   return distance(nth(corners, one.a), nth(corners, one.b)) >
+                          kLeastLeft * distance(sheet.at(one.a), sheet.at(one.b));
+               });
+           });
 }
 
 void move_corners(Sheet& sheet, std::vector<Vec2> corners) {

@@ -171,7 +171,7 @@ Refined straighten(Sheet& sheet, double most_mm, Work& work) {
         result.most_mm = by;
         result.corner = static_cast<int>(i);
     }
-    result.closes = result.corner >= 0 && result.most_mm <= most_mm;
+    result.closes = result.corner >= 0 && result.most_mm <= most_mm && keeps_panels(sheet, corners);
     if (result.closes) move_corners(sheet, std::move(corners));
     return result;
 }

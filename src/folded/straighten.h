@@ -12,9 +12,10 @@
 namespace popup::folded {
 
 // Moves corners by as little as makes all folds straight that pass through a corner, and all corners fold
-// flat, where that fails by less than 2e-3 radians. `closes` says whether any had to be moved and none by
-// more than `most_mm`; else the sheet is as it was. Cost: a few sparse factorisations of as many rows as
-// there are such folds and corners, which `work` pays for; once it is spent the sheet is left as it was.
+// flat, where that fails by less than 2e-3 radians. `closes` says whether any had to be moved, none by more
+// than `most_mm`, and so that keeps_panels() holds; else the sheet is as it was. Cost: a few sparse
+// factorisations of as many rows as there are such folds and corners, which `work` pays for; once it is spent
+// the sheet is left as it was.
 Refined straighten(Sheet& sheet, double most_mm, Work& work);
 
 }  // namespace popup::folded
