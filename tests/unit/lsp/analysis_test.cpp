@@ -97,9 +97,10 @@ TEST(Analysis, AfterEachChangeIsThatOfWhoKnowsNothing) {
             type(text, random);
         }
     }
+    EXPECT_GT(remembered, static_cast<int>(2 * seeds));
+    if (test::kSanitized) return;  // half of the documents have not all of these
     for (const char* code : {"collision", "protrusion", "tab-too-small", "glue-overlaps", "unused-allow"})
         EXPECT_GT(codes[code], 0) << code;
-    EXPECT_GT(remembered, static_cast<int>(2 * seeds));
 }
 
 }  // namespace
