@@ -103,10 +103,14 @@ bool beside(const Triangle2& first, const Triangle2& second) {
     return false;
 }
 
+// How much is asked of counts: the more squares a grid has the more it tells, but they are all filled.
+enum class Questions { few, many };
+
 // How many of some boxes can lie over a point: those that touch its square of a grid.
 class BoxCounts {
  public:
-    explicit BoxCounts(const EdgeIndex& diagonals) {
+    BoxCounts() = default;
+    BoxCounts(const EdgeIndex& diagonals, Questions questions) {
         Box all;
         for (int i = 0; i < diagonals.size(); ++i) {
             all.extend(diagonals[i].a);
@@ -114,7 +118,9 @@ class BoxCounts {
         }
         if (all.empty()) return;
         const double boxes = diagonals.size() + 1;
-        const double squares = std::max(kLeastSquares * boxes, std::min(kMostSquares * boxes, kSquares));
+        double squares = kLeastSquares * boxes;
+        if (questions == Questions::many)
+            squares = std::max(squares, std::min(kMostSquares * boxes, kSquares));
         origin_ = all.min;
         const double side =
             std::max(std::sqrt(all.width() * all.height() / squares), (all.width() + all.height()) / squares);
@@ -171,7 +177,7 @@ class BoxCounts {
     }
 
  private:
-    // For each box; the more there are, the more they tell, but they are all filled.
+    // For each box.
     static constexpr double kLeastSquares = 64.0;
     static constexpr double kMostSquares = 1024.0;
     static constexpr double kSquares = 1 << 20;  // in all, unless there are many boxes
@@ -224,7 +230,6 @@ class LayerSearch {
             diagonals.push_back({box.min, box.max});
         }
         boxes_ = EdgeIndex({}, diagonals);
-        counts_ = BoxCounts(boxes_);
         for (const Frame& frame : frames_) {
             const Vec3 n = frame.normal();
             slopes_.push_back({dot(n, frame.origin - plane_.origin), dot(n, plane_.x), dot(n, plane_.y),
@@ -243,6 +248,7 @@ class LayerSearch {
         most_ = 0;
         thickest_ = {};
         work_ = 0;
+        counts_ = {boxes_, Questions::many};
         if (look_at_all()) return true;
         overlaps_.clear();
         most_ = 0;
@@ -434,7 +440,7 @@ class LayerSearch {
     std::vector<Frame> frames_;
     std::vector<Slope> slopes_;  // by plate
     EdgeIndex boxes_;
-    BoxCounts counts_{boxes_};
+    BoxCounts counts_;
     std::vector<int> here_, found_;
     std::vector<Overlap> overlaps_;  // of each two plates that have one, in order
     std::vector<Box> regions_;
@@ -485,6 +491,7 @@ bool LayerSearch::look_again(const Recall& recall, Recall::Counts& counts) {
     const LayersKept& kept = recall.kept().layers;
     if (!kept.known || kept.plane != numbers_of(plane_) || kept.most == 0) return false;
     find_regions(recall);
+    counts_ = {boxes_, Questions::few};
     work_ = kept.work;
     const Box thickest{kept.thickest, kept.thickest};
     const bool is_outside = !in_regions(thickest);
