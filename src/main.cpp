@@ -2,6 +2,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <csignal>
@@ -30,6 +33,16 @@ void settle_process() {
     }
 }
 
+// What is freed is soon wanted again, by the next stage, design or keystroke. By default the C library gives
+// blocks of more than 128 KB and the end of the heap back at once, and the kernel clears them anew.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int kMiB = 1 << 20;
+    ::mallopt(M_TRIM_THRESHOLD, 256 * kMiB);
+    ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
+#endif
+}
+
 int run(std::vector<std::string> arguments) {
     const std::variant<Command, std::string> wanted = read_command(std::move(arguments));
     if (const auto* text = std::get_if<std::string>(&wanted)) return print(*text) ? exit_done : exit_unusable;
@@ -46,6 +59,7 @@ int run(std::vector<std::string> arguments) {
 int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
     using namespace popup::cli;
     settle_process();
+    keep_freed_memory();
     std::set_new_handler(end_out_of_memory);
     try {
         return run({argv + std::min(argc, 1), argv + argc});
