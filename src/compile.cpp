@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "folded/carton/ring.h"
-#include "popup/find.h"
-#include "popup/tabs.h"
 #include "run/crew.h"
 #include "run/unique_stems.h"
 #include "run/unused_allowances.h"

@@ -101,6 +101,10 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
 // nothing done twice. Its source and the options, but for `until`, are those that it was compiled with.
 void compile_further(CompiledDesign& one, const CompileOptions& options);
 
+// The same up to Stage::pattern for who wants the findings alone, such as an editor: in place of the pattern,
+// which is not made, judge_tabs() says what that would have found. options.until is not looked at.
+void find_further(CompiledDesign& one, const CompileOptions& options);
+
 // The last stage alone, of designs that were compiled as far as their patterns with the same options: lays
 // them all out together. Does nothing where a design has errors, or there are no patterns; what it finds is
 // the run's. compile() is that and this.

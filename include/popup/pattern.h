@@ -114,4 +114,8 @@ double shared_seams(const Assembly& assembly, const std::string& element, const 
 std::optional<Pattern> make_pattern(const Assembly& assembly, const PatternOptions& options,
                                     Diagnostics& diagnostics);
 
+// Finds what make_pattern() finds, in the same order, for who needs no pattern. Cost: that of the tabs alone;
+// no piece is drawn.
+void judge_tabs(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics);
+
 }  // namespace popup

@@ -11,8 +11,6 @@
 #include "edit/trial.h"
 #include "input/xml/read.h"
 #include "popup/edit.h"
-#include "popup/find.h"
-#include "popup/tabs.h"
 
 namespace popup {
 namespace {

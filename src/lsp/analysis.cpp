@@ -10,7 +10,6 @@
 
 #include "input/text.h"
 #include "input/xml/read.h"
-#include "popup/find.h"
 #include "repair/mend_document.h"
 #include "repair/move_element.h"
 

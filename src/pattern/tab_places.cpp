@@ -8,7 +8,6 @@
 
 #include "pattern/glue_overlaps.h"
 #include "pattern/silhouette.h"
-#include "popup/tabs.h"
 
 namespace popup {
 namespace {

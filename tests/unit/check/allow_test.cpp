@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "popup/compile.h"
-#include "popup/find.h"
 #include "support/designs.h"
 #include "support/run_program.h"
 

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "pattern/tabs.h"
-#include "popup/tabs.h"
 #include "support/designs.h"
 #include "support/prints.h"
 #include "unit/pattern/hand_made_card.h"
