@@ -185,15 +185,13 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "by "
      "two. Else add the creases along which the paper bends."},
     {"ring-open", Severity::remark, "walls that would meet if their folds went to another angle",
-     "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. Here "
-     "panels "
-     "go through one another then, and a row of walls, with a glue flap at its end, has a number of sides "
-     "for "
-     "which another angle is right: 60° for six walls, 120° for three as wide as one another. Folded so, "
-     "with "
-     "all other folds as they are, the walls meet, the glue flap lies on the first of them, and nothing goes "
-     "through anything: that was tried. The hint says how to give the angle, by a name that only these folds "
-     "have, or in the drawing."},
+     "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. Panels of "
+     "this drawing then go through one another. It has a row of walls with a glue flap at its end, which "
+     "meet "
+     "at another angle: 60° for six walls, 120° for three of one width. popupc has tried that angle: the "
+     "walls "
+     "meet, the glue flap lies on the first of them, and nothing goes through anything. The message says if "
+     "other folds go otherwise too. The hint says how to give the angle, as an option or in the drawing."},
 });
 
 }  // namespace

@@ -16,9 +16,11 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "numbers that have changed; and, where several designs go into one file, all keys, because they would "
      "speak of the others too. Write each design into a file of its own, or copy what is missing."},
     {"backs-to-mark", Severity::remark, "sheets have backs that are to be marked before the fronts are cut",
-     "A piece that is glued flat has no tab that could hide its number. Its number is marked on its back, "
-     "which the glue covers, and on a back on which something is glued. Such sheets have a mirrored back, "
-     "drawn as the sheet is seen when it is turned over from left to right: a second file whose name ends "
+     "A piece that is glued flat has no tab for its number. The number is marked on its back, where the glue "
+     "covers it. What is glued to the back of a plate has its place marked there. Such sheets have a "
+     "mirrored "
+     "back, drawn as the sheet is seen when it is turned over from left to right: a second file whose name "
+     "ends "
      "in -back, in PDF the page after the front. Mark it first, then turn the sheet over and cut the front. "
      "--marks-on front marks the numbers where they are seen; --marks-on none leaves all marks out."},
     {"font-missing", Severity::error, "the font of the labels cannot be read",

@@ -142,8 +142,8 @@ class RingFinder {
  public:
     RingFinder(const CreasePattern& pattern, const Sheet& sheet) : pattern_(pattern), sheet_(sheet) {}
 
-    [[nodiscard]] std::optional<Ring> longest() const {
-        std::optional<Ring> best;
+    [[nodiscard]] std::optional<OpenRing> longest() const {
+        std::optional<OpenRing> best;
         for (const Row& row : RowFinder(sheet_).rows()) {
             if (best && row.folds.size() <= best->lines.size()) continue;
             if (auto ring = ring_of(row)) best = std::move(ring);
@@ -152,14 +152,14 @@ class RingFinder {
     }
 
  private:
-    [[nodiscard]] std::optional<Ring> ring_of(const Row& row) const {
+    [[nodiscard]] std::optional<OpenRing> ring_of(const Row& row) const {
         const std::vector<double> walls(row.widths.begin(), row.widths.end() - 1);
         if (row.goes_on || walls.size() < kLeastWalls || walls.size() != row.folds.size())
             return std::nullopt;
         if (row.widths.back() >= kFlapWidth * *std::min_element(walls.begin(), walls.end()))
             return std::nullopt;
         const Fold& first = nth(sheet_.folds, row.folds[0]);
-        Ring ring{{}, closing_angles(walls), std::abs(first.target) / kDegree};
+        OpenRing ring{{}, closing_angles(walls), std::abs(first.target) / kDegree};
         if (ring.deg.empty()) return std::nullopt;
         bool is_so = true;
         for (std::size_t i = 0; i < row.folds.size(); ++i) {
@@ -189,13 +189,13 @@ class RingFinder {
 // go to 90°.
 enum class Others { as_they_are, of_boxes };
 
-bool is_of(const Ring& ring, std::size_t line) {
+bool is_of(const OpenRing& ring, std::size_t line) {
     return std::find(ring.lines.begin(), ring.lines.end(), static_cast<int>(line)) != ring.lines.end();
 }
 bool is_folded(const CreaseLine& line) { return line.use != CreaseUse::cut && line.use != CreaseUse::flat; }
 
 // nullopt: there are no others.
-std::optional<CreasePattern> folded_so(const CreasePattern& pattern, const Ring& ring, Others others) {
+std::optional<CreasePattern> folded_so(const CreasePattern& pattern, const OpenRing& ring, Others others) {
     CreasePattern made = pattern;
     for (std::size_t i = 0; i < ring.lines.size(); ++i)
         nth(made.lines, ring.lines[i]).fold_deg = std::round(ring.deg[i] * 100.0) / 100.0;
@@ -210,7 +210,7 @@ std::optional<CreasePattern> folded_so(const CreasePattern& pattern, const Ring&
 }
 
 // Whether all other folds go to 90° if all are told to, and none to less or more than is meant.
-bool may_tell_all(const CreasePattern& pattern, const Ring& ring) {
+bool may_tell_all(const CreasePattern& pattern, const OpenRing& ring) {
     for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
         const CreaseLine& line = pattern.lines[i];
         if (is_folded(line) && !is_of(ring, i) && line.fold_deg.value_or(pattern.fold_deg) != kColourDeg &&
@@ -223,7 +223,7 @@ bool may_tell_all(const CreasePattern& pattern, const Ring& ring) {
 std::string shown_deg(double deg) { return fmt::format("{:.6g}", std::round(deg * 100.0) / 100.0); }
 
 // Angles by what they are given to, as --fold-angle takes them; empty: no such name is of these lines alone.
-std::string as_options(const CreasePattern& pattern, const Ring& ring) {
+std::string as_options(const CreasePattern& pattern, const OpenRing& ring) {
     const bool alike = std::all_of(ring.deg.begin(), ring.deg.end(),
                                    [&](double deg) { return shown_deg(deg) == shown_deg(ring.deg[0]); });
     const auto may_name = [&](const auto& has_name) {
@@ -264,7 +264,7 @@ std::string listed(const std::vector<std::string>& words) {
     return fmt::format("{} and {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
 }
 
-std::string angles_of(const Ring& ring) {
+std::string angles_of(const OpenRing& ring) {
     std::vector<std::string> deg;
     for (const double one : ring.deg) deg.push_back(shown_deg(one) + "°");
     if (std::set<std::string>(deg.begin(), deg.end()).size() == 1) return deg[0];
@@ -272,7 +272,7 @@ std::string angles_of(const Ring& ring) {
 }
 
 // Whether the elements that draw these folds draw no other.
-bool have_own_elements(const CreasePattern& pattern, const Ring& ring) {
+bool have_own_elements(const CreasePattern& pattern, const OpenRing& ring) {
     for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
         if (is_of(ring, i)) continue;
         for (const int line : ring.lines) {
@@ -283,7 +283,7 @@ bool have_own_elements(const CreasePattern& pattern, const Ring& ring) {
 }
 
 // The options that fold the sheet so; empty: none can.
-std::string all_options(const CreasePattern& pattern, const Ring& ring, Others others) {
+std::string all_options(const CreasePattern& pattern, const OpenRing& ring, Others others) {
     std::string options = as_options(pattern, ring);
     if (others == Others::as_they_are) return options;
     if (!may_tell_all(pattern, ring)) return {};
@@ -302,7 +302,7 @@ bool is_markup(const CreasePattern& pattern) {
 }
 
 // For people: by the lines of a text that they can read, else by where the folds are.
-std::string where_drawn(const CreasePattern& pattern, const Ring& ring) {
+std::string where_drawn(const CreasePattern& pattern, const OpenRing& ring) {
     std::set<int> places;
     std::vector<std::string> middles;
     for (const int number : ring.lines) {
@@ -317,7 +317,7 @@ std::string where_drawn(const CreasePattern& pattern, const Ring& ring) {
     return fmt::format("in line{} {}", words.size() == 1 ? "" : "s", listed(words));
 }
 
-std::string what_mends(const CreasePattern& pattern, const Ring& ring, Others others) {
+std::string what_mends(const CreasePattern& pattern, const OpenRing& ring, Others others) {
     const std::string options = all_options(pattern, ring, others);
     if (!options.empty()) return "fold them so: " + options;
     const std::string where = where_drawn(pattern, ring);
@@ -335,7 +335,7 @@ std::string what_mends(const CreasePattern& pattern, const Ring& ring, Others ot
 
 }  // namespace
 
-std::optional<Ring> open_ring(const CreasePattern& pattern, const FoldOptions& options) {
+std::optional<OpenRing> open_ring(const CreasePattern& pattern, const FoldOptions& options) {
     if (!options.fold_angles.empty() || options.to < 1.0 || options.flat) return std::nullopt;
     Diagnostics unheard;
     const std::optional<Sheet> sheet = make_sheet(pattern, options, unheard);
@@ -345,7 +345,7 @@ std::optional<Ring> open_ring(const CreasePattern& pattern, const FoldOptions& o
 
 void tell_open_ring(const CreasePattern& pattern, const FoldOptions& options, const Simulated& simulated,
                     Diagnostics& diagnostics) {
-    const std::optional<Ring> ring = open_ring(pattern, options);
+    const std::optional<OpenRing> ring = open_ring(pattern, options);
     if (!ring) return;
     for (const Others others : {Others::of_boxes, Others::as_they_are}) {
         const std::optional<CreasePattern> trial = folded_so(pattern, *ring, others);
@@ -354,12 +354,11 @@ void tell_open_ring(const CreasePattern& pattern, const FoldOptions& options, co
         std::optional<Assembly> folded = fold_sheet(*trial, options, unheard);
         if (!folded || !simulated(*folded, unheard) || unheard.has_findings()) continue;
         diagnostics
-            .remark(
-                "ring-open", nth(pattern.lines, ring->lines[0]).place,
-                fmt::format("{0} walls side by side, with a glue flap at their end, meet where their {0} "
-                            "folds go by {1}, and not by {2}°{3}: so folded, nothing goes through anything",
-                            ring->lines.size(), angles_of(*ring), shown_deg(ring->is_deg),
-                            others == Others::of_boxes ? ", and all other folds by 90°" : ""))
+            .remark("ring-open", nth(pattern.lines, ring->lines[0]).place,
+                    fmt::format("{0} walls side by side, with a glue flap at their end, meet if their {0} "
+                                "folds go by {1} instead of {2}°{3}; nothing goes through anything then",
+                                ring->lines.size(), angles_of(*ring), shown_deg(ring->is_deg),
+                                others == Others::of_boxes ? ", and all other folds by 90°" : ""))
             .hint(what_mends(pattern, *ring, others));
         return;
     }

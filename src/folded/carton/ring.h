@@ -12,7 +12,7 @@
 namespace popup::folded {
 
 // Folds side by side, with a wall between each and the next.
-struct Ring {
+struct OpenRing {
     std::vector<int> lines;   // of the pattern, a line a fold, the glue flap's last
     std::vector<double> deg;  // how far each goes, (0, 180)
     double is_deg = 0.0;      // how far the first goes as it is
@@ -23,7 +23,7 @@ struct Ring {
 // way around; of three walls, each as the triangle has it. nullopt: there is none, the drawing or the options
 // say how far one of its folds goes, or they go so far already. Cost: that of make_sheet(), and linear in
 // folds times walls.
-std::optional<Ring> open_ring(const CreasePattern& pattern, const FoldOptions& options);
+std::optional<OpenRing> open_ring(const CreasePattern& pattern, const FoldOptions& options);
 
 // Whether an assembly moves; what is found about that is in the diagnostics.
 using Simulated = std::function<bool(Assembly&, Diagnostics&)>;

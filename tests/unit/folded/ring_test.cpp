@@ -68,27 +68,27 @@ std::size_t collisions(const CreasePattern& pattern, const FoldOptions& options)
     return all;
 }
 
-TEST(Ring, SixWallsGoBySixtyDegrees) {
+TEST(OpenRing, SixWallsGoBySixtyDegrees) {
     const auto ring = folded::open_ring(strip({40, 40, 40, 40, 40, 40, 12}), {});
     ASSERT_TRUE(ring);
     EXPECT_EQ(ring->lines, (std::vector<int>{1, 2, 3, 4, 5, 6}));
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 60.0);
 }
 
-TEST(Ring, TheGlueFlapMayComeFirst) {
+TEST(OpenRing, TheGlueFlapMayComeFirst) {
     const auto ring = folded::open_ring(strip({12, 30, 30, 30, 30, 30}), {});
     ASSERT_TRUE(ring);
     EXPECT_EQ(ring->lines, (std::vector<int>{5, 4, 3, 2, 1}));
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 72.0);
 }
 
-TEST(Ring, OppositeWallsMayBeWiderThanOthers) {
+TEST(OpenRing, OppositeWallsMayBeWiderThanOthers) {
     const auto ring = folded::open_ring(strip({60, 30, 25, 60, 30, 25, 12}), {});
     ASSERT_TRUE(ring);
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 60.0);
 }
 
-TEST(Ring, ThreeWallsGoAsTheTriangleHasIt) {
+TEST(OpenRing, ThreeWallsGoAsTheTriangleHasIt) {
     const auto ring = folded::open_ring(strip({30, 40, 50, 12}), {});
     ASSERT_TRUE(ring);
     ASSERT_EQ(ring->deg.size(), 3U);
@@ -97,7 +97,7 @@ TEST(Ring, ThreeWallsGoAsTheTriangleHasIt) {
     EXPECT_NEAR(ring->deg[2], 180.0 - 53.1301, 1e-4);
 }
 
-TEST(Ring, NothingIsSaidOfWhatIsNoneOrIsKnown) {
+TEST(OpenRing, NothingIsSaidOfWhatIsNoneOrIsKnown) {
     const std::vector<double> six{40, 40, 40, 40, 40, 40, 12};
     EXPECT_FALSE(folded::open_ring(strip({50, 30, 50, 30, 12}), {})) << "a box";
     EXPECT_FALSE(folded::open_ring(strip({40, 40, 40, 40, 40, 40}), {})) << "the last is no glue flap";
@@ -118,15 +118,14 @@ TEST(Ring, NothingIsSaidOfWhatIsNoneOrIsKnown) {
 }
 
 // Whoever gives the option no longer sees a collision.
-TEST(Ring, TheHintIsAnOptionWhereANameIsOfTheseFoldsAlone) {
+TEST(OpenRing, TheHintIsAnOptionWhereANameIsOfTheseFoldsAlone) {
     const CreasePattern pattern = strip_with_lid({60, 30, 25, 60, 30, 25, 12}, "#00ff00");
     EXPECT_GT(collisions(pattern, {}), 0U);
     const auto told = told_of(pattern);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(
-        told[0].message,
-        "6 walls side by side, with a glue flap at their end, meet where their 6 folds go by 60°, and not "
-        "by 90°: so folded, nothing goes through anything");
+    EXPECT_EQ(told[0].message,
+              "6 walls side by side, with a glue flap at their end, meet if their 6 folds go by 60° instead "
+              "of 90°; nothing goes through anything then");
     EXPECT_EQ(told[0].hints, (std::vector<std::string>{"fold them so: --fold-angle '#ff0000=60'"}));
     EXPECT_EQ(told[0].place.line, 2);
     FoldOptions options;
@@ -134,7 +133,7 @@ TEST(Ring, TheHintIsAnOptionWhereANameIsOfTheseFoldsAlone) {
     EXPECT_EQ(collisions(pattern, options), 0U);
 }
 
-TEST(Ring, TheHintIsTheirKindWhereOnlyTheyAreOfIt) {
+TEST(OpenRing, TheHintIsTheirKindWhereOnlyTheyAreOfIt) {
     CreasePattern pattern = strip_with_lid({60, 30, 25, 60, 30, 25, 12}, "#ff0000");
     pattern.lines.back().use = CreaseUse::valley;  // the lid opens
     const auto told = told_of(pattern);
@@ -142,7 +141,7 @@ TEST(Ring, TheHintIsTheirKindWhereOnlyTheyAreOfIt) {
     EXPECT_EQ(told[0].hints, (std::vector<std::string>{"fold them so: --fold-angle mountain=60"}));
 }
 
-TEST(Ring, TheHintIsForTheDrawingWhereNoOptionTellsThemApart) {
+TEST(OpenRing, TheHintIsForTheDrawingWhereNoOptionTellsThemApart) {
     CreasePattern pattern = strip_with_lid({60, 30, 25, 60, 30, 25, 12}, "#ff0000");
     const auto hint = [&] {
         const auto told = told_of(pattern);
@@ -167,7 +166,7 @@ TEST(Ring, TheHintIsForTheDrawingWhereNoOptionTellsThemApart) {
 }
 
 // Their angles differ, so that each needs a colour of its own, or all need one.
-TEST(Ring, ThreeWallsAreToldWithThreeAngles) {
+TEST(OpenRing, ThreeWallsAreToldWithThreeAngles) {
     CreasePattern pattern = strip({30, 40, 50, 12});
     auto told = told_of(pattern);
     ASSERT_EQ(told.size(), 1U);
@@ -181,16 +180,15 @@ TEST(Ring, ThreeWallsAreToldWithThreeAngles) {
 }
 
 // Pure red and blue are the colours of Origami Simulator, whose folds go to 180° unless they are pale.
-TEST(Ring, ColoursThatSay180DoNotStandInTheWay) {
+TEST(OpenRing, ColoursThatSay180DoNotStandInTheWay) {
     CreasePattern box = strip_with_lid({50, 30, 50, 30, 12}, "#ff0000");
     for (CreaseLine& line : box.lines) line.fold_deg = 180.0;
     EXPECT_GT(collisions(box, {}), 0U);
     auto told = told_of(box);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(
-        told[0].message,
-        "4 walls side by side, with a glue flap at their end, meet where their 4 folds go by 90°, and not "
-        "by 180°, and all other folds by 90°: so folded, nothing goes through anything");
+    EXPECT_EQ(told[0].message,
+              "4 walls side by side, with a glue flap at their end, meet if their 4 folds go by 90° instead "
+              "of 180°, and all other folds by 90°; nothing goes through anything then");
     EXPECT_EQ(told[0].hints, (std::vector<std::string>{"fold them so: --fold-angle 90"}));
     FoldOptions options;
     options.fold_angles.push_back({"", Angle::degrees(90.0)});
@@ -210,7 +208,7 @@ TEST(Ring, ColoursThatSay180DoNotStandInTheWay) {
     EXPECT_EQ(collisions(six, options), 0U);
 }
 
-TEST(Ring, NothingIsToldThatDoesNotMend) {
+TEST(OpenRing, NothingIsToldThatDoesNotMend) {
     const CreasePattern pattern = strip({60, 30, 25, 60, 30, 25, 12});
     Diagnostics told(pattern.file);
     const auto collides = [](Assembly& /*sheet*/, Diagnostics& found) {
