@@ -4,70 +4,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdint>
-#include <cstring>
+#include <memory>
 #include <set>
 
-#include "base/system/digest.h"
 #include "output/font_file.h"
-#include "popup/image.h"
 
 namespace popup {
 namespace {
 
 using FontOptions = std::unique_ptr<cairo_font_options_t, Release<cairo_font_options_destroy>>;
-
-using Bytes = std::shared_ptr<const std::string>;
-
-// Gives a surface the file that it was made of. The surface keeps the bytes alive.
-void attach_file(cairo_surface_t* surface, const char* kind, const Bytes& bytes) {
-    auto* kept = new Bytes(bytes);
-    const auto give_back = [](void* data) { delete static_cast<Bytes*>(data); };
-    if (cairo_surface_set_mime_data(surface, kind, reinterpret_cast<const unsigned char*>(bytes->data()),
-                                    bytes->size(), give_back, kept) != CAIRO_STATUS_SUCCESS) {
-        delete kept;
-    }
-}
-
-// Pixels as Cairo has them: a word each, its channels multiplied by alpha.
-template <bool opaque>
-void fill_row(const std::uint8_t* from, std::size_t width, unsigned char* row) {
-    for (std::size_t x = 0; x < width; ++x, from += 4, row += 4) {
-        const std::uint32_t alpha = opaque ? 255U : from[3];
-        const auto scaled = [&](std::uint32_t channel) {
-            return opaque ? channel : (channel * alpha + 127U) / 255U;
-        };
-        const std::uint32_t pixel =
-            alpha << 24 | scaled(from[0]) << 16 | scaled(from[1]) << 8 | scaled(from[2]);
-        std::memcpy(row, &pixel, sizeof pixel);
-    }
-}
-
-Surface picture_surface(const Image& image) {
-    const std::optional<ImagePixels> pixels = pixels_of(image);
-    if (!pixels) return nullptr;
-    Surface surface(cairo_image_surface_create(pixels->opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
-                                               pixels->width, pixels->height));
-    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
-    cairo_surface_flush(surface.get());
-    unsigned char* data = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    const auto width = static_cast<std::size_t>(pixels->width);
-    for (int y = 0; y < pixels->height; ++y) {
-        const std::uint8_t* from = pixels->rgba.data() + 4 * width * static_cast<std::size_t>(y);
-        unsigned char* row = data + static_cast<std::ptrdiff_t>(y) * stride;
-        if (pixels->opaque)
-            fill_row<true>(from, width, row);
-        else
-            fill_row<false>(from, width, row);
-    }
-    cairo_surface_mark_dirty(surface.get());
-    if (image.format == ImageFormat::jpeg) attach_file(surface.get(), CAIRO_MIME_TYPE_JPEG, image.bytes);
-    // A picture that several sheets show stands in a document once.
-    const auto name = std::make_shared<const std::string>(sha256(*image.bytes));
-    attach_file(surface.get(), CAIRO_MIME_TYPE_UNIQUE_ID, name);
-    return surface;
-}
 
 class Painter {
  public:
@@ -129,17 +74,10 @@ class Painter {
         }
     }
 
-    // The picture as Cairo has it: of a JPEG also its file, which pages take as it is. Null where it cannot
-    // be decoded.
-    cairo_surface_t* surface_of(const Image& image) {
-        const auto [known, fresh] = pictures_.try_emplace(image.bytes.get());
-        if (fresh) known->second = picture_surface(image);
-        return known->second.get();
-    }
-
     void image(const SheetShape& shape) {
         const SheetImage& shown = drawing_.images[static_cast<std::size_t>(shape.image)];
-        cairo_surface_t* surface = surface_of(*shown.image);
+        const PaintedPictures::Picture& picture = pictures_.of(*shown.image);
+        cairo_surface_t* surface = picture.surface.get();
         if (surface == nullptr) return;
         const Affine& place = shown.place;
         cairo_matrix_t matrix;
@@ -156,6 +94,7 @@ class Painter {
             again && cairo_surface_get_type(cairo_get_target(cairo_)) == CAIRO_SURFACE_TYPE_PDF;
         if (apart) cairo_push_group(cairo_);
         cairo_transform(cairo_, &matrix);
+        cairo_scale(cairo_, picture.pixel.x, picture.pixel.y);
         cairo_set_source_surface(cairo_, surface, 0.0, 0.0);
         cairo_paint(cairo_);
         if (apart) {
@@ -237,8 +176,7 @@ void set_font(cairo_t* context, cairo_font_face_t* font) {
     cairo_set_font_face(context, font);
 }
 
-void paint_sheet(cairo_t* context, const SheetDrawing& drawing) {
-    PaintedPictures pictures;
+void paint_sheet(cairo_t* context, const SheetDrawing& drawing, PaintedPictures& pictures) {
     Painter(context, drawing, pictures).draw();
 }
 

@@ -1,7 +1,6 @@
 #include "output/pdf.h"
 
 #include <cairo-pdf.h>
-#include <fmt/format.h>
 
 #include "output/cairo_sheet.h"
 #include "output/pdf_document.h"
@@ -15,12 +14,12 @@ namespace {
 
 // A page a view.
 void show_sheets(cairo_surface_t* surface, cairo_t* context, const Layout& layout,
-                 const OutputOptions& options, std::span<const SheetView> views) {
+                 const OutputOptions& options, std::span<const SheetView> views, PaintedPictures& pictures) {
     for (const SheetView& view : views) {
         const SheetDrawing drawing = draw_sheet(layout, options, view);
         cairo_pdf_surface_set_size(surface, drawing.width_mm * kPointsPerMm,
                                    drawing.height_mm * kPointsPerMm);
-        paint_sheet(context, drawing);
+        paint_sheet(context, drawing, pictures);
         cairo_show_page(context);
     }
 }
@@ -43,26 +42,22 @@ std::optional<std::vector<SheetFile>> write_pdf_with_font(const Layout& layout, 
     }
     std::vector<SheetFile> files;
     for (const std::span<const SheetView> part : parts_of(*views)) {
-        SheetFile& file = files.emplace_back();
-        file.suffix = part.front().part_suffix;
-        PdfPages pages = [&](cairo_surface_t* surface, cairo_t* context) {
-            show_sheets(surface, context, layout, options, part);
+        PdfPages pages = [&](cairo_surface_t* surface, cairo_t* context, PaintedPictures& pictures) {
+            show_sheets(surface, context, layout, options, part, pictures);
         };
         std::optional<std::vector<TiledSheet>> sheets;
         if (options.tile) {
             sheets = tile_sheets(layout, options, part, diagnostics);
             if (!sheets) return std::nullopt;
-            pages = [&](cairo_surface_t* surface, cairo_t* context) {
-                show_tiles(surface, context, *sheets, *options.tile);
+            pages = [&](cairo_surface_t* surface, cairo_t* context, PaintedPictures& pictures) {
+                show_tiles(surface, context, *sheets, *options.tile, pictures);
             };
         }
         const LayoutSheet& first = layout.sheets.front();
-        const cairo_status_t status = draw_document(layout_title(layout), {first.width_mm, first.height_mm},
-                                                    font.get(), pages, file.bytes);
-        if (status == CAIRO_STATUS_SUCCESS) continue;
-        diagnostics.error("pdf-failed", {},
-                          fmt::format("the PDF could not be made: {}", cairo_status_to_string(status)));
-        return std::nullopt;
+        std::optional<std::string> document = draw_document(
+            layout_title(layout), {first.width_mm, first.height_mm}, font.get(), pages, diagnostics);
+        if (!document) return std::nullopt;
+        files.push_back({part.front().part_suffix, std::move(*document)});
     }
     return files;
 }

@@ -3,8 +3,9 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
-#include <optional>
+#include <stdexcept>
 
+#include "base/diagnostics/render_diagnostics.h"
 #include "output/cairo_sheet.h"
 #include "output/pdf_pages.h"
 
@@ -34,10 +35,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-}  // namespace
-
-cairo_status_t draw_document(const std::string& title, Vec2 first_page_mm, cairo_font_face_t* font,
-                             const PdfPages& pages, std::string& bytes) {
+cairo_status_t draw(const std::string& title, Vec2 first_page_mm, cairo_font_face_t* font,
+                    const PdfPages& pages, PaintedPictures& pictures, std::string& bytes) {
     const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, first_page_mm.x * kPointsPerMm,
                                                               first_page_mm.y * kPointsPerMm));
     set_metadata(surface.get(), title);
@@ -45,13 +44,36 @@ cairo_status_t draw_document(const std::string& title, Vec2 first_page_mm, cairo
         const Context context(cairo_create(surface.get()));
         cairo_scale(context.get(), kPointsPerMm, kPointsPerMm);
         set_font(context.get(), font);
-        pages(surface.get(), context.get());
+        pages(surface.get(), context.get(), pictures);
         if (const cairo_status_t status = cairo_status(context.get()); status != CAIRO_STATUS_SUCCESS) {
             return status;
         }
     }
     cairo_surface_finish(surface.get());
     return cairo_surface_status(surface.get());
+}
+
+}  // namespace
+
+std::optional<std::string> draw_document(const std::string& title, Vec2 first_page_mm,
+                                         cairo_font_face_t* font, const PdfPages& pages,
+                                         Diagnostics& diagnostics) {
+    std::string bytes;
+    PaintedPictures pictures(PaintedPictures::For::document);
+    std::string why;
+    const cairo_status_t status = draw(title, first_page_mm, font, pages, pictures, bytes);
+    if (status != CAIRO_STATUS_SUCCESS) {
+        why = cairo_status_to_string(status);
+    } else {
+        try {
+            put_rows(pictures, bytes);
+        } catch (const std::runtime_error& error) {
+            why = visible(error.what());
+        }
+    }
+    if (why.empty()) return bytes;
+    diagnostics.error("pdf-failed", {}, fmt::format("the PDF could not be made: {}", why));
+    return std::nullopt;
 }
 
 }  // namespace popup

@@ -67,7 +67,7 @@ class Painting {
         cairo_translate(context.get(), 0.0, -from);
         cairo_scale(context.get(), scale_, scale_);
         set_font(context.get(), font_);
-        paint_sheet(context.get(), drawing_);
+        paint_sheet(context.get(), drawing_, pictures_);
         cairo_surface_flush(surface_.get());
         end_ = from + rows_;
         return cairo_status(context.get()) == CAIRO_STATUS_SUCCESS;
@@ -80,6 +80,7 @@ class Painting {
     cairo_font_face_t* font_;
     int rows_;  // of a band
     Surface surface_;
+    PaintedPictures pictures_{PaintedPictures::For::pixels};
     int end_ = 0;  // of the band that is painted
 };
 

@@ -66,7 +66,7 @@ class Plan {
           right_(page.x - paper.margin_mm),
           low_(page.y - paper.margin_mm) {}
 
-    void draw() {
+    void draw(PaintedPictures& pictures) {
         // On small paper texts are smaller, so that most of it remains for the picture.
         text_mm_ = std::clamp((low_ - y_) / 85.0, 0.8, kPlanTextMm);
         grey(cairo_, kPlanGrey);
@@ -75,7 +75,7 @@ class Plan {
         y_ += 0.5 * text_mm_;
         for (const std::string& text : instructions()) paragraph(text, text_mm_);
         measure();
-        picture();
+        picture(pictures);
     }
 
  private:
@@ -138,7 +138,7 @@ class Plan {
     }
 
     // The sheet, as large as there is room, but not larger than it is.
-    void picture() {
+    void picture(PaintedPictures& pictures) {
         const SheetDrawing& drawing = sheet_.drawing;
         y_ += text_mm_;
         const double scale =
@@ -155,7 +155,7 @@ class Plan {
         each_tile([&](int row, int column) {
             if (!sheet_.printed(row, column)) hatch(row, column, scale);
         });
-        paint_sheet(cairo_, drawing);
+        paint_sheet(cairo_, drawing, pictures);
         seam_color(cairo_);
         cairo_set_dash(cairo_, nullptr, 0, 0.0);
         cairo_set_line_width(cairo_, kSeamMm / scale);
@@ -239,8 +239,9 @@ Vec2 plan_size(const TiledSheet& sheet, const TileOptions& paper) {
     return sheet.drawing.width_mm > sheet.drawing.height_mm ? Vec2{wide, narrow} : Vec2{narrow, wide};
 }
 
-void draw_plan(cairo_t* context, const TiledSheet& sheet, const TileOptions& paper, std::size_t first_page) {
-    Plan(context, sheet, paper, first_page, plan_size(sheet, paper)).draw();
+void draw_plan(cairo_t* context, const TiledSheet& sheet, const TileOptions& paper, std::size_t first_page,
+               PaintedPictures& pictures) {
+    Plan(context, sheet, paper, first_page, plan_size(sheet, paper)).draw(pictures);
 }
 
 void draw_whole_label(cairo_t* context, const TiledSheet& sheet, const TileOptions& paper, std::size_t page,

@@ -215,7 +215,7 @@ std::optional<std::vector<TiledSheet>> tile_sheets(const Layout& layout, const O
 }
 
 void show_tiles(cairo_surface_t* surface, cairo_t* context, std::span<const TiledSheet> sheets,
-                const TileOptions& paper) {
+                const TileOptions& paper, PaintedPictures& pictures) {
     std::size_t pages = 0;
     std::size_t plans = 0;
     for (const TiledSheet& sheet : sheets) {
@@ -227,12 +227,11 @@ void show_tiles(cairo_surface_t* surface, cairo_t* context, std::span<const Tile
     for (const TiledSheet& sheet : sheets) {
         if (!sheet.whole()) {
             begin_page(surface, plan_size(sheet, paper));
-            draw_plan(context, sheet, paper, page);
+            draw_plan(context, sheet, paper, page, pictures);
             cairo_show_page(context);
         }
         page += sheet.pages;
     }
-    PaintedPictures pictures;
     page = plans + 1;
     for (const TiledSheet& sheet : sheets) {
         for (int row = 0; row < sheet.grid.rows; ++row) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "output/painted_pictures.h"
 #include "output/sheet_drawing.h"
 #include "output/tile_parts.h"
 #include "output/tiles.h"
@@ -39,6 +40,6 @@ std::optional<std::vector<TiledSheet>> tile_sheets(const Layout& layout, const O
 // right and below, a dashed line just outside the tile along which it is cut. A plan shows the sheet small,
 // with its tiles, says what to do, and has a bar to measure; so has a page that is a whole sheet.
 void show_tiles(cairo_surface_t* surface, cairo_t* context, std::span<const TiledSheet> sheets,
-                const TileOptions& paper);
+                const TileOptions& paper, PaintedPictures& pictures);
 
 }  // namespace popup

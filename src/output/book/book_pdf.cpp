@@ -369,20 +369,15 @@ std::optional<std::string> book::pdf_of(const Book& book, std::span<const SceneC
     Pictures pictures(cards, book.printed_backs, diagnostics);
     const Vec2 size = book.letter ? Vec2{215.9, 279.4} : Vec2{210.0, 297.0};
     bool drawn = false;
-    std::string bytes;
-    const cairo_status_t status = draw_document(
+    std::optional<std::string> bytes = draw_document(
         visible(book.title + ": " + book.kind), size, plain.get(),
-        [&](cairo_surface_t* surface, cairo_t* context) {
+        [&](cairo_surface_t* surface, cairo_t* context, PaintedPictures&) {
             BookPages paper(surface, context, plain.get(), bold.get(), book.letter, book.title);
             drawn = Writer(paper, book, pictures).write();
             paper.finish();
         },
-        bytes);
-    if (!drawn) return std::nullopt;
-    if (status == CAIRO_STATUS_SUCCESS) return bytes;
-    diagnostics.error("pdf-failed", {},
-                      fmt::format("the PDF could not be made: {}", cairo_status_to_string(status)));
-    return std::nullopt;
+        diagnostics);
+    return drawn ? bytes : std::nullopt;
 }
 
 std::optional<std::string> write_book_pdf(const RunPage& page, const OutputOptions& options,
