@@ -1,5 +1,7 @@
 #include "input/drawing/size.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,6 +49,31 @@ std::optional<double> parse_length(std::string_view text, double whole) {
 bool has_real_unit(std::string_view text) {
     const auto* unit = split_length(text).first;
     return unit != nullptr && !unit->first.empty() && unit->first != "px" && unit->first != "%";
+}
+
+void tell_size(Place place, Vec2 mm, bool sized, bool has_unit, Diagnostics& diagnostics) {
+    constexpr const char* kPoints =
+        "if the program that made it counts 72 to the inch, --scale 1.333333 is right";
+    if (!sized) {
+        diagnostics
+            .warning("size-missing", place,
+                     mm.x > 0.0
+                         ? fmt::format("the drawing does not say how large it is; with a 96th of an inch for "
+                                       "its unit it is {:.2f} × {:.2f} mm",
+                                       mm.x, mm.y)
+                         : std::string("the drawing does not say how large it is; its unit is taken for a "
+                                       "96th of an inch"))
+            .hint("write its width and height with their unit, such as width=\"210mm\"")
+            .hint(kPoints);
+    } else if (!has_unit) {
+        diagnostics
+            .remark(
+                "size-in-pixels", place,
+                fmt::format("the drawing's size is in pixels, taken for 96 to the inch: {:.2f} × {:.2f} mm",
+                            mm.x, mm.y))
+            .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be")
+            .hint(kPoints);
+    }
 }
 
 std::optional<ViewBox> parse_view_box(std::string_view text) {

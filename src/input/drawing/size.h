@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "input/drawing/transform.h"
+#include "popup/diagnostics.h"
 #include "popup/geometry.h"
 
 namespace popup::drawing {
@@ -17,6 +18,10 @@ inline constexpr double kMmPerPixel = 25.4 / 96.0;
 std::optional<double> parse_length(std::string_view text, double whole);
 // True of a length that has a unit other than px and %.
 bool has_real_unit(std::string_view text);
+
+// Of a drawing of this size: a `size-missing` warning where the drawing does not say it (`sized`), and a
+// `size-in-pixels` remark where it says so in pixels.
+void tell_size(Place place, Vec2 mm, bool sized, bool has_unit, Diagnostics& diagnostics);
 
 // The part of a picture's coordinates that is shown.
 struct ViewBox {

@@ -181,9 +181,11 @@ class Tracer {
             if (width == 0.0) width = height / box->height * box->width;
             if (height == 0.0) height = width / box->width * box->height;
         }
-        tell_unit(place, attributes, sized, width, height);
+        const bool has_unit =
+            has_real_unit(attributes.value("width")) || has_real_unit(attributes.value("height"));
         constexpr double k = kMmPerPixel;
         out_.page = {k * width, k * height};
+        tell_size(place, out_.page, sized, has_unit, diagnostics_);
         out_.ruler = {{0.0, out_.page.y}, 1.0, true};
         const std::string_view preserve = attributes.value("preserveAspectRatio");
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
@@ -191,30 +193,6 @@ class Tracer {
         context.view = box ? Vec2{box->width, box->height} : Vec2{width, height};
         context.style.take(declarations("svg", attributes));
         return true;
-    }
-
-    void tell_unit(Place place, const Attributes& attributes, bool sized, double width, double height) {
-        const auto in_mm = [](double pixels) { return kMmPerPixel * pixels; };
-        if (!sized) {
-            Diagnostic& told = diagnostics_.warning(
-                "size-missing", place,
-                width > 0.0
-                    ? fmt::format("the drawing does not say how large it is; with a 96th of an inch for "
-                                  "its unit it is {:.2f} × {:.2f} mm",
-                                  in_mm(width), in_mm(height))
-                    : std::string("the drawing does not say how large it is; its unit is taken for a "
-                                  "96th of an inch"));
-            told.hint("write its width and height with their unit, such as width=\"210mm\"");
-            told.hint("if the program that made it counts 72 to the inch, --scale 1.333333 is right");
-            return;
-        }
-        if (has_real_unit(attributes.value("width")) || has_real_unit(attributes.value("height"))) return;
-        diagnostics_
-            .remark(
-                "size-in-pixels", place,
-                fmt::format("the drawing's size is in pixels, taken for 96 to the inch: {:.2f} × {:.2f} mm",
-                            in_mm(width), in_mm(height)))
-            .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be");
     }
 
     // --- the walk
