@@ -29,7 +29,9 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "The drawing has dashed lines, lines in the colours that folds often have (red, blue, magenta), or "
      "layers "
      "and classes called folds, and it is read as flat parts, where these are cuts: the sheet would fall "
-     "apart along them. If the drawing is a pop-up card that is cut from one sheet, read it with --as card. "
+     "apart along them. Dashed black lines are seams, which nothing folds. If the drawing is a pop-up card "
+     "that is cut from one sheet, read it with --as card; if it is a carton, or another sheet that is "
+     "folded, with --as folded. "
      "If they are folds of a flat part, say so by --lines, such as --lines valley=#0000ff,mountain=#ff0000; "
      "if they are cuts, say that: --lines cut=#0000ff."},
     {"hidden-shape", Severity::remark, "shapes that are hidden",

@@ -1,15 +1,12 @@
 #include "input/drawing/notation.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <tuple>
 
 #include "base/nth.h"
 #include "input/color.h"
+#include "input/drawing/fold_like.h"
 #include "input/text.h"
 
 namespace popup::drawing {
@@ -92,14 +89,6 @@ Named together(const std::array<bool, 8>& said) {
     return has(Named::print) ? Named::print : Named::nothing;
 }
 
-bool is_fold(Named named) {
-    return named == Named::fold || named == Named::mountain || named == Named::valley;
-}
-
-// How a line was drawn, for counts.
-using StrokeKey = std::tuple<Dash, std::uint8_t, std::uint8_t, std::uint8_t>;
-StrokeKey key_of(const TracedLine& line) { return {line.dash, line.color.r, line.color.g, line.color.b}; }
-
 Use use_of(Named named) {
     switch (named) {
         case Named::nothing:
@@ -116,79 +105,6 @@ Use use_of(Named named) {
             return Use::print;
     }
     return Use::cut;
-}
-
-// True of drawings with the colours of Origami Simulator: red or green lines beside outlines of another
-// colour, and no dashed magenta.
-bool has_simulator_colors(const Tracing& tracing) {
-    std::set<Hue> outlines;
-    std::set<Hue> others;
-    for (const TracedLine& line : tracing.lines) {
-        if (line.owner > 0 || line.use == Use::shape) continue;
-        const Hue hue = hue_of(line.color);
-        if (hue == Hue::magenta && line.dash != Dash::none) return false;
-        (line.closed && line.dash == Dash::none ? outlines : others).insert(hue);
-    }
-    if (outlines.empty() || outlines.count(Hue::red) > 0) return false;
-    return others.count(Hue::red) > 0 || others.count(Hue::green) > 0;
-}
-
-// Strokes that are broken or have a fold's colour, and never make an outline.
-class FoldLike {
- public:
-    explicit FoldLike(const Tracing& tracing) {
-        for (const TracedLine& line : tracing.lines) {
-            if (line.owner > 0 || line.use != Use::cut || line.ruled) continue;
-            any_outline_ = any_outline_ || line.closed;
-            if (line.closed && line.named != Named::fold) outlines_[key_of(line)] = true;
-        }
-    }
-    [[nodiscard]] bool is(const TracedLine& line) const {
-        if (line.owner > 0 || line.use != Use::cut || line.ruled) return false;
-        if (line.named != Named::nothing) return is_fold(line.named);
-        if (outlines_.find(key_of(line)) != outlines_.end()) return false;
-        const Hue hue = hue_of(line.color);
-        return line.dash != Dash::none ||
-               (any_outline_ && (hue == Hue::red || hue == Hue::blue || hue == Hue::magenta));
-    }
-
- private:
-    std::map<StrokeKey, bool> outlines_;
-    bool any_outline_ = false;
-};
-
-void tell_fold_like(const Tracing& tracing, Diagnostics& diagnostics) {
-    const FoldLike fold_like(tracing);
-    struct Row {
-        std::string stroke;
-        int count = 0;
-    };
-    std::vector<Row> rows;
-    std::map<StrokeKey, std::size_t> row_of;
-    const TracedLine* first = nullptr;
-    for (const TracedLine& line : tracing.lines) {
-        if (!fold_like.is(line)) continue;
-        if (first == nullptr) first = &line;
-        const auto [at, fresh] = row_of.try_emplace(key_of(line), rows.size());
-        if (fresh) rows.push_back({shown_stroke(line)});
-        ++rows[at->second].count;
-    }
-    if (first == nullptr) return;
-    constexpr std::size_t kMostKinds = 4;
-    std::vector<std::string> kinds;
-    int count = 0;
-    for (const Row& row : rows) {
-        count += row.count;
-        if (kinds.size() < kMostKinds)
-            kinds.push_back(fmt::format("{} {} line{}", row.count, row.stroke, row.count == 1 ? "" : "s"));
-    }
-    if (rows.size() > kMostKinds) kinds.push_back(fmt::format("{} other kinds", rows.size() - kMostKinds));
-    diagnostics
-        .warning("folds-as-cuts", nth(tracing.elements, first->element).place,
-                 fmt::format("{} look{} like folds, and {} read as {}", fmt::join(kinds, ", "),
-                             count == 1 ? "s" : "", count == 1 ? "is" : "are", count == 1 ? "a cut" : "cuts"))
-        .hint("--as card reads them as the folds of a pop-up card that is cut from one sheet")
-        .hint("--lines says which lines are what: --lines cut=#00ff00,valley=#0000ff");
 }
 
 }  // namespace
@@ -285,14 +201,6 @@ std::string shown_stroke(const TracedLine& line) {
     constexpr std::array<std::string_view, 3> kDashes{"solid", "dashed", "dash-dotted"};
     return fmt::format("{} {} ({})", nth(kDashes, line.dash), nth(kHueNames, hue_of(line.color)),
                        to_string(line.color));
-}
-
-bool has_folds(const Tracing& tracing) {
-    const FoldLike fold_like(tracing);
-    return std::any_of(tracing.lines.begin(), tracing.lines.end(), [&](const TracedLine& line) {
-        return line.use == Use::mountain || line.use == Use::valley || is_fold(line.named) ||
-               fold_like.is(line);
-    });
 }
 
 void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {

@@ -59,9 +59,6 @@ Hue hue_of(Color color);
 // "dashed blue (#0000ff)".
 std::string shown_stroke(const TracedLine& line);
 
-// True where a line is a fold by a rule or a name, or looks like one.
-bool has_folds(const Tracing& tracing);
-
 // Of a drawing of flat parts: gives lines the uses that the rules, or its layers (Tracing::by_layers), say,
 // takes out those that are nothing of the sheet, on sheets of this program by their layers too, and reads
 // dashed red and blue as Origami Simulator does where the drawing has its colours. Lines that look like folds

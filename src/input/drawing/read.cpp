@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assembly/settle.h"
+#include "input/drawing/fold_like.h"
 #include "input/drawing/notation.h"
 #include "input/drawing/trace.h"
 #include "input/text.h"

@@ -507,8 +507,12 @@ TEST(DrawingStyle, DashedLinesInTheColoursOfFoldsAreThoseFolds) {
                                               {Operation::seam, LineKind::seam}};
     for (const auto& [operation, kind] : folds) {
         const std::string color = to_string(profile_table().front().pen(operation).color);
-        const FlatPart part = only_part("<rect width='50' height='50'/><path d='M10 10H40' stroke='" + color +
-                                        "' stroke-dasharray='3,1'/>");
+        const auto dashed =
+            read_drawing(drawing("<rect width='50' height='50'/><path d='M10 10H40' stroke='" + color +
+                                 "' stroke-dasharray='3,1'/>"));
+        // A seam among no folds may be one.
+        EXPECT_EQ(dashed.codes(), kind == LineKind::seam ? "2:31 folds-as-cuts\n" : "");
+        const FlatPart& part = dashed.part();
         ASSERT_EQ(part.lines.size(), 1U);
         EXPECT_EQ(part.lines[0].kind, kind);
         EXPECT_TRUE(part.slits.empty());
