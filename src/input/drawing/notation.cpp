@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "base/nth.h"
 #include "input/color.h"
@@ -12,30 +13,69 @@
 namespace popup::drawing {
 namespace {
 
-// With a blank before and behind each.
+// In English, German, French, Spanish and Italian, without accents, with a blank before and behind each.
 constexpr std::array<std::pair<Named, std::string_view>, 7> kWords{{
     {Named::cut,
      " cut cuts cutting cutline cutlines knife outline outlines border contour contours "
-     "trim slit slits profile profiles diecut throughcut thrucut "},
+     "trim slit slits profile profiles diecut throughcut thrucut "
+     "schnitt schnitte schnittlinie schnittlinien schneiden schneidlinie schneidlinien schneidelinie "
+     "schneidelinien stanzen stanzlinie stanzlinien stanzkontur kontur konturen umriss "
+     "coupe coupes couper decoupe decoupes decouper corte cortes cortar taglio tagli tagliare "},
     {Named::fold,
      " fold folds folding foldline foldlines crease creases score scores scored scoring "
      "halfcut perf perforation perforations gutter spine hinge hinges creasing "
      "creaseline creaselines creased scoreline scorelines bend bends bending bendline "
-     "bendlines perforated perfs cutcrease perfcrease "},
-    {Named::mountain, " mountain mountains "},
-    {Named::valley, " valley valleys "},
-    {Named::hole, " hole holes window windows cutout cutouts opening openings "},
-    {Named::print, " print prints printed artwork draw engrave engraving "},
+     "bendlines perforated perfs cutcrease perfcrease "
+     "falz falze falzen falzlinie falzlinien falte falten faltlinie faltlinien rille rillen rillung "
+     "rilllinie rilllinien ritzen ritzlinie ritzlinien knick knicklinie biegelinie biegelinien "
+     "perforieren perforierung pli plis pliage pliages rainage rainages rainer rainure rainures "
+     "pliegue pliegues doblez dobleces hendido hendidos piega pieghe cordonatura cordonature "},
+    {Named::mountain,
+     " mountain mountains berg berge bergfalz bergfalte bergfalten montagne montagnes montana monte "},
+    {Named::valley, " valley valleys tal talfalz talfalte talfalten vallee vallees valle "},
+    {Named::hole,
+     " hole holes window windows cutout cutouts opening openings "
+     "loch locher loecher fenster ausschnitt ausschnitte trou trous fenetre fenetres "
+     "agujero agujeros ventana ventanas foro fori finestra finestre "},
+    {Named::print,
+     " print prints printed artwork draw engrave engraving "
+     "druck drucken gravur gravieren impression imprimer gravure impresion stampa "},
     {Named::ignore,
      " guide guides guidelines note notes dimension dimensions label labels glue seam "
      "bleed safety varnish gluearea glueing gluing annotation annotations construction "
-     "dim dims tangent registration regmarks mark marks legend "},
+     "dim dims tangent registration regmarks mark marks legend "
+     "hilfslinie hilfslinien notiz notizen bemassung klebeflache klebeflaeche klebelasche kleben anschnitt "
+     "legende repere reperes cotation colle collage notas cotas colla "},
 }};
 
 constexpr std::array<Named, 6> kNamedOfUse{Named::cut,    Named::fold,  Named::mountain,
                                            Named::valley, Named::print, Named::ignore};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// The letters of Latin-1 from 0xC0 on, without what is above or below them; a blank for what is none.
+constexpr std::string_view kBareLetters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";
+
+char bare(unsigned code) { return code >= 0xC0 && code <= 0xFF ? nth(kBareLetters, code - 0xC0) : ' '; }
+
+// "Découpe" and "De\u0301coupe" become "Decoupe"; other characters beyond ASCII stay.
+std::string without_accents(std::string_view text) {
+    std::string made;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+        const bool pair = (next & 0xC0U) == 0x80U;
+        if (pair && byte == 0xC3) {
+            made += bare(0xC0U + (next & 0x3FU));
+            ++i;
+        } else if (pair && (byte == 0xCC || (byte == 0xCD && next < 0xB0))) {
+            ++i;  // an accent by itself
+        } else {
+            made += text[i];
+        }
+    }
+    return made;
+}
 
 // Illustrator and CorelDRAW write what an id must not have as "_x0020_".
 std::string decoded(std::string_view name) {
@@ -44,9 +84,11 @@ std::string decoded(std::string_view name) {
         if (name.size() >= 4 && name[0] == '_' && (name[1] == 'x' || name[1] == 'X')) {
             const std::size_t end = name.find('_', 2);
             const std::string_view digits = name.substr(2, end == std::string_view::npos ? end : end - 2);
+            unsigned code = 0;
+            const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
             if (end != std::string_view::npos && !digits.empty() && digits.size() <= 4 &&
-                digits.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos) {
-                made += ' ';
+                read.ptr == digits.data() + digits.size()) {
+                made += bare(code);
                 name.remove_prefix(end + 1);
                 continue;
             }
@@ -54,7 +96,7 @@ std::string decoded(std::string_view name) {
         made += name.front();
         name.remove_prefix(1);
     }
-    return made;
+    return without_accents(made);
 }
 
 // Calls `use` with each stretch of letters; a capital behind a small letter begins another.
@@ -113,6 +155,7 @@ LineRules::LineRules(const std::vector<LineRule>& rules) {
     for (const LineRule& rule : rules) {
         Rule& made = rules_.emplace_back();
         made.word = lower(trimmed(rule.name));
+        made.bare = lower(without_accents(made.word));
         made.named = nth(kNamedOfUse, rule.use);
         const Paint paint = parse_paint(rule.name);
         if (paint.kind == Paint::Kind::color) made.color = paint.color;
@@ -138,10 +181,10 @@ Said LineRules::said_by(std::string_view name) const {
     std::vector<std::string> words;
     each_word(text, [&](const std::string& word) { words.push_back(word); });
     for (std::size_t i = 0; i < rules_.size(); ++i) {
-        const std::string& wanted = rules_[i].word;
-        if (wanted == lower(trimmed(name)) || wanted == lower(trimmed(text)) ||
-            std::find(words.begin(), words.end(), wanted) != words.end()) {
-            return {rules_[i].named, i};
+        const Rule& rule = rules_[i];
+        if (rule.word == lower(trimmed(name)) || rule.bare == lower(trimmed(text)) ||
+            std::find(words.begin(), words.end(), rule.bare) != words.end()) {
+            return {rule.named, i};
         }
     }
     std::array<bool, 8> said{};

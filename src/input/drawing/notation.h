@@ -29,8 +29,8 @@ struct Said {
 };
 
 // The rules of DrawingOptions, and below them the words that people call layers: cut, folds, mountain,
-// valley, score, half cut, bend up, windows. Words are stretches of letters, so that "Mountain_x0020_folds-2"
-// has two of them, whatever their case.
+// valley, score, half cut, bend up, windows; also in German, French, Spanish and Italian. Words are stretches
+// of letters, so that "Mountain_x0020_folds-2" has two of them, whatever their case and accents.
 class LineRules {
  public:
     explicit LineRules(const std::vector<LineRule>& rules);
@@ -44,6 +44,7 @@ class LineRules {
  private:
     struct Rule {
         std::string word;  // in lower case
+        std::string bare;  // and without accents
         std::optional<Color> color;
         Named named = Named::nothing;
     };

@@ -1,15 +1,20 @@
-// Folds of drawings that are read as flat parts: they are told of however the outline is drawn.
+// Folds of drawings that are read as flat parts: they are told of however the outline is drawn, and layers
+// say what they are in more languages than one.
 #include "input/drawing/fold_like.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "input/drawing/notation.h"
 #include "support/drawings.h"
 
 namespace popup {
 namespace {
 
+using drawing::Named;
 using test::drawing;
 using test::read_drawing;
 
@@ -90,6 +95,50 @@ TEST(FoldLike, NamesTheOptionsThatReadIt) {
               "--lines says which lines are what: --lines mountain=#ff2d2d,valley=#0000ff,fold=#00aa00");
     EXPECT_EQ(last_hint(rect + "<path class='crease' stroke='#000' d='M20 20V80'/>"),
               "--lines says which lines are what, by their layer, class, id or colour");
+}
+
+TEST(FoldLike, IsCalledSoInSeveralLanguages) {
+    const drawing::LineRules rules({});
+    const std::vector<std::pair<std::string, Named>> names{
+        {"Schneiden", Named::cut},
+        {"Stanzlinie_2", Named::cut},
+        {"Rillen", Named::fold},
+        {"Falzlinien", Named::fold},
+        {"Bergfalten", Named::mountain},
+        {"Talfalz", Named::valley},
+        {"Löcher", Named::hole},
+        {"Loecher", Named::hole},
+        {"Hilfslinien", Named::ignore},
+        {"Klebefläche", Named::ignore},
+        {"Découpe", Named::cut},
+        {"DÉCOUPE", Named::cut},
+        {"De\xCC\x81"
+         "coupe",
+         Named::cut},
+        {"D_xE9_coupe", Named::cut},
+        {"Plis vallée", Named::valley},
+        {"Plis_x0020_montagne", Named::mountain},
+        {"rainage", Named::fold},
+        {"fenêtres", Named::hole},
+        {"Corte", Named::cut},
+        {"Doblez montaña", Named::mountain},
+        {"taglio", Named::cut},
+        {"Pieghe a valle", Named::valley},
+        {"cordonature", Named::fold},
+        {"Mountain_x0020_folds", Named::mountain},
+        {"Coupes et plis", Named::nothing},
+        {"Ebene 1", Named::nothing},
+        {"Calque_2", Named::nothing},
+    };
+    for (const auto& [name, named] : names) EXPECT_EQ(rules.said_by(name).named, named) << name;
+    // A rule may be written as the name is.
+    const drawing::LineRules given({{"Vallée", DrawnUse::cut}});
+    for (const std::string name : {"Vallée",
+                                   "VALL\xC3\x89"
+                                   "E 2",
+                                   "vallee", "Vall_xE9_e"}) {
+        EXPECT_EQ(given.said_by(name).named, Named::cut) << name;
+    }
 }
 
 }  // namespace
