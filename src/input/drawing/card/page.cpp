@@ -141,6 +141,13 @@ class PageFinder {
         return first;
     }
 
+    // True of a border that no other line meets, with another area inside.
+    [[nodiscard]] bool is_frame() const {
+        return graph_.faces() > 2 && std::all_of(border_.begin(), border_.end(), [this](int half) {
+                   return graph_.around(graph_.from(half)).size() == 2;
+               });
+    }
+
     // Folds that end at a side of the rectangle, in its middle or not.
     [[nodiscard]] std::vector<End> ends_at(const Rectangle& page, Vec2 out, double reach) const {
         std::vector<End> ends;
@@ -188,13 +195,17 @@ class PageFinder {
         const bool turned = other && (!gutter || other->off < gutter->off);
         if (turned) gutter = other;
         if (!gutter) {
-            diagnostics_
-                .error("no-gutter", place_of(border_element()),
-                       "no fold goes from the middle of one side of the page to that of the opposite side")
-                .hint(
-                    "draw the fold in the middle of the card, from edge to edge, dashed or in the colour of "
-                    "folds")
-                .hint("--lines says which lines are folds: --lines fold=#0000ff");
+            Diagnostic& told = diagnostics_.error(
+                "no-gutter", place_of(border_element()),
+                "no fold goes from the middle of one side of the page to that of the opposite side");
+            told.hint(
+                "draw the fold in the middle of the card, from edge to edge, dashed or in the colour of "
+                "folds");
+            told.hint("--lines says which lines are folds: --lines fold=#0000ff");
+            if (is_frame())
+                told.hint(
+                    "nothing ends at this border; if it is a frame around the card, leave it out: "
+                    "--lines ignore=NAME, of its layer, class, id or colour");
             return std::nullopt;
         }
         CardPage made;
