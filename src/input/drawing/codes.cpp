@@ -25,6 +25,13 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "The drawing hides parts of its shapes behind clip paths or masks. A cutter follows whole contours, "
      "so these shapes are cut as they are, hidden parts included. Intersect the shapes with what clips "
      "them, and take the clip paths out."},
+    {"dashes-joined", Severity::remark, "dashed lines that were drawn in pieces",
+     "Illustrator aligns dashes to the ends and corners of lines. In SVG the first and the last dash of such "
+     "a "
+     "line, or what goes round a corner, are then lines of their own, solid ones, a gap away from the rest. "
+     "Short solid lines that go on where a dashed line of the same colour and width ends, one of its gaps "
+     "away, and are no longer than its dashes, are taken for dashes of it. If they are cuts, give them "
+     "another colour."},
     {"folds-as-cuts", Severity::warning, "lines that look like folds, and are cut",
      "The drawing has dashed lines, lines in the colours that folds often have (red, blue, magenta), or "
      "layers "

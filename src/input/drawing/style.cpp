@@ -74,7 +74,9 @@ void split(std::string_view text, std::string_view separators, Use use) {
 }
 
 // Lengths of dashes and gaps in turn; of an odd number twice.
-Dash parse_dashes(std::string_view text) {
+void take_dashes(std::string_view text, Style& style) {
+    style.dash = Dash::none;
+    style.dash_length = style.gap_length = 0.0;
     NumberScanner scanner(text);
     std::vector<double> lengths;
     double sum = 0.0;
@@ -83,12 +85,15 @@ Dash parse_dashes(std::string_view text) {
         sum += *number;
         while (scanner.peek() == '%' || (scanner.peek() | 0x20) >= 'a') scanner.skip(1);  // a unit
     }
-    if (!(sum > 0.0)) return Dash::none;
+    if (!(sum > 0.0)) return;
+    style.dash = Dash::even;
     const std::size_t period = lengths.size() % 2 == 0 ? lengths.size() : 2 * lengths.size();
-    for (std::size_t i = 0; i < period; i += 2) {
-        if (lengths[i % lengths.size()] != lengths[0]) return Dash::mixed;
+    for (std::size_t i = 0; i < period; ++i) {
+        const double here = lengths[i % lengths.size()];
+        double& longest = i % 2 == 0 ? style.dash_length : style.gap_length;
+        longest = std::max(longest, here);
+        if (i % 2 == 0 && here != lengths[0]) style.dash = Dash::mixed;
     }
-    return Dash::even;
 }
 
 // "255, 0, 0" or "100% 0% 0%", what follows a third value disregarded.
@@ -238,9 +243,7 @@ void Style::take(const Declarations& declarations) {
         fill_written = true;
     }
     if (const auto* text = value(Property::visibility)) visible = *text == "visible";
-    if (const auto* text = value(Property::dashes)) {
-        dash = parse_dashes(*text);
-    }
+    if (const auto* text = value(Property::dashes)) take_dashes(*text, *this);
     if (const auto* text = value(Property::width)) {
         if (const auto length = parse_length(*text, 1.0); length && *length >= 0.0) width = *length;
     }

@@ -87,6 +87,7 @@ struct Style {
     Paint fill{Paint::Kind::color, {0, 0, 0}};
     bool fill_written = false;  // the black that is meant when nothing is said is not
     Dash dash = Dash::none;
+    double dash_length = 0.0, gap_length = 0.0;  // the longest, in user units
     bool visible = true;
     bool displayed = true;  // false for an element and all that is in it
     bool even_odd = false;

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "input/drawing/dashes.h"
 #include "input/drawing/fold_angles.h"
 #include "input/drawing/notation.h"
 #include "input/drawing/shapes.h"
@@ -451,6 +452,8 @@ class Tracer {
                                   static_cast<int>(out_.elements.size()) - 1, context.owner,
                                   context.style.stroke.color, context.style.width * context.to_mm.growth(),
                                   context.style.dash});
+            out_.lines.back().dash_mm = context.style.dash_length * context.to_mm.growth();
+            out_.lines.back().gap_mm = context.style.gap_length * context.to_mm.growth();
             out_.lines.back().opacity = context.style.opacity * context.style.stroke_opacity;
             if (!fold_angles_.empty()) out_.lines.back().fold_deg = fold_angles_[i];
             rules_.say(context.said, context.style.stroke, out_.lines.back());
@@ -572,7 +575,9 @@ class Tracer {
 
 std::optional<Tracing> trace(const xml::Located& located, const ReadOptions& options,
                              Diagnostics& diagnostics) {
-    return Tracer(located, options, diagnostics).run();
+    std::optional<Tracing> made = Tracer(located, options, diagnostics).run();
+    if (made) join_dashes(*made, diagnostics);
+    return made;
 }
 
 }  // namespace popup::drawing
