@@ -51,9 +51,13 @@ void tell_open(const folded::Cluster& cluster, const std::string& bends, const C
         fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
                     loop.corner ? "the corner" : "the hole", shown_point(pattern.ruler, loop.at));
     const Place place = nth(pattern.lines, loop.line).place;
+    // Two folds around a corner are one that bends there, as the chords of a curve do.
     const std::string_view hint =
-        "its panels would have to bend, or its folds to be folded one after another: add creases, or change "
-        "which folds are mountains";
+        loop.corner && loop.steps.size() == 2
+            ? "panels on both sides of a fold that is no straight line would have to bend: draw it straight, "
+              "or with creases that lead away from its bends"
+            : "its panels would have to bend, or its folds to be folded one after another: add creases, or "
+              "change which folds are mountains";
     if (cluster.reached > 0.0) {
         diagnostics
             .warning(

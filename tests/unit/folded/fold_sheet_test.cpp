@@ -253,6 +253,25 @@ TEST(FoldSheet, StraightensLinesThatADrawingRounded) {
     expect_folds_in_turn(map);
 }
 
+// Ends of pillow boxes: folds that are drawn as folds alone, of which no other says which way they go.
+TEST(FoldSheet, SaysThatFoldsWithABendStayFlatWhicheverWayTheyGo) {
+    for (const CreaseUse use : {CreaseUse::fold, CreaseUse::valley}) {
+        Diagnostics diagnostics("pillow");
+        folded(sheet({{rectangle(0, 0, 30, 30), true, CreaseUse::cut},
+                      {{{0, 15}, {15, 10}, {30, 15}}, false, use}}),
+               diagnostics);
+        const auto told = diagnostics.sorted();
+        ASSERT_EQ(told.size(), 1U) << test::findings(diagnostics);
+        EXPECT_EQ(told[0].code, "not-rigid");
+        EXPECT_TRUE(
+            told[0].message.starts_with("the loop of 2 folds around the corner at (15.00, 10.00) mm "
+                                        "closes only while nothing is folded"))
+            << told[0].message;
+        ASSERT_EQ(told[0].hints.size(), 1U);
+        EXPECT_NE(told[0].hints[0].find("draw it straight"), std::string::npos) << told[0].hints[0];
+    }
+}
+
 TEST(FoldSheet, SaysWhichFoldsStayFlat) {
     // Of a corner with four folds of which one line is a valley and the other one as well, both cannot go.
     CreasePattern pattern = map_of(2, 2, 0.0);
