@@ -33,8 +33,9 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
      "`popupc edit box.svg` has moved a vertex or an edge of a folded shape so that folds go further, or "
      "less far, than the drawing said: a slanted wall stands at no right angle. The sheet is that of the "
      "shape, and closes with the angles that popupc found. The drawing says them with data-fold-angle, which "
-     "other programs pass over. A path has one for each of its lines, other elements have one for all; where "
-     "that is too few, or an element is drawn elsewhere than it stands, another remark tells it. "
+     "other programs pass over. An element has one for each of its straight sides, and a path is parted "
+     "where one side has folds of different angles; where that is too few, or an element is drawn elsewhere "
+     "than it stands, another remark tells it. "
      "`--fold-angle` counts before what drawings say: leave it out then."},
     {"no-such-element", Severity::error, "an id that no element has",
      "An edit, or `popupc show`, names an element by its id, and no element has that id. An element "

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/nth.h"
+#include "edit/element_moves.h"
 #include "input/drawing/fold_angles.h"
 #include "input/drawing/shapes.h"
 #include "input/drawing/size.h"
@@ -28,17 +31,9 @@ using drawing::Affine;
 using drawing::Attributes;
 using xml::Offset;
 
-constexpr double kReadCornerMm = 2e-3;  // a corner of an element, and of the lines that were read from it
 constexpr double kSameShapeMm = 1e-4;
 
-// Six decimals at most, without zeros at the end.
-std::string number(double value) {
-    std::string text = fmt::format("{:.6f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text == "-0" ? "0" : text;
-}
-std::string point(Vec2 at) { return number(at.x) + "," + number(at.y); }
+std::string point(Vec2 at) { return shown_number(at.x) + "," + shown_number(at.y); }
 
 std::optional<Affine> inverse(const Affine& map) {
     const double whole = map.a * map.d - map.b * map.c;
@@ -67,114 +62,6 @@ std::string path_text(const Path& path) {
     }
     return text;
 }
-
-// Where the lines of one element go.
-class Moves {
- public:
-    void add(const CreaseLine& line, const EditedSheet::Line& to) {
-        for (std::size_t i = 0; i < line.points.size(); ++i) rows_.push_back({line.points[i], to.points[i]});
-        for (const auto& [stretch, at] : to.through) {
-            const auto from = static_cast<std::size_t>(stretch);
-            through_.push_back({line.points[from], line.points[(from + 1) % line.points.size()], at});
-        }
-        moved_ = moved_ || to.moved;
-        const bool apart = !to.parted.empty() && to.fold_deg.empty();
-        goes_apart_ = goes_apart_ || apart;
-        has_angles_ = has_angles_ || !to.fold_deg.empty();
-        angles_differ_ = angles_differ_ || to.fold_deg.size() > 1;
-        Drawn& drawn = lines_.emplace_back();
-        drawn.fold_deg = to.fold_deg;
-        drawn.parted = to.parted;
-        for (std::size_t i = 0; !apart && i + (line.closed ? 0U : 1U) < line.points.size(); ++i)
-            drawn.straight.push_back({to.points[i], to.points[(i + 1) % to.points.size()]});
-    }
-    void sort() {
-        std::sort(rows_.begin(), rows_.end(), [](const Segment& a, const Segment& b) {
-            return std::pair(a.a.x, a.a.y) < std::pair(b.a.x, b.a.y);
-        });
-    }
-    [[nodiscard]] bool moved() const { return moved_; }
-    [[nodiscard]] bool bends() const { return !through_.empty(); }
-    // What a straight step of the element goes through now, in its own direction.
-    [[nodiscard]] std::vector<Vec2> through(Vec2 from, Vec2 to) const {
-        std::vector<Vec2> found;
-        for (const Through& one : through_) {
-            if (distance(one.from, from) <= kReadCornerMm && distance(one.to, to) <= kReadCornerMm)
-                found.push_back(one.at);
-        }
-        if (!found.empty()) return found;
-        for (auto one = through_.rbegin(); one != through_.rend(); ++one) {
-            if (distance(one->from, to) <= kReadCornerMm && distance(one->to, from) <= kReadCornerMm)
-                found.push_back(one->at);
-        }
-        return found;
-    }
-    // What is cut goes apart on its two sides.
-    [[nodiscard]] bool goes_apart() const { return goes_apart_; }
-    [[nodiscard]] bool has_angles() const { return has_angles_; }
-    [[nodiscard]] bool angles_differ() const { return angles_differ_; }  // of folds of one line
-    [[nodiscard]] std::size_t lines() const { return lines_.size(); }
-    // All edges, of what has parted.
-    [[nodiscard]] std::vector<Segment> edges() const {
-        std::vector<Segment> all;
-        for (const Drawn& one : lines_) {
-            if (one.parted.empty()) all.insert(all.end(), one.straight.begin(), one.straight.end());
-        }
-        for (const Drawn& one : lines_) all.insert(all.end(), one.parted.begin(), one.parted.end());
-        return all;
-    }
-    // What data-fold-angle says then, of lines or of these edges, given what it said of the lines, if it did.
-    [[nodiscard]] std::string angles(const std::vector<std::optional<double>>& said, bool of_edges) const {
-        std::vector<std::string> words;
-        const auto add = [&](std::size_t line, std::size_t times) {
-            const std::vector<double>& deg = lines_[line].fold_deg;
-            std::optional<double> same;
-            if (deg.size() == 1) {
-                same = deg.front();
-            } else if (!said.empty()) {
-                same = said[line];
-            }
-            words.insert(words.end(), times, same ? number(*same) : "auto");
-        };
-        for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (!of_edges || lines_[i].parted.empty()) add(i, of_edges ? lines_[i].straight.size() : 1);
-        }
-        for (const Drawn& one : lines_) {
-            for (std::size_t i = 0; of_edges && i < one.parted.size(); ++i)
-                words.push_back(one.fold_deg.empty() ? "auto" : number(one.fold_deg[i]));
-        }
-        if (std::adjacent_find(words.begin(), words.end(), std::not_equal_to<>()) == words.end())
-            return words.front();
-        return fmt::format("{}", fmt::join(words, " "));
-    }
-    [[nodiscard]] std::optional<Vec2> find(Vec2 p) const {
-        auto at = std::lower_bound(rows_.begin(), rows_.end(), p.x - kReadCornerMm,
-                                   [](const Segment& row, double x) { return row.a.x < x; });
-        double nearest = kReadCornerMm;
-        std::optional<Vec2> found;
-        for (; at != rows_.end() && at->a.x <= p.x + kReadCornerMm; ++at) {
-            if (const double far = distance(p, at->a); far <= nearest) {
-                nearest = far;
-                found = p + (at->b - at->a);
-            }
-        }
-        return found;
-    }
-
- private:
-    struct Through {
-        Vec2 from, to;  // the stretch, where it was
-        Vec2 at;
-    };
-    std::vector<Segment> rows_;  // from where to where
-    std::vector<Through> through_;
-    struct Drawn {
-        std::vector<Segment> straight, parted;
-        std::vector<double> fold_deg;
-    };
-    std::vector<Drawn> lines_;
-    bool moved_ = false, goes_apart_ = false, has_angles_ = false, angles_differ_ = false;
-};
 
 class Writer {
  public:
@@ -273,10 +160,10 @@ class Writer {
                 .hint("give the picture a viewBox, a width and a height that are as large");
             return;
         }
-        replace(*root.find("viewBox"), fmt::format("{} {} {} {}", number(box_->corner.x - left * per_x),
-                                                   number(box_->corner.y - top * per_y),
-                                                   number(box_->width + (left + right) * per_x),
-                                                   number(box_->height + (top + bottom) * per_y)));
+        replace(*root.find("viewBox"), fmt::format("{} {} {} {}", shown_number(box_->corner.x - left * per_x),
+                                                   shown_number(box_->corner.y - top * per_y),
+                                                   shown_number(box_->width + (left + right) * per_x),
+                                                   shown_number(box_->height + (top + bottom) * per_y)));
         grow(*root.find("width"), (page.x + left + right) / page.x);
         grow(*root.find("height"), (page.y + top + bottom) / page.y);
     }
@@ -286,7 +173,7 @@ class Writer {
         const std::size_t unit = std::min(value.find_last_of("0123456789.") + 1, value.size());
         const double pixels = drawing::parse_length(value, 0.0).value_or(0.0);
         const double one = drawing::parse_length("1" + std::string(value.substr(unit)), 0.0).value_or(1.0);
-        replace(length, number(pixels / one * by) + std::string(value.substr(unit)));
+        replace(length, shown_number(pixels / one * by) + std::string(value.substr(unit)));
     }
 
     // The map of an element's own coordinates to mm; nullopt after an error.
@@ -329,10 +216,12 @@ class Writer {
         diagnostics_.remark("folds-turn", place, std::move(why)).hint(std::move(hint));
     }
 
-    // What an element says of the angles of its folds. `edges`: it is written as these.
-    void write_angles(const Attributes& own, const Moves& moves, bool edges, Place place) {
+    // What an element says of the angles of its folds. `edges`: it is written as these; `sides`: of so many
+    // sides each, unless that is 0.
+    void write_angles(const Attributes& own, const ElementMoves& moves, bool edges, std::size_t sides,
+                      Place place) {
         std::optional<drawing::ShapeProblem> problem;
-        const auto said = drawing::fold_angles(own, moves.lines(), problem);
+        const auto said = drawing::fold_angles(own, moves.lines(), {}, problem).deg;
         const xml::Attribute* given = own.find(drawing::kFoldAngle);
         if (!moves.has_angles() && !(edges && given != nullptr)) return;
         if (problem) {
@@ -342,7 +231,7 @@ class Writer {
                         "draw it once, where it is");
             return;
         }
-        const std::string text = moves.angles(said, edges);
+        const std::string text = sides > 0 ? *moves.angles_of_sides(said, sides) : moves.angles(said, edges);
         if (given != nullptr) {
             replace(*given, text);
         } else if (text != "auto") {
@@ -353,7 +242,7 @@ class Writer {
         }
     }
 
-    bool rewrite(Offset element, const std::vector<Offset>& around, const Moves& moves) {
+    bool rewrite(Offset element, const std::vector<Offset>& around, const ElementMoves& moves) {
         const Place place = nth(located_.elements, element).place;
         if (!moves.moved() && is_drawn_elsewhere(element, around)) {
             tell_unsaid(place,
@@ -368,21 +257,24 @@ class Writer {
         if (!map) return false;
         const auto back = inverse(*map);
         const std::string_view tag = local_name(located_.name(element));
-        const bool splits = moves.angles_differ() && tag == "path" && own.find("d") != nullptr;
-        if (moves.angles_differ() && !splits) {
+        Path path;
+        const bool unsound = drawing::make_shape(tag, own, view_, path).has_value();
+        const std::size_t sides = drawing::straight_sides(path).size();
+        const bool by_sides = moves.angles_differ() && !moves.goes_apart() && !moves.bends() &&
+                              moves.angles_of_sides({}, sides).has_value();
+        const bool splits = moves.angles_differ() && !by_sides && tag == "path" && own.find("d") != nullptr;
+        if (moves.angles_differ() && !by_sides && !splits) {
             tell_unsaid(place,
-                        fmt::format("the folds of this <{}> have different angles now, and it has one "
-                                    "data-fold-angle for all of them",
+                        fmt::format("folds on one side of this <{}> have different angles now, and it has "
+                                    "one data-fold-angle for each side",
                                     tag),
                         "draw it as a path: that can have one for each of its lines");
         }
         const bool edges = moves.goes_apart() || splits;
-        write_angles(own, moves, edges, place);
+        write_angles(own, moves, edges, by_sides ? sides : 0, place);
         if (!moves.moved() && !edges) return true;
-        Path path;
-        if (drawing::make_shape(tag, own, view_, path) || !back)
-            return refuse(place, "this element cannot be moved", "draw it as a path");
-        if (moves.bends() && tag != "path" && tag != "polyline" && tag != "polygon")
+        if (unsound || !back) return refuse(place, "this element cannot be moved", "draw it as a path");
+        if (moves.bends() && tag != "path" && tag != "polyline" && tag != "polygon" && tag != "rect")
             return refuse(place, fmt::format("this <{}> would have more corners than it can have", tag),
                           "draw it as a path");
         if (edges) return write_parted(tag, own, moves, *back, place);
@@ -392,11 +284,11 @@ class Writer {
                           "this element moves, and is drawn elsewhere than it stands, as by a use element",
                           "draw it where it is");
         }
-        return write(tag, own, path, made->mapped(*back), place);
+        return write(element, own, path, made->mapped(*back), place);
     }
 
     // A path in mm with its corners where they go; curves follow their ends.
-    static std::optional<Path> moved(const Path& path, const Moves& moves) {
+    static std::optional<Path> moved(const Path& path, const ElementMoves& moves) {
         Path made;
         for (const Subpath& subpath : path.subpaths()) {
             const auto start = moves.find(subpath.start);
@@ -434,8 +326,8 @@ class Writer {
         return made;
     }
 
-    bool write_parted(std::string_view tag, const Attributes& own, const Moves& moves, const Affine& back,
-                      Place place) {
+    bool write_parted(std::string_view tag, const Attributes& own, const ElementMoves& moves,
+                      const Affine& back, Place place) {
         const xml::Attribute* d = own.find("d");
         if (tag != "path" || d == nullptr) {
             return refuse(place, "what is cut by this element goes apart on its two sides",
@@ -448,7 +340,8 @@ class Writer {
         return true;
     }
 
-    bool write(std::string_view tag, const Attributes& own, const Path& was, const Path& is, Place place) {
+    bool write(Offset element, const Attributes& own, const Path& was, const Path& is, Place place) {
+        const std::string_view tag = local_name(located_.name(element));
         const Subpath& shape = is.subpaths().front();
         if (tag == "path") {
             replace(*own.find("d"), path_text(is));
@@ -481,7 +374,56 @@ class Writer {
                              place);
         if ((tag == "circle" || tag == "ellipse") && shifted)
             return write_all(own, {{"cx", after.centre().x}, {"cy", after.centre().y}}, place);
+        if (tag == "rect" && drawing::straight_sides(is).size() >= 3 && !is_styled_by_name())
+            return write_as_polygon(element, is);
         return refuse(place, fmt::format("this <{}> would be none any more", tag), "draw it as a path");
+    }
+
+    // Whether a style sheet knows rectangles or polygons by their name.
+    [[nodiscard]] bool is_styled_by_name() const {
+        for (Offset i = 0; i < located_.elements.size(); ++i) {
+            if (local_name(located_.name(i)) != "style") continue;
+            const xml::LocatedElement& sheet = located_.elements[i];
+            const std::string_view text =
+                std::string_view(source_.text).substr(sheet.tag_end, sheet.end - sheet.tag_end);
+            if (text.find("rect") != text.npos || text.find("polygon") != text.npos) return true;
+        }
+        return false;
+    }
+
+    // A rectangle that is none any more: the same element with another name, and corners.
+    bool write_as_polygon(Offset element, const Path& is) {
+        static constexpr std::string_view kRect = "rect";
+        const xml::LocatedElement& at = nth(located_.elements, element);
+        const auto rename = [&](std::size_t from) {
+            const std::size_t name = source_.text.find(kRect, from);
+            changes_.push_back({name, name + kRect.size(), "polygon"});
+        };
+        rename(at.begin);
+        if (at.end > at.tag_end) rename(source_.text.rfind('<', at.end - 1));
+        const Subpath& shape = is.subpaths().front();
+        std::string points = point(shape.start);
+        for (const PathStep& step : shape.steps) points += " " + point(step.to);
+        bool written = false;
+        for (const xml::LocatedAttribute& one : attributes_of(element)) {
+            const std::string_view name = std::string_view(source_.text).substr(one.name, one.name_length);
+            static constexpr std::array<std::string_view, 6> kOfRect{"x", "y", "width", "height", "rx", "ry"};
+            if (std::find(kOfRect.begin(), kOfRect.end(), name) == kOfRect.end()) continue;
+            const std::size_t end = one.value + one.value_length + 1;
+            const std::size_t begin =
+                written ? source_.text.find_last_not_of(" \t\r\n", one.name - 1) + 1 : one.name;
+            changes_.push_back({begin, end, written ? "" : fmt::format("points=\"{}\"", points)});
+            written = true;
+        }
+        return true;
+    }
+    [[nodiscard]] std::span<const xml::LocatedAttribute> attributes_of(Offset element) const {
+        const std::span<const xml::LocatedAttribute> all(located_.attributes);
+        const std::size_t first = nth(located_.elements, element).first_attribute;
+        const std::size_t next = element + 1U;
+        const std::size_t end =
+            next < located_.elements.size() ? nth(located_.elements, next).first_attribute : all.size();
+        return all.subspan(first, end - first);
     }
 
     bool write_all(const Attributes& own, const std::vector<std::pair<std::string_view, double>>& values,
@@ -492,7 +434,7 @@ class Writer {
             if (attribute == nullptr)
                 return refuse(place, fmt::format("this element has no {} that could be changed", name),
                               "write all its coordinates");
-            replace(*attribute, number(value));
+            replace(*attribute, shown_number(value));
         }
         return true;
     }
@@ -531,8 +473,8 @@ class Writer {
     const Source& source_;
     const xml::Located& located_;
     Diagnostics& diagnostics_;
-    std::map<std::pair<int, int>, Moves> moves_;  // by the place of an element
-    Box before_, after_;                          // of all lines
+    std::map<std::pair<int, int>, ElementMoves> moves_;  // by the place of an element
+    Box before_, after_;                                 // of all lines
     std::optional<drawing::ViewBox> box_;
     Vec2 page_, view_;
     Affine to_mm_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/geometry/regions.h"
 #include "base/text/shown.h"
 #include "input/xml/number.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::string_view kBetween = " \t\r\n,";
 constexpr double kMostDeg = 180.0;
+constexpr double kNoSide = 1e-9;  // between points that are drawn twice
 
 using Angles = std::vector<std::optional<double>>;
 
@@ -41,18 +43,47 @@ std::optional<Angles> angles_in(std::string_view text, std::string& fault) {
     return angles;
 }
 
+std::vector<Polyline> as_lines(const std::vector<Segment>& sides) {
+    std::vector<Polyline> lines;
+    lines.reserve(sides.size());
+    for (const Segment& side : sides) lines.push_back({{on_grid(side.a), on_grid(side.b)}, false});
+    return lines;
+}
+
 }  // namespace
 
-Angles fold_angles(const Attributes& attributes, std::size_t lines, std::optional<ShapeProblem>& problem) {
+std::vector<Segment> straight_sides(const Path& path) {
+    std::vector<Segment> sides;
+    const auto add = [&](Vec2 from, Vec2 to) {
+        if (distance(from, to) > kNoSide) sides.push_back({from, to});
+    };
+    for (const Subpath& subpath : path.subpaths()) {
+        Vec2 at = subpath.start;
+        for (const PathStep& step : subpath.steps) {
+            if (step.curve) return {};
+            add(at, step.to);
+            at = step.to;
+        }
+        if (subpath.closed) add(at, subpath.start);
+    }
+    return sides;
+}
+
+FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Path& path,
+                       std::optional<ShapeProblem>& problem) {
     const xml::Attribute* attribute = attributes.find(kFoldAngle);
     if (attribute == nullptr) return {};
     std::string fault;
     std::optional<Angles> angles = angles_in(attribute->value.decoded, fault);
-    if (angles && angles->size() == 1) return Angles(lines, angles->front());
-    if (angles && angles->size() == lines) return std::move(*angles);
-    if (angles)
+    if (angles && angles->size() == 1) return {Angles(lines, angles->front()), {}};
+    if (angles && angles->size() == lines) return {std::move(*angles), {}};
+    if (angles) {
+        const std::vector<Segment> sides = straight_sides(path);
+        if (angles->size() == sides.size()) return {std::move(*angles), as_lines(sides)};
         fault = fmt::format("'{}' has {} angles, and its element draws {} {}", kFoldAngle, angles->size(),
                             lines, lines == 1 ? "line" : "lines");
+        if (sides.size() > lines) fault += fmt::format(" with {} sides", sides.size());
+    }
     if (!problem) problem = ShapeProblem{attribute, "bad-number", std::move(fault), std::nullopt};
     return {};
 }

@@ -7,15 +7,26 @@
 #include <vector>
 
 #include "input/drawing/shapes.h"
+#include "popup/path.h"
 
 namespace popup::drawing {
 
 inline constexpr std::string_view kFoldAngle = "data-fold-angle";
 
-// By line of the element, degrees in [-180, 180]; nullopt of a line that says nothing ("auto"). Without the
-// attribute, none. It has an angle for all lines or one for each, with blanks or commas between. A fault goes
-// to `problem` (bad-number).
-std::vector<std::optional<double>> fold_angles(const Attributes& attributes, std::size_t lines,
-                                               std::optional<ShapeProblem>& problem);
+struct FoldAngles {
+    // By line of the element, or by side where `sides` has any, degrees in [-180, 180]; nullopt of one that
+    // says nothing ("auto").
+    std::vector<std::optional<double>> deg;
+    std::vector<Polyline> sides;  // of the lines, as lines of their own, on the grid that flatten() has
+};
+// What an element that draws a path as so many lines says. It has an angle for all lines, one for each, or,
+// of a path without curves, one for each side; blanks or commas are between. Without the attribute, none. A
+// fault goes to `problem` (bad-number).
+FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Path& path,
+                       std::optional<ShapeProblem>& problem);
+
+// The sides of a path in the order in which it is drawn, what closes it included; none if one is a curve.
+// Those of a rectangle go from its first corner along x.
+std::vector<Segment> straight_sides(const Path& path);
 
 }  // namespace popup::drawing

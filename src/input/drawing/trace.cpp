@@ -413,8 +413,9 @@ class Tracer {
         if (!style.visible) return tally_.hidden(place);
         Path path;
         if (const auto problem = make_shape(tag, attributes, context.view, path)) return tell(*problem);
+        path = path.mapped(context.to_mm);
         flat_.lines.clear();
-        switch (flatten(path.mapped(context.to_mm), flat_)) {
+        switch (flatten(path, flat_)) {
             case FlatteningFault::none:
                 break;
             case FlatteningFault::too_far:
@@ -432,7 +433,7 @@ class Tracer {
         if (flat_.lines.empty()) return;
         std::vector<Polyline> lines = std::exchange(flat_.lines, {});
         std::optional<ShapeProblem> problem;
-        fold_angles_ = fold_angles(attributes, lines.size(), problem);
+        fold_angles_ = fold_angles(attributes, lines.size(), path, problem);
         if (problem) return tell(*problem);
         out_.elements.push_back(
             {context.instance >= 0 ? name_at(context.instance) : short_name(name_of(attributes)),
@@ -446,6 +447,7 @@ class Tracer {
     }
 
     void add_lines(std::vector<Polyline>&& lines, Use use, const Context& context) {
+        if (!fold_angles_.sides.empty() && use != Use::shape) lines = std::move(fold_angles_.sides);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             Polyline& line = lines[i];
             out_.lines.push_back({std::move(line.points), line.closed, use,
@@ -455,7 +457,7 @@ class Tracer {
             out_.lines.back().dash_mm = context.style.dash_length * context.to_mm.growth();
             out_.lines.back().gap_mm = context.style.gap_length * context.to_mm.growth();
             out_.lines.back().opacity = context.style.opacity * context.style.stroke_opacity;
-            if (!fold_angles_.empty()) out_.lines.back().fold_deg = fold_angles_[i];
+            if (i < fold_angles_.deg.size()) out_.lines.back().fold_deg = fold_angles_.deg[i];
             rules_.say(context.said, context.style.stroke, out_.lines.back());
         }
     }
@@ -509,9 +511,8 @@ class Tracer {
             return add_lines(std::move(lines), Use::shape, context);
         }
         const Use use = use_of(style);
-        if (use == Use::cut && filled && style.fill_written && style.fill.kind == Paint::Kind::color) {
+        if (use == Use::cut && filled && style.fill_written && style.fill.kind == Paint::Kind::color)
             add_fill(lines, false, context);
-        }
         add_lines(std::move(lines), use, context);
     }
 
@@ -543,9 +544,8 @@ class Tracer {
         constexpr int kExactPlaces = 10;
         const TextRange raw = problem.attribute->value.raw;
         if (problem.at && *problem.at <= raw.length && exact_places_++ < kExactPlaces &&
-            located_.text.substr(raw.offset, raw.length).find_first_of("&\r") == std::string_view::npos) {
+            located_.text.substr(raw.offset, raw.length).find_first_of("&\r") == std::string_view::npos)
             place = xml::PlaceCounter(located_.text).at(raw.offset + *problem.at);
-        }
         diagnostics_.error(problem.code, place, problem.message);
         if (problem.code == "document-too-large") stopped_ = true;
     }
@@ -564,8 +564,8 @@ class Tracer {
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
     Tally tally_;
-    Flattened flat_;                                  // the lines of the shape at hand, the curves of all
-    std::vector<std::optional<double>> fold_angles_;  // of these lines; none: it says nothing of them
+    Flattened flat_;          // the lines of the shape at hand, the curves of all
+    FoldAngles fold_angles_;  // of these lines
     int exact_places_ = 0;
     bool stopped_ = false;
     Tracing out_;

@@ -127,6 +127,10 @@ const std::string kTray =
 </svg>
 )";
 
+const std::string kRectangle =
+    "<rect id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" x=\"50\" y=\"50\" width=\"100\" "
+    "height=\"100\"/>";
+
 TEST(EditDrawing, AnExtrudedCartonIsThatOfTheKitDrawnAsLarge) {
     struct Row {
         std::string from, edit, to;
@@ -204,10 +208,7 @@ TEST(EditDrawing, WhatDoesNotMoveStaysByteForByte) {
     wanted.replace(wanted.find(outline), outline.size(),
                    "M 50,10 150,10 150,50 190,50 190,160 150,150 150,191.231056 50,191.231056 50,150 10,160 "
                    "10,50 50,50 Z");
-    // The front leans by arctan(10 / 40): the folds of one line have different angles, and part it.
-    const std::string crease = "M50 50H150V150H50Z";
-    wanted.replace(wanted.find(crease), crease.size(),
-                   "M 50,50 150,50 M 150,50 150,150 M 150,150 50,150 M 50,150 50,50");
+    // The front leans by arctan(10 / 40), and the third side of the crease says so.
     wanted.replace(wanted.find("<path id"), 5, "<path data-fold-angle=\"90 90 75.963757 90\"");
     EXPECT_EQ(*done.text, wanted);
 }
@@ -236,10 +237,16 @@ TEST(EditDrawing, TurnedFoldsAreReadAgain) {
     two.replace(two.find(crease), crease.size(), "M50 50H150M150 150H50M50 50V150M150 150V50");
     std::string named = kTray;  // that do not say which way
     named.replace(named.find("mountain"), 8, "fold");
+    std::string rectangle = kTray;
+    const std::string path =
+        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"" + crease + "\"/>";
+    rectangle.replace(rectangle.find(path), path.size(), kRectangle);
     for (const Row& row :
          std::vector<Row>{{kTray, "edge front.1-2 --by 0,-10,0", {"front.1", "front.2"}, {0, -10, 0}},
                           {two, "edge front.1-2 --by 0,-10,0", {"front.1", "front.2"}, {0, -10, 0}},
                           {two, "edge left.1-4 --by 4,0,2", {"left.1", "left.4"}, {4, 0, 2}},
+                          {rectangle, "edge front.1-2 --by 0,-10,0", {"front.1", "front.2"}, {0, -10, 0}},
+                          {rectangle, "edge left.1-4 --by -4,0,2", {"left.1", "left.4"}, {-4, 0, 2}},
                           {named, "edge front.1-2 --by 0,20,0", {"front.1", "front.2"}, {0, 20, 0}}}) {
         const Done done = edit(row.what, {row.edit});
         ASSERT_TRUE(done.text) << row.edit << done.told;
@@ -303,27 +310,66 @@ TEST(EditDrawing, WhatWouldNotLieFlatIsToldWhereItIsDrawn) {
     EXPECT_EQ(told.place.column, 3);
 }
 
-// A rectangle has one angle for its four sides.
+// Two walls on one side of a rectangle: the side has one angle.
 TEST(EditDrawing, ElementsThatCannotHaveTheAngleAreTold) {
     std::string drawing = kTray;
     const std::string crease =
         "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
-    drawing.replace(
-        drawing.find(crease), crease.size(),
-        "<rect class=\"mountain\" stroke=\"#ff0000\" x=\"50\" y=\"50\" width=\"100\" height=\"100\"/>");
-    const Done done = edit(drawing, {"edge front.1-2 --by 0,-10,0"});
+    drawing.insert(drawing.find("  <circle"), "  <path class=\"cut\" stroke=\"#000\" d=\"M100 150V190\"/>\n");
+    const std::string of_path = drawing;
+    drawing.replace(drawing.find(crease), crease.size(), kRectangle);
+    const Done done = edit(drawing, {"edge panel-4.1-2 --by 0,-10,0"});
     ASSERT_TRUE(done.text) << done.told;
-    EXPECT_NE(done.told.find("the folds of this <rect> have different angles now, and it has one "
-                             "data-fold-angle for all of them [folds-turn]"),
+    EXPECT_NE(done.told.find("folds on one side of this <rect> have different angles now, and it has one "
+                             "data-fold-angle for each side [folds-turn]"),
               std::string::npos)
         << done.told;
     EXPECT_EQ(done.text->find("data-fold-angle"), std::string::npos);
+    // A path is parted.
+    const Done parted = edit(of_path, {"edge panel-4.1-2 --by 0,-10,0"});
+    ASSERT_TRUE(parted.text) << parted.told;
+    const std::size_t told = parted.text->find("<path data-fold-angle=\"");
+    ASSERT_NE(told, std::string::npos) << *parted.text;
+    const std::string element = parted.text->substr(told, parted.text->find("/>", told) - told);
+    EXPECT_EQ(std::count(element.begin(), element.end(), 'M'), 5) << element;
     // With --fold-to it is not known how far they go in the end.
     DrawingEditOptions half;
     half.fold.to = 0.5;
     const Done part = edit(kTray, {"edge front.1-2 --by 0,-1,0"}, half);
     ASSERT_TRUE(part.text) << part.told;
     EXPECT_EQ(part.text->find("data-fold-angle"), std::string::npos) << *part.text;
+}
+
+// A base that is no rectangle any more becomes a polygon, with all else that its element said.
+TEST(EditDrawing, ARectangleMayBecomeAPolygon) {
+    struct Row {
+        std::string rectangle, style;
+    };
+    for (const Row& row : std::vector<Row>{
+             {kRectangle, ""},
+             {"<rect width='100' height='100'\n  stroke='#ff0000' x='50' y='50' class='mountain' ></rect>",
+              ""},
+             {kRectangle, "rect { stroke: #ff0000 }"}}) {
+        std::string drawing = kTray;
+        const std::string crease =
+            "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
+        drawing.replace(drawing.find(crease), crease.size(), row.rectangle);
+        if (!row.style.empty()) drawing.insert(drawing.find(" <g"), "<style>" + row.style + "</style>");
+        const Done done = edit(drawing, {"vertex front+left+base --by -3,-5,0"});
+        if (!row.style.empty()) {
+            EXPECT_FALSE(done.text);
+            EXPECT_NE(done.told.find("this <rect> would be none any more"), std::string::npos) << done.told;
+            continue;
+        }
+        ASSERT_TRUE(done.text) << done.told;
+        EXPECT_EQ(done.text->find("rect"), std::string::npos) << *done.text;
+        const Done of_path = edit(kTray, {"vertex front+left+base --by -3,-5,0"});
+        ASSERT_TRUE(of_path.text) << of_path.told;
+        const auto wanted = vertices_of(*of_path.text);
+        const auto made = vertices_of(*done.text);
+        ASSERT_EQ(made.size(), wanted.size()) << *done.text;
+        for (const auto& [name, at] : wanted) EXPECT_LT(distance(made.at(name), at), 1e-4) << name;
+    }
 }
 
 TEST(EditDrawing, NothingMovedIsEveryByte) {

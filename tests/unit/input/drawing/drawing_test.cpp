@@ -437,6 +437,25 @@ TEST(Drawing, FoldsGoAsFarAsTheirElementSays) {
              {"<line stroke='#ff0000' x1='10' y1='0' x2='10' y2='90' data-fold-angle='45'/>", "mountain 45"},
              {"<g data-fold-angle='45'><path class='valley' stroke='#f0f' " + two + "/></g>",
               "valley, valley"},
+             // Each side of what has straight ones alone: of a rectangle from its corner along x.
+             {"<rect class='fold' stroke='#f0f' fill='none' x='20' y='20' width='40' height='30' "
+              "data-fold-angle='90 -80 auto 70'/>",
+              "fold 90, mountain 80, fold, fold 70"},
+             {"<rect class='fold' stroke='#f0f' x='20' y='20' width='40' height='30' fill='none' "
+              "data-fold-angle='80'/>",
+              "fold 80"},
+             {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70 80' "
+              "d='M10 0V30H50M60 0V50'/>",
+              "valley 60, valley 70, valley 80"},
+             {"<polygon class='valley' stroke='#f0f' points='20 20 40 20 40 40' fill='none' "
+              "data-fold-angle='60 70 80'/>",
+              "valley 60, valley 70, valley 80"},
+             {"<polygon class='valley' stroke='#f0f' points='20 20 40 20 40 40' fill='none' "
+              "data-fold-angle='60 70'/>",
+              "'data-fold-angle' has 2 angles, and its element draws 1 line with 3 sides [bad-number]"},
+             {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70' "
+              "d='M10 20C20 40 30 40 40 20H50'/>",
+              "'data-fold-angle' has 2 angles, and its element draws 1 line [bad-number]"},
              // Of a cut it says nothing.
              {"<path class='cut' stroke='#000' data-fold-angle='60' " + two + "/>", ""},
              {"<path class='valley' stroke='#f0f' data-fold-angle='60 70 80' " + two + "/>",
