@@ -178,21 +178,18 @@ Eigen::VectorXd ClosingStep::change_by(const std::vector<Slope>& slopes, const E
 // slopes of the size of the root of the damping, 3e-7. So steps are corrected by what the slopes themselves
 // leave of the change (Björck, Numerical Methods for Least Squares Problems, 1996, 2.9), until a correction
 // is no smaller than rounding makes it.
-bool ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                       Eigen::VectorXd& by) const {
+int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
+                      Eigen::VectorXd& by) const {
     by.setZero(ease_.size());
-    if (of_angles()) {
-        find_by_angles(slopes, change, by);
-    } else {
-        find_by_conditions(slopes, change, by);
-    }
-    return by.allFinite();
+    const int solutions =
+        of_angles() ? find_by_angles(slopes, change, by) : find_by_conditions(slopes, change, by);
+    return by.allFinite() ? solutions : 0;
 }
 
-void ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                     Eigen::VectorXd& by) const {
+int ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
+                                    Eigen::VectorXd& by) const {
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(change.size());
-    add_corrections(by, [&](Eigen::VectorXd& correction) {
+    return add_corrections(by, [&](Eigen::VectorXd& correction) {
         const Eigen::VectorXd more = solver_.solve(change - change_by(slopes, by) - damping_ * loads);
         loads += more;
         slope_back(slopes, more, correction);
@@ -203,12 +200,12 @@ void ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eig
 // A direction in which no loop opens has nothing but the damping in the equations, and of their rounding a
 // thousandth of the step stands there in the solution. The slopes give nothing back of it, so each correction
 // takes it out, but for a thousandth.
-void ClosingStep::find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                 Eigen::VectorXd& by) const {
+int ClosingStep::find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
+                                Eigen::VectorXd& by) const {
     const auto count = static_cast<Eigen::Index>(order_.size());
     Eigen::VectorXd ordered(count);
     Eigen::VectorXd back;
-    add_corrections(by, [&](Eigen::VectorXd& correction) {
+    return add_corrections(by, [&](Eigen::VectorXd& correction) {
         slope_back(slopes, change - change_by(slopes, by), back);
         for (Eigen::Index i = 0; i < count; ++i)
             ordered[nth(order_, i)] = root_[i] * back[i] - damping_ * (by[i] / root_[i]);

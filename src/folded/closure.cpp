@@ -39,6 +39,8 @@ constexpr double kKeepsSlopes = 0.1;
 
 // Steps of work of a loop's crossing of a fold, in its residual.
 constexpr double kTermSteps = 60.0;
+// Of one, in what a solution leaves of the change.
+constexpr double kSlopeSteps = 24.0;
 
 }  // namespace
 
@@ -48,7 +50,8 @@ Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::v
 Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work)
     : work_(&work),
       affordable_(plan.affordable),
-      step_work_(plan.work),
+      factor_work_(plan.factors()),
+      solution_work_(plan.solution),
       closing_(equations(sheet, folds, std::move(plan))) {}
 
 ClosingStep Closure::equations(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan) {
@@ -123,13 +126,16 @@ double Closure::residual(const Eigen::VectorXd& angles, int* worst) {
 
 // False if the work that is left does not do for it.
 bool Closure::factorise() {
-    if (!work_->spend(step_work_)) return false;
+    if (!work_->spend(factor_work_)) return false;
     const double mean_square = residual_.squaredNorm() / static_cast<double>(residual_.size());
     return closing_.factorise(slopes_, kRegular + kDamped * mean_square);
 }
 
 bool Closure::step(const Eigen::VectorXd& change, Eigen::VectorXd& by) {
-    return closing_.find(slopes_, change, by);
+    const int solutions = closing_.find(slopes_, change, by);
+    const double terms = static_cast<double>(terms_.size());
+    work_->spend(solutions * (solution_work_ + kSlopeSteps * terms));
+    return solutions > 0;
 }
 
 int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {

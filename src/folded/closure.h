@@ -61,7 +61,7 @@ class Closure {
 
     Work* work_;
     bool affordable_ = false;
-    double step_work_ = 0.0;  // what a factorisation takes, with what is solved
+    double factor_work_ = 0.0, solution_work_ = 0.0;  // what one takes
     std::vector<Term> terms_;
     std::vector<ClosingStep::Slope> slopes_;  // by term: of its loop's conditions by its fold's angle
     bool bends_ = false;

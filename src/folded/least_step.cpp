@@ -1,61 +1,99 @@
 #include "folded/least_step.h"
 
-#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 
-#include "base/nth.h"
 #include "folded/corrections.h"
 
 namespace popup::folded {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-
 // Steps of work of an entry of the normal equations.
 constexpr double kNormalSteps = 8.0;
 
-// Says what its factors take, once the pattern has been analysed.
-class CountedLdlt : public Eigen::SimplicialLDLT<Matrix> {
- public:
-    [[nodiscard]] double steps() const {
-        double sum = 0.0;
-        for (Eigen::Index i = 0; i < m_nonZerosPerCol.size(); ++i) {
-            const double below = m_nonZerosPerCol[i] + 1.0;
-            sum += below * below;
-        }
-        return sum;
+Eigen::SparseMatrix<double> normal_of(const Eigen::SparseMatrix<double>& a,
+                                      const Eigen::SparseMatrix<double>& b, double regular) {
+    Eigen::SparseMatrix<double> normal = a * b;
+    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += regular;
+    return normal;
+}
+
+// Products that make the normal equations of these columns' rows.
+double products_of(const Eigen::SparseMatrix<double>& columns) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < columns.outerSize(); ++i) {
+        const double here = columns.outerIndexPtr()[i + 1] - columns.outerIndexPtr()[i];
+        sum += here * here;
     }
-};
+    return sum;
+}
+
+// What factors of so many products take at least, where it is a sheet that hangs together.
+double least_factor_steps(double products) { return std::pow(products, 1.5); }
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> least_step(const std::vector<Eigen::Triplet<double>>& slopes,
-                                          Eigen::Index unknowns, const Eigen::VectorXd& residual,
-                                          double regular, Work& work) {
-    std::vector<double> rows_of(static_cast<std::size_t>(unknowns), 0.0);
-    for (const Eigen::Triplet<double>& entry : slopes) nth(rows_of, entry.col()) += 1.0;
-    double entries = 0.0;
-    for (const double rows : rows_of) entries += rows * rows;
-    // Factors of what hangs together like a sheet, and of what all hangs together, take about this much.
-    if (!work.has(std::pow(entries, 1.5)) || !work.spend(kNormalSteps * entries)) return std::nullopt;
+void LeastStep::Ldlt::analyse(const Matrix& normal) {
+    analyzePattern(normal);
+    for (Eigen::Index i = 0; i < m_nonZerosPerCol.size(); ++i) {
+        const double below = m_nonZerosPerCol[i] + 1.0;
+        entries += below;
+        steps += below * below;
+    }
+}
+
+bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
+    const double of_rows = products_of(across);
+    const double of_unknowns = products_of(back);
+    const double fewer = std::min(of_rows, of_unknowns);
+    if (!work.has(least_factor_steps(fewer))) return false;
+    const auto analysed = [&](bool unknowns) {
+        auto solver = std::make_unique<Ldlt>();
+        solver->analyse(unknowns ? normal_of(back, across, 1.0) : normal_of(across, back, 1.0));
+        return solver;
+    };
+    of_unknowns_ = of_unknowns < of_rows;
+    product_work_ = kNormalSteps * fewer;
+    if (!work.spend(product_work_)) return false;
+    solver_ = analysed(of_unknowns_);
+    // The others' factors may be smaller, unless that is a matter of very many entries.
+    const double others = std::max(of_rows, of_unknowns);
+    if (least_factor_steps(others) >= solver_->steps) return true;
+    if (!work.spend(kNormalSteps * others)) return false;
+    std::unique_ptr<Ldlt> other = analysed(!of_unknowns_);
+    if (kNormalSteps * others + other->steps >= product_work_ + solver_->steps) return true;
+    solver_ = std::move(other);
+    of_unknowns_ = !of_unknowns_;
+    product_work_ = kNormalSteps * others;
+    return true;
+}
+
+std::optional<Eigen::VectorXd> LeastStep::find(const std::vector<Eigen::Triplet<double>>& slopes,
+                                               Eigen::Index unknowns, const Eigen::VectorXd& residual,
+                                               double regular, Work& work) {
     Matrix across(residual.size(), unknowns);
     across.setFromTriplets(slopes.begin(), slopes.end());
-    const Matrix transposed = across.transpose();
-    Matrix normal = across * transposed;
-    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += regular;
-    CountedLdlt solver;
-    solver.analyzePattern(normal);
-    if (!work.spend(solver.steps())) return std::nullopt;
-    solver.factorize(normal);
-    if (solver.info() != Eigen::Success) return std::nullopt;
+    const Matrix back = across.transpose();
+    if (solver_ == nullptr && !arrange(across, back, work)) {
+        solver_.reset();
+        return std::nullopt;
+    }
+    if (!work.spend(product_work_ + solver_->steps)) return std::nullopt;
+    solver_->factorize(of_unknowns_ ? normal_of(back, across, regular) : normal_of(across, back, regular));
+    if (solver_->info() != Eigen::Success) return std::nullopt;
     Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns);
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(residual.size());
-    add_corrections(by, [&](Eigen::VectorXd& correction) {
-        const Eigen::VectorXd left = -residual - across * by - regular * loads;
-        const Eigen::VectorXd more = solver.solve(left);
+    const int solutions = add_corrections(by, [&](Eigen::VectorXd& correction) {
+        const Eigen::VectorXd left = -residual - across * by;
+        if (of_unknowns_) {
+            correction = solver_->solve(back * left - regular * by);
+            return;
+        }
+        const Eigen::VectorXd more = solver_->solve(left - regular * loads);
         loads += more;
-        correction = transposed * more;
+        correction = back * more;
     });
+    work.spend(2.0 * solutions * (solver_->entries + static_cast<double>(slopes.size())));
     if (!by.allFinite()) return std::nullopt;
     return by;
 }

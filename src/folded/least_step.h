@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,11 +12,35 @@
 
 namespace popup::folded {
 
-// Of slopes given as entries (row: residual, column: unknown) the least x with slopes x = -residual, by the
-// normal equations with `regular` on their diagonal. nullopt if they cannot be solved, or if `work`, which
-// pays for it, does not do.
-std::optional<Eigen::VectorXd> least_step(const std::vector<Eigen::Triplet<double>>& slopes,
-                                          Eigen::Index unknowns, const Eigen::VectorXd& residual,
-                                          double regular, Work& work);
+// With slopes J and a small `regular` d the least x with J x = -r is
+//
+//     -Jᵀ (J Jᵀ + d)⁻¹ r  =  -(Jᵀ J + d)⁻¹ Jᵀ r
+//
+// and is found from as many equations as there are residuals or unknowns, whichever has the smaller factors.
+// Which they are, and their order, is looked for once for all questions.
+class LeastStep {
+ public:
+    // Slopes as entries (row: residual, column: unknown), in the same order in each question: values alone
+    // may differ. nullopt if the equations cannot be solved, or if `work`, which pays for it, does not do.
+    std::optional<Eigen::VectorXd> find(const std::vector<Eigen::Triplet<double>>& slopes,
+                                        Eigen::Index unknowns, const Eigen::VectorXd& residual,
+                                        double regular, Work& work);
+
+ private:
+    using Matrix = Eigen::SparseMatrix<double>;
+    // Says what its factors take, once the pattern has been analysed.
+    class Ldlt : public Eigen::SimplicialLDLT<Matrix> {
+     public:
+        void analyse(const Matrix& normal);
+        double steps = 0.0, entries = 0.0;
+    };
+
+    // False if the work does not do for it.
+    bool arrange(const Matrix& across, const Matrix& back, Work& work);
+
+    std::unique_ptr<Ldlt> solver_;  // none before the first question
+    bool of_unknowns_ = false;
+    double product_work_ = 0.0;  // to make the normal equations
+};
 
 }  // namespace popup::folded

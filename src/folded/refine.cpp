@@ -249,7 +249,7 @@ class Solver {
     bool step() {
         const Eigen::Map<const Eigen::VectorXd> residual(residual_.data(),
                                                          static_cast<Eigen::Index>(residual_.size()));
-        std::optional<Eigen::VectorXd> by = least_step(entries_, unknowns_, residual, kRegular, work_);
+        std::optional<Eigen::VectorXd> by = least_.find(entries_, unknowns_, residual, kRegular, work_);
         if (!by) return false;
         by->head(2 * corners_) *= kCornersPerRadian;
         x_ += *by;
@@ -284,6 +284,7 @@ class Solver {
     Eigen::VectorXd x_;  // moves of corners as shares of the sheet, then the angles at each share
     std::vector<Eigen::Triplet<double>> entries_;
     std::vector<double> residual_;
+    LeastStep least_;
 };
 
 }  // namespace

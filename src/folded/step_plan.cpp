@@ -91,8 +91,10 @@ bool count_steps(const Joined& sets, const std::vector<double>& own, const Work&
     }
     for (std::size_t i = 0; i < count; ++i) {
         const double column = own[i] + below[i];
-        plan.work += own[i] * column * (column + 2.0 * kSolutions);
+        plan.work += own[i] * column * column;
+        plan.solution += 2.0 * own[i] * column;
     }
+    plan.work += kSolutions * plan.solution;
     return work.has(kLeastFactorisations * plan.work);
 }
 
@@ -143,6 +145,8 @@ StepPlan plan_angles(const Sheet& sheet, const std::vector<int>& folds, const Co
 }
 
 }  // namespace
+
+double StepPlan::factors() const { return work - kSolutions * solution; }
 
 StepPlan plan_steps(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops,
                     const Work& work) {

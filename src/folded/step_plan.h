@@ -24,7 +24,9 @@ struct StepPlan {
     std::vector<int> loops;
     // By fold, the place of its equation. Empty where the equations are those of conditions.
     std::vector<int> angle_order;
-    double work = 0.0;  // steps, for the factors, and for what is solved with them
+    // Steps: for the factors and for what is solved with them, and what one of these solutions takes.
+    double work = 0.0, solution = 0.0;
+    [[nodiscard]] double factors() const;  // without solutions
 };
 
 // For these loops and the folds that they cross: of the two what takes less. Cost: of a few factorisations at

@@ -124,6 +124,7 @@ Refined straighten(Sheet& sheet, double most_mm, Work& work) {
     const auto rows = static_cast<Eigen::Index>(lines.size() + flat.size());
     Eigen::VectorXd off(rows);
     std::vector<Eigen::Triplet<double>> entries;
+    LeastStep least;
     for (int step = 0; step < kSteps; ++step) {
         entries.clear();
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -157,7 +158,7 @@ Refined straighten(Sheet& sheet, double most_mm, Work& work) {
             }
         }
         const auto unknowns = static_cast<Eigen::Index>(2 * corners.size());
-        const std::optional<Eigen::VectorXd> by = least_step(entries, unknowns, off, kRegular, work);
+        const std::optional<Eigen::VectorXd> by = least.find(entries, unknowns, off, kRegular, work);
         if (!by) return result;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(2 * i);

@@ -4,12 +4,11 @@
 
 namespace popup::folded {
 
-// One step is about one multiplication of a factorisation, and takes about a nanosecond.
+// One step is about one multiplication of a factorisation, with what stands around it some five instructions.
 class Work {
  public:
-    // What is spent on one sheet, loops that are tried in several ways included: some 20 s by the estimate
-    // above.
-    static constexpr double kOfASheet = 2e10;
+    // What is spent on one sheet, loops that are tried in several ways included: some 5 s.
+    static constexpr double kOfASheet = 9e9;
 
     explicit Work(double most = kOfASheet) : most_(most), left_(most) {}
 

@@ -218,11 +218,11 @@ TEST(ClosingStep, IsRightWhereLoopsHardlySayAnything) {
     }
 }
 
-// The same of equations that are not those of loops.
+// The same of equations that are not those of loops; steps are found from those of unknowns or of conditions,
+// whichever are fewer.
 TEST(LeastStep, IsRightWhereEquationsDependOnEachOther) {
     Random random(5);
-    for (int i = 0; i < 10; ++i) {
-        StepQuestion question = twice(grid(2 + i % 3, 2, random), random);
+    const auto expect = [&](StepQuestion question, const std::string& what) {
         question.ease.setOnes();
         make_possible(question, random);
         std::vector<Eigen::Triplet<double>> entries;
@@ -233,12 +233,34 @@ TEST(LeastStep, IsRightWhereEquationsDependOnEachOther) {
             }
         }
         Work work;
-        const auto by = least_step(entries, question.ease.size(), -question.change, kLeastDamping, work);
-        ASSERT_TRUE(by);
+        LeastStep least;
         const LongVector expected = by_decomposition(question, kLeastDamping);
-        EXPECT_LT((by->cast<long double>() - expected).lpNorm<Eigen::Infinity>(),
-                  kRight * expected.lpNorm<Eigen::Infinity>());
+        // The second question has the order that was found for the first.
+        for (const double times : {1.0, -0.5}) {
+            const Eigen::VectorXd residual = -times * question.change;
+            const auto by = least.find(entries, question.ease.size(), residual, kLeastDamping, work);
+            ASSERT_TRUE(by) << what;
+            EXPECT_LT((by->cast<long double>() - times * expected).lpNorm<Eigen::Infinity>(),
+                      kRight * expected.lpNorm<Eigen::Infinity>())
+                << what;
+        }
+    };
+    for (int i = 0; i < 10; ++i) {
+        expect(twice(grid(2 + i % 3, 2, random), random), "more conditions");
+        expect(rings(1 + i % 3, 20 - i, random), "more unknowns");
+        expect(miura_at(3 + i % 4, 3 + i % 3, 0.3, random), "Miura");
     }
+}
+
+TEST(LeastStep, IsPaidFor) {
+    const std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}, {0, 1, 1.0}, {1, 1, 2.0}};
+    const Eigen::VectorXd residual = Eigen::VectorXd::Ones(2);
+    Work work;
+    ASSERT_TRUE(LeastStep().find(entries, 2, residual, 1e-13, work));
+    Work enough(work.spent());
+    EXPECT_TRUE(LeastStep().find(entries, 2, residual, 1e-13, enough));
+    Work little(0.5 * work.spent());
+    EXPECT_FALSE(LeastStep().find(entries, 2, residual, 1e-13, little));
 }
 
 std::vector<int> all(std::size_t count) {
