@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <span>
+#include <optional>
 #include <utility>
 
 #include "base/nth.h"
@@ -19,10 +19,27 @@ namespace {
 using Angles = Eigen::VectorXd;
 
 constexpr std::size_t kSteps = Folded::kLawSteps;
+constexpr std::size_t kFirstStride = 4;  // points of a range that are found first: every fourth
+static_assert(kSteps % kFirstStride == 0);
+constexpr double kLeastOpen = 1e-15;  // an error that is below rounding
 // Shares at which the flat sheet is left, one after the other until there is closure.
 constexpr std::array kFirstShares{0.1, 0.05, 0.2, 0.02, 0.35};
 constexpr double kFirstWidth = 0.3;  // of a range
 constexpr double kLeastWidth = 1.0 / 4096.0;
+// What is left of a stage is taken at once if it is so many widths.
+constexpr double kLastWidths = 1.5;
+// Of a range: how wide the next one may be, how wide one that failed is tried again, and which share of what
+// its error allows is taken.
+constexpr double kWidest = 2.5;
+constexpr double kNarrowest = 0.3;
+constexpr double kLessWide = 0.85;
+constexpr double kOfAllowed = 0.9;
+constexpr double kOpenTimes = 0.5;
+// A range is given up early if by what its first points say it would be open by so many times too much.
+constexpr double kFarTooOpen = 30.0;
+constexpr int kMostShorter = 3;  // times that a range is tried with less width before another way is
+constexpr int kPaperHalvings = 24;
+constexpr double kOfPaper = 0.999;  // of the way to where a fold is turned by half a turn
 constexpr int kMostStages = 12;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
 // is held to between them, and above what rounding and flat states leave.
@@ -41,18 +58,26 @@ struct Range {
     [[nodiscard]] double share(std::size_t i) const {
         return i == kSteps ? to : from + (to - from) * chebyshev_share(i);
     }
-    // By the barycentric formula; not at a point.
-    [[nodiscard]] Angles between(double share_here) const {
+    // By the barycentric formula, from every `stride`th point; not at one of these.
+    [[nodiscard]] Angles between(double share_here, std::size_t stride = 1) const {
         Angles above = Angles::Zero(points.front().size());
         double below = 0.0;
-        for (std::size_t i = 0; i <= kSteps; ++i) {
-            const double weight =
-                (i % 2 == 0 ? 1.0 : -1.0) * (i == 0 || i == kSteps ? 0.5 : 1.0) / (share_here - share(i));
+        for (std::size_t i = 0; i <= kSteps; i += stride) {
+            const double weight = (i / stride % 2 == 0 ? 1.0 : -1.0) * (i == 0 || i == kSteps ? 0.5 : 1.0) /
+                                  (share_here - share(i));
             above += weight * points[i];
             below += weight;
         }
         return above / below;
     }
+};
+
+// How it went with a range.
+struct Tried {
+    bool added = false;
+    // Of one that was not: whether it would be with less width. Else its loops do not close.
+    bool too_wide = false;
+    double times = kOpenTimes;  // its width: what is tried next
 };
 
 class Walk {
@@ -146,8 +171,10 @@ class Walk {
     double go_on(double share, double end) {
         double width = kFirstWidth;
         bool straight = true;  // led on last
+        int failed = 0;
         while (share < end) {
-            const double to = share + 1.5 * width >= end ? end : share + width;
+            const bool takes_rest = share + (failed == 0 ? kLastWidths : 1.0) * width >= end;
+            const double to = takes_rest ? end : share + width;
             const Angles from = ranges_.back().points.back();
             const double begin = share;
             // Straight to the goal where that is near enough to closure all the way, for it ends there; else
@@ -156,25 +183,26 @@ class Walk {
             const auto go = [&](bool straight_on) {
                 const Angles way =
                     straight_on ? Angles(goal_ - from) : closure_.along_loops(from, goal_ - from);
-                return add_range(begin, to, from, [&](double s) -> Angles {
+                return try_range(begin, to, from, [&](double s) -> Angles {
                     return from + ((s - begin) / (end - begin)) * way;
                 });
             };
-            const bool first = straight || to == end;
-            bool added = go(first);
-            if (added) {
-                straight = first;
-            } else {
-                added = go(!first);
-                if (added) straight = !first;
+            bool way = straight || to == end;
+            Tried tried = go(way);
+            const bool ends_here = tried.times * (to - share) < kLeastWidth;
+            if (!tried.added && (!tried.too_wide || ends_here || failed >= kMostShorter)) {
+                way = !way;
+                if (const Tried other = go(way); other.added || other.times > tried.times) tried = other;
             }
-            if (added) {
+            width = tried.times * (to - share);
+            if (tried.added) {
+                straight = way;
                 share = to;
-                width *= 1.5;
-                continue;
+                failed = 0;
+            } else {
+                ++failed;
+                if (width < kLeastWidth) break;
             }
-            width = 0.5 * (to - share);
-            if (width < kLeastWidth) break;
         }
         return share;
     }
@@ -207,7 +235,7 @@ class Walk {
         double share = from;
         Angles here = begin;
         while (!ends.empty()) {
-            if (add_range(share, ends.back(), here, guess)) {
+            if (try_range(share, ends.back(), here, guess).added) {
                 share = ends.back();
                 here = ranges_.back().points.back();
                 ends.pop_back();
@@ -219,36 +247,83 @@ class Walk {
         return true;
     }
 
+    // Closes the loops at every fourth point from what is guessed there, and at those between from what the
+    // others say of them: so few points have a long way, and all are on one smooth curve.
     template <typename Guess>
-    bool add_range(double from, double to, const Angles& begin, const Guess& guess) {
+    Tried try_range(double from, double to, const Angles& begin, const Guess& guess) {
         Range range;
         range.from = from;
         range.to = to;
         range.points.assign(kSteps + 1, begin);
-        for (std::size_t i = 1; i <= kSteps; ++i) range.points[i] = guess(range.share(i));
-        const std::span<Angles> moving = std::span(range.points).subspan(1);
-        if (const int open = closure_.approach_smoothly(moving, kClosed); open >= 0)
-            return blame(moving[static_cast<std::size_t>(open)]);
-        for (const Angles& there : moving) {
-            if (!is_paper(there)) return blame(there);
+        double open_before = 0.0;
+        for (std::size_t stride = kFirstStride; stride > 0; stride /= 2) {
+            const bool is_first = stride == kFirstStride;
+            std::vector<std::size_t> numbers;
+            std::vector<Angles> moving;
+            for (std::size_t i = stride; i <= kSteps; i += is_first ? stride : 2 * stride) {
+                numbers.push_back(i);
+                moving.push_back(is_first ? guess(range.share(i))
+                                          : range.between(range.share(i), 2 * stride));
+            }
+            if (!is_first) {
+                // Errors fall as powers of the number of points.
+                const double open = closure_.residual(moving.front());
+                const double ratio = std::min(1.0, open / std::max(open_before, kLeastOpen));
+                if (stride == 1 && open * ratio * ratio > kFarTooOpen * most_)
+                    return too_wide(open * ratio * ratio);
+                open_before = open;
+            }
+            if (const int open = closure_.approach_smoothly(moving, kClosed); open >= 0)
+                return blame(nth(moving, open));
+            for (std::size_t i = 0; i < numbers.size(); ++i) range.points[numbers[i]] = std::move(moving[i]);
+            if (const std::optional<Tried> beyond = leaves_paper(range, stride)) return *beyond;
         }
-        // Between its points, where a polynomial departs furthest.
+        return check_between(std::move(range));
+    }
+
+    // Between its points, where a polynomial departs furthest.
+    Tried check_between(Range range) {
+        double open = 0.0;
         for (std::size_t i = 0; i < kSteps; ++i) {
-            const double share = 0.5 * (range.share(i) + range.share(i + 1));
-            const Angles there = range.between(share);
-            if (closure_.residual(there) <= most_ && is_paper(there)) continue;
-            return blame(there);
+            const Angles there = range.between(0.5 * (range.share(i) + range.share(i + 1)));
+            const double here = closure_.residual(there, &cluster_.worst_loop);
+            if (!(here <= kFarTooOpen * most_) || !is_paper(there)) return too_wide(here);
+            open = std::max(open, here);
         }
+        if (open > most_) return too_wide(open);
         ranges_.push_back(std::move(range));
-        return true;
+        return {true, false, allowed_times(open, kWidest)};
+    }
+
+    // The width that the error allows; it grows with the power of the points.
+    [[nodiscard]] double allowed_times(double open, double most) const {
+        const double times =
+            kOfAllowed * std::pow(most_ / std::max(open, kLeastOpen), 1.0 / static_cast<double>(kSteps + 1));
+        return std::clamp(times, kNarrowest, most);
+    }
+    [[nodiscard]] Tried too_wide(double open) const { return {false, true, allowed_times(open, kLessWide)}; }
+
+    // If a fold is turned by more than half a turn: up to where none is.
+    [[nodiscard]] std::optional<Tried> leaves_paper(const Range& range, std::size_t stride) {
+        std::size_t last = stride;
+        while (last <= kSteps && is_paper(range.points[last])) last += stride;
+        if (last > kSteps) return std::nullopt;
+        double low = range.share(last - stride);
+        double high = range.share(last);
+        for (int i = 0; i < kPaperHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            (is_paper(range.between(middle, stride)) ? low : high) = middle;
+        }
+        blame(range.points[last]);
+        return Tried{false, true, kOfPaper * (low - range.from) / (range.to - range.from)};
     }
 
     static bool is_paper(const Angles& angles) { return angles.lpNorm<Eigen::Infinity>() <= kHalfTurn; }
 
     // Keeps the loop that is furthest from closed there.
-    bool blame(const Angles& angles) {
+    Tried blame(const Angles& angles) {
         closure_.residual(angles, &cluster_.worst_loop);
-        return false;
+        return {};
     }
 
     Cluster& cluster_;
