@@ -12,8 +12,9 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "not know, and lists with a value for each vertex, edge or face, whose values go to the elements in the "
      "same place. Not written are the file's other frames, which popupc's own folded frames take the place "
      "of; "
-     "faceOrders and edgeOrders, and lists with another number of values, because they speak of elements by "
-     "numbers that have changed; and, where several designs go into one file, all keys, because they would "
+     "edgeOrders, lists with another number of values, and, where faces were divided or joined or --flat has "
+     "found an order, faceOrders, because they speak of elements by numbers that have changed; and, where "
+     "several designs go into one file, all keys, because they would "
      "speak of the others too. Write each design into a file of its own, or copy what is missing."},
     {"backs-to-mark", Severity::remark, "sheets have backs that are to be marked before the fronts are cut",
      "A piece that is glued flat has no tab for its number. The number is marked on its back, where the glue "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -177,6 +178,7 @@ class FoldText : private FoldJson {
         }
         if (cards_.size() == 1 && scenes.front().creases != nullptr)
             carried_ = &scenes.front().creases->carried;
+        take_carried_orders();
         std::sort(angles_.begin(), angles_.end());
         angles_.erase(std::unique(angles_.begin(), angles_.end()), angles_.end());
         still_ = std::all_of(scenes.begin(), scenes.end(),
@@ -275,7 +277,8 @@ class FoldText : private FoldJson {
     }
 
     void member_key(const CarriedKeys::Member& member) {
-        for (const std::string_view merged : {"file_classes", "frame_classes", "frame_attributes"}) {
+        for (const std::string_view merged :
+             {"file_classes", "frame_classes", "frame_attributes", "faceOrders"}) {
             if (member.key == merged) return;
         }
         begin_key(1, member.key);
@@ -316,6 +319,7 @@ class FoldText : private FoldJson {
             if (!member.key.starts_with("file_")) member_key(member);
         }
         write_pattern(key_mesh_, 1);
+        if (carried_orders_) write_orders(*carried_orders_, 1);
     }
 
     // The pattern again with its slits open, for folded frames to inherit.
@@ -495,28 +499,47 @@ class FoldText : private FoldJson {
         end_object(2);
     }
 
+    [[nodiscard]] bool has_layers() const {
+        return std::any_of(cards_.begin(), cards_.end(),
+                           [](const Card& card) { return !card.scene->assembly->layers.empty(); });
+    }
+
     void write_face_orders(std::size_t depth) {
-        if (std::all_of(cards_.begin(), cards_.end(),
-                        [](const Card& card) { return card.scene->assembly->layers.empty(); }))
-            return;
-        begin_key(depth, "faceOrders");
-        begin_list();
-        std::size_t face = 0;
+        if (!has_layers()) return;
+        std::vector<std::array<int, 3>> orders;
+        int face = 0;
         for (const Card& card : cards_) {
             const Assembly& assembly = *card.scene->assembly;
-            std::vector<std::vector<std::size_t>> faces(assembly.plates.size());
+            std::vector<std::vector<int>> faces(assembly.plates.size());
             for (const int plate : card.mesh.face_plate) faces[at(plate)].push_back(face++);
             for (const PlateOrder& order : assembly.layers) {
-                for (const std::size_t above : faces[at(order.plate)]) {
-                    for (const std::size_t base : faces[at(order.base)]) {
-                        next_row(depth + 1);
-                        numbers({static_cast<double>(above), static_cast<double>(base),
-                                 order.on_front ? 1.0 : -1.0});
-                    }
+                for (const int above : faces[at(order.plate)]) {
+                    for (const int base : faces[at(order.base)])
+                        orders.push_back({above, base, order.on_front ? 1 : -1});
                 }
             }
         }
+        write_orders(orders, depth);
+    }
+
+    void write_orders(const std::vector<std::array<int, 3>>& orders, std::size_t depth) {
+        begin_key(depth, "faceOrders");
+        begin_list();
+        for (const auto& [above, base, side] : orders) {
+            next_row(depth + 1);
+            numbers({static_cast<double>(above), static_cast<double>(base), static_cast<double>(side)});
+        }
         end_rows(depth);
+    }
+
+    // Those of the file, if each of its faces is one of the sheet's, and no other order was found.
+    void take_carried_orders() {
+        if (has_layers()) return;
+        const auto orders = std::find_if(carried_->members.begin(), carried_->members.end(),
+                                         [](const auto& member) { return member.key == "faceOrders"; });
+        if (orders == carried_->members.end()) return;
+        const FoldMesh& mesh = cards_.front().mesh;
+        carried_orders_ = face_orders(mesh, *carried_, fold_sources(mesh, *carried_), orders->json);
     }
 
     // What the files that were read say and this one does not.
@@ -526,6 +549,7 @@ class FoldText : private FoldJson {
             const CarriedKeys& carried = card.scene->creases->carried;
             const std::string& file = card.scene->creases->file;
             std::vector<std::string> what = carried.left_out;
+            if (is_carried("faceOrders") && !carried_orders_) what.emplace_back("faceOrders");
             if (cards_.size() > 1) {
                 for (const CarriedKeys::Member& member : carried.members) what.push_back(member.key);
                 for (const auto* columns : {&carried.vertices, &carried.edges, &carried.faces}) {
@@ -563,6 +587,7 @@ class FoldText : private FoldJson {
     bool still_ = false;        // nothing moves, and it is known where it stands
     CarriedKeys none_carried_;
     const CarriedKeys* carried_ = &none_carried_;
+    std::optional<std::vector<std::array<int, 3>>> carried_orders_;
 };
 
 }  // namespace

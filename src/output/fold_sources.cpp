@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <utility>
@@ -177,6 +178,31 @@ class Finder {
 
 FoldSources fold_sources(const FoldMesh& mesh, const CarriedKeys& carried) {
     return Finder(mesh, carried).run();
+}
+
+std::optional<std::vector<std::array<int, 3>>> face_orders(const FoldMesh& mesh, const CarriedKeys& carried,
+                                                           const FoldSources& sources,
+                                                           std::string_view json) {
+    const std::size_t count = carried.face_corners.size();
+    if (mesh.face_plate.size() != count) return std::nullopt;
+    std::vector<int> face_of(count, -1);  // by face of the file
+    for (std::size_t f = 0; f < count; ++f) {
+        const int source = sources.faces[f];
+        if (source < 0 || nth(face_of, source) >= 0) return std::nullopt;
+        nth(face_of, source) = static_cast<int>(f);
+    }
+    std::vector<std::array<int, 3>> orders;
+    for (const auto& order : nlohmann::json::parse(json)) {
+        const int above = order[0].get<int>();
+        const int below = order[1].get<int>();
+        Ring ring;
+        for (const int corner : nth(carried.face_corners, below))
+            ring.push_back(nth(carried.corners, corner));
+        // Faces of the mesh are counter-clockwise.
+        const int side = order[2].get<int>();
+        orders.push_back({nth(face_of, above), nth(face_of, below), signed_area(ring) < 0.0 ? -side : side});
+    }
+    return orders;
 }
 
 std::vector<double> asked_angles(const FoldMesh& mesh, const CreasePattern& creases) {

@@ -1,6 +1,9 @@
 // Which element of a FOLD file each element of a mesh came from.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "output/fold_mesh.h"
@@ -21,6 +24,12 @@ struct FoldSources {
 // first. Precondition: pages of the mesh are in the file's coordinates, as those of folded sheets are. Cost:
 // near linear in elements.
 FoldSources fold_sources(const FoldMesh& mesh, const CarriedKeys& carried);
+
+// The file's faceOrders, as JSON, in numbers of the mesh's faces: above, below, and on which side of the one
+// below, whose front may be the back of the file's. nullopt where a face of the one is not one of the other:
+// it was divided, or joined with others, or is no paper.
+std::optional<std::vector<std::array<int, 3>>> face_orders(const FoldMesh& mesh, const CarriedKeys& carried,
+                                                           const FoldSources& sources, std::string_view json);
 
 // By edge of the mesh: how far its pattern asks for it to be folded in the end, degrees in [0, 180]; 0 where
 // it asks for no fold. Edges and lines correspond as in fold_sources().

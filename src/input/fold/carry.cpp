@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -14,7 +15,6 @@ constexpr auto kSaidAnew = std::to_array<std::string_view>(
      "frame_inherit",  "vertices_coords", "vertices_vertices", "vertices_edges",  "vertices_faces",
      "edges_vertices", "edges_faces",     "edges_assignment",  "edges_foldAngle", "edges_foldAngles",
      "edges_length",   "edges_lengths",   "faces_vertices",    "faces_edges",     "faces_faces"});
-constexpr auto kByNumber = std::to_array<std::string_view>({"faceOrders", "edgeOrders"});
 
 template <std::size_t N>
 bool is_one_of(std::string_view key, const std::array<std::string_view, N>& keys) {
@@ -37,7 +37,7 @@ class Carrier {
             take_column(member, counts_.edges, out_.edges);
         } else if (key.starts_with("faces_")) {
             take_column(member, counts_.faces, out_.faces);
-        } else if (is_one_of(key, kByNumber)) {
+        } else if (key == "edgeOrders" || (key == "faceOrders" && !are_orders(member.value))) {
             out_.left_out.push_back(key);
         } else {
             out_.members.push_back({key, compact_value(text_, member.value.at)});
@@ -47,6 +47,23 @@ class Carrier {
     CarriedKeys done() { return std::move(out_); }
 
  private:
+    // Triples of two faces and the side of the second on which the first lies: -1, 0 or 1.
+    [[nodiscard]] bool are_orders(const JsonValue& value) const {
+        const JsonList* orders = value.list();
+        if (orders == nullptr) return false;
+        return std::all_of(orders->begin(), orders->end(), [&](const JsonValue& order) {
+            const JsonList* three = order.list();
+            if (three == nullptr || three->size() != 3) return false;
+            const auto is_between = [three](std::size_t i, double least, double most) {
+                const double* number = (*three)[i].number();
+                return number != nullptr && *number >= least && *number <= most &&
+                       *number == std::floor(*number);
+            };
+            const double last = static_cast<double>(counts_.faces) - 1.0;
+            return is_between(0, 0.0, last) && is_between(1, 0.0, last) && is_between(2, -1.0, 1.0);
+        });
+    }
+
     void take_column(const JsonMember& member, std::size_t count, std::vector<CarriedKeys::Column>& columns) {
         const JsonList* values = member.value.list();
         if (values == nullptr || values->size() != count || count == 0) {

@@ -23,8 +23,9 @@ struct ElementCounts {
 // A list under a key of vertices_, edges_ or faces_ with one value an element is a column, and all else is a
 // member. Not taken along, because whoever writes the file says it anew: the unit, frames and their parents,
 // places, edges, their letters, angles and lengths, faces, what is next to what, and popupc's own keys.
-// faceOrders, edgeOrders, and lists of elements with another number of values, are `left_out`: they speak of
-// elements by their numbers. Cost: linear in the text.
+// faceOrders that are triples of the frame's faces and a side are a member, whose numbers are those of the
+// file. Other ones, edgeOrders, and lists of elements with another number of values, are `left_out`: they
+// speak of elements by their numbers. Cost: linear in the text.
 CarriedKeys carry(std::string_view text, const JsonValue& file, std::span<const JsonValue* const> frames,
                   const ElementCounts& counts);
 

@@ -396,7 +396,9 @@ class Reader {
         CarriedKeys& out = out_.carried;
         out = carry(text_, root, chain, {corners_.size(), edges, faces_.size()});
         out.other_frames = frames_.size() - 1;
-        if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return;
+        const bool orders = std::any_of(out.members.begin(), out.members.end(),
+                                        [](const auto& member) { return member.key == "faceOrders"; });
+        if (out.vertices.empty() && out.edges.empty() && out.faces.empty() && !orders) return;
         out.corners = std::move(corners_);
         for (const Edge& edge : edges_) out.edge_corners.push_back({edge.a, edge.b});
         out.face_corners = std::move(faces_);
