@@ -135,6 +135,10 @@ class Completer {
             for (const std::string_view one : versions) words(at, {&one, 1});
         } else if (name == Name::page) {
             pages(at);
+        } else if (name == Name::on) {
+            const bool plates = text_.element(element).what == Name::parentplate;
+            for (const NamedPlace& one : places_before(text_, text_.structure_of(element), plates))
+                add(one.name, ItemKind::reference, one.about, {}, at, one.name);
         } else if (name == Name::fit) {
             words(at, kPictureFitNames);
         } else if (name == Name::font) {
@@ -162,17 +166,22 @@ class Completer {
                 to_string(*parse_color(name)), at, std::string(name));
     }
 
+    // By their numbers, and from version 3.0 on by the elements whose pieces they are.
     void pages(Span at) {
-        add("0", ItemKind::value, "the base page", {}, at, "0");
+        const auto offer = [&](const std::string& page, std::string detail) {
+            add(page, ItemKind::value, std::move(detail), {}, at, page);
+        };
+        offer("0", "the base page");
+        const bool named = version_of(text_) >= "3.0";
+        const std::vector<int> all = text_.structures();
+        const std::vector<std::string> ids = ids_of(text_);
         int page = 0;
-        for (const int structure : text_.structures()) {
-            const ElementInfo* info = text_.row(structure);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const ElementInfo* info = text_.row(all[i]);
             if (info == nullptr || !info->glued) continue;
-            const auto id = text_.value(structure, Name::id);
-            ++page;
-            add(std::to_string(page), ItemKind::value,
-                fmt::format("the piece of {}", id ? text_.word(*id) : info->name), {}, at,
-                std::to_string(page));
+            const std::string detail = fmt::format("the piece of {}", ids[i]);
+            offer(std::to_string(++page), detail);
+            if (named && text_.value(all[i], Name::id)) offer(ids[i], detail);
         }
     }
 
@@ -205,7 +214,7 @@ class Completer {
         if (what == Name::structurelist) rows(at);
         const ElementInfo* info = what == Name::structure ? text_.row(element) : nullptr;
         const bool stands = given.contains(Name::parentfold) || given.contains(Name::parentplate);
-        if (what == Name::structure && !stands) folds(at);
+        if (what == Name::structure && !stands) folds(at, element);
         for (const std::string_view name : xml::names_in(what)) {
             const Name found = xml::find_name(what, name);
             if (found == Name::unknown) continue;
@@ -287,7 +296,9 @@ class Completer {
                             ? fmt::format("\n  <{} d=\"${{{}}}\"/>", one.name, ++stop)
                             : fmt::format("\n  <{0}>${{{1}}}</{0}>", one.name, ++stop);
             }
-            if (row.grounds.plate) {
+            if (row.grounds.plate && version_of(text_) >= "3.0") {
+                text += fmt::format("\n  <parentplate on=\"${{{}:{}}}\"/>", stop + 1, kPagePlates[1]);
+            } else if (row.grounds.plate) {
                 text += fmt::format("\n  <parentplate page=\"${{{}:0}}\" x=\"${{{}}}\" y=\"${{{}}}\"/>",
                                     stop + 1, stop + 2, stop + 3);
             } else if (!row.grounds.found && !row.grounds.page) {
@@ -300,6 +311,7 @@ class Completer {
     }
 
     [[nodiscard]] std::string gutter() const {
+        if (version_of(text_) >= "3.0") return "  <parentfold on=\"gutter\"/>";
         const Design* design = view_.good == nullptr ? nullptr : &*view_.good->design;
         const double half = design == nullptr ? 70.0 : design->height_mm / design->unit.mm / 2;
         const std::string y = xml::format_number(half);
@@ -308,14 +320,25 @@ class Completer {
             y);
     }
 
-    // Every fold that there is to stand on.
-    void folds(Span at) {
+    // Every fold that there is to stand on: by its name from version 3.0 on, else by its points.
+    void folds(Span at, int structure) {
+        std::set<std::string> named;
+        if (version_of(text_) >= "3.0") {
+            for (const NamedPlace& one : places_before(text_, structure, false)) {
+                named.insert(one.name);
+                add("parentfold " + one.name, ItemKind::reference, one.about, {}, at,
+                    fmt::format("<parentfold on=\"{}\"/>", one.name));
+            }
+        }
         if (view_.good == nullptr) return;
         const Design& design = *view_.good->design;
         for (const StandingFold& fold : view_.good->standing.folds) {
             const std::string owner = fold.owner < 0
                                           ? std::string("page")
                                           : design.structures[static_cast<std::size_t>(fold.owner)].id;
+            if (named.contains(fold.owner < 0 ? std::string(kGutter)
+                                              : fmt::format("{}.{}", owner, fold.name)))
+                continue;
             const auto point = [&](std::string_view name, Vec2 p) {
                 return fmt::format("  <{} x=\"{}\" y=\"{}\"/>\n", name,
                                    xml::format_number(p.x / design.unit.mm),

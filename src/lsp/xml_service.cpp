@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "input/color.h"
 #include "input/text.h"
 #include "input/xml/locate.h"
 #include "lsp/xml_completion.h"
 #include "lsp/xml_words.h"
+#include "popup/edit.h"
 
 namespace popup::lsp {
 namespace {
@@ -26,14 +28,11 @@ bool is_ours(std::string_view text) {
 class Page {
  public:
     explicit Page(const View& view) : view_(view), text_(marked(view.text.bytes())) {
-        int count = 0;
-        for (const int structure : text_.structures()) {
-            const auto value = text_.value(structure, Name::id);
-            ++count;
-            std::string id = value && value->size() > 0 ? std::string(trimmed(text_.word(*value)))
-                                                        : fmt::format("e{}", count);
-            by_id_.emplace(id, structure);
-            ids_.emplace(structure, std::move(id));
+        const std::vector<int> all = text_.structures();
+        const std::vector<std::string> ids = ids_of(text_);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            by_id_.emplace(ids[i], all[i]);
+            ids_.emplace(all[i], ids[i]);
         }
         if (view.good == nullptr) return;
         const auto& structures = view.good->design->structures;
@@ -71,10 +70,27 @@ class Page {
         return fmt::format("the {} {} of \"{}\"", fold.name, fold.at.seam ? "seam" : "fold", below(id));
     }
 
+    // "at 25, length 40, width 50", as it was measured last; empty: it was not.
+    [[nodiscard]] std::string measures(const std::string& id) const {
+        if (!number_of_.contains(id)) return {};
+        Diagnostics unheard;
+        const auto shown = show_tree(*view_.good->design, {id}, unheard);
+        const std::size_t begin = shown ? shown->find(": ") : std::string::npos;
+        if (begin == std::string::npos || begin > shown->find('\n')) return {};
+        return shown->substr(begin + 2, shown->find_first_of(";\n", begin) - begin - 2);
+    }
+
     // The structure of that id in the text; -1: none.
     [[nodiscard]] int structure(const std::string& wanted) const {
         const auto found = by_id_.find(wanted);
         return found == by_id_.end() ? -1 : found->second;
+    }
+    // The structure that a page or ground of an element names; -1: none.
+    [[nodiscard]] int named_in(int element, Name what) const {
+        for (const Naming& one : namings(text_)) {
+            if (one.element == element && one.what == what) return structure(std::string(text_.word(one.id)));
+        }
+        return -1;
     }
     // Where its id is written, or else its name.
     [[nodiscard]] Span id_at(int structure) const {
@@ -95,7 +111,9 @@ std::string element_markdown(const Page& page, int structure) {
     std::string text = fmt::format("\"{}\"", id);
     if (const std::string ground = page.ground_text(id); !ground.empty()) text += " stands on " + ground;
     const ElementInfo* info = page.text().row(structure);
-    return info == nullptr ? text : text + "\n\n" + row_markdown(*info);
+    if (info == nullptr) return text;
+    if (const std::string measures = page.measures(id); !measures.empty()) text += ": " + measures;
+    return text + "\n\n" + row_markdown(*info);
 }
 
 std::string color_markdown(std::string_view written) {
@@ -170,8 +188,14 @@ std::optional<Hover> hover_of_attribute(const Page& page, int element, const Mar
         if ((name == Name::x || name == Name::y || name == Name::page) && parent == Name::point)
             return Hover{attribute.value, hover_of_element(page, element)};
     }
-    const std::string said = name_markdown(name, spelling, info);
+    std::string said = name_markdown(name, spelling, info);
     if (said.empty()) return std::nullopt;
+    if (name == Name::on && structure >= 0) {
+        if (const std::string ground = page.ground_text(page.id(structure)); !ground.empty())
+            said += fmt::format("\n\nHere it is {}.", ground);
+    } else if (const int owner = page.named_in(element, name); name == Name::page && owner >= 0) {
+        said += fmt::format("\n\nHere it is that of the piece of \"{}\".", page.id(owner));
+    }
     return Hover{attribute.name.touches(at) ? attribute.name : attribute.value, said};
 }
 
@@ -247,9 +271,14 @@ std::vector<Symbol> symbols(const View& view) {
     return all;
 }
 
-// The structure that an id, or a parent fold, at that byte names; -1: none.
+// The structure that an id, a page or a parent fold at that byte names; -1: none.
 int named_at(const Page& page, std::size_t at) {
     const MarkedText& text = page.text();
+    for (const Naming& one : namings(text)) {
+        if (!one.value.touches(at)) continue;
+        const int named = page.structure(std::string(text.word(one.id)));
+        if (named >= 0) return named;
+    }
     const int element = text.markup.at(at);
     const int structure = text.structure_of(element);
     if (structure < 0) return -1;
@@ -286,36 +315,72 @@ std::vector<Target> references(const View& view, std::size_t at) {
     if (structure < 0) return {};
     const MarkedText& text = page.text();
     const std::string& id = page.id(structure);
-    std::vector<Target> all{{view.path, page.id_at(structure)}};
+    std::vector<Span> places;
+    std::set<int> named;  // grounds that are named
+    for (const Naming& one : namings(text)) {
+        if (one.what == Name::on) named.insert(one.element);
+        if (text.word(one.id) == id) places.push_back(one.value);
+    }
     for (const int other : text.structures()) {
         if (page.below(page.id(other)) != id) continue;
         for (const int child : text.markup.children(other)) {
             const Name what = text.element(child).what;
-            if (what == Name::parentfold || what == Name::parentplate)
-                all.push_back({view.path, text.element(child).name});
+            const bool ground = what == Name::parentfold || what == Name::parentplate;
+            if (ground && !named.contains(child)) places.push_back(text.element(child).name);
         }
     }
+    std::sort(places.begin(), places.end(), [](Span a, Span b) { return a.begin < b.begin; });
+    std::vector<Target> all{{view.path, page.id_at(structure)}};
+    for (const Span place : places) all.push_back({view.path, place});
     return all;
+}
+
+// An id that can be changed: where it stands, and the structure that has it; -1: there is none.
+struct Renamed {
+    Span at;
+    int structure = -1;
+};
+
+Renamed renamed_at(const Page& page, std::size_t at) {
+    const MarkedText& text = page.text();
+    const auto given = [&](int structure) {
+        const auto id = structure < 0 ? std::nullopt : text.value(structure, Name::id);
+        return id && id->size() > 0 ? id : std::nullopt;
+    };
+    for (const Naming& one : namings(text)) {
+        const int structure = one.id.touches(at) ? page.structure(std::string(text.word(one.id))) : -1;
+        if (given(structure)) return {one.id, structure};
+    }
+    const int structure = text.structure_of(text.markup.at(at));
+    const auto id = given(structure);
+    return id && id->touches(at) ? Renamed{*id, structure} : Renamed{};
 }
 
 std::optional<Span> renameable(const View& view, std::size_t at) {
     const Page page(view);
-    const int structure = page.text().structure_of(page.text().markup.at(at));
-    if (structure < 0) return std::nullopt;
-    const auto id = page.text().value(structure, Name::id);
-    return id && id->touches(at) ? id : std::nullopt;
+    const Renamed found = renamed_at(page, at);
+    return found.structure < 0 ? std::nullopt : std::optional(found.at);
 }
 
 Renaming rename(const View& view, std::size_t at, std::string_view name) {
-    const auto id = renameable(view, at);
-    if (!id) return {{}, "there is no id to rename here"};
-    if (!is_id(name)) return {{}, fmt::format("\"{}\" cannot be an id: {}", shown(name), kIdHint)};
-    if (name == "page") return {{}, "the id \"page\" is kept for the base page"};
     const Page page(view);
+    const MarkedText& text = page.text();
+    const Renamed found = renamed_at(page, at);
+    if (found.structure < 0) return {{}, "there is no id to rename here"};
+    if (!is_id(name)) return {{}, fmt::format("\"{}\" cannot be an id: {}", shown(name), kIdHint)};
+    if (name == "page" || name == kGutter)
+        return {{}, fmt::format("the id \"{}\" is kept for the base page", name)};
     const int other = page.structure(std::string(name));
-    if (other >= 0 && other != page.text().structure_of(page.text().markup.at(at)))
+    if (other >= 0 && other != found.structure)
         return {{}, fmt::format("there is an element \"{}\" already", name)};
-    return {{{view.path, {{*id, std::string(name)}}}}, {}};
+    // Where it stands first; then all that names it.
+    std::vector<TextEdit> edits{{page.id_at(found.structure), std::string(name)}};
+    for (const Naming& one : namings(text)) {
+        if (text.word(one.id) == page.id(found.structure)) edits.push_back({one.id, std::string(name)});
+    }
+    std::sort(edits.begin(), edits.end(),
+              [](const TextEdit& a, const TextEdit& b) { return a.at.begin < b.at.begin; });
+    return {{{view.path, std::move(edits)}}, {}};
 }
 
 std::optional<Fix> allow(const View& view, const Finding& finding) {

@@ -11,6 +11,30 @@ namespace popup::lsp {
 
 using xml::Name;
 
+namespace {
+
+constexpr std::string_view kPage = "page";
+
+Span without_blanks(std::string_view text, Span at) {
+    while (at.begin < at.end && is_blank(text[at.begin])) ++at.begin;
+    while (at.end > at.begin && is_blank(text[at.end - 1])) --at.end;
+    return at;
+}
+
+// Adds the value, if it names a structure.
+void add_naming(const MarkedText& text, int element, Name what, Span value, std::vector<Naming>& into) {
+    if (what != Name::page && what != Name::on) return;
+    value = without_blanks(text.text, value);
+    const std::string_view said = text.word(value);
+    Span id = value;
+    if (what == Name::on) id.end = value.begin + std::min(said.rfind('.'), said.size());
+    const std::string_view name = text.word(id);
+    if (!is_id(name) || name == kPage || (what == Name::on && said == kGutter)) return;
+    into.push_back({element, what, value, id});
+}
+
+}  // namespace
+
 MarkedText marked(std::string_view text) { return {text, read_markup(text)}; }
 
 std::span<const MarkupAttribute> MarkedText::attributes(int number) const {
@@ -157,6 +181,63 @@ std::string row_markdown(const ElementInfo& info) {
                             parameter.about, takes(parameter));
     }
     return text;
+}
+
+std::vector<std::string> ids_of(const MarkedText& text) {
+    std::vector<std::string> ids;
+    for (const int structure : text.structures()) {
+        const auto value = text.value(structure, Name::id);
+        ids.push_back(value && value->size() > 0 ? std::string(trimmed(text.word(*value)))
+                                                 : fmt::format("e{}", ids.size() + 1));
+    }
+    return ids;
+}
+
+std::vector<Naming> namings(const MarkedText& text) {
+    std::vector<Naming> made;
+    for (std::size_t i = 0; i < text.markup.elements.size(); ++i) {
+        const int element = static_cast<int>(i);
+        const MarkupElement& one = text.markup.elements[i];
+        for (const MarkupAttribute& attribute : text.attributes(element))
+            add_naming(text, element, meaning(one.what, text.word(attribute.name)), attribute.value, made);
+        if (!one.empty && one.end_name.size() > 0)
+            add_naming(text, element, one.what, {one.tag.end, one.end_name.begin - 2}, made);
+    }
+    return made;
+}
+
+std::vector<NamedPlace> places_before(const MarkedText& text, int structure, bool plates) {
+    std::vector<NamedPlace> made;
+    if (plates) {
+        for (const std::string_view name : kPagePlates)
+            made.push_back({std::string(name), fmt::format("the {} half of the page", name.substr(5))});
+    } else {
+        made.push_back({std::string(kGutter), "the gutter of the page"});
+    }
+    const std::vector<int> all = text.structures();
+    const std::vector<std::string> ids = ids_of(text);
+    for (std::size_t i = 0; i < all.size() && all[i] != structure; ++i) {
+        const ElementInfo* info = text.row(all[i]);
+        if (info == nullptr) continue;
+        if (plates) {
+            for (const PlateInfo& plate : info->plates)
+                made.push_back({plate_name(ids[i], plate), fmt::format("a plate of \"{}\"", ids[i])});
+            continue;
+        }
+        for (const FoldInfo& fold : info->folds) {
+            const bool seam = info->glued && fold.on_left != fold.on_right;
+            made.push_back({fold_name(ids[i], fold),
+                            fmt::format("the {} {} of \"{}\"", fold.name, seam ? "seam" : "fold", ids[i])});
+        }
+    }
+    return made;
+}
+
+std::string_view version_of(const MarkedText& text) {
+    constexpr std::string_view kFirst = "2.0";
+    if (text.markup.elements.empty()) return kFirst;
+    const auto said = text.value(0, Name::version);
+    return said && said->size() > 0 ? trimmed(text.word(*said)) : kFirst;
 }
 
 }  // namespace popup::lsp

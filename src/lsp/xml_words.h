@@ -1,9 +1,11 @@
-// What stands at a byte of a document, and which row tells of it.
+// What stands at a byte of a document, which row tells of it, and what names a structure: its id, pages that
+// are called by it, and the folds and plates that others stand on.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lsp/features.h"
 #include "lsp/markup.h"
@@ -44,5 +46,30 @@ std::string takes(const ParameterInfo& parameter);
 std::string row_markdown(const ElementInfo& info);
 // "B, on the left, on the page of the fold that it stands on; its partner is E".
 std::string point_markdown(const ElementInfo& info, std::size_t number);
+
+// The id of each of MarkedText::structures(), in their order: as given, or as the reader makes it.
+std::vector<std::string> ids_of(const MarkedText& text);
+
+// A value that names a structure: page="roof", on="roof.centre".
+struct Naming {
+    int element = -1;                     // that has the value, or is it
+    xml::Name what = xml::Name::unknown;  // page or on
+    Span value;                           // without blanks around it
+    Span id;                              // in it
+};
+// In document order. What has a name of the page itself, or a number, names none. Cost: linear.
+std::vector<Naming> namings(const MarkedText& text);
+
+// A fold or plate by its name.
+struct NamedPlace {
+    std::string name;   // "bird.centre"
+    std::string about;  // "the centre fold of "bird""
+};
+// All that a structure can stand on: what is before it in the text, the page's first. `plates`: in place of
+// folds.
+std::vector<NamedPlace> places_before(const MarkedText& text, int structure, bool plates);
+
+// The version that the document says it has; "2.0" where it says none.
+std::string_view version_of(const MarkedText& text);
 
 }  // namespace popup::lsp
