@@ -195,11 +195,12 @@ void Closure::draw_near(Eigen::VectorXd& angles, const Eigen::VectorXd& to) {
     }
 }
 
-double Closure::approach(Eigen::VectorXd& angles, double enough) {
+double Closure::approach(Eigen::VectorXd& angles, double enough, const GivesUp& gives_up) {
     double here = residual(angles);
     Eigen::VectorXd by;
     bool keep = false;  // the slopes of the step before
     for (int i = 0; i < kMostSteps && here > enough; ++i) {
+        if (gives_up && gives_up(angles, here)) break;
         if (!keep) {
             evaluate(angles, true);
             if (!factorise()) break;

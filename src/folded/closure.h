@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,10 @@ class Closure {
 
     // Brings the angles nearer to closure, each step the smallest one that closes the loops to the first
     // order, with the angles of bends counted as kBendCost, until the residual is `enough` or no step helps.
-    // Returns the residual.
-    double approach(Eigen::VectorXd& angles, double enough = kRounding);
+    // Returns the residual. `gives_up`, if given, is asked before each step, with the angles and the
+    // residual.
+    using GivesUp = std::function<bool(const Eigen::VectorXd&, double)>;
+    double approach(Eigen::VectorXd& angles, double enough = kRounding, const GivesUp& gives_up = {});
     // The same for angles at several shares, all by the same number of whole steps, so that where they end
     // depends smoothly on where they begin. Returns the number of those that stay open by more than `enough`
     // or that a step does not help, -1 for none.

@@ -44,6 +44,9 @@ constexpr int kMostStages = 12;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
 // is held to between them, and above what rounding and flat states leave.
 constexpr double kClosed = 5e-11;
+// Steps that do not bring what is open down to this share lead nowhere.
+constexpr std::size_t kStuckSteps = 10;
+constexpr double kNotNearer = 0.5;
 // A fold that goes less than this share of its way the way it is drawn stays flat.
 constexpr double kStays = 1e-3;
 // One that goes more than this share of it the other way was not meant to.
@@ -142,7 +145,7 @@ class Walk {
         Angles there;
         for (const double one : kFirstShares) {
             Angles here = from + one * (target_ - from);
-            const bool closes = closure_.approach(here) <= kClosed;
+            const bool closes = come_near(here, from, one) <= kClosed;
             // Where panels bend many ways lead on.
             if (closes && closure_.has_bends()) closure_.draw_near(here, from + one * (target_ - from));
             if (!closes || stays_at(from, one, here) || !is_paper(here)) continue;
@@ -165,6 +168,19 @@ class Walk {
             if (target_[i] == 0.0) goal_[i] = from[i] + (there[i] - from[i]) / first;
         }
         return true;
+    }
+
+    // Gives up what does not come nearer, and what comes to where nothing moves: a singular point, to which
+    // it would be many steps yet.
+    double come_near(Angles& here, const Angles& from, double share) {
+        std::array<double, kStuckSteps> open{};
+        std::size_t step = 0;
+        return closure_.approach(here, Closure::kRounding, [&](const Angles& there, double residual) {
+            double& before = open.at(step++ % kStuckSteps);
+            const bool stuck = step > kStuckSteps && residual > kNotNearer * before;
+            before = residual;
+            return stuck || stays_at(from, share, there);
+        });
     }
 
     // From the last angles to the goal, at the share `end`. Returns how far it gets.

@@ -42,6 +42,8 @@ constexpr double kBentMm = 1e-9;
 // A second solution counts where its corners move by less than this share of the first's.
 constexpr double kClearlyLess = 0.7;
 constexpr double kMovedMm = 1e-6;
+// Steps that move a corner by so many times what it may be moved by do not come back.
+constexpr double kTooFar = 5.0;
 // Folds that are left with less of their share were closed by not folding them.
 constexpr double kStays = 0.05;
 
@@ -59,8 +61,9 @@ Twist carried(const Rigid3& motion, const Twist& twist) {
 
 class Solver {
  public:
-    Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near, Work& work)
-        : sheet_(sheet), paths_(paths), shares_(shares), near_(near), work_(work) {
+    Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near,
+           double most_mm, Work& work)
+        : sheet_(sheet), paths_(paths), shares_(shares), near_(near), most_mm_(most_mm), work_(work) {
         size_ = sheet.size();
         std::vector<char> in_loop(sheet.folds.size(), 0);
         for (const Loop& loop : sheet.loops) {
@@ -94,13 +97,20 @@ class Solver {
         int idle = 0;
         for (int i = 0; i < kMostSteps && here > kClosed && idle < kMostIdle; ++i) {
             const double before = here;
-            if (!step()) return false;
+            if (!step() || furthest() > kTooFar * most_mm_) return false;
             here = evaluate();
             // What is near comes nearer with each step; what is not, is not mended by a corner's rounding.
             if (!(here <= first)) return false;
             idle = here < 0.5 * before ? 0 : idle + 1;
         }
         return here <= kNearlyClosed && all_fold();
+    }
+
+    // How far a corner is moved at most, mm.
+    [[nodiscard]] double furthest() const {
+        double by = 0.0;
+        for (const int corner : corner_of_) by = std::max(by, length(moved_by(corner)));
+        return by;
     }
 
     [[nodiscard]] Vec2 moved_by(int corner) const {
@@ -274,6 +284,7 @@ class Solver {
     const Paths& paths_;
     std::span<const double> shares_;
     double near_;
+    double most_mm_;
     Work& work_;
     bool begins_ = false;  // there are angles to begin with
     double size_ = 1.0;
@@ -301,7 +312,7 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
             if (conditions > kMostConditions &&
                 (shares.size() != kShares.size() || (near != 0.0 && near != kNear.back())))
                 continue;
-            Solver solver(sheet, paths, shares, near, work);
+            Solver solver(sheet, paths, shares, near, most_mm, work);
             if (!solver.run()) continue;
             Refined result;
             result.closes = true;
