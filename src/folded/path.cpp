@@ -35,6 +35,7 @@ constexpr double kNarrowest = 0.3;
 constexpr double kLessWide = 0.85;
 constexpr double kOfAllowed = 0.9;
 constexpr double kOpenTimes = 0.5;
+constexpr double kTimesStep = 1.0 / 64.0;
 // A range is given up early if by what its first points say it would be open by so many times too much.
 constexpr double kFarTooOpen = 30.0;
 constexpr int kMostShorter = 3;  // times that a range is tried with less width before another way is
@@ -311,11 +312,12 @@ class Walk {
         return {true, false, allowed_times(open, kWidest)};
     }
 
-    // The width that the error allows; it grows with the power of the points.
+    // The width that the error allows; it grows with the power of the points. In whole steps, because powers
+    // differ in the last bit between processors.
     [[nodiscard]] double allowed_times(double open, double most) const {
         const double times =
             kOfAllowed * std::pow(most_ / std::max(open, kLeastOpen), 1.0 / static_cast<double>(kSteps + 1));
-        return std::clamp(times, kNarrowest, most);
+        return std::clamp(std::floor(times / kTimesStep) * kTimesStep, kNarrowest, most);
     }
     [[nodiscard]] Tried too_wide(double open) const { return {false, true, allowed_times(open, kLessWide)}; }
 
