@@ -35,16 +35,16 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     return true;
 }
 
-// Of a drawing that collides as it is folded, how far its folds may be meant to go.
+// Of a drawing that collides as it is folded, or stays open, how far its folds may be meant to go.
 void tell_what_closes(CompiledDesign& one, const CompileOptions& options) {
     const bool collides = one.motion->examination && !one.motion->examination->contacts.empty();
-    if (!collides || !find_language(one.source, options.read.language)->drawn) return;
+    if (!one.motion->examination || !find_language(one.source, options.read.language)->drawn) return;
     MotionOptions motion = options.motion;
     motion.memory = nullptr;
     const auto simulated = [&](Assembly& sheet, Diagnostics& found) {
         return simulate_sheet(sheet, motion, found).has_value();
     };
-    folded::tell_open_ring(*one.creases, options.fold, simulated, one.diagnostics);
+    folded::tell_open_ring(*one.creases, options.fold, collides, simulated, one.diagnostics);
 }
 
 // Whether a pattern is made, or only what it would say is found.

@@ -185,13 +185,20 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "by "
      "two. Else add the creases along which the paper bends."},
     {"ring-open", Severity::remark, "walls that would meet if their folds went to another angle",
-     "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. Panels of "
-     "this drawing then go through one another. It has a row of walls with a glue flap at its end, which "
-     "meet "
-     "at another angle: 60° for six walls, 120° for three of one width. popupc has tried that angle: the "
+     "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. This "
+     "drawing "
+     "has a row of walls with a glue flap at its end, and its panels then go through one another, or the "
      "walls "
-     "meet, the glue flap lies on the first of them, and nothing goes through anything. The message says if "
-     "other folds go otherwise too. The hint says how to give the angle, as an option or in the drawing."},
+     "do not meet. At other angles they do: 60° for six walls, 120° for three of one width. Walls of "
+     "different "
+     "widths meet in many shapes: that of a panel that closes their end is taken, else one with right "
+     "angles, "
+     "as of a house, else the one with the most room, all corners of which lie on a circle; the message says "
+     "which. popupc has tried it: the glue flap lies on the first wall, and nothing goes through anything. "
+     "The "
+     "message says if other folds go otherwise too. The hint says how to give the angles, as options or in "
+     "the "
+     "drawing; other angles may be given just so."},
 });
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/nth.h"
+#include "folded/carton/closing_angles.h"
 
 namespace popup::folded {
 namespace {
@@ -280,7 +281,22 @@ class Namer {
         }
     }
 
-    // Walls that go around: as high as one another, and opposite ones as wide.
+    // Whether a panel on the end of a wall has the walls' widths for its sides.
+    [[nodiscard]] bool has_end_of_its_shape(const Tube& tube) const {
+        std::vector<double> widths;
+        for (const Wall& wall : tube.walls) widths.push_back(wall.width);
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            const int wall = tube.walls[i].panel;
+            for (const int fold : nth(folds_, wall)) {
+                const Segment line = sheet_.line_of(nth(sheet_.folds, fold));
+                const Ring end = sheet_.outline_of(nth(sheet_.panels, other_side(fold, wall))).outer;
+                if (fold_angles_of_end(end, line, widths, i)) return true;
+            }
+        }
+        return false;
+    }
+
+    // Walls that go around: as high as one another, and opposite ones as wide, or as their end has it.
     [[nodiscard]] bool is_ring(const Tube& tube) const {
         const std::size_t count = tube.walls.size();
         if (count < 3 || (count % 2 == 1 && tube.glue_flap < 0)) return false;
@@ -288,13 +304,13 @@ class Namer {
             return std::abs(a - b) <= share * std::max(a, b);
         };
         const double height = width_of(tube.walls.front().panel, tube.along);
+        bool opposite_alike = true;
         for (std::size_t i = 0; i < count; ++i) {
+            if (!like(width_of(tube.walls[i].panel, tube.along), height, kAsHigh)) return false;
             const Wall& other = tube.walls[count % 2 == 0 ? (i + count / 2) % count : 0];
-            if (!like(tube.walls[i].width, other.width, kAsWide) ||
-                !like(width_of(tube.walls[i].panel, tube.along), height, kAsHigh))
-                return false;
+            opposite_alike = opposite_alike && like(tube.walls[i].width, other.width, kAsWide);
         }
-        return true;
+        return opposite_alike || (tube.glue_flap >= 0 && has_end_of_its_shape(tube));
     }
 
     void name_tube(const Tube& tube) {

@@ -13,15 +13,16 @@ namespace popup::folded {
 // carton. A carton is a piece without loops whose panels are
 //
 // * a tube: at least three walls side by side, between parallel folds as long as the walls, which all go the
-//   same way. A ring is preferred, whose walls are as high as one another and opposite ones as wide, and of
-//   rings one that has a glue flap. The wall beside the glue flap is `front`, else the largest; opposite it
-//   is `back`, beside these are `right` and `left` (`wall-2` and so on where there are not four). A last wall
-//   that is narrower than half of the narrowest (where walls are odd in number, than nine tenths of it), and
-//   has nothing hanging on it, is the `glue-flap`. A wall that a crease parts, which lies flat in the end, as
-//   the sides of bags are, is two panels, `left-1` and `left-2`. What closes an end is the `top` or the
-//   `bottom`, the narrow panel at its far edge its `top-tuck`, what hangs at the end of the other walls
-//   `top-dust-flap-left`; where nothing closes an end alone there are `top-flap-front` and the like. The top
-//   lies on the left of the walls, as they are numbered: upwards in most drawings;
+//   same way. A ring is preferred, whose walls are as high as one another and opposite ones as wide (or, with
+//   a glue flap, as wide as the sides of a panel on its end are long), and of rings one that has a glue flap.
+//   The wall beside the glue flap is `front`, else the largest; opposite it is `back`, beside these are
+//   `right` and `left` (`wall-2` and so on where there are not four). A last wall that is narrower than half
+//   of the narrowest (where walls are odd in number, than nine tenths of it), and has nothing hanging on it,
+//   is the `glue-flap`. A wall that a crease parts, which lies flat in the end, as the sides of bags are, is
+//   two panels, `left-1` and `left-2`. What closes an end is the `top` or the `bottom`, the narrow panel at
+//   its far edge its `top-tuck`, what hangs at the end of the other walls `top-dust-flap-left`; where nothing
+//   closes an end alone there are `top-flap-front` and the like. The top lies on the left of the walls, as
+//   they are numbered: upwards in most drawings;
 // * a tray: a `base` with walls on three or four of its sides, `front` at the bottom of the drawing, `back`,
 //   `left` and `right`. What hangs at a wall's end is a `front-corner-left`, what hangs at the top of a wall
 //   a `front-lining`, or the `lid` where it is as large as the base, with its `lid-tuck`.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "base/nth.h"
 #include "base/text/quoted_words.h"
+#include "folded/carton/closing_angles.h"
 #include "folded/lower.h"
 #include "folded/sheet.h"
 
@@ -22,7 +24,6 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kParallel = 0.02;    // sine of the angle between folds that are called parallel
 constexpr double kAsLong = 0.6;       // of the longest of them: so long are folds between walls
-constexpr double kMeets = 0.02;       // of the way around: by boards walls miss one another
 constexpr double kFlapWidth = 0.9;    // of the narrowest wall: a glue flap is narrower
 constexpr double kAsItIsDeg = 0.5;    // folds that are to go otherwise by less go as they should
 constexpr double kColourDeg = 180.0;  // of folds in the colours of Origami Simulator
@@ -111,66 +112,74 @@ class RowFinder {
     std::vector<std::vector<int>> folds_;
 };
 
-// How far the folds between so wide walls go, and that of the flap on the last; empty: none is known by which
-// they meet.
-std::vector<double> closing_angles(const std::vector<double>& widths) {
-    const auto count = static_cast<double>(widths.size());
-    if (widths.size() == kLeastWalls) {
-        std::vector<double> deg;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double a = widths[i];
-            const double b = widths[(i + 1) % 3];
-            const double c = widths[(i + 2) % 3];
-            const double cosine = (a * a + b * b - c * c) / (2.0 * a * b);
-            if (std::abs(cosine) >= 1.0) return {};
-            deg.push_back(180.0 - std::acos(cosine) / kDegree);
-        }
-        return deg;
-    }
-    Vec2 end{0.0, 0.0};
-    double around = 0.0;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / count;
-        end = end + widths[i] * Vec2{std::cos(turn), std::sin(turn)};
-        around += widths[i];
-    }
-    return length(end) <= kMeets * around ? std::vector<double>(widths.size(), 360.0 / count)
-                                          : std::vector<double>{};
-}
-
 class RingFinder {
  public:
     RingFinder(const CreasePattern& pattern, const Sheet& sheet) : pattern_(pattern), sheet_(sheet) {}
 
-    [[nodiscard]] std::optional<OpenRing> longest() const {
-        std::optional<OpenRing> best;
+    // The ways in which the longest closes, best first.
+    [[nodiscard]] std::vector<OpenRing> longest() const {
+        std::vector<OpenRing> best;
         for (const Row& row : RowFinder(sheet_).rows()) {
-            if (best && row.folds.size() <= best->lines.size()) continue;
-            if (auto ring = ring_of(row)) best = std::move(ring);
+            if (!best.empty() && row.folds.size() <= best.front().lines.size()) continue;
+            if (std::vector<OpenRing> rings = rings_of(row); !rings.empty()) best = std::move(rings);
         }
         return best;
     }
 
  private:
-    [[nodiscard]] std::optional<OpenRing> ring_of(const Row& row) const {
+    [[nodiscard]] std::vector<OpenRing> rings_of(const Row& row) const {
         const std::vector<double> walls(row.widths.begin(), row.widths.end() - 1);
-        if (row.goes_on || walls.size() < kLeastWalls || walls.size() != row.folds.size())
-            return std::nullopt;
-        if (row.widths.back() >= kFlapWidth * *std::min_element(walls.begin(), walls.end()))
-            return std::nullopt;
-        const Fold& first = nth(sheet_.folds, row.folds[0]);
-        OpenRing ring{{}, closing_angles(walls), std::abs(first.target) / kDegree};
-        if (ring.deg.empty()) return std::nullopt;
-        bool is_so = true;
-        for (std::size_t i = 0; i < row.folds.size(); ++i) {
-            const Fold& fold = nth(sheet_.folds, row.folds[i]);
+        if (row.goes_on || walls.size() < kLeastWalls || walls.size() != row.folds.size()) return {};
+        if (row.widths.back() >= kFlapWidth * *std::min_element(walls.begin(), walls.end())) return {};
+        OpenRing ring;
+        std::vector<double> is;
+        for (const int number : row.folds) {
+            const Fold& fold = nth(sheet_.folds, number);
             if (nth(pattern_.lines, fold.line).fold_deg.value_or(kColourDeg) != kColourDeg ||
                 !stands_for_itself(row, fold.line))
-                return std::nullopt;
-            is_so = is_so && std::abs(std::abs(fold.target) / kDegree - ring.deg[i]) < kAsItIsDeg;
+                return {};
+            is.push_back(std::abs(fold.target) / kDegree);
             ring.lines.push_back(fold.line);
         }
-        return is_so ? std::nullopt : std::optional(ring);
+        ring.is_deg = is.front();
+        const Ends ends = ends_of(row, walls);
+        ring.hangs_open = (ends.fold_deg || !ends.any) &&
+                          gap_of(walls, is) > kMeets * std::accumulate(walls.begin(), walls.end(), 0.0);
+        std::vector<OpenRing> rings;
+        for (ClosingAngles& way : closing_angles(walls, ends.fold_deg)) {
+            bool is_so = true;
+            for (std::size_t i = 0; i < is.size(); ++i)
+                is_so = is_so && std::abs(is[i] - way.deg[i]) < kAsItIsDeg;
+            if (is_so) return {};
+            rings.push_back(ring);
+            rings.back().deg = std::move(way.deg);
+            rings.back().why = way.why;
+        }
+        return rings;
+    }
+    // What hangs on the ends of the walls, and how far one of them has it that the walls' folds go.
+    struct Ends {
+        bool any = false;
+        std::optional<std::vector<double>> fold_deg;
+    };
+    [[nodiscard]] Ends ends_of(const Row& row, const std::vector<double>& walls) const {
+        Ends ends;
+        for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
+            const Fold& fold = sheet_.folds[i];
+            for (const auto& [wall, end] :
+                 {std::pair{fold.left, fold.right}, std::pair{fold.right, fold.left}}) {
+                const auto found = std::find(row.panels.begin(), row.panels.end() - 1, wall);
+                const auto number = static_cast<std::size_t>(found - row.panels.begin());
+                if (number == walls.size() ||
+                    std::find(row.panels.begin(), row.panels.end(), end) != row.panels.end())
+                    continue;
+                ends.any = true;
+                if (ends.fold_deg) continue;
+                ends.fold_deg = fold_angles_of_end(sheet_.outline_of(nth(sheet_.panels, end)).outer,
+                                                   sheet_.line_of(fold), walls, number);
+            }
+        }
+        return ends;
     }
     // Whether a line draws no fold but one of the row.
     [[nodiscard]] bool stands_for_itself(const Row& row, int line) const {
@@ -194,11 +203,15 @@ bool is_of(const OpenRing& ring, std::size_t line) {
 }
 bool is_folded(const CreaseLine& line) { return line.use != CreaseUse::cut && line.use != CreaseUse::flat; }
 
+// As a drawing or an option says it: walls of 200 mm are then 0.001 mm off at most.
+double rounded_deg(double deg) { return std::round(deg * 1e4) / 1e4; }
+std::string exact_deg(double deg) { return fmt::format("{:.8g}", rounded_deg(deg)); }
+
 // nullopt: there are no others.
 std::optional<CreasePattern> folded_so(const CreasePattern& pattern, const OpenRing& ring, Others others) {
     CreasePattern made = pattern;
     for (std::size_t i = 0; i < ring.lines.size(); ++i)
-        nth(made.lines, ring.lines[i]).fold_deg = std::round(ring.deg[i] * 100.0) / 100.0;
+        nth(made.lines, ring.lines[i]).fold_deg = rounded_deg(ring.deg[i]);
     if (others == Others::as_they_are) return made;
     bool any = false;
     for (CreaseLine& line : made.lines) {
@@ -238,7 +251,7 @@ std::string as_options(const CreasePattern& pattern, const OpenRing& ring) {
         return !name.empty() && may_name([&](const CreaseLine& line) { return line.name == name; });
     });
     const auto told = [](std::string_view name, double deg) {
-        return "--fold-angle " + typed_word(fmt::format("{}={}", name, shown_deg(deg)));
+        return "--fold-angle " + typed_word(fmt::format("{}={}", name, exact_deg(deg)));
     };
     std::vector<std::string> options;
     if (by_name && alike) {
@@ -317,6 +330,29 @@ std::string where_drawn(const CreasePattern& pattern, const OpenRing& ring) {
     return fmt::format("in line{} {}", words.size() == 1 ? "" : "s", listed(words));
 }
 
+// What the elements that draw these folds are to say, by where they begin.
+std::string with_attributes(const CreasePattern& pattern, const OpenRing& ring, bool of_boxes) {
+    std::vector<std::string> words;
+    std::set<std::pair<int, int>> told;
+    for (const int number : ring.lines) {
+        const Place place = nth(pattern.lines, number).place;
+        if (!told.insert({place.line, place.column}).second) continue;
+        std::vector<std::string> angles;
+        for (std::size_t i = 0; i < pattern.lines.size(); ++i) {
+            if (pattern.lines[i].place != place) continue;
+            const auto found = std::find(ring.lines.begin(), ring.lines.end(), static_cast<int>(i));
+            angles.push_back(found != ring.lines.end()
+                                 ? exact_deg(nth(ring.deg, static_cast<int>(found - ring.lines.begin())))
+                             : of_boxes ? shown_deg(kOfBoxesDeg)
+                                        : "auto");
+        }
+        words.push_back(fmt::format("data-fold-angle=\"{}\" in line {}", fmt::join(angles, " "), place.line));
+    }
+    return fmt::format("write {} into {}{}", listed(words),
+                       words.size() == 1 ? "its element" : "their elements",
+                       of_boxes ? ", and data-fold-angle=\"90\" into those of the others" : "");
+}
+
 std::string what_mends(const CreasePattern& pattern, const OpenRing& ring, Others others) {
     const std::string options = all_options(pattern, ring, others);
     if (!options.empty()) return "fold them so: " + options;
@@ -326,41 +362,51 @@ std::string what_mends(const CreasePattern& pattern, const OpenRing& ring, Other
         fmt::format("in a colour that no other fold has, and give --fold-angle {}for that colour",
                     of_boxes ? "90 for all and then one " : "");
     const bool alike = angles_of(ring).find(' ') == std::string::npos;
-    if (!is_markup(pattern) || !alike || !have_own_elements(pattern, ring))
+    if (is_markup(pattern) && !alike) return with_attributes(pattern, ring, of_boxes);
+    if (!alike) {
+        return fmt::format(
+            "draw them, {}, each in a colour that no other fold has, and give {}--fold-angle "
+            "for each of these colours",
+            where, of_boxes ? "--fold-angle 90 for all and then one " : "");
+    }
+    if (!is_markup(pattern) || !have_own_elements(pattern, ring))
         return fmt::format("draw them, {}, {}", where, own_colour);
     return fmt::format("write data-fold-angle=\"{}\" into their elements, {}{}, or draw them {}",
-                       shown_deg(ring.deg[0]), where,
+                       exact_deg(ring.deg[0]), where,
                        of_boxes ? ", and data-fold-angle=\"90\" into those of the others" : "", own_colour);
 }
 
 }  // namespace
 
-std::optional<OpenRing> open_ring(const CreasePattern& pattern, const FoldOptions& options) {
-    if (!options.fold_angles.empty() || options.to < 1.0 || options.flat) return std::nullopt;
+std::vector<OpenRing> open_rings(const CreasePattern& pattern, const FoldOptions& options) {
+    if (!options.fold_angles.empty() || options.to < 1.0 || options.flat) return {};
     Diagnostics unheard;
     const std::optional<Sheet> sheet = make_sheet(pattern, options, unheard);
-    if (!sheet || sheet->panels.size() > kMostPanels) return std::nullopt;
+    if (!sheet || sheet->panels.size() > kMostPanels) return {};
     return RingFinder(pattern, *sheet).longest();
 }
 
-void tell_open_ring(const CreasePattern& pattern, const FoldOptions& options, const Simulated& simulated,
-                    Diagnostics& diagnostics) {
-    const std::optional<OpenRing> ring = open_ring(pattern, options);
-    if (!ring) return;
-    for (const Others others : {Others::of_boxes, Others::as_they_are}) {
-        const std::optional<CreasePattern> trial = folded_so(pattern, *ring, others);
-        if (!trial) continue;
-        Diagnostics unheard;
-        std::optional<Assembly> folded = fold_sheet(*trial, options, unheard);
-        if (!folded || !simulated(*folded, unheard) || unheard.has_findings()) continue;
-        diagnostics
-            .remark("ring-open", nth(pattern.lines, ring->lines[0]).place,
+void tell_open_ring(const CreasePattern& pattern, const FoldOptions& options, bool collides,
+                    const Simulated& simulated, Diagnostics& diagnostics) {
+    for (const OpenRing& ring : open_rings(pattern, options)) {
+        if (!collides && !ring.hangs_open) return;
+        for (const Others others : {Others::of_boxes, Others::as_they_are}) {
+            const std::optional<CreasePattern> trial = folded_so(pattern, ring, others);
+            if (!trial) continue;
+            Diagnostics unheard;
+            std::optional<Assembly> folded = fold_sheet(*trial, options, unheard);
+            if (!folded || !simulated(*folded, unheard) || unheard.has_findings()) continue;
+            diagnostics
+                .remark(
+                    "ring-open", nth(pattern.lines, ring.lines[0]).place,
                     fmt::format("{0} walls side by side, with a glue flap at their end, meet if their {0} "
-                                "folds go by {1} instead of {2}°{3}; nothing goes through anything then",
-                                ring->lines.size(), angles_of(*ring), shown_deg(ring->is_deg),
-                                others == Others::of_boxes ? ", and all other folds by 90°" : ""))
-            .hint(what_mends(pattern, *ring, others));
-        return;
+                                "folds go by {1} instead of {2}°{3}{4}; nothing goes through anything then",
+                                ring.lines.size(), angles_of(ring), shown_deg(ring.is_deg),
+                                others == Others::of_boxes ? ", and all other folds by 90°" : "",
+                                ring.why.empty() ? "" : fmt::format(", {}", ring.why)))
+                .hint(what_mends(pattern, ring, others));
+            return;
+        }
     }
 }
 

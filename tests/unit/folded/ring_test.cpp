@@ -4,11 +4,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
+#include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "folded/carton/closing_angles.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -49,12 +55,17 @@ CreasePattern strip_with_lid(const std::vector<double>& widths, const std::strin
     return pattern;
 }
 
+std::optional<folded::OpenRing> first_ring(const CreasePattern& pattern, const FoldOptions& options) {
+    const auto rings = folded::open_rings(pattern, options);
+    return rings.empty() ? std::nullopt : std::optional(rings.front());
+}
+
 bool simulated(Assembly& sheet, Diagnostics& found) { return simulate_sheet(sheet, {}, found).has_value(); }
 
 // What is told of a sheet that collides.
 std::vector<Diagnostic> told_of(const CreasePattern& pattern) {
     Diagnostics told(pattern.file);
-    folded::tell_open_ring(pattern, {}, simulated, told);
+    folded::tell_open_ring(pattern, {}, true, simulated, told);
     return told.sorted();
 }
 
@@ -69,27 +80,27 @@ std::size_t collisions(const CreasePattern& pattern, const FoldOptions& options)
 }
 
 TEST(OpenRing, SixWallsGoBySixtyDegrees) {
-    const auto ring = folded::open_ring(strip({40, 40, 40, 40, 40, 40, 12}), {});
+    const auto ring = first_ring(strip({40, 40, 40, 40, 40, 40, 12}), {});
     ASSERT_TRUE(ring);
     EXPECT_EQ(ring->lines, (std::vector<int>{1, 2, 3, 4, 5, 6}));
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 60.0);
 }
 
 TEST(OpenRing, TheGlueFlapMayComeFirst) {
-    const auto ring = folded::open_ring(strip({12, 30, 30, 30, 30, 30}), {});
+    const auto ring = first_ring(strip({12, 30, 30, 30, 30, 30}), {});
     ASSERT_TRUE(ring);
     EXPECT_EQ(ring->lines, (std::vector<int>{5, 4, 3, 2, 1}));
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 72.0);
 }
 
 TEST(OpenRing, OppositeWallsMayBeWiderThanOthers) {
-    const auto ring = folded::open_ring(strip({60, 30, 25, 60, 30, 25, 12}), {});
+    const auto ring = first_ring(strip({60, 30, 25, 60, 30, 25, 12}), {});
     ASSERT_TRUE(ring);
     for (const double deg : ring->deg) EXPECT_DOUBLE_EQ(deg, 60.0);
 }
 
 TEST(OpenRing, ThreeWallsGoAsTheTriangleHasIt) {
-    const auto ring = folded::open_ring(strip({30, 40, 50, 12}), {});
+    const auto ring = first_ring(strip({30, 40, 50, 12}), {});
     ASSERT_TRUE(ring);
     ASSERT_EQ(ring->deg.size(), 3U);
     EXPECT_NEAR(ring->deg[0], 90.0, 1e-9);  // between the legs
@@ -99,22 +110,121 @@ TEST(OpenRing, ThreeWallsGoAsTheTriangleHasIt) {
 
 TEST(OpenRing, NothingIsSaidOfWhatIsNoneOrIsKnown) {
     const std::vector<double> six{40, 40, 40, 40, 40, 40, 12};
-    EXPECT_FALSE(folded::open_ring(strip({50, 30, 50, 30, 12}), {})) << "a box";
-    EXPECT_FALSE(folded::open_ring(strip({40, 40, 40, 40, 40, 40}), {})) << "the last is no glue flap";
-    EXPECT_FALSE(folded::open_ring(strip({40, 60, 30, 45, 20, 12}), {})) << "by no angle alone do they meet";
-    EXPECT_FALSE(folded::open_ring(strip({20, 90, 30, 12}), {})) << "no triangle";
+    EXPECT_FALSE(first_ring(strip({50, 30, 50, 30, 12}), {})) << "a box";
+    EXPECT_FALSE(first_ring(strip({40, 40, 40, 40, 40, 40}), {})) << "the last is no glue flap";
+    EXPECT_FALSE(first_ring(strip({20, 90, 30, 25, 12}), {})) << "one is longer than all others together";
+    EXPECT_FALSE(first_ring(strip({20, 90, 30, 12}), {})) << "no triangle";
     CreasePattern says_it = strip(six);
     for (CreaseLine& line : says_it.lines) line.fold_deg = 90.0;
-    EXPECT_FALSE(folded::open_ring(says_it, {})) << "the drawing says how far";
+    EXPECT_FALSE(first_ring(says_it, {})) << "the drawing says how far";
     FoldOptions options;
     options.fold_angles.push_back({"", Angle::degrees(90.0)});
-    EXPECT_FALSE(folded::open_ring(strip(six), options)) << "the options do";
+    EXPECT_FALSE(first_ring(strip(six), options)) << "the options do";
     CreasePattern back = strip(six);
     back.lines[3].use = CreaseUse::valley;
-    EXPECT_FALSE(folded::open_ring(back, {})) << "one goes the other way";
+    EXPECT_FALSE(first_ring(back, {})) << "one goes the other way";
     CreasePattern folds_right = strip(six);
     folds_right.fold_deg = 60.0;
-    EXPECT_FALSE(folded::open_ring(folds_right, {})) << "they go so already";
+    EXPECT_FALSE(first_ring(folds_right, {})) << "they go so already";
+}
+
+struct Closed {
+    std::string name;
+    std::vector<double> widths, deg;
+    std::string why;
+};
+
+// Of walls of different widths, in the shape that a designer would draw.
+TEST(ClosingAngles, WallsOfDifferentWidthsMeet) {
+    const std::string right = "with as many right angles as they can have";
+    const std::string round = "in the shape that has the most room";
+    const double slant = std::atan2(40.0, 30.0) * 180.0 / std::numbers::pi;
+    const double taper = std::acos(15.0 / 40.0) * 180.0 / std::numbers::pi;
+    const double kite = std::atan2(60.0, 30.0) * 180.0 / std::numbers::pi;
+    const double roof = std::sqrt(30.0 * 30.0 + 10.0 * 10.0);
+    const double pitch = std::atan2(10.0, 30.0) * 180.0 / std::numbers::pi;
+    for (const Closed& row : std::vector<Closed>{
+             {"one slanted wall", {80, 40, 50, 50}, {90, 90, slant, 180.0 - slant}, right},
+             {"tapered on both sides", {80, 40, 50, 40}, {180.0 - taper, taper, taper, 180.0 - taper}, round},
+             {"a kite", {30, 60, 60, 30}, {90, 180.0 - 2.0 * (90.0 - kite), 90, 180.0 - 2.0 * kite}, round},
+             {"a house", {60, 40, roof, roof, 40}, {90, 90.0 - pitch, 2.0 * pitch, 90.0 - pitch, 90}, right},
+             {"one edge off", {60, 50, 40, std::sqrt(800.0), 30}, {90, 90, 45, 45, 90}, right}}) {
+        const auto found = folded::closing_angles(row.widths, std::nullopt);
+        ASSERT_FALSE(found.empty()) << row.name;
+        EXPECT_EQ(found.front().why, row.why) << row.name;
+        EXPECT_EQ(found.back().why, round) << row.name;
+        for (std::size_t i = 0; i < row.deg.size(); ++i)
+            EXPECT_NEAR(found.front().deg[i], row.deg[i], 1e-6) << row.name << " " << i;
+    }
+}
+
+TEST(ClosingAngles, WhateverIsFoundMeets) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> width(20.0, 60.0);
+    for (int round = 0; round < 300; ++round) {
+        std::vector<double> widths(static_cast<std::size_t>(4 + round % 6));
+        for (double& one : widths) one = width(random);
+        const double all = std::accumulate(widths.begin(), widths.end(), 0.0);
+        const bool closes = 2.0 * *std::max_element(widths.begin(), widths.end()) < all;
+        const auto found = folded::closing_angles(widths, std::nullopt);
+        EXPECT_EQ(!found.empty(), closes);
+        for (const folded::ClosingAngles& one : found) {
+            EXPECT_NEAR(std::accumulate(one.deg.begin(), one.deg.end(), 0.0), 360.0, 1e-6);
+            EXPECT_LT(folded::gap_of(widths, one.deg), folded::kMeets * all);
+            EXPECT_GT(*std::min_element(one.deg.begin(), one.deg.end()), 0.0);
+        }
+    }
+}
+
+// The walls of a quadrangle with no symmetry, on one of which its end hangs, drawn either way around.
+TEST(ClosingAngles, AnEndHasThem) {
+    const Ring end{{0, 0}, {70, 0}, {80, 45}, {15, 55}};
+    const auto side = [&](std::size_t i) { return distance(end[i % 4], end[(i + 1) % 4]); };
+    for (const bool onwards : {true, false}) {
+        std::vector<double> widths;
+        for (std::size_t i = 0; i < 4; ++i) widths.push_back(side(onwards ? i + 3 : 5 - i));
+        const auto deg = folded::fold_angles_of_end(end, {{70, 0}, {0, 0}}, widths, 1);
+        ASSERT_TRUE(deg) << onwards;
+        EXPECT_NEAR(std::accumulate(deg->begin(), deg->end(), 0.0), 360.0, 1e-9);
+        EXPECT_LT(folded::gap_of(widths, *deg), 1e-9) << onwards;
+        const auto found = folded::closing_angles({widths[0] - 0.5, widths[1], widths[2], widths[3]}, deg);
+        ASSERT_FALSE(found.empty());
+        EXPECT_EQ(found.front().why, "as the panel has it that closes an end");
+        EXPECT_LT(folded::gap_of({widths[0] - 0.5, widths[1], widths[2], widths[3]}, found.front().deg),
+                  1e-4);
+        widths[2] += 10.0;
+        EXPECT_FALSE(folded::fold_angles_of_end(end, {{70, 0}, {0, 0}}, widths, 1));
+    }
+}
+
+// Nothing collides at 90°: the last wall just does not reach the first.
+TEST(OpenRing, ATubeThatHangsOpenIsTold) {
+    const CreasePattern tapered = strip({80, 40, 50, 40, 10});
+    Diagnostics told(tapered.file);
+    folded::tell_open_ring(tapered, {}, false, simulated, told);
+    const auto all = told.sorted();
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(
+        all[0].message,
+        "4 walls side by side, with a glue flap at their end, meet if their 4 folds go by 112.02°, "
+        "67.98°, 67.98° and 112.02°, in this order instead of 90°, in the shape that has the most room; "
+        "nothing goes through anything then");
+    EXPECT_EQ(
+        all[0].hints,
+        (std::vector<std::string>{
+            "write data-fold-angle=\"112.0243\" in line 2, data-fold-angle=\"67.9757\" in line 3, "
+            "data-fold-angle=\"67.9757\" in line 4 and data-fold-angle=\"112.0243\" in line 5 into their "
+            "elements"}));
+    // A tray with half a lid: its walls hang on the second wall of the row, and are no end of it.
+    CreasePattern tray = strip({40, 100, 40, 50, 20});
+    std::vector<Vec2>& border = tray.lines[0].points;
+    border = {{0, 0}, {40, 0}, {40, -40}, {140, -40}, {140, 0}, {250, 0}, {250, 50}, {0, 50}};
+    add(tray, {{40, 0}, {140, 0}}, false, CreaseUse::mountain, "#ff0000");
+    folded::tell_open_ring(tray, {}, false, simulated, told);
+    EXPECT_EQ(told.sorted().size(), 1U);
+    // What meets already.
+    folded::tell_open_ring(strip({50, 30, 50, 30, 12}), {}, false, simulated, told);
+    EXPECT_EQ(told.sorted().size(), 1U);
 }
 
 // Whoever gives the option no longer sees a collision.
@@ -175,8 +285,9 @@ TEST(OpenRing, ThreeWallsAreToldWithThreeAngles) {
     for (std::size_t i = 1; i < pattern.lines.size(); ++i) pattern.lines[i].name = fmt::format("#00000{}", i);
     told = told_of(pattern);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].hints, (std::vector<std::string>{"fold them so: --fold-angle '#000001=90' --fold-angle "
-                                                       "'#000002=143.13' --fold-angle '#000003=126.87'"}));
+    EXPECT_EQ(told[0].hints,
+              (std::vector<std::string>{"fold them so: --fold-angle '#000001=90' --fold-angle "
+                                        "'#000002=143.1301' --fold-angle '#000003=126.8699'"}));
 }
 
 // Pure red and blue are the colours of Origami Simulator, whose folds go to 180° unless they are pale.
@@ -196,7 +307,7 @@ TEST(OpenRing, ColoursThatSay180DoNotStandInTheWay) {
     // Another angle that the drawing says is not to be overruled.
     CreasePattern leaning = box;
     leaning.lines.back().fold_deg = 100.0;
-    EXPECT_TRUE(folded::open_ring(leaning, {}));
+    EXPECT_TRUE(first_ring(leaning, {}));
     for (const Diagnostic& one : told_of(leaning)) EXPECT_NE(one.hints[0], "fold them so: --fold-angle 90");
     CreasePattern six = strip_with_lid({60, 30, 25, 60, 30, 25, 12}, "#0000ff");
     for (CreaseLine& line : six.lines) line.fold_deg = 180.0;
@@ -215,11 +326,11 @@ TEST(OpenRing, NothingIsToldThatDoesNotMend) {
         found.warning("collision", {}, "two walls go through each other");
         return true;
     };
-    folded::tell_open_ring(pattern, {}, collides, told);
+    folded::tell_open_ring(pattern, {}, true, collides, told);
     const auto locks = [](Assembly& /*sheet*/, Diagnostics& /*found*/) { return false; };
-    folded::tell_open_ring(pattern, {}, locks, told);
+    folded::tell_open_ring(pattern, {}, true, locks, told);
     EXPECT_TRUE(told.sorted().empty());
-    folded::tell_open_ring(pattern, {}, simulated, told);
+    folded::tell_open_ring(pattern, {}, true, simulated, told);
     EXPECT_EQ(told.sorted().size(), 1U);
 }
 
