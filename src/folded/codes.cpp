@@ -143,6 +143,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "more than 15 degrees, and moves what hangs on it many times as far as they were apart. That is seldom "
      "meant: mostly they are a board apart because they lie upon each other, or another join is missing that "
      "says where the fold should be. The message names the fold."},
+    {"no-folds", Severity::remark, "a sheet of which nothing folds",
+     "No line of this sheet is a fold, so that it stays flat. In a drawing mostly the folds were taken for "
+     "cuts: "
+     "their layer, class or id has no word for folds in it that popupc knows, and they are black and solid "
+     "as "
+     "the others. `--lines fold=NAME` says which they are."},
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. A pattern whose border is missing folds "

@@ -1,5 +1,6 @@
 // From panels, folds and their laws to an assembly.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "assembly/settle.h"
 #include "base/nth.h"
+#include "base/text/quoted_words.h"
 #include "folded/bend.h"
 #include "folded/lower.h"
 #include "folded/path.h"
@@ -310,6 +312,23 @@ void tell_bends(const folded::Bent& bent, const Paths& rigid, const CreasePatter
     }
 }
 
+// Mostly folds that were taken for cuts.
+void tell_no_folds(const CreasePattern& pattern, Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const CreaseLine& line : pattern.lines) {
+        const std::string name = typed_word(line.name);
+        if (line.name.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+        names.push_back(name);
+    }
+    Diagnostic& told =
+        diagnostics.remark("no-folds", {}, "no line of this sheet is a fold, so nothing of it folds");
+    if (names.empty()) return;
+    const bool all = names.size() <= kToldAtMost;
+    if (!all) names.resize(kToldAtMost);
+    told.hint(fmt::format("say which lines are folds, as --lines fold={}; lines here are called {}{}",
+                          names.back(), fmt::join(names, ", "), all ? "" : " and so on"));
+}
+
 bool is_sound(const Paths& paths) {
     return paths.reached >= kNearlyThere &&
            std::none_of(paths.clusters.begin(), paths.clusters.end(),
@@ -343,6 +362,7 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
     }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;
+    if (drawn->folds.empty()) tell_no_folds(pattern, diagnostics);
     std::optional<Sheet> sheet = drawn;
     const bool has_bent_folds = folded::has_bent_folds(*sheet);
     const folded::PathOptions path{options.closure_mm};

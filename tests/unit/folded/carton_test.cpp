@@ -176,6 +176,26 @@ TEST(Carton, TucksDustFlapsAndLocksAreNamed) {
                                         "sheet/top-dust-flap-right", "sheet/top-tuck"}));
 }
 
+// Walls of three widths, which the house on the end of the first says are a tube.
+TEST(Carton, ATubeIsNamedByThePanelOnItsEnd) {
+    CreasePattern house;
+    const double roof = std::sqrt(1800.0);
+    const std::vector<double> widths{60, 40, roof, roof, 40};
+    add(house, {{60, 0}, {140 + 2 * roof, 0}, {140 + 2 * roof, 80}, {60, 80}}, false, CreaseUse::cut);
+    add(house, {{60, 80}, {60, 120}, {30, 150}, {0, 120}, {0, 80}, {-10, 76}, {-10, 4}, {0, 0}, {60, 0}},
+        false, CreaseUse::cut);
+    double x = 0.0;
+    for (const double width : widths) {
+        add(house, {{x, 0}, {x, 80}}, false, CreaseUse::fold);
+        x += width;
+    }
+    add(house, {{140 + 2 * roof, 0}, {140 + 2 * roof, 80}}, false, CreaseUse::cut);
+    add(house, {{0, 80}, {60, 80}}, false, CreaseUse::fold);
+    EXPECT_EQ(names_of(house),
+              (std::vector<std::string>{"sheet/front", "sheet/glue-flap", "sheet/top", "sheet/wall-2",
+                                        "sheet/wall-3", "sheet/wall-4", "sheet/wall-5"}));
+}
+
 TEST(Carton, PanelsOfATrayAreNamed) {
     CreasePattern tray;
     add(tray,

@@ -253,6 +253,27 @@ TEST(FoldSheet, StraightensLinesThatADrawingRounded) {
     expect_folds_in_turn(map);
 }
 
+TEST(FoldSheet, SaysThatNothingFolds) {
+    CreasePattern tray = sheet({{rectangle(0, 0, 90, 90), true, CreaseUse::cut},
+                                {{{30, 0}, {30, 90}}, false, CreaseUse::cut},
+                                {{{60, 0}, {60, 90}}, false, CreaseUse::cut}});
+    tray.lines[0].name = "Stanz";
+    tray.lines[1].name = tray.lines[2].name = "Rill hoch";
+    Diagnostics diagnostics("tray");
+    folded(tray, diagnostics);
+    const auto told = diagnostics.sorted();
+    ASSERT_EQ(told.size(), 1U) << test::findings(diagnostics);
+    EXPECT_EQ(told[0].code, "no-folds");
+    EXPECT_EQ(told[0].message, "no line of this sheet is a fold, so nothing of it folds");
+    EXPECT_EQ(told[0].hints, (std::vector<std::string>{
+                                 "say which lines are folds, as --lines fold='Rill hoch'; lines here are "
+                                 "called Stanz, 'Rill hoch'"}));
+    tray.lines[2].use = CreaseUse::fold;
+    Diagnostics folds("tray");
+    folded(tray, folds);
+    for (const Diagnostic& one : folds.sorted()) EXPECT_NE(one.code, "no-folds");
+}
+
 // Ends of pillow boxes: folds that are drawn as folds alone, of which no other says which way they go.
 TEST(FoldSheet, SaysThatFoldsWithABendStayFlatWhicheverWayTheyGo) {
     for (const CreaseUse use : {CreaseUse::fold, CreaseUse::valley}) {
