@@ -20,10 +20,17 @@ constexpr int kMostSteps = 100;
 
 Vec2 turned(Vec2 p) { return {-p.x, -p.y}; }
 
+// Lines that rise by more than this share of their length run off a side fold, however short they are: the
+// shortest side fold rises by as much where rounding put its ends. What rises by less than the other is
+// level.
+constexpr double kMostRise = 0.01;
+constexpr double kRunsLevelMm = 1e-4;
+
 bool is_line_at(const Border& border, std::size_t i, double level, double slack) {
     const Segment chord = border.chord(i);
     return border.edges[i].curve < 0 && border.edges[i].of == EdgeOf::drawn &&
-           std::abs(chord.a.y - level) <= slack && std::abs(chord.b.y - level) <= slack;
+           std::abs(chord.a.y - level) <= slack && std::abs(chord.b.y - level) <= slack &&
+           std::abs(chord.b.y - chord.a.y) <= std::max(kRunsLevelMm, kMostRise * distance(chord.a, chord.b));
 }
 
 // Lines that run along the fold up to rounding, at the far end of the border, run along it.

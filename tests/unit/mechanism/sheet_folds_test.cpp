@@ -64,5 +64,37 @@ TEST(SheetFolds, PlatesShareTheEndsOfTheirFoldsWhereCurvesCrossThem) {
     EXPECT_GT(folds, 300U);
 }
 
+// A short edge that leaves a side fold is a cut where it was drawn, however near to the fold it ends.
+TEST(SheetFolds, KeepShortEdgesBesideThemWhereTheyAre) {
+    for (const std::string folds : {"", "<folds top='30' bottom='20'/>"}) {
+        const FromXml made = from_xml(
+            "<structure type='polygon' id='f'>"
+            "<outline d='M -30 -10 L 19.9876 -8.1035 L 20 -8 L 20 8 L -30 10 Z'/>" +
+            folds + "</structure>");
+        ASSERT_TRUE(made.assembly) << made.text;
+        bool fold = false;
+        bool cut = false;
+        for (const Line& line : made.assembly->lines) {
+            const Vec2 a = line.at.a.y < line.at.b.y ? line.at.a : line.at.b;
+            const Vec2 b = line.at.a.y < line.at.b.y ? line.at.b : line.at.a;
+            if (line.kind == LineKind::valley)
+                fold = fold || (distance(a, Vec2{20.0, -8.0}) < 1e-6 && distance(b, Vec2{20.0, 8.0}) < 1e-6);
+            if (line.kind == LineKind::cut)
+                cut = cut ||
+                      (distance(a, Vec2{19.9876, -8.1035}) < 1e-6 && distance(b, Vec2{20.0, -8.0}) < 1e-6);
+        }
+        EXPECT_TRUE(fold) << folds;
+        EXPECT_TRUE(cut) << folds;
+    }
+    // Ends of a side fold that rounding moved still lie on it.
+    const FromXml made = from_xml(
+        "<structure type='polygon' id='f'><outline d='M -30 -10 L 19.99 -8 L 20 8 L -30 10 Z'/></structure>");
+    ASSERT_TRUE(made.assembly) << made.text;
+    EXPECT_TRUE(std::any_of(made.assembly->lines.begin(), made.assembly->lines.end(), [](const Line& line) {
+        return line.kind == LineKind::valley && std::abs(line.at.a.x - 19.995) < 1e-6 &&
+               std::abs(std::abs(line.at.a.y - line.at.b.y) - 16.0) < 1e-6;
+    }));
+}
+
 }  // namespace
 }  // namespace popup::test

@@ -39,9 +39,10 @@ TEST(Dashes, OfALineThatIsDrawnInPiecesAreOneLine) {
         "it]";
     EXPECT_EQ(lines_of(kDashed + "<path d='M16 50H18'/><path d='M82 50H84'/>"), both);
     // Whatever the direction of the pieces, and where they stand in the drawing.
-    EXPECT_EQ(lines_of("<path d='M84 50H82'/><g><path d='M18 50.02H16'/></g>" + kDashed),
-              "dashed 16,50.02 84,50 [2 short solid lines a gap behind the end of a dashed line are taken for "
-              "dashes of it]");
+    EXPECT_EQ(
+        lines_of("<path d='M84 50H82'/><g><path d='M18 50.02H16'/></g>" + kDashed),
+        "dashed 16,50.02 84,50 [2 short solid lines a gap behind the end of a dashed line are taken for "
+        "dashes of it]");
     // A dash alone is as long as its gap.
     EXPECT_EQ(
         lines_of("<path stroke-dasharray='3' d='M20 50H80'/><path d='M83 50H86'/>"),
