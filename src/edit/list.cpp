@@ -127,6 +127,28 @@ void append(Session& session, Structure made) {
     session.forget();
 }
 
+// A new element has the place and the sizes of what is drawn for it, where it is not `given` others. Of that
+// a single point at 0 is the apex; other points are put first, and what is drawn stays. False: nothing has
+// such measures.
+bool take_from_drawing(const ElementInfo& info, const PageFold& seen, Structure& made,
+                       const std::vector<bool>& given, std::vector<double>& measures) {
+    if (made.points.size() > 1) {
+        std::vector<Argument> others = made.arguments;
+        for (Argument& one : others) {
+            if (is_drawn(one)) one = {};
+        }
+        const auto placed = shaped(info, seen, 1, Session::points_of(made), others, measures);
+        if (!placed) return false;
+        for (std::size_t i = 0; i < made.points.size(); ++i) made.points[i].at = placed->points[i];
+    }
+    const auto drawn = measures_of(info, seen, 1, Session::points_of(made), made.arguments);
+    if (!drawn) return false;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        if (!given[i] && !info.measures[i].relative) measures[i] = (*drawn)[i];
+    }
+    return true;
+}
+
 }  // namespace
 
 bool add(Session& session, const Command& command) {
@@ -173,25 +195,31 @@ bool add(Session& session, const Command& command) {
     session.design.structures.push_back(made);
     const std::size_t n = session.design.structures.size() - 1;
     bool ok = true;
+    std::vector<bool> measured(measures.size(), false);
+    const auto set = [&](std::string_view name, const std::string& value) {
+        bool is_measure = false;
+        const bool done = session.set_value(n, name, value, measures, is_measure);
+        if (is_measure) measured[*find_measure(*info, name)] = true;
+        return done;
+    };
     for (std::size_t i = 0; ok && i < command.options.size(); ++i) {
         const auto& [name, value] = command.options[i];
-        bool measured = false;
-        if (name != "id" && name != "on" && name != "page" && name != "room")
-            ok = session.set_value(n, name, value, measures, measured);
+        if (name != "id" && name != "on" && name != "page" && name != "room") ok = set(name, value);
     }
     for (std::size_t i = 1; ok && i < command.words.size(); ++i) {
         const std::string& word = command.words[i];
         const std::size_t equals = std::min(word.find('='), word.size());
-        bool measured = false;
-        ok = equals < word.size()
-                 ? session.set_value(n, word.substr(0, equals), word.substr(equals + 1), measures, measured)
-                 : session.fail("bad-edit", fmt::format("'{}' is no value", shown(word)),
-                                "values are such as --width 40 or width=40");
+        ok = equals < word.size() ? set(word.substr(0, equals), word.substr(equals + 1))
+                                  : session.fail("bad-edit", fmt::format("'{}' is no value", shown(word)),
+                                                 "values are such as --width 40 or width=40");
     }
     made = std::move(session.design.structures.back());
     session.design.structures.pop_back();
     if (!ok) return false;
-    const auto drawn = shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures);
+    const bool by_hand = std::any_of(made.arguments.begin(), made.arguments.end(), is_drawn);
+    const bool sound = !by_hand || take_from_drawing(*info, *seen, made, measured, measures);
+    const auto drawn =
+        sound ? shaped(*info, *seen, 1, Session::points_of(made), made.arguments, measures) : std::nullopt;
     if (!drawn) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", info->name),
                             "give widths, lengths and angles above 0");
@@ -209,17 +237,16 @@ bool add(Session& session, const Command& command) {
 
 namespace {
 
+// A place beside a line: how far right of it, and how far along it from its middle; and back.
+Vec2 place_beside(const Segment& line, Vec2 p) {
+    const measure::Spot spot = measure::spot_of(line.a, line.b);
+    return {dot(p - spot.at, spot.right()), dot(p - spot.at, spot.up())};
+}
+Vec2 place_onto(const Segment& line, Vec2 p) { return measure::spot_of(line.a, line.b).place(p.x, p.y); }
+
 // The other way round: what was on the left of the fold is on its right.
 void mirror(Structure& made, const ElementInfo& info, const PageFold& seen) {
     const std::vector<DesignPoint> was = made.points;
-    const auto beside = [](const Segment& line, Vec2 p) {
-        const Vec2 along = unit(line.b - line.a);
-        return Vec2{cross(p - line.a, along), dot(p - line.a, along)};
-    };
-    const auto onto = [](const Segment& line, Vec2 p) {
-        const Vec2 along = unit(line.b - line.a);
-        return line.a + p.x * right_of(along) + p.y * along;
-    };
     for (std::size_t i = 0; i < was.size(); ++i) {
         const auto to = static_cast<std::size_t>(info.partners[i]);
         if (info.points[i].page == PointPage::extra) {
@@ -227,9 +254,9 @@ void mirror(Structure& made, const ElementInfo& info, const PageFold& seen) {
             continue;
         }
         const bool right = info.points[i].side == 'R';
-        const Vec2 at = beside(right ? seen.on_right : seen.on_left, was[i].at);
+        const Vec2 at = place_beside(right ? seen.on_right : seen.on_left, was[i].at);
         const bool to_right = info.points[to].side == 'R';
-        made.points[to].at = onto(to_right ? seen.on_right : seen.on_left, {-at.x, at.y});
+        made.points[to].at = place_onto(to_right ? seen.on_right : seen.on_left, {-at.x, at.y});
     }
     for (std::size_t i = 0; i < made.arguments.size() && i < info.parameters.size(); ++i) {
         Argument& argument = made.arguments[i];
@@ -269,16 +296,33 @@ std::string numbered(const std::string& pattern, int number) {
 
 namespace {
 
+// Puts its points, and what it draws there, beside another fold as they were beside one; from their middles.
+void carry(Structure& made, const ElementInfo& info, const PageFold& from, const PageFold& to) {
+    for (std::size_t i = 0; i < made.points.size(); ++i) {
+        if (info.points[i].page != PointPage::fold) continue;
+        const bool right = info.points[i].side == 'R';
+        made.points[i].at = place_onto(right ? to.on_right : to.on_left,
+                                       place_beside(right ? from.on_right : from.on_left, made.points[i].at));
+    }
+    const Placed by = measure::moved_to(measure::spot_of(from.on_left.a, from.on_left.b),
+                                        measure::spot_of(to.on_left.a, to.on_left.b));
+    for (std::size_t i = 0; i < made.arguments.size() && i < info.parameters.size(); ++i) {
+        if (info.parameters[i].page == PointPage::fold && is_drawn(made.arguments[i]))
+            move_argument(made.arguments[i], by);
+    }
+}
+
 // Gives a structure other ground, by its name, on which it has these measures: from one fold to the other, as
-// they are seen from their middles. The ground, as its points see it.
+// they are seen from their middles. Its points are those beside `from`. The ground, as they see it.
 std::optional<PageFold> stand_on(Session& session, Structure& made, const ElementInfo& info,
-                                 const std::string& name, const std::vector<double>& measures) {
+                                 const PageFold& from, const std::string& name,
+                                 const std::vector<double>& measures) {
     Structure there;
     there.type = made.type;
     const auto ground = stand(session, there, info, {"copy", {}, {{"on", name}}});
     if (!ground) return std::nullopt;
-    const auto placed =
-        shaped(info, *ground, 1, std::vector<Vec2>(made.points.size()), made.arguments, measures);
+    carry(made, info, from, *ground);
+    const auto placed = shaped(info, *ground, 1, Session::points_of(made), made.arguments, measures);
     if (!placed) {
         session.fail("bad-edit", fmt::format("\"{}\" cannot be copied to {}", made.id, name));
         return std::nullopt;
@@ -290,7 +334,7 @@ std::optional<PageFold> stand_on(Session& session, Structure& made, const Elemen
             !there.plate && ground->right_page != ground->left_page)
             made.points[k].page = ground->right_page;
     }
-    made.arguments = placed->arguments;
+    Session::take_arguments(made, placed->arguments);
     made.fold = there.fold;
     made.plate = there.plate;
     made.finds_ground = there.finds_ground;
@@ -299,7 +343,8 @@ std::optional<PageFold> stand_on(Session& session, Structure& made, const Elemen
 
 // What stands on an element, itself or by way of others.
 struct Child {
-    Structure original;
+    Structure original;  // its points beside `seen`
+    PageFold seen;
     std::string owner;  // the id of what it stands on
     std::string which;  // of its folds or plates: ".centre"
     std::vector<double> measures;
@@ -317,13 +362,15 @@ std::optional<std::vector<Child>> children_of(Session& session, std::size_t n) {
         carried[i] = true;
         const Structure& one = session.design.structures[i];
         const std::string& owner = session.design.structures[*standing.owner].id;
-        const auto values = measures_of(Session::info_of(one), standing.seen, 1,
-                                        Session::points_of(one, standing.seen), one.arguments);
+        const std::vector<Vec2> points = Session::points_of(one, standing.seen);
+        const auto values = measures_of(Session::info_of(one), standing.seen, 1, points, one.arguments);
         if (!values || !standing.on.starts_with(owner + ".")) {
             session.fail("bad-edit", fmt::format("\"{}\" cannot be copied with what carries it", one.id));
             return std::nullopt;
         }
-        all.push_back({one, owner, standing.on.substr(owner.size()), *values});
+        Child child{one, standing.seen, owner, standing.on.substr(owner.size()), *values};
+        for (std::size_t k = 0; k < points.size(); ++k) child.original.points[k].at = points[k];
+        all.push_back(std::move(child));
     }
     return all;
 }
@@ -338,7 +385,7 @@ bool copy_children(Session& session, const std::vector<Child>& children, const s
         made.id_given = true;
         const auto copied = copies.find(child.owner);
         const std::string on = (copied == copies.end() ? owner : copied->second) + child.which;
-        if (!stand_on(session, made, Session::info_of(made), on, child.measures)) return false;
+        if (!stand_on(session, made, Session::info_of(made), child.seen, on, child.measures)) return false;
         copies[child.original.id] = made.id;
         append(session, std::move(made));
     }
@@ -398,7 +445,7 @@ bool copy(Session& session, const Command& command) {
             if (mirrored) measures = *mirrored;
         }
         if (const std::string* on = command.find("on")) {
-            const auto ground = stand_on(session, made, info, *on, measures);
+            const auto ground = stand_on(session, made, info, seen, *on, measures);
             if (!ground) return false;
             seen = *ground;
         }
@@ -407,7 +454,7 @@ bool copy(Session& session, const Command& command) {
         if (!placed) return session.fail("bad-edit", "it cannot be copied there");
         Session::on_pages(made, seen, placed->points);
         for (std::size_t k = 0; k < made.points.size(); ++k) made.points[k].at = placed->points[k];
-        made.arguments = placed->arguments;
+        Session::take_arguments(made, placed->arguments);
         const std::string id = made.id;
         append(session, std::move(made));
         if (!copy_children(session, children, id, i)) return false;

@@ -152,6 +152,15 @@ void Session::on_pages(const Structure& structure, const PageFold& seen, std::ve
     points_as_given(structure, info_of(structure), seen, points);
 }
 
+void Session::take_arguments(Structure& structure, std::vector<Argument> arguments) {
+    for (std::size_t i = 0; i < std::min(structure.arguments.size(), arguments.size()); ++i) {
+        const auto* was = std::get_if<DrawnPath>(&structure.arguments[i].value);
+        const auto* is = std::get_if<DrawnPath>(&arguments[i].value);
+        if (was != nullptr && is != nullptr && same_place(*was, *is)) arguments[i] = structure.arguments[i];
+    }
+    structure.arguments = std::move(arguments);
+}
+
 bool Session::write(std::size_t n, const Shaped& shaped) {
     Structure& structure = design.structures[n];
     for (std::size_t i = 0; i < shaped.points.size(); ++i) {

@@ -72,6 +72,8 @@ class Session {
     // given.
     static std::vector<Vec2> points_of(const Structure& structure, const PageFold& seen);
     static void on_pages(const Structure& structure, const PageFold& seen, std::vector<Vec2>& points);
+    // Gives a structure these arguments; a path that would not move stays as it is, to the last digit.
+    static void take_arguments(Structure& structure, std::vector<Argument> arguments);
     // Gives a structure other points and drawn values; false after an error.
     bool write(std::size_t n, const Shaped& shaped);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanism/arguments.h"
 #include "mechanism/element.h"
 
 namespace popup {
@@ -47,7 +48,10 @@ std::optional<Shaped> shaped(const ElementInfo& info, const PageFold& parent, in
                              std::span<const double> measures) {
     POPUP_INVARIANT(measures.size() == info.measures.size());
     Element e = element_on(info, parent, extra_page, points, arguments);
-    const bool fresh = std::all_of(points.begin(), points.end(), [](Vec2 p) { return p == Vec2{}; });
+    // A single point at 0 is that of an element which is there where something is drawn about it.
+    const bool there = points.size() == 1 && std::any_of(arguments.begin(), arguments.end(), is_drawn);
+    const bool fresh =
+        !there && std::all_of(points.begin(), points.end(), [](Vec2 p) { return p == Vec2{}; });
     if (fresh) {
         for (SitePoint& p : e.on) p = {};
     }
