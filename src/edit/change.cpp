@@ -25,15 +25,35 @@ std::optional<std::vector<double>> measures(Session& session, std::size_t n) {
     return std::nullopt;
 }
 
+// Whether each measure that is to change does; an error where one stays: such as the width of an outline, of
+// an element that has none.
+bool all_change(Session& session, const Structure& structure, const std::vector<double>& was,
+                const std::vector<double>& wanted, const std::vector<double>& now) {
+    constexpr double kSame = 1e-9;
+    const auto measures = Session::info_of(structure).measures;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+        const bool stays = std::abs(wanted[i] - was[i]) > kSame && std::abs(now[i] - was[i]) <= kSame;
+        if (measures[i].relative || !stays) continue;
+        return session.fail("bad-edit",
+                            fmt::format("the {} of \"{}\" cannot be set", measures[i].name, structure.id),
+                            fmt::format("it is the {}", measures[i].about));
+    }
+    return true;
+}
+
 bool give_measures(Session& session, std::size_t n, const std::vector<double>& values) {
     const Structure& structure = session.design.structures[n];
     const Standing standing = session.standing(n);
-    auto made = shaped(Session::info_of(structure), standing.seen, 1,
-                       Session::points_of(structure, standing.seen), structure.arguments, values);
+    const ElementInfo& info = Session::info_of(structure);
+    const std::vector<Vec2> points = Session::points_of(structure, standing.seen);
+    auto made = shaped(info, standing.seen, 1, points, structure.arguments, values);
     if (!made) {
         return session.fail("bad-edit", fmt::format("no {} has such measures", structure.type),
                             "give widths, lengths and angles above 0");
     }
+    const auto was = measures_of(info, standing.seen, 1, points, structure.arguments);
+    const auto now = measures_of(info, standing.seen, 1, made->points, made->arguments);
+    if (was && now && !all_change(session, structure, *was, values, *now)) return false;
     Session::on_pages(structure, standing.seen, made->points);
     return session.write(n, *made);
 }

@@ -325,6 +325,15 @@ bool Session::set_value(std::size_t n, std::string_view name, const std::string&
             }
         }
         if (!value) return false;
+        // What has a size when it is new has one. A document may have it the other way round already.
+        const bool is_size = measure.share > 0.0 || measure.standard > 0.0;
+        if (is_size && *value <= 0.0 && measures[*number] > 0.0) {
+            const bool is_length = measure.kind == MeasureKind::length;
+            return fail("bad-edit",
+                        fmt::format("{} is {}{}, and must be more than 0", measure.name,
+                                    xml::format_number(*value / (is_length ? design.unit.mm : 1.0)),
+                                    is_length ? " " + std::string(design.unit.name) : "°"));
+        }
         measures[*number] = *value;
         measured = true;
         return true;
