@@ -50,11 +50,11 @@ struct Edited {
 
 // All edits, in their order, or none. Each sees what those before it made. Then the document is read and
 // checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
-// `of_edits`, and the errors in `of_document`, unless it is forced. What else the checks newly find is in
-// `of_document` too. The two may be one object. nullopt: there is no such document. Cost:
-// one reading of the document, one look at what stands on what, and a check of what it becomes. Where that
-// finds anything, both documents are read, checked and moved as a whole; edits that change what a later one
-// stands on cost another look.
+// `of_edits`, at an edit that brings it, and the errors in `of_document`, unless it is forced. What else the
+// checks newly find is in `of_document` too. The two may be one object. nullopt: there is no such document.
+// Cost: one reading of the document, one look at what stands on what, and a check of what it becomes. Where
+// that finds anything, both documents are read, checked and moved as a whole; edits that change what a later
+// one stands on cost another look; what is refused of n edits costs log2(n) times that.
 std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
                                     const EditOptions& options, Diagnostics& of_edits,
                                     Diagnostics& of_document);

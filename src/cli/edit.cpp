@@ -192,7 +192,7 @@ int run_edit(const Options& options) {
     if (!written && reader_has_gone()) return exit_unusable;
     const std::string text = edited ? edited->text : source ? source->text : std::string();
     std::vector<FileFindings> findings;
-    if (!of_edits.sorted().empty()) findings.push_back({&of_edits, edits_text});
+    if (!of_edits.sorted().empty()) findings.push_back({&of_edits, edits_text, false});
     if (findings.empty() || !of_document.sorted().empty()) findings.push_back({&of_document, text});
     if (refinement && !of_refinement.sorted().empty())
         findings.push_back({&of_refinement, refinement->text, false});

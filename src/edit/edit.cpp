@@ -293,6 +293,31 @@ std::optional<Looked> look_at_design(const Source& before, std::span<const xml::
     return looked;
 }
 
+bool is_among(const Diagnostics& found, const Diagnostic& error) {
+    const auto all = found.sorted();
+    return std::any_of(all.begin(), all.end(), [&](const Diagnostic& one) {
+        return one.severity == error.severity && one.code == error.code && one.element == error.element;
+    });
+}
+
+// The place of an edit that brings an error of the document that all of them make: it is not there before
+// that one, and is after it. Edits before it may come to it and mend it again.
+Place place_of_error(const Source& source, std::span<const EditLine> edits, const EditOptions& options,
+                     const Diagnostic& error) {
+    EditOptions forced = options;
+    forced.force = true;
+    std::size_t before = 0;
+    std::size_t after = edits.size();
+    while (after > before + 1) {
+        const std::size_t middle = before + (after - before) / 2;
+        Diagnostics unheard;
+        Diagnostics found(source.name);
+        edit_document(source, edits.first(middle), forced, unheard, found);
+        (is_among(found, error) ? after : before) = middle;
+    }
+    return edits.empty() ? Place{} : edits[after - 1].place;
+}
+
 }  // namespace
 }  // namespace edit
 
@@ -369,7 +394,7 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     }
     const edit::NamesBefore names =
         looked->design ? edit::names_before(done, *looked->design) : edit::NamesBefore();
-    bool broken = false;
+    const Diagnostic* broken = nullptr;
     for (const Diagnostic& one : found) {
         const auto name = names.find(one.element);
         int& known = before[{one.severity, one.code, name == names.end() ? one.element : name->second}];
@@ -377,13 +402,13 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
             --known;
             continue;
         }
-        broken = broken || one.severity == Severity::error;
+        if (broken == nullptr && one.severity == Severity::error) broken = &one;
         of_document.add(one.severity, one.code, one.place, one.message) = one;
     }
-    if (!broken || options.force) return made;
+    if (broken == nullptr || options.force) return made;
     Diagnostic& refused =
         of_edits
-            .error("edit-refused", edits.empty() ? Place{} : edits.back().place,
+            .error("edit-refused", edit::place_of_error(source, edits, options, *broken),
                    "the document would have an error that it does not have now; nothing is written")
             .hint("--force writes it all the same");
     const bool leaves_others = std::any_of(edits.begin(), edits.end(), [](const EditLine& one) {
