@@ -124,7 +124,8 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App* verb = verb_of(app);
     const std::string see = fmt::format("see \"popupc{}{} --help\"", verb == nullptr ? "" : " ",
                                         verb == nullptr ? "" : verb->get_name());
-    const std::vector<std::string> unknown = app.remaining(true);
+    // What a verb takes as it comes, as edit does, is not what is wrong.
+    const std::vector<std::string> unknown = app.remaining(verb == nullptr || !verb->get_allow_extras());
     if (!unknown.empty()) {
         // An option that is not known makes its value an argument too many: the option is what is wrong.
         const auto looks_like_option = [](const std::string& text) {
