@@ -115,8 +115,15 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
     }
     Diagnostics of_edits(diagnostics.file());
     const auto edited = edit_document({diagnostics.file(), text}, edits, {}, of_edits, diagnostics);
-    for (const Diagnostic& one : of_edits.sorted())
+    for (const Diagnostic& one : of_edits.sorted()) {
+        // A card that is still to be made is not forced, and had no errors before.
+        if (one.code == "edit-refused") {
+            diagnostics.error("edit-refused", {}, "the card would have an error; nothing is written")
+                .hint("a larger --size, or fewer elements, gives each more room");
+            continue;
+        }
         diagnostics.add(one.severity, one.code, {}, one.message) = one;
+    }
     if (!edited || edited->refused) return std::nullopt;
     return edited->text;
 }
