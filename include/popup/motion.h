@@ -24,8 +24,8 @@ enum class Solver {
 
 // What an examination has found, for the next one of the same design, of which a little has changed since: a
 // pair of plates that are as they were has the findings that it had, and what moves as it did is not taken
-// through the sweep again. Results are those of an examination
-// without one, but for Examination::pairs and poses, which count what was looked at for them at any time.
+// through the sweep again. Results are those of an examination without one, but for Examination::pairs and
+// poses, which count what was looked at at any time, and `locks` that only finer steps of others would show.
 //
 //     ExaminationMemory memory;
 //     MotionOptions options;
