@@ -106,6 +106,9 @@ void put(const PngRows& rows, int width, int height, Object& picture) {
 bool may_be_stand_in(Object& object) {
     if (!object.isImage()) return false;
     Object says = object.getDict();
+    // A JPEG of that size cannot be read as pixels here, and is none.
+    Object packing = says.getKey("/Filter");
+    if (!packing.isName() || packing.getName() != "/FlateDecode") return false;
     const auto is = [&says](const char* key, int value) {
         Object number = says.getKey(key);
         return number.isInteger() && number.getIntValue() == value;

@@ -16,6 +16,7 @@
 #include "popup/image.h"
 #include "popup/output.h"
 #include "support/designs.h"
+#include "support/pictures.h"
 #include "support/random.h"
 #include "support/run_program.h"
 
@@ -55,8 +56,10 @@ constexpr std::array kKinds{
          .as_rows = false},
 };
 
-constexpr std::size_t kWidth = 61;  // no whole number of bytes where a pixel has fewer bits
-constexpr std::size_t kHeight = 44;
+// No whole number of bytes a row where a pixel has fewer bits; and so many that libpng puts the rows of most
+// kinds into several chunks.
+constexpr std::size_t kWidth = 101;
+constexpr std::size_t kHeight = 90;
 
 // Random pixels as the kind has them.
 std::string png_of(const Kind& kind, std::uint64_t seed) {
@@ -165,6 +168,22 @@ std::size_t count_of(const std::string& text, const std::string& what) {
     return count;
 }
 
+// The data of all chunks of one kind, one behind the other; `count`: how many there are.
+std::string chunks_of(const std::string& file, const std::string& kind, int& count) {
+    std::string data;
+    count = 0;
+    for (std::size_t at = 8; at + 12 <= file.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length * 256 + static_cast<unsigned char>(file[at + i]);
+        if (file.compare(at + 4, 4, kind) == 0) {
+            data += file.substr(at + 8, length);
+            ++count;
+        }
+        at += 12 + length;
+    }
+    return data;
+}
+
 class PdfPicture : public testing::TestWithParam<Kind> {};
 
 // What another program takes out of the document is what libpng reads, pixel by pixel; where a picture is
@@ -211,8 +230,9 @@ TEST_P(PdfPicture, IsShownWhereCairoShowsIt) {
 // Such a picture is neither unpacked nor packed anew, and several sheets have it in common.
 TEST_P(PdfPicture, StandsInItAsInItsFileWhereItCan) {
     const std::string file = png_of(GetParam(), 2);
-    const std::size_t data = file.find("IDAT") + 4;
-    const std::string rows = file.substr(data, file.find("IEND") - 8 - data);
+    int chunks = 0;
+    const std::string rows = chunks_of(file, "IDAT", chunks);
+    EXPECT_GT(chunks, GetParam().colors == PNG_COLOR_TYPE_RGB ? 1 : 0);
     const Layout layout = layout_of(opened(file), 3);
     ASSERT_EQ(layout.sheets.size(), 3U);
     const std::string pdf = pdf_of(layout);
@@ -234,6 +254,19 @@ TEST(PdfPictures, OfTilesStandInItOnce) {
     const std::string pdf = pdf_of(layout_of(opened(file)), options);
     EXPECT_GT(count_of(pdf, "/Type /Page\n") + count_of(pdf, "/Type /Page "), 2U);
     EXPECT_EQ(count_of(pdf, "/Subtype /Image"), 1U);
+}
+
+// A picture that has the size of a stand-in is none.
+TEST(PdfPictures, OfSixteenPixelsAreThemselves) {
+    for (const std::string& small : {test::jpeg_of(16, 1), test::png_of(16, 1)}) {
+        Layout layout = layout_of(opened(png_of(kKinds[0], 4)), 2);
+        const Layout second = layout_of(opened(small));
+        layout.designs.push_back(second.designs.at(0));
+        layout.placements.at(1).design = 1;
+        const std::string pdf = pdf_of(layout);
+        EXPECT_EQ(count_of(pdf, "/Subtype /Image"), 2U);
+        EXPECT_EQ(count_of(pdf, "/Width 16"), 1U);
+    }
 }
 
 // Two pictures side by side in one document are not taken for one another.
