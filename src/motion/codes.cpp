@@ -6,6 +6,16 @@ namespace popup {
 namespace {
 
 constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
+    {"across-fold", Severity::warning, "what is glued flat reaches across a fold that closes on it",
+     "A plate that is glued flat on another, or turned on it by hand, reaches over a fold of the paper that "
+     "it "
+     "lies on, and that fold turns to its side. Flat, the plate lies in front of the paper beyond the fold; "
+     "folded, it would be behind it, and paper would have to go through paper. The message says which fold "
+     "it "
+     "is, how far the plate reaches beyond it, and where. A plate that is turned by hand is looked at for "
+     "all "
+     "its turns, and what is glued down on its way is told of too. End the plate at the fold; or glue it on "
+     "the other side of the paper, where the fold turns away from it and it sticks out into the air."},
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
      "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are "

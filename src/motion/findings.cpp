@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "motion/across_folds.h"
 #include "motion/lying.h"
 #include "motion/mend.h"
 
@@ -128,6 +129,37 @@ class Findings {
                 finding.hint(
                     "make one of the two smaller, or take it out: no move of one along what it stands on was "
                     "found that leaves it on nothing");
+            }
+        }
+    }
+
+    void across_folds(const std::vector<AcrossFold>& all) {
+        for (const AcrossFold& one : all) {
+            const Joint& joint = linkage_.element(one.plate);
+            const Vec2 middle = lerp(one.at.a, one.at.b, 0.5);
+            const std::string where = fmt::format(
+                "over {:.2f} mm round ({:.2f}, {:.2f}) mm of the page of \"{}\"",
+                distance(one.at.a, one.at.b), in_hundredths(middle.x), in_hundredths(middle.y), name(one.on));
+            const bool by_hand = assembly_.plates[static_cast<std::size_t>(one.plate)].rivet.has_value();
+            std::string text;
+            if (one.seam) {
+                text = fmt::format("\"{}\" cannot be turned all round: \"{}\" is glued down on its way, {}",
+                                   name(one.plate), name(one.through), where);
+            } else {
+                text = fmt::format("\"{}\" {} through the fold of \"{}\" and \"{}\", by {:.2f} mm, {}",
+                                   name(one.plate), by_hand ? "would be turned" : "goes", name(one.on),
+                                   name(one.through), one.by_mm, where);
+            }
+            Diagnostic& finding = diagnostics_.warning("across-fold", joint.place, std::move(text));
+            finding.about(joint.name);
+            also(finding, one.plate, one.through);
+            if (by_hand) {
+                finding.hint("make it smaller, or move its rivet away");
+            } else {
+                finding.hint(
+                    "end it at the fold, or glue it on the other side of the paper, from which that fold "
+                    "turns "
+                    "away");
             }
         }
     }
@@ -333,6 +365,7 @@ std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage
     Findings findings(assembly, linkage, shapes, options, diagnostics);
     std::vector<FreeingMove> moves = findings.collisions(found.contacts);
     findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
+    findings.across_folds(find_across_folds(assembly));
     findings.protrusions(found.closed.protrusions, found.contacts);
     findings.layers(found);
     if (found.approaches) findings.approaches(*found.approaches, found.contacts, *options.clearance_mm);
