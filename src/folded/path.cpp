@@ -82,6 +82,7 @@ struct Tried {
     // Of one that was not: whether it would be with less width. Else its loops do not close.
     bool too_wide = false;
     double times = kOpenTimes;  // its width: what is tried next
+    int loop = -1;              // of one that was not: which loop is open there, or would be
 };
 
 class Walk {
@@ -217,6 +218,7 @@ class Walk {
                 share = to;
                 failed = 0;
             } else {
+                cluster_.worst_loop = tried.loop;
                 ++failed;
                 if (width < kLeastWidth) break;
             }
@@ -284,14 +286,15 @@ class Walk {
             }
             if (!is_first) {
                 // Errors fall as powers of the number of points.
-                const double open = closure_.residual(moving.front());
+                int loop = -1;
+                const double open = closure_.residual(moving.front(), &loop);
                 const double ratio = std::min(1.0, open / std::max(open_before, kLeastOpen));
                 if (stride == 1 && open * ratio * ratio > kFarTooOpen * most_)
-                    return too_wide(open * ratio * ratio);
+                    return too_wide(open * ratio * ratio, loop);
                 open_before = open;
             }
             if (const int open = closure_.approach_smoothly(moving, kClosed); open >= 0)
-                return blame(nth(moving, open));
+                return does_not_close(nth(moving, open));
             for (std::size_t i = 0; i < numbers.size(); ++i) range.points[numbers[i]] = std::move(moving[i]);
             if (const std::optional<Tried> beyond = leaves_paper(range, stride)) return *beyond;
         }
@@ -300,48 +303,68 @@ class Walk {
 
     // Between its points, where a polynomial departs furthest.
     Tried check_between(Range range) {
-        double open = 0.0;
+        double open = -1.0;
+        int most_open = -1;
         for (std::size_t i = 0; i < kSteps; ++i) {
-            const Angles there = range.between(0.5 * (range.share(i) + range.share(i + 1)));
-            const double here = closure_.residual(there, &cluster_.worst_loop);
-            if (!(here <= kFarTooOpen * most_) || !is_paper(there)) return too_wide(here);
-            open = std::max(open, here);
+            const double middle = 0.5 * (range.share(i) + range.share(i + 1));
+            const Angles there = range.between(middle);
+            int loop = -1;
+            const double here = closure_.residual(there, &loop);
+            if (!(here <= kFarTooOpen * most_)) return too_wide(here, loop);
+            if (!is_paper(there)) return ends_between(range, 1, range.share(i), middle, there);
+            if (here <= open) continue;
+            open = here;
+            most_open = loop;
         }
-        if (open > most_) return too_wide(open);
+        if (open > most_) return too_wide(open, most_open);
         ranges_.push_back(std::move(range));
         return {true, false, allowed_times(open, kWidest)};
     }
 
-    // The width that the error allows; it grows with the power of the points. In whole steps, because powers
-    // differ in the last bit between processors.
+    // The width that the error allows, in whole steps; the error grows with a power of it. That is multiplied
+    // out, because roots differ in the last bit between processors.
     [[nodiscard]] double allowed_times(double open, double most) const {
-        const double times =
-            kOfAllowed * std::pow(most_ / std::max(open, kLeastOpen), 1.0 / static_cast<double>(kSteps + 1));
-        return std::clamp(std::floor(times / kTimesStep) * kTimesStep, kNarrowest, most);
+        const auto is_allowed = [&](double times) {
+            double there = std::max(open, kLeastOpen);
+            for (std::size_t i = 0; i <= kSteps; ++i) there *= times / kOfAllowed;
+            return there <= most_;
+        };
+        double steps = std::ceil(most / kTimesStep);
+        while (steps * kTimesStep > kNarrowest && !is_allowed(steps * kTimesStep)) steps -= 1.0;
+        return std::clamp(steps * kTimesStep, kNarrowest, most);
     }
-    [[nodiscard]] Tried too_wide(double open) const { return {false, true, allowed_times(open, kLessWide)}; }
+    [[nodiscard]] Tried too_wide(double open, int loop) const {
+        return {false, true, allowed_times(open, kLessWide), loop};
+    }
 
-    // If a fold is turned by more than half a turn: up to where none is.
+    // If a fold is turned by more than half a turn at a point: up to where none is.
     [[nodiscard]] std::optional<Tried> leaves_paper(const Range& range, std::size_t stride) {
         std::size_t last = stride;
         while (last <= kSteps && is_paper(range.points[last])) last += stride;
         if (last > kSteps) return std::nullopt;
-        double low = range.share(last - stride);
-        double high = range.share(last);
+        return ends_between(range, stride, range.share(last - stride), range.share(last), range.points[last]);
+    }
+
+    // No fold is turned by more than half a turn at `low`, one is at `high`, where the angles are these. Then
+    // the loops close there, and what is open is what would be if paper were folded no further.
+    Tried ends_between(const Range& range, std::size_t stride, double low, double high,
+                       const Angles& beyond) {
         for (int i = 0; i < kPaperHalvings; ++i) {
             const double middle = 0.5 * (low + high);
             (is_paper(range.between(middle, stride)) ? low : high) = middle;
         }
-        blame(range.points[last]);
-        return Tried{false, true, kOfPaper * (low - range.from) / (range.to - range.from)};
+        Tried tried = does_not_close(beyond.cwiseMax(-std::numbers::pi).cwiseMin(std::numbers::pi));
+        tried.too_wide = true;
+        tried.times = kOfPaper * (low - range.from) / (range.to - range.from);
+        return tried;
     }
 
     static bool is_paper(const Angles& angles) { return angles.lpNorm<Eigen::Infinity>() <= kHalfTurn; }
 
-    // Keeps the loop that is furthest from closed there.
-    Tried blame(const Angles& angles) {
-        closure_.residual(angles, &cluster_.worst_loop);
-        return {};
+    Tried does_not_close(const Angles& angles) {
+        Tried tried;
+        closure_.residual(angles, &tried.loop);
+        return tried;
     }
 
     Cluster& cluster_;

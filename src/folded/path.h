@@ -15,8 +15,8 @@
 // The flat sheet is a singular point: there the loops have one condition less each, and many ways lead on.
 // The way is left with a share of the final angles, mountains and valleys as drawn, brought to closure. From
 // there to the flat sheet the angles shrink in proportion, and onwards they go straight to the final ones;
-// both ways are brought to closure again at the Chebyshev points of ranges, which are made narrower until
-// closure holds between the points as well. So a fold's law is a polynomial in each range (Folded of
+// both ways are brought to closure again at the Chebyshev points of ranges, which are as wide as
+// closure between the points allows. So a fold's law is a polynomial in each range (Folded of
 // popup/joints.h).
 //
 // Not all folds can go at once: those of a map go one line after another. What has not left the flat sheet

@@ -322,6 +322,40 @@ TEST(FoldSheet, SaysWhichLoopIsRigid) {
     EXPECT_TRUE(sheet_.sweep.bends);
 }
 
+// A strip with corners along its middle, each with a fold up and one down, which are mirror images of each
+// other, so that it folds flat: but those of one corner, that of the number `odd`.
+CreasePattern strip_with_odd_corner(int corners, int odd) {
+    constexpr double kApart = 30.0;
+    constexpr double kHeight = 40.0;
+    CreasePattern strip =
+        sheet({{rectangle(0, -kHeight, (corners + 1) * kApart, kHeight), true, CreaseUse::cut}});
+    for (int i = 0; i <= corners; ++i) {
+        strip.lines.push_back({{{i * kApart, 0}, {(i + 1) * kApart, 0}},
+                               false,
+                               i % 2 == 0 ? CreaseUse::valley : CreaseUse::mountain,
+                               180.0});
+        if (i == corners) break;
+        const double x = (i + 1) * kApart;
+        const double end = x + (i % 2 == 0 ? 11.0 : -7.0);
+        const double other_end = i == odd ? end + 8.0 : end;
+        strip.lines.push_back({{{x, 0}, {end, kHeight}}, false, CreaseUse::valley, 180.0});
+        strip.lines.push_back({{{x, 0}, {other_end, -kHeight}}, false, CreaseUse::valley, 180.0});
+    }
+    return strip;
+}
+
+TEST(FoldSheet, SaysWhichLoopEndsItsMotion) {
+    // A fold of that corner is folded by half a turn before the others are; all close until then.
+    for (const int odd : {0, 2, 4}) {
+        Diagnostics diagnostics("strip");
+        folded(strip_with_odd_corner(5, odd), diagnostics);
+        const std::string told = test::findings(diagnostics);
+        const std::string where =
+            "the corner at (" + std::to_string(30 * (odd + 1)) + ".00, 0.00) mm closes only until";
+        EXPECT_NE(told.find(where), std::string::npos) << told;
+    }
+}
+
 TEST(FoldSheet, CutsHolesAndSlits) {
     // A box on the fold of a card, whose sides are slits: its loops go around the two of them.
     const Assembly card = folded(sheet({{rectangle(0, 0, 100, 160), true, CreaseUse::cut},
