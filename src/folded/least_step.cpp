@@ -13,8 +13,11 @@ constexpr double kNormalSteps = 8.0;
 
 Eigen::SparseMatrix<double> normal_of(const Eigen::SparseMatrix<double>& a,
                                       const Eigen::SparseMatrix<double>& b, double regular) {
+    // As a matrix: what one entry costs where a row is empty is up to how much room Eigen has kept.
+    Eigen::SparseMatrix<double> identity(a.rows(), a.rows());
+    identity.setIdentity();
     Eigen::SparseMatrix<double> normal = a * b;
-    for (Eigen::Index i = 0; i < normal.rows(); ++i) normal.coeffRef(i, i) += regular;
+    normal += regular * identity;
     return normal;
 }
 
@@ -28,8 +31,9 @@ double products_of(const Eigen::SparseMatrix<double>& columns) {
     return sum;
 }
 
-// What factors of so many products take at least, where it is a sheet that hangs together.
-double least_factor_steps(double products) { return std::pow(products, 1.5); }
+// About what factors of so many products take where it is a sheet that hangs together, as wide as long; those
+// of a band take less.
+double usual_factor_steps(double products) { return products * std::sqrt(products); }
 
 }  // namespace
 
@@ -46,7 +50,7 @@ bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
     const double of_rows = products_of(across);
     const double of_unknowns = products_of(back);
     const double fewer = std::min(of_rows, of_unknowns);
-    if (!work.has(least_factor_steps(fewer))) return false;
+    if (!work.has(usual_factor_steps(fewer))) return false;
     const auto analysed = [&](bool unknowns) {
         auto solver = std::make_unique<Ldlt>();
         solver->analyse(unknowns ? normal_of(back, across, 1.0) : normal_of(across, back, 1.0));
@@ -56,9 +60,9 @@ bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
     product_work_ = kNormalSteps * fewer;
     if (!work.spend(product_work_)) return false;
     solver_ = analysed(of_unknowns_);
-    // The others' factors may be smaller, unless that is a matter of very many entries.
+    // The others' factors may be smaller, which is only looked at where it is likely.
     const double others = std::max(of_rows, of_unknowns);
-    if (least_factor_steps(others) >= solver_->steps) return true;
+    if (usual_factor_steps(others) >= solver_->steps) return true;
     if (!work.spend(kNormalSteps * others)) return false;
     std::unique_ptr<Ldlt> other = analysed(!of_unknowns_);
     if (kNormalSteps * others + other->steps >= product_work_ + solver_->steps) return true;

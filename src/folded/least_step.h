@@ -16,8 +16,10 @@ namespace popup::folded {
 //
 //     -Jᵀ (J Jᵀ + d)⁻¹ r  =  -(Jᵀ J + d)⁻¹ Jᵀ r
 //
-// and is found from as many equations as there are residuals or unknowns, whichever has the smaller factors.
-// Which they are, and their order, is looked for once for all questions.
+// and is found from as many equations as there are residuals or unknowns: those of fewer products, or the
+// others if these are not too many to look at them and their factors are smaller. Which they are, and their
+// order, is looked for once for all questions. Cost: that of the factors, and linear in the numbers of
+// residuals and unknowns, whether a slope says anything of them or not.
 class LeastStep {
  public:
     // Slopes as entries (row: residual, column: unknown), in the same order in each question: values alone

@@ -252,6 +252,25 @@ TEST(LeastStep, IsRightWhereEquationsDependOnEachOther) {
     }
 }
 
+TEST(LeastStep, LeavesWhatNoSlopeSaysAnythingOf) {
+    // Each third unknown has an equation; those of the others are of the regularisation alone.
+    constexpr int kEquations = 1'000;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < kEquations; ++i) {
+        entries.emplace_back(2 * i, 3 * i, 1.0);
+        entries.emplace_back(2 * i + 1, 3 * i, 1.0);
+    }
+    Work work;
+    const Eigen::VectorXd residual = Eigen::VectorXd::Ones(2 * kEquations);
+    const auto by = LeastStep().find(entries, 3 * kEquations, residual, 1e-13, work);
+    ASSERT_TRUE(by);
+    for (int i = 0; i < kEquations; ++i) {
+        ASSERT_NEAR((*by)[3 * i], -1.0, 1e-12) << i;
+        ASSERT_EQ((*by)[3 * i + 1], 0.0) << i;
+        ASSERT_EQ((*by)[3 * i + 2], 0.0) << i;
+    }
+}
+
 TEST(LeastStep, IsPaidFor) {
     const std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}, {0, 1, 1.0}, {1, 1, 2.0}};
     const Eigen::VectorXd residual = Eigen::VectorXd::Ones(2);
