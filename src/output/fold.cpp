@@ -7,7 +7,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -136,19 +135,6 @@ void name_folds(Card& card) {
 
 bool has_letter(const FoldMesh& mesh, char letter) {
     return std::find(mesh.letter.begin(), mesh.letter.end(), letter) != mesh.letter.end();
-}
-
-// The texts of a member that is a list of them, those with a namespace only: the others are said anew.
-std::vector<std::string> own_words(const CarriedKeys& carried, std::string_view key) {
-    std::vector<std::string> words;
-    for (const CarriedKeys::Member& member : carried.members) {
-        if (member.key != key) continue;
-        for (const auto& word : nlohmann::json::parse(member.json)) {
-            if (word.is_string() && word.get<std::string>().find(':') != std::string::npos)
-                words.push_back(word.get<std::string>());
-        }
-    }
-    return words;
 }
 
 class FoldText : private FoldJson {

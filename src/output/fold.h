@@ -45,10 +45,10 @@ namespace popup {
 //
 // Of a pattern that was read from a FOLD file its other keys are written, too (SceneCard::creases,
 // CarriedKeys): members as they stood; columns with the value of the element in the same place, null where
-// there is none (output/fold_sources.h); faceOrders in numbers of this file, if each face of the one is a face
-// of the other and the card has no order of its own. file_title and frame_title are those of the file; of file_classes,
-// frame_classes and frame_attributes those with a colon follow popupc's. Of several cards in one file none of
-// it is written. Remark: `fold-left-out`, of keys and frames of the file that are not.
+// there is none (output/fold_sources.h); faceOrders in numbers of this file, if each face of the one is a
+// face of the other and the card has no order of its own. file_title and frame_title are those of the file;
+// of file_classes, frame_classes and frame_attributes those with a colon follow popupc's. Of several cards in
+// one file none of it is written. Remark: `fold-left-out`, of keys and frames of the file that are not.
 //
 // Where nothing moves, and it is known of each plate where it stands, one frame has the plates there. It has
 // "faceOrders" if the order of plates that lie on one another is known (Assembly::layers).

@@ -205,6 +205,18 @@ std::optional<std::vector<std::array<int, 3>>> face_orders(const FoldMesh& mesh,
     return orders;
 }
 
+std::vector<std::string> own_words(const CarriedKeys& carried, std::string_view key) {
+    std::vector<std::string> words;
+    for (const CarriedKeys::Member& member : carried.members) {
+        if (member.key != key) continue;
+        for (const auto& word : nlohmann::json::parse(member.json)) {
+            if (word.is_string() && word.get<std::string>().find(':') != std::string::npos)
+                words.push_back(word.get<std::string>());
+        }
+    }
+    return words;
+}
+
 std::vector<double> asked_angles(const FoldMesh& mesh, const CreasePattern& creases) {
     // The lines as the edges of a file.
     CarriedKeys lines;

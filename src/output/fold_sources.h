@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,9 @@ FoldSources fold_sources(const FoldMesh& mesh, const CarriedKeys& carried);
 // it was divided, or joined with others, or is no paper.
 std::optional<std::vector<std::array<int, 3>>> face_orders(const FoldMesh& mesh, const CarriedKeys& carried,
                                                            const FoldSources& sources, std::string_view json);
+
+// The texts of a member that is a list of them, those with a namespace only: the others are said anew.
+std::vector<std::string> own_words(const CarriedKeys& carried, std::string_view key);
 
 // By edge of the mesh: how far its pattern asks for it to be folded in the end, degrees in [0, 180]; 0 where
 // it asks for no fold. Edges and lines correspond as in fold_sources().
