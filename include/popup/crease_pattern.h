@@ -53,8 +53,8 @@ inline void fold_by(CreaseLine& line, double deg) {
 
 // What a FOLD file says beside its pattern, for whoever writes that pattern as FOLD again. Values are JSON as
 // they were written, but for white space outside of texts, so that no digit is lost. Elements are known by
-// where they are, because mending a sheet splits, joins and leaves out edges; none are kept where no column
-// speaks of them.
+// where they are, because mending a sheet splits, joins and leaves out edges; they are kept where columns, or
+// orders of faces, speak of them.
 struct CarriedKeys {
     struct Member {
         std::string key;
