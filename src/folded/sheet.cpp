@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -411,24 +410,18 @@ class Maker {
     // What does not say which way it goes, and hangs together by no loop with a fold that does, goes to the
     // front, as walls of a box do.
     void fold_free() {
-        std::vector<int> group(out_.folds.size());
-        std::iota(group.begin(), group.end(), 0);
-        const auto group_of = [&](int fold) {
-            while (nth(group, fold) != fold) fold = nth(group, fold) = nth(group, nth(group, fold));
-            return fold;
-        };
+        Sets groups(out_.folds.size());
         for (const Loop& loop : out_.loops) {
-            for (const Step& step : loop.steps)
-                nth(group, group_of(step.fold)) = group_of(loop.steps.front().fold);
+            for (const Step& step : loop.steps) groups.unite(step.fold, loop.steps.front().fold);
         }
         std::vector<char> says(out_.folds.size(), 0);
         for (std::size_t i = 0; i < says.size(); ++i) {
             if ((out_.folds[i].ink & (kMountain | kValley)) != 0)
-                nth(says, group_of(static_cast<int>(i))) = 1;
+                nth(says, groups.find(static_cast<int>(i))) = 1;
         }
         for (std::size_t i = 0; i < says.size(); ++i) {
             Fold& fold = out_.folds[i];
-            if (!fold.is_bend() && nth(says, group_of(static_cast<int>(i))) == 0)
+            if (!fold.is_bend() && nth(says, groups.find(static_cast<int>(i))) == 0)
                 fold.target = angle_of(fold, CreaseUse::valley);
         }
     }
