@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::string_view kBetween = " \t\r\n,";
 constexpr double kMostDeg = 180.0;
-constexpr double kNoSide = 1e-9;  // between points that are drawn twice
 
 using Angles = std::vector<std::optional<double>>;
 
@@ -46,25 +45,29 @@ std::optional<Angles> angles_in(std::string_view text, std::string& fault) {
 std::vector<Polyline> as_lines(const std::vector<Segment>& sides) {
     std::vector<Polyline> lines;
     lines.reserve(sides.size());
-    for (const Segment& side : sides) lines.push_back({{on_grid(side.a), on_grid(side.b)}, false});
+    for (const Segment& side : sides) lines.push_back({{side.a, side.b}, false});
     return lines;
 }
 
 }  // namespace
 
 std::vector<Segment> straight_sides(const Path& path) {
+    const auto is_near = [](Vec2 p) { return std::abs(p.x) <= kReachMm && std::abs(p.y) <= kReachMm; };
     std::vector<Segment> sides;
     const auto add = [&](Vec2 from, Vec2 to) {
-        if (distance(from, to) > kNoSide) sides.push_back({from, to});
+        if (from != to) sides.push_back({from, to});
     };
     for (const Subpath& subpath : path.subpaths()) {
-        Vec2 at = subpath.start;
+        if (!is_near(subpath.start)) return {};
+        const Vec2 start = on_grid(subpath.start);
+        Vec2 at = start;
         for (const PathStep& step : subpath.steps) {
-            if (step.curve) return {};
-            add(at, step.to);
-            at = step.to;
+            if (step.curve || !is_near(step.to)) return {};
+            const Vec2 to = on_grid(step.to);
+            add(at, to);
+            at = to;
         }
-        if (subpath.closed) add(at, subpath.start);
+        if (subpath.closed) add(at, start);
     }
     return sides;
 }

@@ -19,14 +19,15 @@ struct FoldAngles {
     std::vector<std::optional<double>> deg;
     std::vector<Polyline> sides;  // of the lines, as lines of their own, on the grid that flatten() has
 };
-// What an element that draws a path as so many lines says. It has an angle for all lines, one for each, or,
-// of a path without curves, one for each side; blanks or commas are between. Without the attribute, none. A
-// fault goes to `problem` (bad-number).
+// What an element that draws a path, in mm, as so many lines says. It has an angle for all lines, one for
+// each, or, of a path without curves, one for each side; blanks or commas are between. Without the attribute,
+// none. A fault goes to `problem` (bad-number).
 FoldAngles fold_angles(const Attributes& attributes, std::size_t lines, const Path& path,
                        std::optional<ShapeProblem>& problem);
 
-// The sides of a path in the order in which it is drawn, what closes it included; none if one is a curve.
-// Those of a rectangle go from its first corner along x.
+// The sides of a path in mm, in the order in which it is drawn, what closes it included, on the grid that
+// flatten() has; steps between points that are one there are none. None at all if one is a curve, or reaches
+// further than flatten() goes. Those of a rectangle go from its first corner along x.
 std::vector<Segment> straight_sides(const Path& path);
 
 }  // namespace popup::drawing

@@ -456,6 +456,16 @@ TEST(Drawing, FoldsGoAsFarAsTheirElementSays) {
              {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70' "
               "d='M10 20C20 40 30 40 40 20H50'/>",
               "'data-fold-angle' has 2 angles, and its element draws 1 line [bad-number]"},
+             // Points that are one point on the grid have no side between them.
+             {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70' "
+              "d='M10 10h40v1e-7h40'/>",
+              "valley 60, valley 70"},
+             {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70 80' "
+              "d='M10 10h40v1e-7h40'/>",
+              "'data-fold-angle' has 3 angles, and its element draws 1 line with 2 sides [bad-number]"},
+             {"<path class='valley' stroke='#f0f' fill='none' data-fold-angle='60 70 80' "
+              "transform='scale(1000)' d='M.01 .01h.04v1e-6h.04'/>",
+              "valley 60, valley 70, valley 80"},
              // Of a cut it says nothing.
              {"<path class='cut' stroke='#000' data-fold-angle='60' " + two + "/>", ""},
              {"<path class='valley' stroke='#f0f' data-fold-angle='60 70 80' " + two + "/>",
