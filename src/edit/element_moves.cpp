@@ -24,13 +24,6 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string shown_number(double value) {
-    std::string text = fmt::format("{:.6f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text == "-0" ? "0" : text;
-}
-
 void ElementMoves::add(const CreaseLine& line, const EditedSheet::Line& to) {
     for (std::size_t i = 0; i < line.points.size(); ++i) rows_.push_back({line.points[i], to.points[i]});
     for (const auto& [stretch, at] : to.through) {
@@ -45,8 +38,14 @@ void ElementMoves::add(const CreaseLine& line, const EditedSheet::Line& to) {
     Drawn& drawn = lines_.emplace_back();
     drawn.fold_deg = to.fold_deg;
     drawn.parted = to.parted;
-    for (std::size_t i = 0; !apart && i + (line.closed ? 0U : 1U) < line.points.size(); ++i)
-        drawn.straight.push_back({to.points[i], to.points[(i + 1) % to.points.size()]});
+    one_stretch_each_ = one_stretch_each_ && !line.closed && line.points.size() == 2;
+    auto next = to.through.begin();
+    for (std::size_t i = 0; !apart && i + (line.closed ? 0U : 1U) < line.points.size(); ++i) {
+        Vec2 at = to.points[i];
+        for (; next != to.through.end() && next->first == static_cast<int>(i); ++next)
+            drawn.straight.push_back({std::exchange(at, next->second), next->second});
+        drawn.straight.push_back({at, to.points[(i + 1) % to.points.size()]});
+    }
 }
 
 void ElementMoves::sort() {

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "base/text/numbers.h"
 #include "popup/sheet_edit.h"
 
 namespace popup::edit {
 
-// Six decimals at most, without zeros at the end.
-std::string shown_number(double value);
+// As coordinates and angles of drawings are written: a finite one.
+inline std::string shown_number(double value) { return number_text(value, 6); }
 
 // Add all lines of the element in the order in which it draws them, then sort() before find().
 class ElementMoves {
@@ -20,6 +21,8 @@ class ElementMoves {
     void sort();
     [[nodiscard]] bool moved() const { return moved_; }
     [[nodiscard]] bool bends() const { return !through_.empty(); }
+    // Lines that were sides of the element, which said an angle of each, have corners now.
+    [[nodiscard]] bool sides_bend() const { return bends() && one_stretch_each_; }
     // What a straight step of the element goes through now, in its own direction.
     [[nodiscard]] std::vector<Vec2> through(Vec2 from, Vec2 to) const;
     // What is cut goes apart on its two sides.
@@ -32,8 +35,8 @@ class ElementMoves {
     // What data-fold-angle says then, of lines or of these edges, given what it said of the lines, if it did.
     using Said = std::vector<std::optional<double>>;
     [[nodiscard]] std::string angles(const Said& said, bool of_edges) const;
-    // The same of the straight sides of the lines; nullopt where the folds on one of them go by different
-    // angles, or there are not so many sides.
+    // The same of the straight sides of the lines, where they go; nullopt where the folds on one of them go
+    // by different angles, or there are not so many sides.
     [[nodiscard]] std::optional<std::string> angles_of_sides(const Said& said, std::size_t sides) const;
     // Where a corner of the element goes.
     [[nodiscard]] std::optional<Vec2> find(Vec2 p) const;
@@ -44,7 +47,7 @@ class ElementMoves {
         Vec2 at;
     };
     struct Drawn {
-        std::vector<Segment> straight, parted;
+        std::vector<Segment> straight, parted;  // where it goes, through what it goes through
         std::vector<double> fold_deg;
     };
     // nullopt: folds on this side go by different angles.
@@ -54,6 +57,7 @@ class ElementMoves {
     std::vector<Through> through_;
     std::vector<Drawn> lines_;
     bool moved_ = false, goes_apart_ = false, has_angles_ = false, angles_differ_ = false;
+    bool one_stretch_each_ = true;  // the lines
 };
 
 }  // namespace popup::edit

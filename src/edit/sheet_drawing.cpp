@@ -63,6 +63,23 @@ std::string path_text(const Path& path) {
     return text;
 }
 
+// Whether a style sheet has the word as one of its own, and not as a part of another ("direction"), a class
+// or an id.
+bool selects(std::string_view sheet, std::string_view word) {
+    const auto of_word = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte >= '0' && byte <= '9') || ((byte | 0x20U) >= 'a' && (byte | 0x20U) <= 'z') || c == '-' ||
+               c == '_' || byte >= 0x80;
+    };
+    for (std::size_t at = sheet.find(word); at != sheet.npos; at = sheet.find(word, at + 1)) {
+        const char before = at > 0 ? sheet[at - 1] : ' ';
+        const std::size_t end = at + word.size();
+        const char after = end < sheet.size() ? sheet[end] : ' ';
+        if (!of_word(before) && before != '.' && before != '#' && !of_word(after)) return true;
+    }
+    return false;
+}
+
 class Writer {
  public:
     Writer(const Source& source, const xml::Located& located, const CreasePattern& pattern,
@@ -223,7 +240,7 @@ class Writer {
         std::optional<drawing::ShapeProblem> problem;
         const auto said = drawing::fold_angles(own, moves.lines(), {}, problem).deg;
         const xml::Attribute* given = own.find(drawing::kFoldAngle);
-        if (!moves.has_angles() && !(edges && given != nullptr)) return;
+        if (!moves.has_angles() && !((edges || sides > 0) && given != nullptr)) return;
         if (problem) {
             tell_unsaid(place,
                         "the folds of this element have other angles now, and its data-fold-angle has one "
@@ -259,8 +276,10 @@ class Writer {
         const std::string_view tag = local_name(located_.name(element));
         Path path;
         const bool unsound = drawing::make_shape(tag, own, view_, path).has_value();
-        const std::size_t sides = drawing::straight_sides(path).size();
-        const bool by_sides = moves.angles_differ() && !moves.goes_apart() && !moves.bends() &&
+        const Path in_mm = path.mapped(*map);
+        const auto made = moved(in_mm, moves);
+        const std::size_t sides = drawing::straight_sides(made.value_or(in_mm)).size();
+        const bool by_sides = (moves.angles_differ() || moves.sides_bend()) && !moves.goes_apart() &&
                               moves.angles_of_sides({}, sides).has_value();
         const bool splits = moves.angles_differ() && !by_sides && tag == "path" && own.find("d") != nullptr;
         if (moves.angles_differ() && !by_sides && !splits) {
@@ -278,13 +297,12 @@ class Writer {
             return refuse(place, fmt::format("this <{}> would have more corners than it can have", tag),
                           "draw it as a path");
         if (edges) return write_parted(tag, own, moves, *back, place);
-        const auto made = moved(path.mapped(*map), moves);
         if (!made) {
             return refuse(place,
                           "this element moves, and is drawn elsewhere than it stands, as by a use element",
                           "draw it where it is");
         }
-        return write(element, own, path, made->mapped(*back), place);
+        return write(element, own, path, made->mapped(*back), sides >= 3, place);
     }
 
     // A path in mm with its corners where they go; curves follow their ends.
@@ -340,7 +358,9 @@ class Writer {
         return true;
     }
 
-    bool write(Offset element, const Attributes& own, const Path& was, const Path& is, Place place) {
+    // `straight`: it has sides, and no curves.
+    bool write(Offset element, const Attributes& own, const Path& was, const Path& is, bool straight,
+               Place place) {
         const std::string_view tag = local_name(located_.name(element));
         const Subpath& shape = is.subpaths().front();
         if (tag == "path") {
@@ -374,8 +394,7 @@ class Writer {
                              place);
         if ((tag == "circle" || tag == "ellipse") && shifted)
             return write_all(own, {{"cx", after.centre().x}, {"cy", after.centre().y}}, place);
-        if (tag == "rect" && drawing::straight_sides(is).size() >= 3 && !is_styled_by_name())
-            return write_as_polygon(element, is);
+        if (tag == "rect" && straight && !is_styled_by_name()) return write_as_polygon(element, is);
         return refuse(place, fmt::format("this <{}> would be none any more", tag), "draw it as a path");
     }
 
@@ -386,7 +405,7 @@ class Writer {
             const xml::LocatedElement& sheet = located_.elements[i];
             const std::string_view text =
                 std::string_view(source_.text).substr(sheet.tag_end, sheet.end - sheet.tag_end);
-            if (text.find("rect") != text.npos || text.find("polygon") != text.npos) return true;
+            if (selects(text, "rect") || selects(text, "polygon")) return true;
         }
         return false;
     }

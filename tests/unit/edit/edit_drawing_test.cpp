@@ -274,6 +274,42 @@ TEST(EditDrawing, TurnedFoldsAreReadAgain) {
     }
 }
 
+// A side gets a corner where the element has an angle for each: the corner parts it in two sides.
+TEST(EditDrawing, SidesThatHaveAnglesGetCorners) {
+    const std::string path =
+        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
+    for (const std::string& crease :
+         {path, kRectangle,
+          std::string("<polygon class='mountain' stroke='#f00' points='50,50 150,50 150,150 50,150'/>"),
+          std::string(
+              "<path class='mountain' stroke='#f00' d='M50 50H150M150 50V150M150 150H50M50 150V50'/>")}) {
+        for (const std::string angles : {"90 90 80 90", "90 90 90 90"}) {
+            std::string drawing = kTray;
+            std::string said = crease;
+            said.insert(said.find(' '), " data-fold-angle='" + angles + "'");
+            drawing.replace(drawing.find(path), path.size(), said);
+            drawing.insert(drawing.find("  <circle"),
+                           "  <path class=\"cut\" stroke=\"#000\" d=\"M100 150V190\"/>\n");
+            const Done done = edit(drawing, {"vertex base.2 --by 0,-5,0"});
+            ASSERT_TRUE(done.text) << said << "\n" << done.told;
+            const auto before = vertices_of(drawing);
+            const auto after = vertices_of(*done.text);
+            ASSERT_TRUE(before.contains("base.2"));
+            const Vec3 to = before.at("base.2") + Vec3{0, -5, 0};
+            EXPECT_TRUE(std::any_of(after.begin(), after.end(), [&](const auto& one) {
+                return one.first.starts_with("base.") && distance(one.second, to) < 1e-4;
+            })) << *done.text;
+            // It says all angles, and can be edited again.
+            const Done still = edit(*done.text, {"extrude base --by 0"});
+            ASSERT_TRUE(still.text) << still.told;
+            EXPECT_EQ(*still.text, *done.text);
+            EXPECT_EQ(still.told.find("[folds-turn]"), std::string::npos) << still.told;
+            const Done again = edit(*done.text, {"vertex base.2 --by 0,-1,0"});
+            EXPECT_TRUE(again.text) << *done.text << again.told;
+        }
+    }
+}
+
 // What says of its lines how far they are folded goes on doing so.
 TEST(EditDrawing, AnglesThatWereSaidStay) {
     std::string drawing = kTray;
@@ -310,28 +346,24 @@ TEST(EditDrawing, WhatWouldNotLieFlatIsToldWhereItIsDrawn) {
     EXPECT_EQ(told.place.column, 3);
 }
 
-// Two walls on one side of a rectangle: the side has one angle.
-TEST(EditDrawing, ElementsThatCannotHaveTheAngleAreTold) {
+// Two walls on one side, which gets a corner between them: each has an angle, of a rectangle as of a path.
+// With --fold-to none is written.
+TEST(EditDrawing, WallsOnOneSideHaveAnglesOfTheirOwn) {
     std::string drawing = kTray;
     const std::string crease =
         "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
     drawing.insert(drawing.find("  <circle"), "  <path class=\"cut\" stroke=\"#000\" d=\"M100 150V190\"/>\n");
-    const std::string of_path = drawing;
-    drawing.replace(drawing.find(crease), crease.size(), kRectangle);
-    const Done done = edit(drawing, {"edge panel-4.1-2 --by 0,-10,0"});
-    ASSERT_TRUE(done.text) << done.told;
-    EXPECT_NE(done.told.find("folds on one side of this <rect> have different angles now, and it has one "
-                             "data-fold-angle for each side [folds-turn]"),
-              std::string::npos)
-        << done.told;
-    EXPECT_EQ(done.text->find("data-fold-angle"), std::string::npos);
-    // A path is parted.
-    const Done parted = edit(of_path, {"edge panel-4.1-2 --by 0,-10,0"});
-    ASSERT_TRUE(parted.text) << parted.told;
-    const std::size_t told = parted.text->find("<path data-fold-angle=\"");
-    ASSERT_NE(told, std::string::npos) << *parted.text;
-    const std::string element = parted.text->substr(told, parted.text->find("/>", told) - told);
-    EXPECT_EQ(std::count(element.begin(), element.end(), 'M'), 5) << element;
+    std::string of_rectangle = drawing;
+    of_rectangle.replace(drawing.find(crease), crease.size(), kRectangle);
+    for (const std::string& one : {drawing, of_rectangle}) {
+        const Done done = edit(one, {"edge panel-4.1-2 --by 0,-10,0"});
+        ASSERT_TRUE(done.text) << done.told;
+        const std::string said = "data-fold-angle=\"";
+        const std::size_t at = done.text->find(said);
+        ASSERT_NE(at, std::string::npos) << *done.text;
+        const std::size_t from = at + said.size();
+        EXPECT_EQ(words_of(done.text->substr(from, done.text->find('"', from) - from)).size(), 5U);
+    }
     // With --fold-to it is not known how far they go in the end.
     DrawingEditOptions half;
     half.fold.to = 0.5;
@@ -344,25 +376,29 @@ TEST(EditDrawing, ElementsThatCannotHaveTheAngleAreTold) {
 TEST(EditDrawing, ARectangleMayBecomeAPolygon) {
     struct Row {
         std::string rectangle, style;
+        bool by_name = false;
     };
     for (const Row& row : std::vector<Row>{
              {kRectangle, ""},
              {"<rect width='100' height='100'\n  stroke='#ff0000' x='50' y='50' class='mountain' ></rect>",
               ""},
-             {kRectangle, "rect { stroke: #ff0000 }"}}) {
+             {kRectangle, "text { direction: ltr } .rect { fill: none } .rectangle, #polygon { fill: none }"},
+             {kRectangle, "g>rect{ stroke: #ff0000 }", true},
+             {kRectangle, ".fold { fill: none } polygon, path { stroke: #ff0000 }", true},
+             {kRectangle, "rect { stroke: #ff0000 }", true}}) {
         std::string drawing = kTray;
         const std::string crease =
             "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
         drawing.replace(drawing.find(crease), crease.size(), row.rectangle);
         if (!row.style.empty()) drawing.insert(drawing.find(" <g"), "<style>" + row.style + "</style>");
         const Done done = edit(drawing, {"vertex front+left+base --by -3,-5,0"});
-        if (!row.style.empty()) {
+        if (row.by_name) {
             EXPECT_FALSE(done.text);
             EXPECT_NE(done.told.find("this <rect> would be none any more"), std::string::npos) << done.told;
             continue;
         }
         ASSERT_TRUE(done.text) << done.told;
-        EXPECT_EQ(done.text->find("rect"), std::string::npos) << *done.text;
+        EXPECT_EQ(done.text->find("<rect"), std::string::npos) << *done.text;
         const Done of_path = edit(kTray, {"vertex front+left+base --by -3,-5,0"});
         ASSERT_TRUE(of_path.text) << of_path.told;
         const auto wanted = vertices_of(*of_path.text);
