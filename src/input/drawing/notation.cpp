@@ -44,7 +44,7 @@ constexpr std::array<std::pair<Named, std::string_view>, 7> kWords{{
      " guide guides guidelines note notes dimension dimensions label labels glue seam "
      "bleed safety varnish gluearea glueing gluing annotation annotations construction "
      "dim dims tangent registration regmarks mark marks legend "
-     "hilfslinie hilfslinien notiz notizen bemassung klebeflache klebeflaeche klebelasche kleben anschnitt "
+     "hilfslinie hilfslinien notiz notizen bemassung klebeflache klebeflaeche kleben anschnitt "
      "legende repere reperes cotation colle collage notas cotas colla "},
 }};
 
@@ -53,10 +53,15 @@ constexpr std::array<Named, 6> kNamedOfUse{Named::cut,    Named::fold,  Named::m
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// The letters of Latin-1 from 0xC0 on, without what is above or below them; a blank for what is none.
+// The letters of Latin-1 from 0xC0 on, without what is above or below them; a blank for what is none. The
+// sharp s is two.
+constexpr unsigned kSharpS = 0xDF;
 constexpr std::string_view kBareLetters = "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";
 
-char bare(unsigned code) { return code >= 0xC0 && code <= 0xFF ? nth(kBareLetters, code - 0xC0) : ' '; }
+std::string_view bare(unsigned code) {
+    if (code == kSharpS) return "ss";
+    return code >= 0xC0 && code <= 0xFF ? kBareLetters.substr(code - 0xC0, 1) : " ";
+}
 
 // "Découpe" and "De\u0301coupe" become "Decoupe"; other characters beyond ASCII stay.
 std::string without_accents(std::string_view text) {

@@ -110,6 +110,9 @@ TEST(FoldLike, IsCalledSoInSeveralLanguages) {
         {"Loecher", Named::hole},
         {"Hilfslinien", Named::ignore},
         {"Klebefläche", Named::ignore},
+        {"Klebelasche", Named::nothing},  // the flap is cut and folded
+        {"Bemaßung", Named::ignore},
+        {"Bema_xDF_ung", Named::ignore},
         {"Découpe", Named::cut},
         {"DÉCOUPE", Named::cut},
         {"De\xCC\x81"
@@ -139,6 +142,9 @@ TEST(FoldLike, IsCalledSoInSeveralLanguages) {
                                    "vallee", "Vall_xE9_e"}) {
         EXPECT_EQ(given.said_by(name).named, Named::cut) << name;
     }
+    const drawing::LineRules sharp({{"Maße", DrawnUse::print}});
+    for (const std::string name : {"Maße", "MASSE 2", "Ma_xDF_e"})
+        EXPECT_EQ(sharp.said_by(name).named, Named::print) << name;
 }
 
 }  // namespace
