@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -22,8 +24,15 @@ constexpr double kLeastGap = 0.25, kMostGap = 1.6;
 constexpr double kPieceBesideMm = 0.05;
 // No dash is longer.
 constexpr double kDashReachMm = 25.0;
-// Of ends in one place no more are looked at: there no line is drawn in pieces.
+// By how much of itself the width of a stroke may differ.
+constexpr double kWidth = 0.01;
+// Where one place has more ends, none are looked at: there no line is drawn in pieces.
 constexpr std::size_t kMostInPlace = 64;
+
+struct End {
+    std::size_t line = 0;
+    bool last = false;
+};
 
 bool is_piece(const TracedLine& line) {
     return line.dash == Dash::none && !line.closed && line.use != Use::shape && line.owner == 0 &&
@@ -37,8 +46,59 @@ bool is_dashed(const TracedLine& line) {
 
 bool same_pen(const TracedLine& a, const TracedLine& b) {
     return a.color == b.color && a.named == b.named && a.ruled == b.ruled &&
-           std::abs(a.width_mm - b.width_mm) <= 0.01 * std::max(a.width_mm, b.width_mm);
+           std::abs(a.width_mm - b.width_mm) <= kWidth * std::max(a.width_mm, b.width_mm);
 }
+
+// Dashed lines of one colour and name, and the ends of what may be pieces of them.
+class Pen {
+ public:
+    void add_dashed(const TracedLine& line) {
+        reach_mm_ = std::max(reach_mm_, kMostGap * line.gap_mm);
+        longest_mm_ = std::max(longest_mm_, kLongestDash * line.dash_mm);
+        widths_mm_.push_back(line.width_mm);
+    }
+    void settle() {
+        // A gap may be as small as a number can be: cells are never so small that they cannot be counted.
+        cell_mm_ = std::clamp(reach_mm_, kPieceBesideMm, kDashReachMm);
+        std::sort(widths_mm_.begin(), widths_mm_.end());
+    }
+    // Whether no dashed line is too thin or too thick to have a piece of that width.
+    [[nodiscard]] bool is_as_wide(double width_mm) const {
+        const auto at =
+            std::lower_bound(widths_mm_.begin(), widths_mm_.end(), width_mm * (1.0 - 2.0 * kWidth));
+        return at != widths_mm_.end() && *at <= width_mm * (1.0 + 2.0 * kWidth);
+    }
+    [[nodiscard]] bool is_as_long(double length_mm) const {
+        return length_mm <= std::min(longest_mm_, kDashReachMm);
+    }
+    void place(End end, Vec2 at) {
+        std::vector<End>& ends = ends_[cell_of(at)];
+        if (ends.size() <= kMostInPlace) ends.push_back(end);
+    }
+    // Calls `use` with all ends near a point, and with some that are further away.
+    template <typename Use>
+    void each_near(Vec2 p, Use use) const {
+        const PlaneCell at = cell_of(p);
+        for (std::int64_t x = at.x - 1; x <= at.x + 1; ++x) {
+            for (std::int64_t y = at.y - 1; y <= at.y + 1; ++y) {
+                const auto ends = ends_.find({x, y});
+                // Not some of too many, lest it be told by their order which.
+                if (ends == ends_.end() || ends->second.size() > kMostInPlace) continue;
+                for (const End end : ends->second) use(end);
+            }
+        }
+    }
+
+ private:
+    [[nodiscard]] PlaneCell cell_of(Vec2 p) const {
+        return {static_cast<std::int64_t>(std::floor(p.x / cell_mm_)),
+                static_cast<std::int64_t>(std::floor(p.y / cell_mm_))};
+    }
+
+    double reach_mm_ = 0.0, longest_mm_ = 0.0, cell_mm_ = 0.0;
+    std::vector<double> widths_mm_;  // of the dashed lines
+    std::unordered_map<PlaneCell, std::vector<End>, PlaneCellHash> ends_;
+};
 
 class DashJoiner {
  public:
@@ -46,52 +106,58 @@ class DashJoiner {
 
     // How many pieces were joined.
     int run() {
-        double reach = 0.0;
         for (const TracedLine& line : lines_) {
-            if (is_dashed(line)) reach = std::max(reach, kMostGap * line.gap_mm);
+            if (is_dashed(line)) pens_[key_of(line)].add_dashed(line);
         }
-        if (reach == 0.0) return 0;
-        cell_mm_ = std::min(reach, kDashReachMm);
+        if (pens_.empty()) return 0;
+        for (auto& [key, pen] : pens_) pen.settle();
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (!is_piece(lines_[i])) continue;
-            place(i, false);
-            place(i, true);
+            if (is_piece(lines_[i])) place(i);
         }
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (!is_dashed(lines_[i])) continue;
-            lengthen(i, false);
-            lengthen(i, true);
+            lengthen({i, false});
+            lengthen({i, true});
         }
+        for (const auto& [line, taken] : taken_) shorten(line, taken);
         std::erase_if(lines_, [](const TracedLine& line) { return line.points.size() < 2; });
         return joined_;
     }
     [[nodiscard]] int first_element() const { return first_element_; }
 
  private:
-    struct End {
-        std::size_t line = 0;
-        bool last = false;
+    using Key = std::tuple<int, int, int, Named, bool>;
+    struct Taken {
+        bool first = false, last = false;  // the leg at that end
     };
 
+    static Key key_of(const TracedLine& line) {
+        return {line.color.r, line.color.g, line.color.b, line.named, line.ruled};
+    }
     // The n-th point from an end of a line.
     [[nodiscard]] Vec2 point(End end, std::size_t n) const {
         const std::vector<Vec2>& points = nth(lines_, end.line).points;
         return end.last ? points[points.size() - 1 - n] : points[n];
     }
-    [[nodiscard]] PlaneCell cell_of(Vec2 p) const {
-        return {static_cast<std::int64_t>(std::floor(p.x / cell_mm_)),
-                static_cast<std::int64_t>(std::floor(p.y / cell_mm_))};
+    // Only what may be a piece by itself takes room among the ends of a place.
+    void place(std::size_t line) {
+        const auto pen = pens_.find(key_of(nth(lines_, line)));
+        if (pen == pens_.end() || !pen->second.is_as_wide(nth(lines_, line).width_mm)) return;
+        for (const bool last : {false, true}) {
+            const End end{line, last};
+            if (pen->second.is_as_long(distance(point(end, 0), point(end, 1))))
+                pen->second.place(end, point(end, 0));
+        }
     }
-    void place(std::size_t line, bool last) {
-        std::vector<End>& ends = ends_[cell_of(point({line, last}, 0))];
-        if (ends.size() < kMostInPlace) ends.push_back({line, last});
+    [[nodiscard]] bool is_taken(End piece) const {
+        const auto taken = taken_.find(piece.line);
+        return taken != taken_.end() && (piece.last ? taken->second.last : taken->second.first);
     }
 
     // How far behind the end of a dashed line a piece goes on, in its direction; nullopt when it does not.
     [[nodiscard]] std::optional<double> gap_to(End dashed, End piece) const {
         const TracedLine& line = nth(lines_, dashed.line);
-        const TracedLine& other = nth(lines_, piece.line);
-        if (other.points.size() < 2 || !same_pen(line, other)) return std::nullopt;
+        if (is_taken(piece) || !same_pen(line, nth(lines_, piece.line))) return std::nullopt;
         const Vec2 end = point(dashed, 0);
         const Vec2 way = unit(end - point(dashed, 1));
         const Vec2 near = point(piece, 0) - end;
@@ -106,32 +172,27 @@ class DashJoiner {
         return gap;
     }
 
-    void lengthen(std::size_t line, bool last) {
-        const End dashed{line, last};
+    void lengthen(End dashed) {
         std::optional<double> nearest;
         End best;
-        const PlaneCell at = cell_of(point(dashed, 0));
-        for (std::int64_t x = at.x - 1; x <= at.x + 1; ++x) {
-            for (std::int64_t y = at.y - 1; y <= at.y + 1; ++y) {
-                const auto ends = ends_.find({x, y});
-                if (ends == ends_.end()) continue;
-                for (const End& end : ends->second) {
-                    const auto gap = gap_to(dashed, end);
-                    if (!gap || (nearest && *nearest <= *gap)) continue;
-                    nearest = gap;
-                    best = end;
-                }
-            }
-        }
+        pens_.at(key_of(nth(lines_, dashed.line))).each_near(point(dashed, 0), [&](End end) {
+            const auto gap = gap_to(dashed, end);
+            if (!gap || (nearest && *nearest <= *gap)) return;
+            nearest = gap;
+            best = end;
+        });
         if (nearest) take(dashed, best);
     }
 
-    // The dashed line goes on to the end of the piece, of which a second leg is left.
+    // The dashed line goes on to the end of that leg of the piece. Of a piece between two dashed lines the
+    // second ends where the first does now.
     void take(End dashed, End piece) {
-        const Vec2 to = point(piece, 1);
-        TracedLine& from = nth(lines_, piece.line);
-        if (joined_++ == 0 || from.element < first_element_) first_element_ = from.element;
-        from.points.erase(piece.last ? from.points.end() - 1 : from.points.begin());
+        const TracedLine& from = nth(lines_, piece.line);
+        const bool between = from.points.size() == 2 && is_taken({piece.line, !piece.last});
+        const Vec2 to = point(piece, between ? 0 : 1);
+        if (!between && (joined_++ == 0 || from.element < first_element_)) first_element_ = from.element;
+        Taken& taken = taken_[piece.line];
+        (piece.last ? taken.last : taken.first) = true;
         TracedLine& line = nth(lines_, dashed.line);
         // A longer line may be a curve, whose chords stay as they are.
         if (line.points.size() == 2) {
@@ -141,9 +202,16 @@ class DashJoiner {
         }
     }
 
+    // What is left of a piece: of a corner the other leg, else a point that is no line.
+    void shorten(std::size_t piece, Taken taken) {
+        std::vector<Vec2>& points = nth(lines_, piece).points;
+        if (taken.first) points.erase(points.begin());
+        if (taken.last) points.pop_back();
+    }
+
     std::vector<TracedLine>& lines_;
-    double cell_mm_ = 0.0;
-    std::unordered_map<PlaneCell, std::vector<End>, PlaneCellHash> ends_;
+    std::map<Key, Pen> pens_;
+    std::unordered_map<std::size_t, Taken> taken_;  // by the piece
     int joined_ = 0;
     int first_element_ = 0;
 };
