@@ -11,7 +11,8 @@
 namespace popup::edit {
 namespace {
 
-constexpr double kReadCornerMm = 2e-3;  // a corner of an element, and of the lines that were read from it
+constexpr double kJoinedBesideMm = 0.06;  // a corner of an element, and the line that dashes were joined to
+constexpr double kReadCornerMm = 2e-3;    // a corner of an element, and of the lines that were read from it
 constexpr double kOnSideMm = 5e-3;
 constexpr double kSameDeg = 1e-6;
 
@@ -26,6 +27,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 void ElementMoves::add(const CreaseLine& line, const EditedSheet::Line& to) {
     for (std::size_t i = 0; i < line.points.size(); ++i) rows_.push_back({line.points[i], to.points[i]});
+    if (!line.closed) {
+        ends_.push_back({line.points.front(), line.points[1]});
+        ends_.push_back({line.points.back(), line.points[line.points.size() - 2]});
+    }
     for (const auto& [stretch, at] : to.through) {
         const auto from = static_cast<std::size_t>(stretch);
         through_.push_back({line.points[from], line.points[(from + 1) % line.points.size()], at});
@@ -46,6 +51,20 @@ void ElementMoves::add(const CreaseLine& line, const EditedSheet::Line& to) {
             drawn.straight.push_back({std::exchange(at, next->second), next->second});
         drawn.straight.push_back({at, to.points[(i + 1) % to.points.size()]});
     }
+}
+
+bool ElementMoves::goes_beyond(const Path& path) const {
+    std::vector<Vec2> corners;
+    for (const Subpath& subpath : path.subpaths()) {
+        corners.push_back(subpath.start);
+        for (const PathStep& step : subpath.steps) corners.push_back(step.to);
+    }
+    return std::any_of(ends_.begin(), ends_.end(), [&](const Segment& end) {
+        return std::none_of(corners.begin(), corners.end(),
+                            [&](Vec2 p) { return distance(p, end.a) <= kReadCornerMm; }) &&
+               std::any_of(corners.begin(), corners.end(),
+                           [&](Vec2 p) { return distance(p, end) <= kJoinedBesideMm; });
+    });
 }
 
 void ElementMoves::sort() {

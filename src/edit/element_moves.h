@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/text/numbers.h"
+#include "popup/curves.h"
 #include "popup/sheet_edit.h"
 
 namespace popup::edit {
@@ -19,6 +20,9 @@ class ElementMoves {
  public:
     void add(const CreaseLine& line, const EditedSheet::Line& to);
     void sort();
+    // Whether a line goes on beyond the corners of the element's path, straight on: dashes of its ends are
+    // elements of their own, and were joined to it when it was read.
+    [[nodiscard]] bool goes_beyond(const Path& path) const;
     [[nodiscard]] bool moved() const { return moved_; }
     [[nodiscard]] bool bends() const { return !through_.empty(); }
     // Lines that were sides of the element, which said an angle of each, have corners now.
@@ -54,6 +58,7 @@ class ElementMoves {
     [[nodiscard]] static std::optional<std::string> angle_of_side(const Drawn& line, const Segment& side);
 
     std::vector<Segment> rows_;  // from where to where
+    std::vector<Segment> ends_;  // of open lines, from the end to the point before, where they were
     std::vector<Through> through_;
     std::vector<Drawn> lines_;
     bool moved_ = false, goes_apart_ = false, has_angles_ = false, angles_differ_ = false;

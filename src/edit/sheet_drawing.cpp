@@ -296,6 +296,12 @@ class Writer {
         if (moves.bends() && tag != "path" && tag != "polyline" && tag != "polygon" && tag != "rect")
             return refuse(place, fmt::format("this <{}> would have more corners than it can have", tag),
                           "draw it as a path");
+        if (moves.goes_beyond(in_mm)) {
+            return refuse(place,
+                          "this element moves, and the first or last dash of its line is another element",
+                          "draw the line as one element; in Illustrator, let dashes not be aligned to ends "
+                          "and corners");
+        }
         if (edges) return write_parted(tag, own, moves, *back, place);
         if (!made) {
             return refuse(place,

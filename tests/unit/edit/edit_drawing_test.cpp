@@ -346,6 +346,27 @@ TEST(EditDrawing, WhatWouldNotLieFlatIsToldWhereItIsDrawn) {
     EXPECT_EQ(told.place.column, 3);
 }
 
+// Lines whose first and last dashes are drawn by themselves would leave these behind.
+TEST(EditDrawing, LinesInPiecesAreRefusedAsWhatTheyAre) {
+    const std::string crease =
+        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
+    const std::string pen = "<path class=\"mountain\" stroke=\"#ff0000\" ";
+    const std::string pieces = pen + "d=\"M50 150h4\"/>" + pen + "d=\"M146 150h4\"/>";
+    for (const std::string line : {"M56 150H144", "M56 150H100H144"}) {
+        std::string drawing = kTray;
+        drawing.replace(drawing.find(crease), crease.size(),
+                        pen + "d=\"M50 150V50H150V150\"/>" + pen + "stroke-dasharray=\"4 2\" d=\"" + line +
+                            "\"/>" + pieces);
+        const Done done = edit(drawing, {"extrude front --by 10"});
+        EXPECT_FALSE(done.text) << *done.text;
+        EXPECT_NE(done.told.find("the first or last dash of its line is another element [edit-refused]"),
+                  std::string::npos)
+            << done.told;
+        // Where it does not move it is no matter.
+        EXPECT_TRUE(edit(drawing, {"extrude back --by 10"}).text);
+    }
+}
+
 // Two walls on one side, which gets a corner between them: each has an angle, of a rectangle as of a path.
 // With --fold-to none is written.
 TEST(EditDrawing, WallsOnOneSideHaveAnglesOfTheirOwn) {
