@@ -214,7 +214,10 @@ class Completer {
         if (what == Name::structurelist) rows(at);
         const ElementInfo* info = what == Name::structure ? text_.row(element) : nullptr;
         const bool stands = given.contains(Name::parentfold) || given.contains(Name::parentplate);
-        if (what == Name::structure && !stands) folds(at, element);
+        if (what == Name::structure && !stands) {
+            if (info == nullptr || !info->grounds.plate) folds(at, element);
+            if (info == nullptr || info->grounds.plate) plates(at, element);
+        }
         for (const std::string_view name : xml::names_in(what)) {
             const Name found = xml::find_name(what, name);
             if (found == Name::unknown) continue;
@@ -245,15 +248,17 @@ class Completer {
                                               [](const ParameterInfo& one) { return !one.group.empty(); });
     }
 
-    static std::string body(Name name, std::string_view spelling) {
+    [[nodiscard]] std::string body(Name name, std::string_view spelling) const {
         switch (name) {
             case Name::point:
             case Name::begin:
             case Name::end:
                 return fmt::format("<{} x=\"$1\" y=\"$2\"/>", spelling);
             case Name::parentplate:
+                if (version_of(text_) >= "3.0") return fmt::format("<{} on=\"$1\"/>", spelling);
                 return fmt::format("<{} page=\"${{1:0}}\" x=\"$2\" y=\"$3\"/>", spelling);
             case Name::parentfold:
+                if (version_of(text_) >= "3.0") return fmt::format("<{} on=\"$1\"/>", spelling);
                 return "<parentfold>\n  <begin x=\"$1\" y=\"$2\"/>\n  <end x=\"$3\" "
                        "y=\"$4\"/>\n</parentfold>";
             case Name::structure:
@@ -320,6 +325,14 @@ class Completer {
             y);
     }
 
+    // Every plate that there is to stand on, which has a name from version 3.0 on.
+    void plates(Span at, int structure) {
+        if (version_of(text_) < "3.0") return;
+        for (const NamedPlace& one : places_before(text_, structure, true))
+            add("parentplate " + one.name, ItemKind::reference, one.about, {}, at,
+                fmt::format("<parentplate on=\"{}\"/>", one.name));
+    }
+
     // Every fold that there is to stand on: by its name from version 3.0 on, else by its points.
     void folds(Span at, int structure) {
         std::set<std::string> named;
@@ -334,7 +347,7 @@ class Completer {
         const Design& design = *view_.good->design;
         for (const StandingFold& fold : view_.good->standing.folds) {
             const std::string owner = fold.owner < 0
-                                          ? std::string("page")
+                                          ? std::string(kBasePage)
                                           : design.structures[static_cast<std::size_t>(fold.owner)].id;
             if (named.contains(fold.owner < 0 ? std::string(kGutter)
                                               : fmt::format("{}.{}", owner, fold.name)))

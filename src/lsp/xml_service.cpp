@@ -368,7 +368,7 @@ Renaming rename(const View& view, std::size_t at, std::string_view name) {
     const Renamed found = renamed_at(page, at);
     if (found.structure < 0) return {{}, "there is no id to rename here"};
     if (!is_id(name)) return {{}, fmt::format("\"{}\" cannot be an id: {}", shown(name), kIdHint)};
-    if (name == "page" || name == kGutter)
+    if (name == kBasePage || name == kGutter)
         return {{}, fmt::format("the id \"{}\" is kept for the base page", name)};
     const int other = page.structure(std::string(name));
     if (other >= 0 && other != found.structure)

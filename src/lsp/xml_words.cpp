@@ -13,8 +13,6 @@ using xml::Name;
 
 namespace {
 
-constexpr std::string_view kPage = "page";
-
 Span without_blanks(std::string_view text, Span at) {
     while (at.begin < at.end && is_blank(text[at.begin])) ++at.begin;
     while (at.end > at.begin && is_blank(text[at.end - 1])) --at.end;
@@ -29,7 +27,7 @@ void add_naming(const MarkedText& text, int element, Name what, Span value, std:
     Span id = value;
     if (what == Name::on) id.end = value.begin + std::min(said.rfind('.'), said.size());
     const std::string_view name = text.word(id);
-    if (!is_id(name) || name == kPage || (what == Name::on && said == kGutter)) return;
+    if (!is_id(name) || name == kBasePage || (what == Name::on && said == kGutter)) return;
     into.push_back({element, what, value, id});
 }
 

@@ -175,6 +175,27 @@ TEST_F(NamedPlaces, AreOffered) {
                                    [](const Json& one) { return one["label"] == "parentfold roof.centre"; });
     ASSERT_NE(item, items.end());
     EXPECT_EQ((*item)["textEdit"]["newText"], "<parentfold on=\"roof.centre\"/>");
+    EXPECT_FALSE(has(offered(bare, "<p\n", 2), "parentplate roof.left")) << "a beak stands on no plate";
+}
+
+TEST_F(NamedPlaces, AreOfferedAsPlates) {
+    const auto body = [this](const std::string& text, const std::string& label) {
+        client.change({{{"text", text}}}, ++version);
+        const Json items = client.ask("textDocument/completion", place(text, "<p\n", 2))["result"]["items"];
+        const auto item =
+            std::find_if(items.begin(), items.end(), [&](const Json& one) { return one["label"] == label; });
+        return item == items.end() ? std::string() : (*item)["textEdit"]["newText"].get<std::string>();
+    };
+    const std::string bare = replaced(kNamed, "<parentplate on=\"roof.left\"/>", "<p");
+    EXPECT_EQ(body(bare, "parentplate roof.left"), "<parentplate on=\"roof.left\"/>");
+    EXPECT_EQ(body(bare, "parentplate page.right"), "<parentplate on=\"page.right\"/>");
+    EXPECT_EQ(body(bare, "parentfold roof.centre"), "") << "an attached plane stands on no fold";
+    EXPECT_EQ(body(bare, "parentplate"), "<parentplate on=\"$1\"/>");
+    EXPECT_EQ(body(bare, "parentfold"), "<parentfold on=\"$1\"/>");
+    // Names are from version 3.0 on.
+    const std::string early = replaced(bare, "version=\"3.0\"", "version=\"2.0\"");
+    EXPECT_EQ(body(early, "parentplate roof.left"), "");
+    EXPECT_EQ(body(early, "parentplate"), "<parentplate page=\"${1:0}\" x=\"$2\" y=\"$3\"/>");
 }
 
 }  // namespace
