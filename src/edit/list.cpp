@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/text/nearest.h"
+#include "edit/defaults.h"
 #include "edit/session.h"
 #include "input/text.h"
 #include "mechanism/measures.h"
@@ -14,7 +15,6 @@
 namespace popup::edit {
 namespace {
 
-constexpr double kHeightShare = 0.15;  // of lengths that must be given, and have no standard
 constexpr int kMostCopies = 1000;
 
 bool is_taken(const Design& design, std::string_view id) {
@@ -25,7 +25,7 @@ bool is_taken(const Design& design, std::string_view id) {
 // "tent", or "tent-2" where that is taken.
 std::string free_id(const Design& design, std::string_view wanted) {
     std::string id(wanted);
-    for (int number = 2; is_taken(design, id) || id == "page"; ++number)
+    for (int number = 2; is_taken(design, id) || id == kBasePage; ++number)
         id = fmt::format("{}-{}", wanted, number);
     return id;
 }
@@ -33,7 +33,7 @@ std::string free_id(const Design& design, std::string_view wanted) {
 bool check_id(Session& session, const std::string& id) {
     if (!is_id(id))
         return session.fail("bad-edit", fmt::format("'{}' cannot be an id", shown(id)), std::string(kIdHint));
-    if (id == "page" || id == kGutter)
+    if (id == kBasePage || id == kGutter)
         return session.fail("bad-edit", fmt::format("the id '{}' is kept for the base page", id));
     if (is_taken(session.design, id))
         return session.fail("bad-edit", fmt::format("there is an element \"{}\" already", id));
@@ -163,16 +163,18 @@ bool add(Session& session, const Command& command) {
                                          : fmt::format("perhaps '{}' is meant", near.front()));
     }
     Structure made;
-    made.type = info->name;
     const std::string* id = command.find("id");
     if (id != nullptr && !check_id(session, *id)) return false;
-    made.id = id != nullptr ? *id : free_id(session.design, info->name);
-    made.id_given = true;
     const auto seen = stand(session, made, *info, command);
     if (!seen) return false;
+    if (!made.plate && !info->grounds.page) info = &form_on(*info, *seen);
+    made.type = info->name;
+    made.id = id != nullptr ? *id : free_id(session.design, info->name);
+    made.id_given = true;
     made.points.resize(info->points.size());
     const bool on_fold = !made.plate && !info->grounds.page;
     double size = on_fold ? distance(seen->on_left.a, seen->on_left.b) : session.design.height_mm;
+    const bool enlarge = on_fold && !command.has("room");
     if (const std::string* room = command.find("room")) {
         const auto given = session.length("--room", *room);
         if (!given) return false;
@@ -180,9 +182,10 @@ bool add(Session& session, const Command& command) {
     }
     std::vector<double> measures;
     for (const MeasureInfo& measure : info->measures)
-        measures.push_back(measure.share * size + measure.standard);
+        measures.push_back(measure.share * (enlarge ? room_for(*info, measure.name, size) : size) +
+                           measure.standard);
     if (made.plate && made.plate->on.owner == std::nullopt) {
-        // In the middle of that half of the page.
+        // In the middle of that half of the page, for the present.
         if (const auto x = find_measure(*info, "x"))
             measures[*x] = (made.plate->on.which == 1 ? 0.25 : -0.25) * session.design.width_mm;
     }
@@ -216,6 +219,7 @@ bool add(Session& session, const Command& command) {
     made = std::move(session.design.structures.back());
     session.design.structures.pop_back();
     if (!ok) return false;
+    if (made.plate) put_on_plate(session, made, *info, measured, measures);
     const bool by_hand = std::any_of(made.arguments.begin(), made.arguments.end(), is_drawn);
     const bool sound = !by_hand || take_from_drawing(*info, *seen, made, measured, measures);
     const auto drawn =
