@@ -92,8 +92,11 @@ void Reporter::unknown_text(Name context, const Text& text) {
 }
 
 void Reporter::twice(std::string_view name, Place place, Place first) {
-    error("duplicate-value", place,
-          fmt::format("'{}' is given twice; the first is on line {}", shown(name), first.line));
+    Diagnostic& made =
+        error("duplicate-value", place,
+              fmt::format("'{}' is given twice; the first is on line {}", shown(name), first.line));
+    if (find_parameter_name(lower(name)) == "hole" || find_parameter_name(lower(name)) == "window")
+        made.hint("put the path data of both behind one another into one d: each of its subpaths is one");
 }
 
 void Reporter::name_structures(const std::vector<Structure>& structures) {
