@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
+#include "base/geometry/tolerances.h"
 #include "mechanism/holes.h"
 #include "mechanism/site_lines.h"
 
@@ -87,6 +89,15 @@ std::string_view divided_hint() {
     return "draw the outline so that the line of the centre fold crosses its border twice, once on each side";
 }
 
+// " at (…) mm, (…) mm", of many the first ones.
+std::string places_of(const Ring& ring, const std::vector<FoldCrossing>& crossings) {
+    constexpr std::size_t kShown = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(crossings.size(), kShown); ++i)
+        text += (i == 0 ? ", at " : ", ") + at_mm(ring[crossings[i].corner]);
+    return crossings.size() > kShown ? text + ", …" : text;
+}
+
 bool on_seam(const Segment& edge, const PieceLines& lines) {
     for (const Segment& seam : {lines.left_seam, lines.right_seam}) {
         if ((edge.a == seam.a && edge.b == seam.b) || (edge.a == seam.b && edge.b == seam.a)) return true;
@@ -122,8 +133,8 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
     if (crossings.size() != 2) {
         return SilhouetteFault{
             "outline-off-fold",
-            fmt::format("the line of its centre fold crosses its outline {} times; it must cross it twice",
-                        crossings.size()),
+            fmt::format("the line of its centre fold crosses its outline {} times{}; it must cross it twice",
+                        crossings.size(), places_of(ring, crossings)),
             std::string(divided_hint())};
     }
     made.centre = {ring[crossings[0].corner], ring[crossings[1].corner]};
@@ -149,6 +160,48 @@ std::optional<SilhouetteFault> divide(const Element& e, const PieceLines& lines,
     return std::nullopt;
 }
 
+// How far the outline's point lies from this end that is meant for it: the nearest one. Where the outline
+// goes through the end itself, only a point that it goes straight on to. Infinite: there is none.
+double missed_by(const Element& e, Vec2 end) {
+    const auto on_outline = [&](Vec2 p) {
+        return std::ranges::any_of(areas_of(e, "outline"), [&](const Polygon& area) {
+            return border_distance(area.outer, p) <= e.tolerances->rounding_mm;
+        });
+    };
+    const bool met = on_outline(end);
+    double least = HUGE_VAL;
+    const auto look_at = [&](Vec2 p) {
+        const double away = distance(p, end);
+        if (away < least && away <= kSnapMm && (!met || on_outline(lerp(p, end, 0.5)))) least = away;
+    };
+    const Argument& drawn = e.arguments[*find_parameter(*e.info, "outline")];
+    for (const Subpath& subpath : std::get<DrawnPath>(drawn.value).path.subpaths()) {
+        look_at(subpath.start);
+        for (const PathStep& step : subpath.steps) look_at(step.to);
+    }
+    return least;
+}
+
+// Moves no other points than those that were meant for an end.
+void snap_to_seams(Element& e, const PieceLines& lines) {
+    const double rounding = e.tolerances->rounding_mm;
+    const std::array<Vec2, 4> ends{lines.left_seam.a, lines.left_seam.b, lines.right_seam.a,
+                                   lines.right_seam.b};
+    snap_path(e, "outline", ends, rounding);
+    double most = 0.0;
+    for (const Vec2 end : ends) {
+        const double away = missed_by(e, end);
+        if (away <= rounding || away > kSnapMm) continue;
+        most = std::max(most, snap_path(e, "outline", {&end, 1}, away + kGridMm));
+    }
+    if (most <= rounding) return;
+    e.repaired(
+        "outline-snapped",
+        fmt::format("points of its outline lie up to {} beside the ends of its seams; they were moved there",
+                    mm(most)),
+        fmt::format("draw the outline through the ends of {} and {}", lines.left_name, lines.right_name));
+}
+
 }  // namespace
 
 bool has_silhouette(const Element& e) { return !areas_of(e, "outline").empty(); }
@@ -160,16 +213,7 @@ std::optional<Silhouette> silhouette_of(const Element& e, const PieceLines& line
 }
 
 bool constrain_silhouette(Element& e, const PieceLines& lines) {
-    const std::array<Vec2, 4> ends{lines.left_seam.a, lines.left_seam.b, lines.right_seam.a,
-                                   lines.right_seam.b};
-    if (const double moved = snap_path(e, "outline", ends, kSnapMm); moved > e.tolerances->rounding_mm) {
-        e.repaired(
-            "outline-snapped",
-            fmt::format(
-                "points of its outline lie up to {} beside the ends of its seams; they were moved there",
-                mm(moved)),
-            fmt::format("draw the outline through the ends of {} and {}", lines.left_name, lines.right_name));
-    }
+    snap_to_seams(e, lines);
     Silhouette made;
     const auto fault = divide(e, lines, made);
     if (!fault) return true;
