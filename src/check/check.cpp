@@ -329,6 +329,9 @@ bool Checker::make(Structure& structure, Placing& placing) {
         findings.push_back({severity, std::string(code), std::move(what), std::move(hint),
                             placing.take_change(options.tolerances)});
     };
+    element.warned = [&](std::string_view code, std::string what, std::string hint) {
+        findings.push_back({Severity::warning, std::string(code), std::move(what), std::move(hint), {}});
+    };
     element.remarked = [&](std::string_view code, std::string what, std::string hint) {
         findings.push_back({Severity::remark, std::string(code), std::move(what), std::move(hint), {}});
     };

@@ -180,7 +180,7 @@ bool Checker::needs_no_repair(const Structure& trial, const Placing& of, const F
     element.repaired = [&](std::string_view code, const std::string&, const std::string&) {
         good = good && (code == "fold-snapped" || code == "moved-with-fold");
     };
-    element.remarked = [](std::string_view, const std::string&, const std::string&) {};
+    element.warned = element.remarked = [](std::string_view, const std::string&, const std::string&) {};
     Diagnostics unheard(diagnostics.file());
     if (structure.plate) {
         const auto plate = plate_of(structure, placing);

@@ -6,7 +6,9 @@
 
 #include "base/geometry/laid.h"
 #include "base/geometry/regions.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -85,6 +87,7 @@ bool constrain_line(Element& e, const Bed& bed, std::string_view name) {
 }
 
 bool constrain_attached(Element& e, const Bed& bed) {
+    if (!mend_outline(e)) return false;
     const std::span<const Polygon> outline = areas_of(e, "outline");
     if (outline.size() != 1) {
         e.failed("outline-crosses",
@@ -92,6 +95,7 @@ bool constrain_attached(Element& e, const Bed& bed) {
                  "draw one area, with holes where it has any");
         return false;
     }
+    tell_thin(e, outline.front());
     const std::vector<Polygon> glue = glued_area(e, bed);
     const double good = area(glue);
     double given = 0.0;

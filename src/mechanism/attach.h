@@ -51,7 +51,8 @@ struct Bed {
 
 // Makes G–H as long as the bed's line, which is called `name` in messages; false after failed().
 bool constrain_line(Element& e, const Bed& bed, std::string_view name);
-// Whether its outline is one area, and enough of it is glued; false after failed().
+// Mends its outline (mend_outline()), warns of where it is too thin, and looks whether it is one area and
+// enough of it is glued; false after failed().
 bool constrain_attached(Element& e, const Bed& bed);
 // The piece with its plate, its joint and its glue, on the plate `base`.
 void lower_attached(const Element& e, const Bed& bed, Builder& builder, int base);

@@ -48,6 +48,13 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "fold, which then is folded before and behind it; it crosses it twice, runs nowhere along it, and 1 mm "
      "of the fold is left at "
      "both ends and between two holes. What opens to the edge belongs into the outline."},
+    {"holes-cross", Severity::warning, "holes of one path that overlap",
+     "Where two holes of one path overlap, the cuts of both would run through the part that they share, and "
+     "it "
+     "would fall out. They are cut as one hole, which has no cut inside of it. A hole that lies wholly "
+     "inside "
+     "another is no overlap: it is an island. Draw such holes as one line, or take over what `popupc fix` "
+     "writes."},
     {"layer-width", Severity::warning, "a layer's piece is not as wide as its seams are apart",
      "A layer lies flat on the open card, so its piece is exactly as wide as the seams on the page are "
      "apart. A "
@@ -67,10 +74,11 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "lies open. Both sides were turned in alike."},
     {"outline-crosses", Severity::error, "an outline crosses itself",
      "Where the drawn border of a box fold, polygon, freeform, v-fold cut or hole crosses or touches itself, "
-     "the "
-     "loop of larger area is kept and the other left out: a repair, with the place and the size of what "
-     "went. "
-     "What then has under 4 mm², or crosses itself too often to tell, is an error. Of other elements: "
+     "or "
+     "the outline of a glued piece does, or a hole or window in one, the loop of larger area is kept and the "
+     "other left out: a repair, with the place and the size of what went. What crosses itself too often to "
+     "tell, or encloses several areas, is an error, and so is what then has under 4 mm² and is cut from one "
+     "sheet. Where no border is drawn: "
      "the points of an element, in the order of its type, do not go round a piece of paper: two edges "
      "cross where the message says, so there is no telling which side of them is paper. Usually two points "
      "are exchanged; the manual page popup(5) gives the order for each type."},
@@ -96,6 +104,12 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "were "
      "moved there, and curves that end in them with them. Draw them where the seams end, or take over what "
      "`popupc fix` writes."},
+    {"paper-too-thin", Severity::warning, "a drawn piece has a neck of paper that tears",
+     "Two parts of a piece hang together by less than 0.5 mm of paper, or less is left between a hole and an "
+     "edge or another hole. It tears when the piece is taken out of its sheet, and a laser burns it away. "
+     "The "
+     "message has the narrowest place; a neck has at least 4 mm² of paper on both sides. It is cut as drawn. "
+     "Draw it wider."},
     {"piece-mirrored", Severity::warning, "an extra piece was drawn from the back",
      "Pieces are drawn with their printed side up. This one runs the wrong way round (a v-fold's G E H J I "
      "clockwise, or a tent's K–L on the wrong side of G–H), so it was mirrored, and with it what stands "

@@ -11,9 +11,11 @@
 #include <cmath>
 
 #include "base/geometry/regions.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -115,6 +117,7 @@ Box cut_from(const Element& e) {
 }
 
 bool constrain(Element& e) {
+    if (!mend_outline(e) || !mend_holes(e, "window", "its window")) return false;
     const std::vector<Polygon> disc = drawn(e).areas;
     if (disc.size() != 1) {
         e.failed("outline-crosses",
@@ -122,6 +125,7 @@ bool constrain(Element& e) {
                  "draw one area, with holes where it has any");
         return false;
     }
+    if (!areas_of(e, "outline").empty()) tell_thin(e, disc.front());
     if (!has_room(own_rivet(e), hole_radius(e), disc)) {
         e.failed(
             "does-not-fit",

@@ -75,6 +75,8 @@ struct Element {
     std::function<void(std::string_view code, std::string what, std::string hint)> repaired;
     // Reports what cannot be repaired. The element is then left out.
     std::function<void(std::string_view code, std::string what, std::string hint)> failed;
+    // Warns of what stays as it is.
+    std::function<void(std::string_view code, std::string what, std::string hint)> warned;
     // Reports what is as it should be, and worth knowing.
     std::function<void(std::string_view code, std::string what, std::string hint)> remarked;
     // What a repair changed that no point tells of, for the next repaired().

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/geometry/regions.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/measures.h"
 #include "mechanism/rows.h"
 #include "mechanism/sheet_rows.h"
@@ -23,8 +24,9 @@ constexpr std::array<ParameterInfo, 1> kParameters{
 constexpr std::array<std::string_view, 2> kOtherNames{"cut-out", "window"};
 
 bool constrain(Element& e) {
-    const std::span<const Polygon> areas = areas_of(e, "outline");
-    if (areas.size() == 1 && areas.front().holes.empty() && !constrain_border(e)) return false;
+    const auto path = drawn_path(e);
+    const bool one_line = path && path->subpaths().size() == 1;
+    if (one_line ? !constrain_border(e) : !mend_holes(e, "outline", "its outline")) return false;
     for (const Polygon& part : areas_of(e, "outline")) {
         if (!part.holes.empty()) {
             e.failed("hole-off-piece",

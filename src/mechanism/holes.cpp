@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "base/geometry/regions.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
@@ -167,11 +169,16 @@ std::optional<PieceHoles> holes_of(const Element& e, const Halves& halves, const
 }
 
 bool constrain_holes(Element& e, const Halves& halves, const Segment& centre) {
+    if (!mend_holes(e, "hole", "its hole")) return false;
     PieceHoles made;
-    const auto fault = divide_holes(e, halves, centre, made);
-    if (!fault) return true;
-    e.failed("hole-off-piece", fault->what, fault->hint);
-    return false;
+    if (const auto fault = divide_holes(e, halves, centre, made)) {
+        e.failed("hole-off-piece", fault->what, fault->hint);
+        return false;
+    }
+    if (!has_holes(e) && areas_of(e, "outline").empty()) return true;
+    const std::vector<Polygon> paper = subtract(unite({halves.left, halves.right}), drawn_holes(e));
+    if (paper.size() == 1) tell_thin(e, paper.front());
+    return true;
 }
 
 }  // namespace popup

@@ -33,8 +33,9 @@ struct PieceHoles {
 bool has_holes(const Element& e);
 // The holes as drawn; nullopt where one is not as it must be.
 std::optional<PieceHoles> holes_of(const Element& e, const Halves& halves, const Segment& centre);
-// Looks whether all holes lie inside the piece, and leave a centre fold that holds; false after failed():
-// `hole-off-piece`.
+// Mends holes that overlap or cross themselves (mend_holes()), looks whether all lie inside the piece and
+// leave a centre fold that holds; false after failed(): `hole-off-piece`. Warns of paper that is too thin, in
+// drawn pieces and beside holes.
 bool constrain_holes(Element& e, const Halves& halves, const Segment& centre);
 
 // Where a ring crosses a line, in order along it.

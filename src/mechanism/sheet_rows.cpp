@@ -9,13 +9,13 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "mechanism/catmull_rom.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/site_lines.h"
+#include "mechanism/thin_places.h"
 
 namespace popup {
 namespace {
 
-// Less cannot be held between two fingers.
-constexpr double kLeastAreaMm2 = 4.0;
 // A knife cannot turn more tightly.
 constexpr double kLeastRadiusMm = 0.1;
 // Longer borders are no drawings.
@@ -66,16 +66,6 @@ SideFolds given_folds(const Element& e) {
         if (argument != nullptr) *value = std::get<double>(argument->value);
     }
     return given;
-}
-
-void write_outline(Element& e, const Border& border) {
-    Argument& argument = e.arguments[*find_parameter(*e.info, "outline")];
-    DrawnPath drawn;
-    drawn.path = path_of(border);
-    drawn.moved = true;
-    if (enclose(drawn.path, drawn.inside) != FlatteningFault::none) return;
-    argument.value = std::move(drawn);
-    argument.changed = true;
 }
 
 // How far the footprint leaves the paper on that side, in words.
@@ -159,38 +149,18 @@ bool constrain_border(Element& e, std::optional<Border> (*border_of_drawn)(const
     const std::size_t edges = border->edges.size();
     const LoopRepair loops = without_loops(*border);
     const double left = std::abs(signed_area(ring_of(*border)));
-    if (loops.hopeless || border->edges.size() < 3 || left < kLeastAreaMm2) {
+    if (loops.hopeless || border->edges.size() < 3 || left < kLeastPaperMm2) {
         const bool crosses = !loops.dropped.empty();
         e.failed("outline-crosses",
                  loops.hopeless
                      ? fmt::format("its outline crosses itself at {} and in more than {} places",
                                    at_mm(loops.dropped.front().at), loops.dropped.size() - 1)
                      : fmt::format("its outline encloses {:.2f} mm²{}, and {:.0f} mm² are the least", left,
-                                   crosses ? " without its loops" : "", kLeastAreaMm2),
+                                   crosses ? " without its loops" : "", kLeastPaperMm2),
                  "draw a line that goes round once and nowhere meets itself");
         return false;
     }
-    const DroppedLoop* largest = nullptr;
-    std::size_t seen = 0;
-    for (const DroppedLoop& loop : loops.dropped) {
-        if (loop.size_mm <= e.tolerances->rounding_mm) continue;
-        ++seen;
-        if (largest == nullptr || loop.area_mm2 > largest->area_mm2) largest = &loop;
-    }
-    if (largest != nullptr) {
-        write_outline(e, *border);
-        e.redrawn =
-            Change{fmt::format("an outline of {} edges with {} loop{}", edges, seen, seen == 1 ? "" : "s"),
-                   fmt::format("an outline that encloses {:.2f} mm²", left)};
-        e.repaired("outline-crosses",
-                   fmt::format("its outline crosses or touches itself {}; the smaller loop was left out, of "
-                               "{:.2f} mm²",
-                               seen == 1 ? "at " + at_mm(largest->at)
-                                         : fmt::format("in {} places, the largest loop at {}", seen,
-                                                       at_mm(largest->at)),
-                               largest->area_mm2),
-                   "draw a line that goes round once and nowhere meets itself");
-    }
+    if (tell_loops(e, "its outline", loops.dropped, edges, left)) write_path(e, "outline", path_of(*border));
     if (const auto tight = tightest(*border); tight && tight->radius_mm < kLeastRadiusMm) {
         e.remarked(
             "curve-too-tight",

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/geometry/tolerances.h"
+#include "mechanism/drawn_lines.h"
 #include "mechanism/holes.h"
 #include "mechanism/site_lines.h"
 
@@ -214,6 +215,7 @@ std::optional<Silhouette> silhouette_of(const Element& e, const PieceLines& line
 
 bool constrain_silhouette(Element& e, const PieceLines& lines) {
     snap_to_seams(e, lines);
+    if (!mend_outline(e)) return false;
     Silhouette made;
     const auto fault = divide(e, lines, made);
     if (!fault) return true;

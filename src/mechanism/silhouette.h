@@ -48,9 +48,9 @@ bool has_silhouette(const Element& e);
 // The piece as drawn; nullopt where the outline is not as it must be, or there is none.
 std::optional<Silhouette> silhouette_of(const Element& e, const PieceLines& lines);
 
-// Snaps points of the outline to the ends of seams that they miss by at most 0.5 mm (`outline-snapped`), then
-// looks whether it is as it must be; false after failed(): `outline-crosses` where it is not one area,
-// `outline-off-seam`, or `outline-off-fold`.
+// Snaps points of the outline to the ends of seams that it misses by at most 0.5 mm (`outline-snapped`),
+// mends where it crosses itself (mend_outline()), then looks whether it is as it must be; false after
+// failed(): `outline-crosses` where it is not one area, `outline-off-seam`, or `outline-off-fold`.
 bool constrain_silhouette(Element& e, const PieceLines& lines);
 
 }  // namespace popup

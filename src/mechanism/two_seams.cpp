@@ -238,7 +238,7 @@ bool constrain_piece(Element& e) {
 
 bool constrain_outline(Element& e) {
     if (has_silhouette(e) && !constrain_silhouette(e, piece_lines(e))) return false;
-    if (!has_holes(e)) return true;
+    if (!has_silhouette(e) && find_argument(*e.info, e.arguments, "hole") == nullptr) return true;
     const FoldLines folds = fold_lines(e);
     return constrain_holes(e, halves_of(e, folds), folds[kCentreFold].on_left);
 }

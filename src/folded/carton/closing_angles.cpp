@@ -13,11 +13,11 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 constexpr double kRightDeg = 90.0;
-constexpr double kLeastDeg = 0.5;   // folds that go by less, or by nearly 180°, are no corners
-constexpr double kAsWide = 0.02;    // walls that differ by less are as wide as each other
-constexpr double kAsLong = 0.06;    // sides of an end may be shorter than their wall by this share,
-constexpr double kAsLongMm = 1.5;   // and by this: they go inside
-constexpr double kSameEndMm = 0.5;  // a side of an end and its fold
+constexpr double kLeastDeg = 0.5;      // folds that go by less, or by nearly 180°, are no corners
+constexpr double kAsWide = 0.02;       // walls that differ by less are as wide as each other
+constexpr double kAsLong = 0.06;       // sides of an end may be shorter than their wall by this share,
+constexpr double kAsLongWallMm = 1.5;  // and by this: they go inside
+constexpr double kSameEndMm = 0.5;     // a side of an end and its fold
 constexpr double kNearlyRegularDeg = 10.0;
 constexpr int kHalvings = 100;
 constexpr int kSteps = 20;
@@ -239,7 +239,7 @@ std::optional<std::vector<double>> fold_angles_of_end(const Ring& outline, const
             const std::size_t number = onwards ? (wall + i) % count : (wall + count - i) % count;
             const Vec2 way = corner(side + 1) - corner(side);
             const Vec2 next = corner(side + 2) - corner(side + 1);
-            fits = std::abs(length(way) - widths[number]) <= kAsLongMm + kAsLong * widths[number];
+            fits = std::abs(length(way) - widths[number]) <= kAsLongWallMm + kAsLong * widths[number];
             deg[onwards ? number : (number + count - 1) % count] =
                 std::abs(std::atan2(cross(way, next), dot(way, next))) / kDegree;
         }

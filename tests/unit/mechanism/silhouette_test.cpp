@@ -272,7 +272,10 @@ TEST(Silhouette, HolesMayNotReachTheEdge) {
                     fmt::format("{}<hole d='M 10 60 H 20 L 15.01 {:.4f} L 15 {:.4f} Z'/>", kVFold, y, y),
                     outline);
     };
-    EXPECT_EQ(with_corner_at(79.99).text, "");
+    const Made thin = with_corner_at(79.99);
+    EXPECT_TRUE(thin.assembly);
+    EXPECT_TRUE(thin.text.starts_with("warning paper-too-thin: \"piece\": only 0.01 mm of paper"))
+        << thin.text;
     for (const double y : {79.9995, 80.0, 80.01}) {
         const Made made = with_corner_at(y);
         EXPECT_FALSE(made.assembly) << y;
