@@ -84,12 +84,16 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "shows one of the motions that the plates may have, and the examination for collisions knows only that "
      "one; in paper, gravity, stiff folds and whoever opens the card decide. What is meant to be moved by "
      "hand "
-     "needs nothing. Else hold it by one more linkage for each way. A further wall that is parallel to those "
-     "that are there, and as high, forces nothing, because it leans over with them. A v-fold or a box does, "
-     "on "
-     "the fold below and glued to the plate, because its own loop tells where it is. A plate that turns "
-     "about "
-     "one line only wants a second edge glued."},
+     "needs nothing. A further wall that is parallel to those that are there, and as high, forces nothing, "
+     "because it leans over with them; and what stands on one of its folds moves as that fold does, unless "
+     "the "
+     "fold is slit: a v-fold across a slit holds both its sides. In a document nothing can be glued to a "
+     "second "
+     "element. So take a box, a tent or a step in place of a floating layer, keep it from leaning by what "
+     "stands close to it, or accept the remark with --allow not-forced. An assembly can have one linkage "
+     "more "
+     "for each way, such as a wall of another height between the ground and the plate. A plate that turns "
+     "about one line only wants a second edge glued."},
     {"opens-too-little", Severity::error, "a card that would open before it begins",
      "The sweep of an assembly says at which opening its motion begins. --opens says where it ends, and that "
      "is not beyond the beginning, so there would be no motion. Ask for a larger opening, or change the "

@@ -41,12 +41,18 @@ std::string what_would_force(const Assembly& assembly, const FreePlates& one) {
     const std::string more = one.ways == 1 ? "one linkage more" : fmt::format("{} linkages more", one.ways);
     if (one.parallel) {
         return fmt::format(
-            "the folds and seams that hold it all run in one direction, and a further wall of "
-            "that direction and height forces nothing: hold it by {}, such as a v-fold or a "
-            "box on the fold below that is glued to it",
+            "the folds and seams that hold it all run in one direction, and a further wall of that direction "
+            "and height forces nothing, nor does what stands on one of its folds: make a box, a tent or a "
+            "step "
+            "of it, all of which the opening forces, or keep it from leaning by what stands close to it; an "
+            "assembly may have {}, such as a wall of another height between the ground and it",
             more);
     }
-    return fmt::format("hold it by {}, such as a v-fold or a box that is glued to it", more);
+    return fmt::format(
+        "take an element that the opening forces, such as a v-fold, a tent or a box; an assembly may have "
+        "{}, "
+        "glued to it and to what moves with the card",
+        more);
 }
 
 class Findings {

@@ -488,8 +488,34 @@ TEST(Forced, RemarkOnParallelLinesSaysThatMoreOfThemWouldNotDo) {
     ASSERT_EQ(remark.hints.size(), 1u);
     EXPECT_NE(remark.hints[0].find("all run in one direction"), std::string::npos) << remark.hints[0];
     EXPECT_NE(remark.hints[0].find("2 linkages more"), std::string::npos) << remark.hints[0];
+    EXPECT_NE(remark.hints[0].find("nor does what stands on one of its folds"), std::string::npos);
     ASSERT_EQ(remark.related.size(), 1u);
     EXPECT_EQ(remark.related[0].text, "\"e2\"");
+}
+
+// What the hint says of a floating layer in a document: nothing on its folds forces it, and a step in its
+// place is forced.
+TEST(Forced, NothingOnTheFoldsOfAFloatingLayerForcesItAndAStepInItsPlaceIs) {
+    const std::string points =
+        "<outerpoints><point x='-40' y='-30'/><point x='-40' y='30'/><point x='40' y='-30'/><point x='40' "
+        "y='30'/></outerpoints><parentfold on='gutter'/></structure>";
+    const std::string layer = "<structure type='floating-layer' id='fl' height='20'>" + points;
+    const auto is_free = [](const std::string& structures) {
+        const test::FromXml built = test::from_xml(structures);
+        EXPECT_TRUE(built.assembly) << built.text;
+        return built.assembly && !free_plates(*built.assembly).empty();
+    };
+    EXPECT_TRUE(is_free(layer));
+    EXPECT_FALSE(is_free("<structure type='step' id='fl'>" + points));
+    for (const char* fold : {"fl.left", "fl.topleft", "fl.centre", "fl.topright", "fl.right"}) {
+        EXPECT_TRUE(is_free(layer +
+                            "<structure type='tent' id='t'><outerpoints><point x='-8' y='-8'/><point x='-8' "
+                            "y='8'/><point x='8' y='-8'/><point x='8' y='8'/><point x='-12' y='-8'/><point "
+                            "x='-12' y='8'/><point x='12' y='-8'/><point x='12' y='8'/></outerpoints>"
+                            "<parentfold on='" +
+                            std::string(fold) + "'/></structure>"))
+            << fold;
+    }
 }
 
 // The same bridge, but two of its lines parallel and three through one point: five lines without a way.
