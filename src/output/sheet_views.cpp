@@ -81,17 +81,18 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+bool prints_glue(const OutputOptions& options) {
+    return options.print_and_cut ||
+           (options.profile.draws(Operation::glue) && options.profile.draws(Operation::label));
+}
+
 void examine_glue_marks(const Layout& layout, const OutputOptions& options, Diagnostics& diagnostics) {
     const Profile& profile = options.profile;
-    const bool printed =
-        options.print_and_cut || (profile.draws(Operation::glue) && profile.draws(Operation::label));
+    const bool printed = prints_glue(options);
     const bool marked = !printed && profile.marks_glue();
     const bool named =
         marked && (profile.marks_on != MarksOn::hidden || options.score_side != ScoreSide::front);
-    const bool has_backs = printed
-                               ? options.backs
-                               : marked && (marks_joints(profile.marks_on, options.score_side, true) ||
-                                            marks_covered_backs(profile.marks_on, options.score_side, true));
+    const bool has_backs = are_backs_marked(options);
     std::size_t targets = 0;
     std::size_t behind = 0;  // targets on backs, which only views of backs have
     std::size_t numbers = 0;
@@ -220,6 +221,13 @@ void examine_legend(const Layout& layout, const OutputOptions& options, Diagnost
 }
 
 }  // namespace
+
+bool are_backs_marked(const OutputOptions& options) {
+    if (prints_glue(options)) return options.backs;
+    const MarksOn where = options.profile.marks_on;
+    return options.profile.marks_glue() && (marks_joints(where, options.score_side, true) ||
+                                            marks_covered_backs(where, options.score_side, true));
+}
 
 double margin_needed(const OutputOptions& options) {
     return std::max(clear_of(options.profile.marks), options.reference_mm > 0.0 ? kReferenceMarginMm : 0.0);

@@ -13,6 +13,7 @@
 #include "output/book/steps.h"
 #include "output/book/words.h"
 #include "output/sheet_drawing.h"
+#include "output/sheet_sides.h"
 
 namespace popup::book {
 namespace {
@@ -118,7 +119,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
                                   copies, copies));
 }
 
-void add_first(const RunPage& page, Book& book) {
+void add_first(const RunPage& page, const OutputOptions& options, Book& book) {
     const Figures figures = figures_of(*page.layout);
     const GlueCount glue = glue_of(page.cards);
     book.first.emplace_back("Print the sheets at 100 %, without fitting them to the page.");
@@ -135,6 +136,11 @@ void add_first(const RunPage& page, Book& book) {
         book.first.emplace_back(
             "Fold every tab back, away from the printed side. A tab belongs on the grey target with "
             "its number.");
+    if (options.backs && glue.tabs + glue.areas > 0)
+        book.first.emplace_back(
+            "Targets and numbers are printed on the backs of the sheets, behind their places. Where "
+            "something "
+            "is glued on a front, prick the corners of its target through before you cut.");
     if (glue.tabs + glue.areas > 0)
         book.first.emplace_back(
             "Glue in the order of the steps; the numbers on tabs and pieces only tell what belongs "
@@ -197,14 +203,14 @@ Book make_book(const RunPage& page, const OutputOptions& options) {
     book.title = title_of(page.cards);
     book.subtitle = "Assembly book";
     add_needs(page, options, book);
-    add_first(page, book);
+    add_first(page, options, book);
     add_sheets(page, book);
     for (std::size_t i = 0; i < page.cards.size(); ++i) {
         const SceneCard& card = page.cards[i];
         CardPart part;
         part.title = card.assembly->stem;
         part.parts = parts_of(card, *page.layout, i);
-        part.chapters = chapters_of(card, i);
+        part.chapters = chapters_of(card, i, are_backs_marked(options));
         add_opening(card, i, page.findings, part);
         if (has_model(*card.assembly)) {
             Scene cover;

@@ -23,14 +23,19 @@ constexpr std::size_t kMostTogether = 6;  // flat pieces that are glued in one s
 constexpr std::size_t kMostNames = 12;
 
 // Findings that somebody who holds the card can see, or do something about.
-constexpr std::array<std::string_view, 10> kForHands{
-    "clearance-low",   "collision",  "folds-in-order", "glue-overlaps", "layer-order",
-    "lies-on-another", "not-forced", "not-rigid",      "protrusion",    "tab-too-small"};
+constexpr std::array<std::string_view, 12> kForHands{
+    "clearance-low",       "collision",   "folds-in-order",  "glue-overlaps",
+    "glue-marks-left-out", "layer-order", "lies-on-another", "not-forced",
+    "not-rigid",           "protrusion",  "tab-too-small",   "target-covered"};
 
 class CardSteps {
  public:
-    CardSteps(const SceneCard& card, std::size_t number)
-        : card_(card), in_(*card.assembly), number_(number), words_(card), order_(gluing_order(in_)) {
+    CardSteps(const SceneCard& card, std::size_t number, bool backs_are_marked)
+        : card_(card),
+          in_(*card.assembly),
+          number_(number),
+          words_(card, backs_are_marked),
+          order_(gluing_order(in_)) {
         borne_.resize(in_.pieces.size());
         for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
             if (order_.bearers[i] >= 0) nth(borne_, order_.bearers[i]).push_back(static_cast<int>(i));
@@ -475,8 +480,8 @@ class CardSteps {
 
 }  // namespace
 
-std::vector<Chapter> chapters_of(const SceneCard& card, std::size_t number) {
-    return CardSteps(card, number).run();
+std::vector<Chapter> chapters_of(const SceneCard& card, std::size_t number, bool backs_are_marked) {
+    return CardSteps(card, number, backs_are_marked).run();
 }
 
 void add_opening(const SceneCard& card, std::size_t number, std::span<const Diagnostic> findings,

@@ -16,6 +16,7 @@ namespace {
 constexpr double kFlatDeg = 0.5;       // what is folded by less is flat
 constexpr std::size_t kMostFolds = 8;  // that are told one by one
 constexpr std::size_t kMostWays = 4;
+constexpr double kAsLongMm = 1e-6;  // the first of lines as long is measured from
 
 // "left and right, right and back": pairs, of which the last is not set off by a further "and".
 std::string joined_pairs(const std::vector<std::string>& pairs) {
@@ -41,7 +42,8 @@ std::string listed(const std::vector<std::string>& items, std::size_t most) {
     return text;
 }
 
-Words::Words(const SceneCard& card) : in_(*card.assembly), numbers_(in_.pieces.size()) {
+Words::Words(const SceneCard& card, bool backs_are_marked)
+    : in_(*card.assembly), backs_are_marked_(backs_are_marked), numbers_(in_.pieces.size()) {
     const auto number = [&](int plate, const std::string& label) {
         nth(numbers_, nth(in_.plates, plate).piece) = label.substr(0, label.find_first_not_of("0123456789"));
     };
@@ -171,6 +173,53 @@ std::string Words::labels(const std::vector<Bond>& bonds) const {
     return listed(all, bonds.size());
 }
 
+std::string Words::measured(int plate, const std::vector<Vec2>& points) const {
+    const Plate& on = nth(in_.plates, plate);
+    const std::string start = nth(in_.pieces, on.piece).name + "/";
+    const auto part = [&](int one) {
+        const std::string& name = nth(in_.plates, one).name;
+        return name.starts_with(start) ? name.substr(start.size()) : name;
+    };
+    Segment line{};
+    std::string fold;
+    const auto take = [&](const Segment& one, std::string name) {
+        if (distance(one.a, one.b) <= distance(line.a, line.b) + kAsLongMm) return;
+        line = one;
+        fold = std::move(name);
+    };
+    for (const Hinge& hinge : in_.hinges) {
+        if (hinge.glued || (hinge.a != plate && hinge.b != plate)) continue;
+        if (nth(in_.plates, hinge.a).piece != nth(in_.plates, hinge.b).piece) continue;
+        take(hinge.a == plate ? hinge.a_line : hinge.b_line,
+             fmt::format("fold between {} and {}", part(hinge.a), part(hinge.b)));
+    }
+    if (fold.empty()) {
+        const Ring& outer = on.outline.outer;
+        for (std::size_t i = 0; i < outer.size(); ++i)
+            take({outer[i], outer[(i + 1) % outer.size()]}, "longest edge");
+    }
+    // From its upper end, or from its left one where it lies.
+    const bool upright = std::abs(line.a.y - line.b.y) >= std::abs(line.a.x - line.b.x);
+    if (upright ? line.a.y < line.b.y : line.a.x > line.b.x) std::swap(line.a, line.b);
+    const Vec2 along = unit(line.b - line.a);
+    double near = HUGE_VAL, far = 0.0, from = HUGE_VAL, to = -HUGE_VAL;
+    for (const Vec2 p : points) {
+        const double away = std::abs(cross(along, p - line.a));
+        const double down = dot(along, p - line.a);
+        near = std::min(near, away);
+        far = std::max(far, away);
+        from = std::min(from, down);
+        to = std::max(to, down);
+    }
+    const auto range = [](double lo, double hi) {
+        const std::string low = number_text(lo, 1);
+        const std::string high = number_text(hi, 1);
+        return low == high ? low + " mm" : fmt::format("{} to {} mm", low, high);
+    };
+    return fmt::format("{} away from the {}, and {} {} of it, as it is printed", range(near, far), fold,
+                       range(from, to), upright ? "below the upper end" : "from the left end");
+}
+
 // "target 2L, on the left part of page, and target 2P, on the right part of page".
 std::string Words::places(const std::vector<Bond>& bonds) const {
     std::vector<std::string> all;
@@ -195,13 +244,24 @@ void Words::press(const BondTurn& turn, std::vector<std::string>& said) const {
                             bond.on_back ? "towards the window" : "up"));
             return;
         case Bond::Kind::area:
-            said.push_back(
-                bond.on_back
-                    ? fmt::format("Glue the piece on the back of {}, on area {}: sheets that have backs "
-                                  "mark it there.",
-                                  plate(bond.mate), label(bond))
-                    : fmt::format("Put glue on area {} on {}, lay the piece on it and press it flat.",
-                                  label(bond), plate(bond.mate)));
+            if (!bond.on_back) {
+                said.push_back(
+                    fmt::format("Put glue on area {} on {}, lay the piece on it and press it flat.",
+                                label(bond), plate(bond.mate)));
+            } else if (backs_are_marked_) {
+                said.push_back(
+                    fmt::format("Glue the piece on the back of {}, on area {}, which is marked "
+                                "there.",
+                                plate(bond.mate), label(bond)));
+            } else {
+                std::vector<Vec2> corners;
+                for (const Polygon& part : nth(in_.glued_areas, bond.number).on_base)
+                    corners.insert(corners.end(), part.outer.begin(), part.outer.end());
+                said.push_back(
+                    fmt::format("Glue the piece on the back of {}. These sheets do not mark area {} "
+                                "there; it lies {}.",
+                                plate(bond.mate), label(bond), measured(bond.mate, corners)));
+            }
             return;
         case Bond::Kind::tab:
             said.push_back(fmt::format("Put glue on {} {}, and press {} onto {}.",

@@ -18,7 +18,8 @@ std::string listed(const std::vector<std::string>& items, std::size_t most = 12)
 
 class Words {
  public:
-    explicit Words(const SceneCard& card);
+    // `backs_are_marked`: sheets show on backs what is glued there.
+    explicit Words(const SceneCard& card, bool backs_are_marked = true);
 
     // The number on the piece and before its name: "3" of tabs 3L and 3R; empty: it has none.
     [[nodiscard]] std::string number(int piece) const;
@@ -33,6 +34,11 @@ class Words {
     [[nodiscard]] std::vector<std::string> folds(int piece) const;
     // "2 mountain, 1 valley".
     [[nodiscard]] std::string fold_count(int piece) const;
+    // Where points of a plate's page are, to be measured on either side of it, such as "5 to 20 mm away from
+    // the fold between left and right, and 12 to 35 mm below the upper end of it, as it is printed": from the
+    // longest fold that it shares with another plate of its piece, else from its longest edge. Precondition:
+    // there is a point.
+    [[nodiscard]] std::string measured(int plate, const std::vector<Vec2>& points) const;
     // What is done for a step, and what is to be kept in mind.
     [[nodiscard]] std::vector<std::string> actions(const GluingStep& step) const;
     // Which of its tabs wait for pieces that are laid over them; `later`: bonds of later steps. Empty: none.
@@ -52,6 +58,7 @@ class Words {
     void then(const GluingStep& step, const BondTurn& turn, std::vector<std::string>& said) const;
 
     const Assembly& in_;
+    bool backs_are_marked_ = true;
     std::vector<std::string> numbers_;         // of each piece
     std::vector<Frame> open_, half_, closed_;  // none: nothing moves
 };

@@ -184,9 +184,25 @@ TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
     const book::Book book = Made({"seasons.xml"}).made();
     const book::Step& first = step_named(book, "Step 3: glue on 4. leaf-3, 5. leaf-4, 6. leaf-5 and 3 more");
     EXPECT_EQ(first.lies, "Turn piece 1. tree over: its back is up.");
-    EXPECT_EQ(first.actions.front(),
-              "4. leaf-3: Glue the piece on the back of the left part of tree, on area 4: sheets that have "
-              "backs mark it there.");
+    EXPECT_EQ(
+        first.actions.front(),
+        "4. leaf-3: Glue the piece on the back of the left part of tree. These sheets do not mark area 4 "
+        "there; it lies 20.3 to 34.7 mm away from the fold between left and right, and 37.2 to 44.4 mm "
+        "below the upper end of it, as it is printed.");
+    OutputOptions on_backs;
+    on_backs.backs = true;
+    const Made made({"seasons.xml"});
+    const book::Book marked = book::make_book(made.page(), on_backs);
+    EXPECT_EQ(step_named(marked, first.title).actions.front(),
+              "4. leaf-3: Glue the piece on the back of the left part of tree, on area 4, which is marked "
+              "there.");
+    const auto tells_to_prick = [](const book::Book& one) {
+        return std::any_of(one.first.begin(), one.first.end(), [](const std::string& text) {
+            return text.find("prick the corners") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(tells_to_prick(marked));
+    EXPECT_FALSE(tells_to_prick(book));
     EXPECT_EQ(first.figures.size(), 6U);
     EXPECT_EQ(step_named(book, "Step 4: glue on 16. leaf-15, 17. leaf-16, 24. leaf-23 and 25. leaf-24")
                   .notes.front(),
