@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "popup/assembly.h"
@@ -56,6 +57,8 @@ struct GluingStep {
     std::vector<BondTurn> turns;  // in their order, at least one; the first is pressed
     std::vector<Bond> under;  // those of the turns above which something stands that is glued already, and
                               // that the piece does not stand on
+    std::vector<std::pair<Bond, int>> onto;  // those of its tabs whose targets lie under a piece (by number)
+                                             // that is glued flat there already: they are glued onto it
 };
 
 // The steps, in their order. What a piece bears alone, and can be glued on it while it lies on the table, is
@@ -72,6 +75,9 @@ struct GluingOrder {
 //   under the back of another piece's plate carries that piece, which is laid over it;
 // * what a piece bears alone, on one plane or on two that share a fold of it, is glued on it before it is
 //   glued on itself (a sub-assembly), deepest first;
+// * what is glued flat is there before what rises out of it, for it could not be laid down round a wall; of
+// two
+//   flat pieces that lie over one another the one that the assembly names first;
 // * where a piece, or what it bears, stands above a target of another, or its feet enclose it, the other
 //   comes first, unless the two need each other in a circle of such wants; then `under` names the bond;
 // * else backs come first (while nothing stands on the front), then what is glued while the card lies open,

@@ -10,6 +10,7 @@
 #include "base/nth.h"
 #include "gluing/bonds.h"
 #include "gluing/circles.h"
+#include "gluing/flat_pieces.h"
 #include "gluing/in_the_way.h"
 #include "popup/gluing.h"
 #include "popup/motion.h"
@@ -42,6 +43,8 @@ class Finder {
         const InTheWay in_the_way(in_, bonds_, order_, poses_);
         in_the_way_ = &in_the_way;
         wants_ = in_the_way.wants();
+        flat_before_ = flat_before(in_, bonds_, order_, poses_);
+        put_flat_first();
         // The card last; of others each is a sub-assembly of its own.
         std::stable_partition(bears_all.begin(), bears_all.end(),
                               [this](int piece) { return piece != order_.card; });
@@ -50,6 +53,32 @@ class Finder {
     }
 
  private:
+    // Where a flat piece and what stands above it want each other to come first, the flat one does: it could
+    // hardly be slipped in below, and a tab holds on it as well.
+    void put_flat_first() {
+        for (const Bond& bond : bonds_) {
+            if (bond.kind != Bond::Kind::area) continue;
+            const int flat = piece(bond.plate);
+            const auto wanted = wants_.find(flat);
+            if (wanted == wants_.end()) continue;
+            for (const int other : wanted->second) {
+                const auto back = wants_.find(other);
+                if (!is_flat(other) && back != wants_.end() && back->second.contains(flat))
+                    flat_before_[other].insert(flat);
+            }
+        }
+        for (const auto& [one, flat] : flat_before_) {
+            for (const int first : flat) {
+                if (const auto other = wants_.find(first); other != wants_.end()) other->second.erase(one);
+            }
+        }
+    }
+    [[nodiscard]] bool is_flat(int one) const {
+        const std::vector<Bond>& bonds = nth(of_piece_, one);
+        return std::any_of(bonds.begin(), bonds.end(),
+                           [](const Bond& bond) { return bond.kind == Bond::Kind::area; });
+    }
+
     void find_card() {
         order_.card = in_.covers.empty() ? 0 : nth(in_.plates, in_.covers.front()).piece;
         for (const Hinge& hinge : in_.hinges) {
@@ -198,7 +227,16 @@ class Finder {
         std::vector<int> by_rank;
         by_rank.reserve(group.size());
         for (const auto& [of, one] : ranked) by_rank.push_back(one);
-        return ordered(by_rank, among);
+        // What lies beneath must be there, unless that runs in a circle with what else must.
+        Wants with_flat = among;
+        for (const int one : group) {
+            const auto flat = flat_before_.find(one);
+            if (flat == flat_before_.end()) continue;
+            with_flat.must[one].insert(flat->second.begin(), flat->second.end());
+            among.wants[one].insert(flat->second.begin(), flat->second.end());
+        }
+        std::vector<int> order = ordered(by_rank, with_flat);
+        return order.size() == by_rank.size() ? order : ordered(by_rank, among);
     }
 
     [[nodiscard]] GluingStep step_of(int one, const std::set<int>& done) const {
@@ -212,13 +250,28 @@ class Finder {
         }
         for (const BondTurn& turn : step.turns) {
             for (const Bond& bond : turn.bonds) {
-                const std::set<int> above = in_the_way_->above(bond, step.ground);
-                if (std::any_of(above.begin(), above.end(),
-                                [&](int other) { return done.contains(other) && !stands_on(one, other); }))
+                std::set<int> above = in_the_way_->above(bond, step.ground);
+                std::erase_if(above,
+                              [&](int other) { return !done.contains(other) || stands_on(one, other); });
+                if (const int flat = beneath(one, bond, above); flat >= 0) {
+                    step.onto.emplace_back(bond, flat);
+                } else if (!above.empty()) {
                     step.under.push_back(bond);
+                }
             }
         }
         return step;
+    }
+
+    // Of what hides the target of its tab the last that is glued flat beneath it; -1: none.
+    [[nodiscard]] int beneath(int one, const Bond& bond, const std::set<int>& above) const {
+        const auto flat = flat_before_.find(one);
+        if (bond.kind != Bond::Kind::tab || flat == flat_before_.end()) return -1;
+        int last = -1;
+        for (const int other : above) {
+            if (flat->second.contains(other)) last = other;
+        }
+        return last;
     }
 
     // Whether one of its grounds is the other, or borne by it.
@@ -316,8 +369,9 @@ class Finder {
     std::vector<std::set<int>> grounds_;  // of each piece: those that must be there
     std::vector<std::vector<Bond>> of_piece_;
     std::vector<int> depth_;
-    std::map<int, std::set<int>> wants_;   // of each piece: those that had better be glued before it
-    std::set<std::pair<int, int>> folds_;  // plates that share one
+    std::map<int, std::set<int>> wants_;        // of each piece: those that had better be glued before it
+    std::map<int, std::set<int>> flat_before_;  // of each: flat ones without which it cannot be glued
+    std::set<std::pair<int, int>> folds_;       // plates that share one
     const InTheWay* in_the_way_ = nullptr;
     GluingOrder order_;
 };

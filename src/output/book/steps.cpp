@@ -402,6 +402,12 @@ class CardSteps {
         }
         if (std::string free = words_.left_free(one.piece, later_bonds()); !free.empty())
             step.notes.push_back(std::move(free));
+        for (const auto& [bond, flat] : one.onto) {
+            const Segment& seam = nth(in_.glue, bond.number).on_base;
+            step.notes.push_back(fmt::format(
+                "Piece {} lies over target {}: glue the tab onto it, its fold {}.", words_.piece(flat),
+                words_.label(bond), words_.measured(bond.mate, {seam.a, seam.b})));
+        }
         if (one.under.empty()) return;
         std::vector<std::string> labels;
         for (const Bond& bond : one.under) labels.push_back(words_.label(bond));

@@ -257,9 +257,56 @@ class Look {
             }
         }
         looked_at_ = wants.size();
+        add_flat(frames, later);
         for (const auto& [first, then] : wants) {
             if (nth(at_, first) < nth(at_, then) || leads(later, then, first)) continue;
             fault("{} is in the way of {}, and need not have been there", name(then), name(first));
+        }
+    }
+
+    // Whether a point of one plate's page lies on the paper of another plate in the same plane.
+    [[nodiscard]] bool is_on(std::size_t flat, int page, Vec2 p, const std::vector<Frame>& frames) const {
+        const Frame& frame = frames[flat];
+        const Vec3 d = nth(frames, page).point(p) - frame.origin;
+        return covers(in_.plates[flat].outline, {dot(d, frame.axes[0]), dot(d, frame.axes[1])});
+    }
+
+    // Flat pieces must be there before what has a tab on them, and over the flat ones named before.
+    void add_flat(const std::vector<Frame>& frames, std::map<int, std::set<int>>& later) const {
+        for (std::size_t i = 0; i < in_.plates.size(); ++i) {
+            const Plate& flat = in_.plates[i];
+            if ((flat.lying != Lying::on_front && flat.lying != Lying::on_back) || flat.rivet) continue;
+            const bool on_back = flat.lying == Lying::on_back;
+            for (const Glue& glue : in_.glue) {
+                if (glue.base_plate != flat.parent || glue.on_back != on_back) continue;
+                const Vec2 aside = left_of(unit(glue.on_base.b - glue.on_base.a));
+                bool touched = false;
+                for (int k = 0; k <= 40; ++k) {
+                    for (const double off : {-3.0, -0.6, 0.6, 3.0}) {
+                        const Vec2 p = lerp(glue.on_base.a, glue.on_base.b, k / 40.0) + off * aside;
+                        touched = touched || is_on(i, flat.parent, p, frames);
+                    }
+                }
+                const int then = on_card(piece_of(in_, glue.piece_plate));
+                if (touched && then != on_card(flat.piece)) later[on_card(flat.piece)].insert(then);
+            }
+            for (std::size_t k = i + 1; k < in_.plates.size(); ++k) {
+                const Plate& other = in_.plates[k];
+                if (other.parent != flat.parent || other.lying != flat.lying || other.piece <= flat.piece)
+                    continue;
+                const Box box = bounds(other.outline.outer);
+                bool shared = false;
+                for (int x = 0; x < 24; ++x) {
+                    for (int y = 0; y < 24; ++y) {
+                        const Vec2 p{box.min.x + (x + 0.5) / 24 * box.width(),
+                                     box.min.y + (y + 0.5) / 24 * box.height()};
+                        shared =
+                            shared || (covers(other.outline, p) && is_on(i, static_cast<int>(k), p, frames));
+                    }
+                }
+                if (shared && on_card(other.piece) != on_card(flat.piece))
+                    later[on_card(flat.piece)].insert(on_card(other.piece));
+            }
         }
     }
 
@@ -432,6 +479,91 @@ TEST(Gluing, BacksComeFirst) {
     EXPECT_TRUE(front);
     EXPECT_EQ(told(in, {order.card, {order.steps.end() - 2, order.steps.end()}, order.bearers}),
               (Lines{"season on page, turned press rivet", "tree on page, open press 1L close 1R"}));
+}
+
+// A square of 2 half on each side of (x, 0), glued flat on the right page.
+std::string flat_piece(const std::string& id, double x, double half) {
+    return fmt::format(
+        "<structure type='attached-plane' id='{0}'><outerpoints><point x='{1}' y='-10'/><point x='{1}' "
+        "y='10'/><point x='0' y='-10'/><point x='0' y='10'/></outerpoints><outline d='M -{2} -{2} H {2} V "
+        "{2} "
+        "H -{2} Z'/><parentplate x='{1}' y='0'/></structure>",
+        id, x, half);
+}
+// Its seams are `out` beside the gutter.
+std::string tent_over(const std::string& id, double out, double wide) {
+    return fmt::format(
+        "<structure type='tent' id='{0}'><outerpoints><point x='-{1}' y='-15'/><point x='-{1}' "
+        "y='15'/><point "
+        "x='{1}' y='-15'/><point x='{1}' y='15'/><point x='-{2}' y='-15'/><point x='-{2}' y='15'/><point "
+        "x='{2}' y='-15'/><point x='{2}' y='15'/></outerpoints><parentfold on='gutter'/></structure>",
+        id, out, wide);
+}
+
+Lines pieces_in_order(const GluingOrder& order, const Assembly& in) {
+    Lines names;
+    for (const GluingStep& step : order.steps) names.push_back(nth(in.pieces, step.piece).name);
+    return names;
+}
+
+// Nothing can be laid down round the wall of a tent, whichever is named first.
+TEST(Gluing, WhatLiesFlatIsThereBeforeWhatRisesOutOfIt) {
+    const std::string flat = flat_piece("flat", 40, 25);
+    const std::string tent = tent_over("tent", 30, 40);
+    for (const std::string& card : {flat + tent, tent + flat}) {
+        const test::FromXml built = test::from_xml(card);
+        ASSERT_TRUE(built.assembly) << built.text;
+        const GluingOrder order = gluing_order(*built.assembly);
+        EXPECT_EQ(pieces_in_order(order, *built.assembly), (Lines{"flat", "tent"}));
+        const GluingStep& step = order.steps.back();
+        EXPECT_TRUE(step.under.empty());
+        ASSERT_EQ(step.onto.size(), 1U);
+        EXPECT_TRUE(nth(built.assembly->glue, step.onto[0].first.number).label.ends_with("R"));
+        EXPECT_EQ(step.onto[0].second, order.steps.front().piece);
+    }
+}
+
+// The tab of a tent is folded inwards, onto what lies below the tent and ends at its wall.
+TEST(Gluing, AFlatPieceBelowATentIsThereBeforeIt) {
+    const test::FromXml built = test::from_xml(flat_piece("flat", 17.5, 12.5) + tent_over("tent", 30, 40));
+    ASSERT_TRUE(built.assembly) << built.text;
+    const GluingOrder order = gluing_order(*built.assembly);
+    EXPECT_EQ(pieces_in_order(order, *built.assembly), (Lines{"flat", "tent"}));
+    EXPECT_EQ(order.steps.back().onto.size(), 1U);
+    EXPECT_TRUE(order.steps.front().under.empty());
+}
+
+TEST(Gluing, AFlatPieceBesideATentIsInNobodysWay) {
+    const test::FromXml built = test::from_xml(flat_piece("flat", 55, 24) + tent_over("tent", 30, 40));
+    ASSERT_TRUE(built.assembly) << built.text;
+    for (const GluingStep& step : gluing_order(*built.assembly).steps) {
+        EXPECT_TRUE(step.onto.empty());
+        EXPECT_TRUE(step.under.empty());
+    }
+}
+
+// What is named later is seen, as in the model, be it large or small.
+TEST(Gluing, OfFlatPiecesTheOneNamedFirstIsBeneath) {
+    const auto order_of = [](const std::string& card) {
+        const test::FromXml built = test::from_xml(card);
+        EXPECT_TRUE(built.assembly) << built.text;
+        return pieces_in_order(gluing_order(*built.assembly), *built.assembly);
+    };
+    const std::string small = flat_piece("small", 50, 10);
+    const std::string large = flat_piece("large", 55, 20);
+    EXPECT_EQ(order_of(large + small), (Lines{"large", "small"}));
+    EXPECT_EQ(order_of(small + large), (Lines{"small", "large"}));
+    // Apart from one another the small one is first.
+    EXPECT_EQ(order_of(flat_piece("large", 30, 20) + flat_piece("small", 70, 10)), (Lines{"small", "large"}));
+}
+
+// The layer rises out of the first, and the second lies over that: before, the first came last.
+TEST(Gluing, ALayerIsGluedOnFlatPiecesThatLieOverOneAnother) {
+    const std::string layer = tent_over("layer", 45, 45);
+    const test::FromXml built = test::from_xml(flat_piece("a", 50, 15) + flat_piece("b", 60, 15) +
+                                               "<structure type='layer'" + layer.substr(22));
+    ASSERT_TRUE(built.assembly) << built.text;
+    EXPECT_EQ(pieces_in_order(gluing_order(*built.assembly), *built.assembly), (Lines{"a", "b", "layer"}));
 }
 
 TEST(Gluing, IsTheSameEachTime) {
