@@ -62,9 +62,11 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "reaches over the next, or move its element."},
     {"lies-on-another", Severity::warning, "two elements are in one place",
      "Two plates of two elements lie on one another while the card is open: they are in one plane, and have "
-     "more than a square millimetre of it in common. Paper cannot be glued down where other paper is glued "
-     "already, and one of the two hides the other. Often the same element was written twice, or two tents "
-     "share their seams. The message says which plates it is, how large the place is that they share, and "
+     "more than a square millimetre of it in common, so that one of the two hides the other. Pieces that are "
+     "glued flat on one plate, as layers and attached planes are, may lie over one another and are not "
+     "meant: "
+     "of these glue-overlaps tells what was written twice. Often two tents share their seams, or one was "
+     "written twice. The message says which plates it is, how large the place is that they share, and "
      "where its middle is. Move one of the two, as the hint says, which has been tried with all others, or "
      "take one of them out."},
     {"locks", Severity::error, "an element's linkage cannot reach an angle",

@@ -24,7 +24,10 @@ constexpr double kMostShare = 0.25;
 constexpr double kBeside = 0.01;  // looks past an edge that the seam lies on
 constexpr double kAll = 0.999;    // of a seam: nothing that follows can cover more of it
 constexpr double kSamePointMm = 1e-6;
-constexpr int kMostTried = 3;  // elements of which moves are tried
+constexpr double kInside = 0.5;         // mm: a wall that is nearer to an edge stands beside it
+constexpr double kHidden = 0.9;         // of an area: what is left of it shows nobody where it is
+constexpr std::size_t kMostNear = 200;  // earlier areas that one is held against
+constexpr int kMostTried = 3;           // elements of which moves are tried
 
 struct WantedPlace {
     const Glue* glue;
@@ -52,15 +55,17 @@ WantedPlace wanted_place(const Glue& glue, const TabRules& rules) {
     return made;
 }
 
-// How much of the seam has its tab's first paper in the area.
-double seam_within(const Glue& glue, const Ring& area) {
+// How much of the seam has the paper beside it, so far towards its tab, in the area.
+double seam_within(const Glue& glue, const Polygon& area, double beside) {
     const SeamFrame frame(glue.on_base, glue.on_back);
     double most = 0.0;
     for (const auto& part :
-         clip_line({frame.to_page({0.0, kBeside}), frame.to_page({frame.length(), kBeside})}, {area, {}}))
+         clip_line({frame.to_page({0.0, beside}), frame.to_page({frame.length(), beside})}, area))
         most = std::max(most, distance(part.front(), part.back()));
     return most;
 }
+// How much of it has its tab's first paper there.
+double seam_within(const Glue& glue, const Ring& area) { return seam_within(glue, {area, {}}, kBeside); }
 
 // One side of one plate: what is wanted there so far, found by where it is.
 class PlateSide {
@@ -100,6 +105,164 @@ bool same(const Ring& a, const Ring& b) {
                       [](Vec2 p, Vec2 q) { return distance(p, q) <= kSamePointMm; });
 }
 
+// What is glued flat, held against what is glued on the same side of the same plate. Paper may be glued on
+// paper that lies flat there: what is told is what is there twice, and what nobody can find.
+class FlatPlaces {
+ public:
+    FlatPlaces(const Assembly& assembly, Diagnostics& diagnostics)
+        : in_(assembly), diagnostics_(diagnostics) {
+        for (const GluedArea& area : in_.glued_areas) {
+            Box box;
+            for (const Polygon& part : area.on_base) {
+                for (const Vec2 p : part.outer) box.extend(p);
+            }
+            Bed& bed = beds_[{area.base_plate, is_on_back(area)}];
+            bed.boxes.insert({box.min, box.max}, false);
+            bed.areas.push_back(&area);
+        }
+    }
+
+    void report() {
+        for (auto& [side, bed] : beds_) {
+            for (std::size_t i = 1; i < bed.areas.size(); ++i) look_beneath(bed, i);
+        }
+        std::set<std::string> told;
+        for (const Glue& glue : in_.glue) {
+            if (!told.contains(glue.element) && look_beneath(glue)) told.insert(glue.element);
+        }
+    }
+
+ private:
+    struct Bed {
+        EdgeIndex boxes;  // diagonals
+        std::vector<const GluedArea*> areas;
+    };
+
+    [[nodiscard]] const Plate& plate(int number) const {
+        return in_.plates[static_cast<std::size_t>(number)];
+    }
+    [[nodiscard]] bool is_on_back(const GluedArea& area) const {
+        return plate(area.plate).lying == Lying::on_back;
+    }
+    [[nodiscard]] bool are_the_same(const GluedArea& one, const GluedArea& other) const {
+        const auto all = [](const std::vector<Polygon>& a, const std::vector<Polygon>& b) {
+            return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                              [](const Polygon& p, const Polygon& q) { return same(p.outer, q.outer); });
+        };
+        return all(one.on_base, other.on_base) &&
+               same(plate(one.plate).outline.outer, plate(other.plate).outline.outer);
+    }
+
+    // An area and the earlier ones, the last of them first: that one is seen.
+    void look_beneath(const Bed& bed, std::size_t number) {
+        const GluedArea& one = *bed.areas[number];
+        bed.boxes.query(box_of(one.on_base), near_);
+        std::sort(near_.rbegin(), near_.rend());
+        std::size_t looked = 0;
+        for (const int earlier : near_) {
+            if (static_cast<std::size_t>(earlier) >= number) continue;
+            const GluedArea& other = *bed.areas[static_cast<std::size_t>(earlier)];
+            if (other.element == one.element) continue;
+            if (are_the_same(one, other)) return tell_twice(one, other);
+            if (++looked > kMostNear) return;
+            const std::vector<Polygon> shared = intersect(one.on_base, other.on_base);
+            if (area(shared) >= kHidden * area(one.on_base)) return tell_hidden(one, other);
+        }
+    }
+
+    void tell_twice(const GluedArea& one, const GluedArea& other) {
+        diagnostics_
+            .warning("glue-overlaps", one.place,
+                     fmt::format("area {} of \"{}\" and area {} of \"{}\" are glued in one place on \"{}\", "
+                                 "{}",
+                                 one.label, one.element, other.label, other.element,
+                                 plate(one.base_plate).name, where(box_of(one.on_base))))
+            .about(one.element)
+            .with(other.place, fmt::format("\"{}\"", other.element))
+            .hint(fmt::format("\"{}\" is the same as \"{}\" in all points: take one of the two out",
+                              one.element, other.element));
+    }
+
+    void tell_hidden(const GluedArea& one, const GluedArea& other) {
+        diagnostics_
+            .remark("target-covered", one.place,
+                    fmt::format("area {} of \"{}\" on \"{}\", {}, is covered by \"{}\", which is glued "
+                                "flat there before",
+                                one.label, one.element, plate(one.base_plate).name,
+                                where(box_of(one.on_base)), other.element))
+            .about(one.element)
+            .with(other.place, fmt::format("\"{}\"", other.element))
+            .hint(fmt::format("let \"{}\" stand on the plate \"{}\", on which its area is marked then, or "
+                              "move one of the two",
+                              one.element, plate(other.plate).name));
+    }
+
+    // Whether a wall rises out of what is glued flat where its tab goes.
+    bool look_beneath(const Glue& glue) {
+        const auto bed = beds_.find({glue.base_plate, glue.on_back});
+        if (bed == beds_.end()) return false;
+        const Plate& wall = plate(glue.piece_plate);
+        if (wall.lying != Lying::free && wall.parent == glue.base_plate) return false;
+        const double seam = distance(glue.on_base.a, glue.on_base.b);
+        const double least = std::min(kMostCoveredMm, kMostShare * seam);
+        bed->second.boxes.query(box_of({{{glue.on_base.a, glue.on_base.b}, {}}}), near_);
+        std::sort(near_.begin(), near_.end());
+        for (const int number : near_) {
+            const GluedArea& area = *bed->second.areas[static_cast<std::size_t>(number)];
+            if (area.element == glue.element) continue;
+            for (const Polygon& part : area.on_base) {
+                if (std::min(seam_within(glue, part, kInside), seam_within(glue, part, -kInside)) <= least)
+                    continue;
+                tell_covered(glue, area, seam_within(glue, part, kInside));
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void tell_covered(const Glue& glue, const GluedArea& area, double covered) {
+        Box seam;
+        seam.extend(glue.on_base.a);
+        seam.extend(glue.on_base.b);
+        const Vec2 middle = seam.centre();
+        diagnostics_
+            .remark(
+                "target-covered", glue.place,
+                fmt::format("target {} of \"{}\" on \"{}\", round ({:.2f}, {:.2f}) mm of its page, is "
+                            "covered over {:.2f} mm of its seam by \"{}\", which must be glued flat there "
+                            "before",
+                            glue.label, glue.element, plate(glue.base_plate).name, rounded(middle.x, 2),
+                            rounded(middle.y, 2), covered, area.element))
+            .about(glue.element)
+            .with(area.place, fmt::format("\"{}\"", area.element))
+            .hint(fmt::format("move \"{}\" or \"{}\" until they are clear of each other, or glue the tab "
+                              "onto \"{}\", which moves with the same plate",
+                              glue.element, area.element, area.element));
+    }
+
+    static Box box_of(const std::vector<Polygon>& parts) {
+        Box box;
+        for (const Polygon& part : parts) {
+            for (const Vec2 p : part.outer) box.extend(p);
+        }
+        return box;
+    }
+    static double area(const std::vector<Polygon>& parts) {
+        double all = 0.0;
+        for (const Polygon& part : parts) all += popup::area(part);
+        return all;
+    }
+    static std::string where(const Box& box) {
+        return fmt::format("over {:.2f} × {:.2f} mm, round ({:.2f}, {:.2f}) mm of its page", box.width(),
+                           box.height(), rounded(box.centre().x, 2), rounded(box.centre().y, 2));
+    }
+
+    const Assembly& in_;
+    Diagnostics& diagnostics_;
+    std::map<std::pair<int, bool>, Bed> beds_;  // by plate and side
+    std::vector<int> near_;
+};
+
 class GlueOverlaps {
  public:
     GlueOverlaps(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics)
@@ -115,6 +278,7 @@ class GlueOverlaps {
 
     void report() {
         for (const std::string& element : order_) report(worst_.at(element));
+        FlatPlaces(in_, diagnostics_).report();
     }
 
  private:
