@@ -11,6 +11,7 @@
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
+#include "output/later_covers.h"
 #include "output/text_outlines.h"
 #include "popup/image.h"
 
@@ -171,10 +172,15 @@ void append(const Polygon& polygon, Vec2 pivot, MeshPart& part) {
     }
 }
 
-// Areas and pictures, each without what later ones cover.
-std::vector<MeshPart> painted_parts(const Plate& plate) {
+// Areas and pictures that lie on the plate, whole, and where.
+struct Painted {
     std::vector<MeshPart> parts;
     std::vector<Region> regions;
+    std::vector<PaintedBox> boxes;
+};
+
+Painted painted_on(const Plate& plate) {
+    Painted painted;
     for (const Print& print : plate.prints) {
         MeshPart part;
         part.drawn = true;
@@ -189,17 +195,29 @@ std::vector<MeshPart> painted_parts(const Plate& plate) {
             region = intersect(shown_regions(*image), {plate.outline});
         }
         if (region.empty()) continue;
-        if (part.lift_mm == kPaintedLiftMm) {
-            for (Region& below : regions) below = subtract(below, region);
+        painted.boxes.push_back({box_of(region), part.lift_mm == kPaintedLiftMm});
+        painted.parts.push_back(std::move(part));
+        painted.regions.push_back(std::move(region));
+    }
+    return painted;
+}
+
+// Areas and pictures, each without what later ones cover.
+std::vector<MeshPart> painted_parts(const Plate& plate) {
+    Painted painted = painted_on(plate);
+    const std::vector<std::vector<int>> over = later_covers(painted.boxes);
+    for (std::size_t i = 0; i < painted.parts.size(); ++i) {
+        Region covering;
+        for (const int j : over[i]) {
+            const Region& other = painted.regions[static_cast<std::size_t>(j)];
+            covering.insert(covering.end(), other.begin(), other.end());
         }
-        parts.push_back(std::move(part));
-        regions.push_back(std::move(region));
+        const Region seen =
+            covering.empty() ? std::move(painted.regions[i]) : subtract(painted.regions[i], covering);
+        for (const Polygon& polygon : seen) append(polygon, plate.pivot, painted.parts[i]);
     }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (const Polygon& polygon : regions[i]) append(polygon, plate.pivot, parts[i]);
-    }
-    std::erase_if(parts, [](const MeshPart& part) { return part.indices.empty(); });
-    return parts;
+    std::erase_if(painted.parts, [](const MeshPart& part) { return part.indices.empty(); });
+    return std::move(painted.parts);
 }
 
 // The letters of a text that lie on the plate.

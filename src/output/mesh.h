@@ -36,7 +36,7 @@ struct MeshPart {
 // plate's outline. Where lines of several colours cross, only the last is there, so that no two parts
 // overlap; plates with more than fifty crossings a line are left as they are. Parts without triangles are
 // left out. Cost: near linear in the corners of the outline and of the lines, times the colours of lines at
-// the outline, and in the square of the number of areas and pictures.
+// the outline, and in areas and pictures and the pairs of them whose boxes meet.
 std::vector<MeshPart> plate_mesh(const Plate& plate, bool printed_backs,
                                  std::span<const Print> of_piece = {});
 
