@@ -60,6 +60,11 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
      "apart. A "
      "narrower one stops the card from opening, and a wider one is a tent. The piece was widened or narrowed "
      "alike on both sides."},
+    {"letters-missing", Severity::warning, "a text has characters that its font lacks",
+     "Texts are set in the fonts of DejaVu, which have the letters of Latin, Greek, Cyrillic and some other "
+     "scripts, and not those of Chinese or Japanese. A character that the font lacks is printed as an empty "
+     "box, on sheets and in models alike. The message lists such characters. Take another font where one has "
+     "them all, or print the text as a picture, or draw its letters as an area."},
     {"no-outline", Severity::error, "a shape cut from one sheet has no border",
      "A freeform is drawn as an outline, which is SVG path data, or as three or more touch points that its "
      "border goes through in a smooth closed curve. This one has neither, or touch points that lie on fewer "
@@ -147,6 +152,11 @@ constexpr std::array kMechanismCodes = std::to_array<CodeInfo>({
     {"tent-too-narrow", Severity::warning, "a tent's piece is narrower than its seams are apart",
      "The piece of a tent must be at least as wide as the distance between its two seams on the open page, "
      "or it stops the card from opening. It was widened alike on both sides, to lie flat on the open page."},
+    {"text-cut", Severity::remark, "a text is longer than its paper",
+     "Letters beside the paper of their page are not printed. This text is centred where it was put, and one "
+     "end of it, or both, lies beyond the edge. The message says how long the text is in its font, how much "
+     "of it is lost, and how long the paper is along it. Make the letters lower, move the text, turn it, or "
+     "part it into lines."},
     {"walls-not-opposite", Severity::warning, "the walls of a box do not stand opposite each other",
      "The ends of a box run straight from one wall to the other, square to the fold, so both walls begin and "
      "end at the same places along it. What one wall reached further than the other was taken off. Draw A–B "

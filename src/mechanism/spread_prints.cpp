@@ -13,6 +13,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/text/letters.h"
 #include "base/text/utf8.h"
 #include "popup/image.h"
 #include "popup/path.h"
@@ -265,13 +266,86 @@ Box box_of(const DrawnPrint& print, const DrawnText& drawn, double each) {
 constexpr double kUsualLetter = 0.8;
 constexpr double kWidestLetter = 1.5;
 
-// Where its letters end is known to writers alone: only what is beside the page for certain is told of.
+// How much of the line from the middle of a text to both its ends lies in the box, and how long the paper is
+// along it.
+struct SeenLine {
+    double seen_mm = 0.0;
+    double paper_mm = 0.0;
+};
+SeenLine seen_line(Vec2 middle, Vec2 along, double length_mm, const Box& box) {
+    double from = -1e9;
+    double to = 1e9;
+    const auto bound = [&](double at, double way, double least, double most) {
+        if (std::abs(way) < 1e-9) return;
+        const double one = (least - at) / way;
+        const double two = (most - at) / way;
+        from = std::max(from, std::min(one, two));
+        to = std::min(to, std::max(one, two));
+    };
+    bound(middle.x, along.x, box.min.x, box.max.x);
+    bound(middle.y, along.y, box.min.y, box.max.y);
+    const double seen = std::min(to, 0.5 * length_mm) - std::max(from, -0.5 * length_mm);
+    return {std::max(seen, 0.0), std::max(to - from, 0.0)};
+}
+
+std::string listed(const std::vector<std::string>& characters) {
+    constexpr std::size_t kMost = 10;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(characters.size(), kMost); ++i)
+        list += (i == 0 ? "" : " ") + characters[i];
+    return characters.size() > kMost ? fmt::format("{} and {} more", list, characters.size() - kMost) : list;
+}
+
+void tell_missing(const DrawnPrint& print, const DrawnText& drawn, const Letters& letters,
+                  const Teller& tell) {
+    if (letters.missing.empty()) return;
+    std::string fonts;
+    for (std::size_t i = 0; i < kTextFontNames.size(); ++i) {
+        const auto other = measure_letters(drawn.text, drawn.height_mm, static_cast<TextFont>(i));
+        if (other && other->missing.empty())
+            fonts += (fonts.empty() ? "" : ", ") + std::string(kTextFontNames.at(i));
+    }
+    tell.diagnostics
+        .warning("letters-missing", print.place,
+                 fmt::format("the font {} has no {}; {} printed as {}", to_string(drawn.font),
+                             listed(letters.missing), letters.missing.size() == 1 ? "it is" : "they are",
+                             letters.missing.size() == 1 ? "an empty box" : "empty boxes"))
+        .hint(fonts.empty() ? "no font of texts has all of it: print it as a picture, or draw it as an area"
+                            : fmt::format("these fonts have all of it: {}", fonts));
+}
+
+// Of a text whose ends may lie beside the paper: where they do is known when its letters are measured.
+void tell_ends(const DrawnPrint& print, const Letters& letters, const Pages& pages, const Teller& tell) {
+    constexpr double kSeenMm = 0.1;
+    const SeenLine line =
+        seen_line(print.at.at, direction_at(print.rotate_deg), letters.length_mm, pages.reach(print.page));
+    const double lost = letters.length_mm - line.seen_mm;
+    if (lost < kSeenMm || line.seen_mm <= 0.0) return;
+    const auto mm = [](double length) { return fmt::format("{:.1f} mm", length); };
+    tell.diagnostics
+        .remark("text-cut", print.place,
+                fmt::format("the text is {} long, and {} of it lies beside the paper of page {}, which is {} "
+                            "long there",
+                            mm(letters.length_mm), mm(lost), print.page, mm(line.paper_mm)))
+        .hint("make it lower, move it, or part it into lines");
+}
+
+// Only what is beside the page for certain is told of as such. Fonts are opened only where a text may lack
+// letters or reach beyond the paper.
 void tell_text(const DrawnPrint& print, const DrawnText& drawn, const Pages& pages, const Teller& tell) {
     const Box box = box_of(print, drawn, kWidestLetter);
     const Box reach = pages.reach(print.page);
     if (box.min.x <= reach.max.x && box.max.x >= reach.min.x && box.min.y <= reach.max.y &&
-        box.max.y >= reach.min.y)
+        box.max.y >= reach.min.y) {
+        const bool inside = box.min.x >= reach.min.x && box.max.x <= reach.max.x &&
+                            box.min.y >= reach.min.y && box.max.y <= reach.max.y;
+        if (inside && is_plain(drawn.text)) return;
+        const auto letters = measure_letters(drawn.text, drawn.height_mm, drawn.font);
+        if (!letters) return;
+        tell_missing(print, drawn, *letters, tell);
+        tell_ends(print, *letters, pages, tell);
         return;
+    }
     tell.off_page("text", print.page, box_of(print, drawn, kUsualLetter), print.place);
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "output/font_file.h"
+#include "base/text/font_file.h"
 
 namespace popup {
 namespace {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/cap_height.h"
 #include "popup/layout.h"
 #include "popup/output.h"
 #include "popup/profile.h"
@@ -165,8 +166,5 @@ std::string layout_title(const Layout& layout);
 
 // "popupc 0.1.0".
 std::string_view generator();
-
-// Height of the capitals of all DejaVu fonts as a part of the font size.
-inline constexpr double kCapHeight = 1493.0 / 2048.0;
 
 }  // namespace popup

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "base/nth.h"
+#include "base/text/font_file.h"
 #include "base/text/numbers.h"
 #include "fabrication/count_operations.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
-#include "output/font_file.h"
 #include "output/sheet_legend.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"

@@ -1,11 +1,9 @@
 #include "output/text_outlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 
-#include "output/font_file.h"
+#include "base/text/letters.h"
 #include FT_OUTLINE_H
 
 #include "base/text/utf8.h"
@@ -16,18 +14,6 @@ namespace {
 
 // In font units; the capitals of DejaVu fonts are 1493 of them high.
 constexpr double kFlatUnits = 7.0;
-
-// FreeType is not to be used from two threads at once; each has its own.
-const FontFile* font_of(TextFont font) {
-    struct Slot {
-        bool opened = false;
-        std::unique_ptr<FontFile> file;
-    };
-    thread_local std::array<Slot, kTextFontNames.size()> slots;
-    Slot& slot = slots.at(static_cast<std::size_t>(font));
-    if (!slot.opened) slot = {true, FontFile::open(font_path(font))};
-    return slot.file.get();
-}
 
 struct Tracing {
     std::vector<Ring> rings;
@@ -87,10 +73,10 @@ int cubic_to(const FT_Vector* one, const FT_Vector* two, const FT_Vector* to, vo
 
 }  // namespace
 
-bool can_outline_text(TextFont font) { return font_of(font) != nullptr; }
+bool can_outline_text(TextFont font) { return open_font(font) != nullptr; }
 
 std::vector<Ring> text_outlines(std::string_view text, Vec2 at, double cap_mm, double angle, TextFont font) {
-    const FontFile* file = font_of(font);
+    const FontFile* file = open_font(font);
     if (file == nullptr) return {};
     Tracing tracing;
     FT_Outline_Funcs tracers{move_to, line_to, conic_to, cubic_to, 0, 0};

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
+#include "base/text/font_file.h"
 #include "output/book/book.h"
 #include "output/book/book_pages.h"
 #include "output/book/pictures.h"
-#include "output/font_file.h"
 #include "output/page_texts.h"
 #include "output/pdf_document.h"
 

@@ -166,6 +166,37 @@ TEST(SpreadPrints, ATextIsOnItsPieceOnceAndIsNoLabel) {
 
 // A piece that was drawn from its back is mended, and so is what is printed on it: it lies where the author
 // had it, seen in a mirror, but pictures and letters are not turned over.
+// --- letters that are not printed
+
+TEST(SpreadPrints, TellOfLettersThatTheFontLacks) {
+    const Made none = make("", "<text x='0' y='20' height='8'>中文 a 中</text>");
+    EXPECT_NE(none.text.find("the font sans has no 中 文; they are printed as empty boxes"),
+              std::string::npos)
+        << none.text;
+    EXPECT_NE(none.text.find("letters-missing"), std::string::npos);
+    const Made other = make("", "<text x='0' y='20' height='8' font='mono-bold'>שלום</text>");
+    EXPECT_NE(other.text.find("the font mono-bold has no ש ל ו ם"), std::string::npos) << other.text;
+    for (const std::string text : {"Grüße, Ελλάδα, Москва", "שלום", "e&#x301;", "a&#x200b;b"}) {
+        EXPECT_EQ(make("", "<text x='0' y='20' height='4'>" + text + "</text>").text, "") << text;
+    }
+}
+
+TEST(SpreadPrints, TellHowMuchOfATextLiesBesideThePaper) {
+    const std::string words = "This line is far too long for the card";
+    const Made wide = make("", "<text x='0' y='0' height='20'>" + words + "</text>");
+    EXPECT_NE(wide.text.find("321.9 mm of it lies beside the paper of page 0, which is 160.0 mm long there"),
+              std::string::npos)
+        << wide.text;
+    EXPECT_NE(wide.text.find("text-cut"), std::string::npos);
+    // Across the card it has 120 mm of paper.
+    const Made up = make("", "<text x='0' y='0' height='20' rotate='90'>" + words + "</text>");
+    EXPECT_NE(up.text.find("which is 120.0 mm long there"), std::string::npos) << up.text;
+    // One that is in its place is not told of, though few letters could be as wide as its guess; nor is a
+    // long one of narrow letters.
+    EXPECT_EQ(make("", "<text x='0' y='0' height='3'>" + words + "</text>").text, "");
+    EXPECT_EQ(make("", "<text x='0' y='0' height='5'>" + std::string(60, 'i') + "</text>").text, "");
+}
+
 TEST(SpreadPrints, FollowAPageThatIsMirroredForGood) {
     const std::string prints =
         "<image page='1' x='5' y='10' width='10' height='6' rotate='30' href='a.png'/>\n"

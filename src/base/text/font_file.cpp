@@ -1,4 +1,4 @@
-#include "output/font_file.h"
+#include "base/text/font_file.h"
 
 #include <array>
 #include <string_view>
