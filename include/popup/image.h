@@ -29,8 +29,8 @@ std::string_view to_string(ImageFault fault);
 // The picture of a whole PNG or JPEG file, not cut, a pixel a millimetre, its upper left corner at (0, 0) of
 // the page. Guarantees of an Image: its file can be decoded to the end. A file that ends early, that a
 // library complains of, or that is larger than the limits above, is a fault; so is one in printers' colours
-// (CMYK). What cameras say of how they were held (Exif) is disregarded: rows are as they stand in the file.
-// Cost: that of decoding it.
+// (CMYK). Where a camera says that it was held otherwise (Exif), the bytes become a file that is upright;
+// all others stay as they are. Cost: that of decoding it, three times where it is turned.
 std::variant<Image, ImageFault> open_image(std::string file);
 
 // "image/png" or "image/jpeg".

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pictures/decode.h"
+#include "pictures/upright.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
@@ -63,6 +64,12 @@ std::variant<Image, ImageFault> open_image(std::string file) {
     if (!format) return ImageFault::not_an_image;
     Decoded picture = decoded(file, *format);
     if (picture.fault) return *picture.fault;
+    if (const int orientation = orientation_of(file, *format); orientation != 1) {
+        // What is shown is the file itself in some outputs and its pixels in others: both become upright.
+        file = upright_file(file, *format, picture.pixels, orientation);
+        picture = decoded(file, *format);
+        if (picture.fault) return *picture.fault;
+    }
     Image image;
     image.format = *format;
     image.width = picture.pixels.width;

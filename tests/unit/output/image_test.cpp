@@ -2,7 +2,9 @@
 #include "popup/image.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -115,6 +117,121 @@ TEST(Image, HasTheSamePixelsKeptAndDecodedAnew) {
     }
     EXPECT_NE(held.front().pixels, nullptr);
     EXPECT_EQ(held.back().pixels, nullptr);
+}
+
+// --- pictures of cameras that were held otherwise
+
+// What Exif says of a camera, with its numbers little or big end first.
+std::string exif_of(int orientation, bool big_end) {
+    const char value = static_cast<char>(orientation);
+    const std::string little{'I', 'I', '*', 0, 8, 0,     0, 0, 1, 0, 0x12, 1, 3,
+                             0,   1,   0,   0, 0, value, 0, 0, 0, 0, 0,    0, 0};
+    const std::string big{'M', 'M', 0, '*', 0, 0, 0,     8, 0, 1, 1, 0x12, 0,
+                          3,   0,   0, 0,   1, 0, value, 0, 0, 0, 0, 0,    0};
+    return big_end ? big : little;
+}
+
+std::string jpeg_held(int width, int height, int orientation, bool big_end = false) {
+    const std::string held = std::string("Exif\0\0", 6) + exif_of(orientation, big_end);
+    const auto size = static_cast<char>(held.size() + 2);
+    return jpeg_of(width, height).insert(2, std::string{'\xff', '\xe1', 0, size} + held);
+}
+
+std::string png_held(int width, int height, int orientation) {
+    const std::string held = "eXIf" + exif_of(orientation, true);
+    const auto crc = static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const unsigned char*>(held.data()), static_cast<unsigned>(held.size())));
+    std::string chunk{0, 0, 0, static_cast<char>(held.size() - 4)};
+    chunk += held;
+    for (const unsigned shift : {24U, 16U, 8U, 0U}) chunk += static_cast<char>(crc >> shift & 0xFFU);
+    return png_of(width, height).insert(33, chunk);
+}
+
+// Exif says on which side of what was seen the first row and the first column of the file lie: red is where
+// both are, green where the first row meets the last column, and blue where the first column meets the last.
+struct Seen {
+    bool turned;  // the first row is a column
+    bool row_last, column_last;
+};
+constexpr std::array<Seen, 9> kSeen{{{},
+                                     {false, false, false},
+                                     {false, false, true},
+                                     {false, true, true},
+                                     {false, true, false},
+                                     {true, false, false},
+                                     {true, true, false},
+                                     {true, true, true},
+                                     {true, false, true}}};
+
+std::array<int, 3> color_at(const ImagePixels& pixels, bool right, bool below) {
+    const int x = pixels.width * (right ? 3 : 1) / 4;
+    const int y = pixels.height * (below ? 3 : 1) / 4;
+    const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                         static_cast<std::size_t>(x));
+    return {pixels.rgba[at], pixels.rgba[at + 1], pixels.rgba[at + 2]};
+}
+
+void expect_upright(const Image& image, int width, int height, int orientation) {
+    const Seen& seen = kSeen.at(static_cast<std::size_t>(orientation));
+    EXPECT_EQ(image.width, seen.turned ? height : width) << orientation;
+    EXPECT_EQ(image.height, seen.turned ? width : height) << orientation;
+    const auto pixels = pixels_of(image);
+    ASSERT_TRUE(pixels);
+    EXPECT_EQ(pixels->width, image.width);
+    // Where the corner of the first or last row and the first or last column is seen.
+    const auto corner = [&](bool last_row, bool last_column) {
+        const bool row_side = last_row != seen.row_last;
+        const bool column_side = last_column != seen.column_last;
+        return seen.turned ? color_at(*pixels, row_side, column_side)
+                           : color_at(*pixels, column_side, row_side);
+    };
+    const auto expect = [&](const std::array<int, 3>& color, const std::array<int, 3>& wanted) {
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(color.at(k), wanted.at(k), 6) << orientation;
+    };
+    expect(corner(false, false), {255, 0, 0});
+    expect(corner(false, true), {0, 255, 0});
+    expect(corner(true, false), {0, 0, 255});
+    expect(corner(true, true), {255, 255, 255});
+}
+
+TEST(Image, IsUprightHoweverTheCameraWasHeld) {
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        // Whole blocks, no whole blocks, and pixels.
+        expect_upright(opened(jpeg_held(48, 32, orientation)), 48, 32, orientation);
+        expect_upright(opened(jpeg_held(48, 32, orientation, true)), 48, 32, orientation);
+        expect_upright(opened(jpeg_held(50, 37, orientation)), 50, 37, orientation);
+        expect_upright(opened(png_held(50, 37, orientation)), 50, 37, orientation);
+    }
+}
+
+// Outputs that have the file itself show what those show that have its pixels.
+TEST(Image, HasTheFileOfTheUprightPictureWithoutAWordOfTheCamera) {
+    for (const std::string& file : {jpeg_held(48, 32, 6), jpeg_held(50, 37, 6), png_held(50, 37, 6)}) {
+        const Image image = opened(file);
+        EXPECT_EQ(image.bytes->find("Exif"), std::string::npos);
+        EXPECT_EQ(image.bytes->find("eXIf"), std::string::npos);
+        const Image again = opened(*image.bytes);
+        EXPECT_EQ(*again.bytes, *image.bytes);
+        EXPECT_EQ(pixels_of(again)->rgba, pixels_of(image)->rgba);
+    }
+}
+
+TEST(Image, StaysByteForByteWhereTheCameraWasHeldUpright) {
+    for (const int orientation : {0, 1, 9}) {
+        for (const std::string& file : {jpeg_held(48, 32, orientation), png_held(50, 37, orientation)})
+            EXPECT_EQ(*opened(file).bytes, file) << orientation;
+    }
+}
+
+// A quarter turn of whole blocks loses nothing: four of them give the picture of the beginning.
+TEST(Image, OfWholeBlocksIsTurnedWithoutLoss) {
+    const std::string first = jpeg_of(48, 32);
+    std::string file = first;
+    for (int turn = 0; turn < 4; ++turn) {
+        const std::string held = jpeg_held(48, 32, 6);
+        file = *opened(file.insert(2, held.substr(2, held.size() - first.size()))).bytes;
+    }
+    EXPECT_EQ(pixels_of(opened(file))->rgba, pixels_of(opened(first))->rgba);
 }
 
 TEST(Image, BrokenFilesAreFaults) {
