@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/diagnostics/picture_hints.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
 #include "cli/options/value_option.h"
@@ -55,8 +56,9 @@ std::optional<ImagePixels> read_pixels(const std::string& name, Diagnostics& dia
     if (!source) return std::nullopt;
     std::variant<Image, ImageFault> opened = open_image(std::move(source->text));
     if (const auto* fault = std::get_if<ImageFault>(&opened)) {
+        const bool large = *fault == ImageFault::too_many_bytes || *fault == ImageFault::too_many_pixels;
         diagnostics.error("picture-unreadable", {}, std::string(to_string(*fault)))
-            .hint("export the picture anew, as a PNG or as a JPEG in RGB");
+            .hint(std::string(large ? kPictureSmaller : kPictureAnew));
         return std::nullopt;
     }
     return pixels_of(std::get<Image>(opened));

@@ -37,8 +37,8 @@ constexpr std::array kInputCodes = std::to_array<CodeInfo>({
      "small ones there, even where the computer on which the card was drawn took them for the same. Put the "
      "file where the document says, or correct href."},
     {"picture-outside", Severity::error, "a picture that is not below the folder of the document",
-     "Pictures are files below the folder of their document. An absolute path, a name with \"..\" in it, a "
-     "URL, and a symbolic link that ends elsewhere are never followed, so that a document from somewhere "
+     "Pictures are files below the folder of their document. An absolute path, a name that \"..\" leads out, "
+     "a URL, and a symbolic link that ends elsewhere are never followed, so that a document from somewhere "
      "else can neither read other files of yours nor tell anybody that it was opened. Copy the picture into "
      "the folder and name it from there."},
     {"picture-unreadable", Severity::error, "a picture that cannot be used",

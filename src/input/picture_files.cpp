@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/diagnostics/picture_hints.h"
 #include "input/text.h"
 #include "popup/files.h"
 
@@ -28,14 +29,24 @@ bool has_scheme(std::string_view href) {
            std::all_of(href.begin(), href.begin() + static_cast<std::ptrdiff_t>(colon), is_more);
 }
 
-bool goes_up(std::string_view href) {
+// Whether a step of the way lies above where it begins; `separators` part the steps.
+bool goes_above(std::string_view href, std::string_view separators) {
+    int depth = 0;
     while (!href.empty()) {
-        const std::size_t slash = std::min(href.find_first_of("/\\"), href.size());
-        if (href.substr(0, slash) == "..") return true;
-        href.remove_prefix(std::min(slash + 1, href.size()));
+        const std::size_t end = std::min(href.find_first_of(separators), href.size());
+        const std::string_view step = href.substr(0, end);
+        if (step == "..") {
+            if (--depth < 0) return true;
+        } else if (!step.empty() && step != ".") {
+            ++depth;
+        }
+        href.remove_prefix(std::min(end + 1, href.size()));
     }
     return false;
 }
+
+// On every system alike, whether or not a backslash parts names there.
+bool leads_out(std::string_view href) { return goes_above(href, "/") || goes_above(href, "/\\"); }
 
 PictureRefusal outside(std::string message) {
     return {"picture-outside", std::move(message),
@@ -62,7 +73,7 @@ std::optional<std::string> PictureFiles::name(std::string_view href, std::string
             fmt::format("{} is a URL, and {} are files below the folder of the document", quoted, what));
         return std::nullopt;
     }
-    if (goes_up(href)) {
+    if (leads_out(href)) {
         refusal = outside(quoted + " leads out of the folder of the document");
         return std::nullopt;
     }
@@ -126,9 +137,10 @@ PictureFiles::Entry PictureFiles::read(const std::string& named) {
     if (!count(*file, named, refusal)) return {nullptr, refusal};
     std::variant<Image, ImageFault> image = open_image(std::move(*file->text));
     if (const auto* fault = std::get_if<ImageFault>(&image)) {
+        const bool large = *fault == ImageFault::too_many_bytes || *fault == ImageFault::too_many_pixels;
         return {nullptr,
                 {"picture-unreadable", fmt::format("\"{}\": {}", shown(named), to_string(*fault)),
-                 "export the picture anew, as a PNG or as a JPEG in RGB"}};
+                 std::string(large ? kPictureSmaller : kPictureAnew)}};
     }
     return {&by_path_.emplace(file->path, std::move(std::get<Image>(image))).first->second, {}};
 }

@@ -27,8 +27,8 @@ class PictureFiles {
     PictureFiles(const Source& document, const ReadOptions& options);
 
     // The picture of a file below the document's folder (of standard input: the working directory); null
-    // with a refusal. Never read are absolute paths, what has "..", URLs, and what a symbolic link leads out
-    // of the folder.
+    // with a refusal. Never read are absolute paths, URLs, and what "..", or a symbolic link, leads out of
+    // the folder.
     const Image* open(std::string_view href, PictureRefusal& refusal);
 
     // The whole text of such a file, of which `what` ("outlines") are read; null with a refusal.
