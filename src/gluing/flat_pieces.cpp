@@ -1,34 +1,20 @@
 #include "gluing/flat_pieces.h"
 
 #include <algorithm>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <iterator>
 #include <utility>
 
+#include "base/geometry/edge_index.h"
+#include "base/geometry/pages.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
 
 namespace popup {
 namespace {
 
-namespace bg = boost::geometry;
-namespace bgi = boost::geometry::index;
-
 constexpr double kBesideWallMm = 0.5;   // what is nearer to an edge of the paper may stand beside it
 constexpr double kWallMm = 1.0;         // a shorter one bends aside
 constexpr double kSharedMm2 = 1.0;      // of two flat pieces
 constexpr std::size_t kMostNear = 200;  // earlier pieces that one is held against
-
-using PagePoint = bg::model::point<double, 2, bg::cs::cartesian>;
-using PageBox = bg::model::box<PagePoint>;
-
-PageBox box_round(const Ring& ring) {
-    const Box box = bounds(ring);
-    return {PagePoint(box.min.x, box.min.y), PagePoint(box.max.x, box.max.y)};
-}
 
 double length_inside(const Segment& line, const Polygon& paper) {
     double length = 0.0;
@@ -45,16 +31,12 @@ struct Bed {
         Polygon paper;          // on the page of the plate
     };
     std::vector<Flat> flats;
-    bgi::rtree<std::pair<PageBox, int>, bgi::quadratic<16>> tree;
+    EdgeIndex boxes;  // of their paper, by their diagonals
 
-    [[nodiscard]] std::vector<int> near(const PageBox& box) const {
-        std::vector<std::pair<PageBox, int>> found;
-        tree.query(bgi::intersects(box), std::back_inserter(found));
-        std::vector<int> numbers;
-        numbers.reserve(found.size());
-        for (const auto& [of, number] : found) numbers.push_back(number);
-        std::sort(numbers.begin(), numbers.end());
-        return numbers;
+    [[nodiscard]] std::vector<int> near(const Box& box) const {
+        std::vector<int> found;
+        boxes.query(box, found);
+        return found;
     }
 };
 
@@ -63,12 +45,6 @@ class FlatBefore {
     FlatBefore(const Assembly& assembly, const GluingOrder& order, const GluePoses& poses)
         : in_(assembly), order_(order), frames_(poses.reach) {
         for (std::size_t i = 0; i < in_.plates.size(); ++i) add_flat(static_cast<int>(i));
-        for (auto& [of, bed] : beds_) {
-            std::vector<std::pair<PageBox, int>> boxes;
-            for (std::size_t i = 0; i < bed.flats.size(); ++i)
-                boxes.emplace_back(box_round(bed.flats[i].paper.outer), static_cast<int>(i));
-            bed.tree = decltype(bed.tree)(boxes);
-        }
     }
 
     std::map<int, std::set<int>> run(const std::vector<Bond>& bonds) {
@@ -92,26 +68,15 @@ class FlatBefore {
             if ((plate.lying != Lying::on_front && !on_back) || plate.rivet || plate.parent < 0 ||
                 nth(in_.plates, plate.parent).piece == piece)
                 return;
-            Bed::Flat flat{piece, is_on_it, {moved(outline.outer, number, plate.parent), {}}};
-            for (const Ring& hole : outline.holes)
-                flat.paper.holes.push_back(moved(hole, number, plate.parent));
-            beds_[{plate.parent, on_back}].flats.push_back(std::move(flat));
+            Bed& bed = beds_[{plate.parent, on_back}];
+            bed.flats.push_back(
+                {piece, is_on_it, on_other_page(outline, nth(frames_, number), nth(frames_, plate.parent))});
+            const Box box = bounds(bed.flats.back().paper.outer);
+            bed.boxes.insert({box.min, box.max}, false);
             if (on_back) return;
             is_on_it = false;
         }
     }
-    [[nodiscard]] Ring moved(const Ring& ring, int from, int to) const {
-        const Frame& a = nth(frames_, from);
-        const Frame& b = nth(frames_, to);
-        Ring made;
-        made.reserve(ring.size());
-        for (const Vec2 p : ring) {
-            const Vec3 off = a.point(p) - b.origin;
-            made.push_back({dot(off, b.axes[0]), dot(off, b.axes[1])});
-        }
-        return made;
-    }
-
     [[nodiscard]] int member(int piece, int ground) const {
         while (piece >= 0 && nth(order_.bearers, piece) != ground) piece = nth(order_.bearers, piece);
         return piece;
@@ -131,7 +96,7 @@ class FlatBefore {
         const Segment& seam = nth(in_.glue, bond.number).on_base;
         if (distance(seam.a, seam.b) <= kWallMm) return;
         const Vec2 aside = kBesideWallMm * left_of(unit(seam.b - seam.a));
-        for (const int number : bed->second.near(box_round({seam.a, seam.b}))) {
+        for (const int number : bed->second.near(bounds({seam.a, seam.b}))) {
             const Bed::Flat& flat = nth(bed->second.flats, number);
             if (flat.piece == wall.piece) continue;
             if (length_inside({seam.a + aside, seam.b + aside}, flat.paper) > kWallMm &&
@@ -144,7 +109,7 @@ class FlatBefore {
         for (std::size_t i = 0; i < bed.flats.size(); ++i) {
             const Bed::Flat& flat = bed.flats[i];
             if (!flat.is_on_it || !is_pasted(flat.piece)) continue;
-            std::vector<int> earlier = bed.near(box_round(flat.paper.outer));
+            std::vector<int> earlier = bed.near(bounds(flat.paper.outer));
             std::erase_if(earlier, [&](int number) {
                 const Bed::Flat& other = nth(bed.flats, number);
                 return other.piece >= flat.piece || !other.is_on_it || !is_pasted(other.piece);
@@ -153,9 +118,7 @@ class FlatBefore {
                 earlier.erase(earlier.begin(), earlier.end() - static_cast<std::ptrdiff_t>(kMostNear));
             for (const int number : earlier) {
                 const Bed::Flat& other = nth(bed.flats, number);
-                double shared = 0.0;
-                for (const Polygon& part : intersect({flat.paper}, {other.paper})) shared += area(part);
-                if (shared > kSharedMm2) add(other.piece, flat.piece);
+                if (area(intersect({flat.paper}, {other.paper})) > kSharedMm2) add(other.piece, flat.piece);
             }
         }
     }

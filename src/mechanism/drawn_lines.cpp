@@ -11,6 +11,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "base/sets.h"
 #include "mechanism/site_lines.h"
 #include "mechanism/thin_places.h"
 
@@ -155,8 +156,7 @@ Overlaps merge(std::vector<Border>& lines) {
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return std::pair(boxes[a].min.x, a) < std::pair(boxes[b].min.x, b);
     });
-    std::vector<std::size_t> group(n);
-    std::iota(group.begin(), group.end(), std::size_t{0});
+    Sets groups(n);
     Overlaps found;
     for (auto one = order.begin(); one != order.end(); ++one) {
         for (auto two = one + 1; two != order.end() && boxes[*two].min.x <= boxes[*one].max.x; ++two) {
@@ -171,8 +171,7 @@ Overlaps merge(std::vector<Border>& lines) {
                 found.area_mm2 = shared;
                 found.at = bounds(both.front().outer).centre();
             }
-            const auto [low, high] = std::minmax(group[i], group[j]);
-            std::replace(group.begin(), group.end(), std::size_t{high}, std::size_t{low});
+            groups.unite(static_cast<int>(i), static_cast<int>(j));
         }
     }
     if (found.area_mm2 == 0.0) return found;
@@ -181,7 +180,7 @@ Overlaps merge(std::vector<Border>& lines) {
         std::vector<Polygon> members;
         std::vector<Border> of;
         for (std::size_t i = first; i < n; ++i) {
-            if (group[i] != first) continue;
+            if (groups.find(static_cast<int>(i)) != static_cast<int>(first)) continue;
             members.insert(members.end(), areas[i].begin(), areas[i].end());
             of.push_back(lines[i]);
         }

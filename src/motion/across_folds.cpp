@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/pages.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
-#include "motion/nearness.h"
 #include "motion/sweep.h"
 #include "popup/motion.h"
 
@@ -26,16 +26,6 @@ constexpr double kLeastStretchMm = 0.02;  // of a line
 constexpr int kRoundCorners = 90;         // of what is reached at any turn; less than 0.1 % of it is left out
 
 using Line = std::vector<Vec2>;
-
-Polygon moved(const Polygon& polygon, const Frame& from, const Frame& to) {
-    Polygon made = polygon;
-    const auto move = [&](Ring& ring) {
-        for (Vec2& p : ring) p = on_page(to, from.point(p));
-    };
-    move(made.outer);
-    for (Ring& hole : made.holes) move(hole);
-    return made;
-}
 
 // All that it reaches while it is turned.
 Polygon turned_about(Vec2 rivet, const Polygon& outline) {
@@ -151,7 +141,7 @@ class Search {
         for (int at = number; lies_flat(plate(at)); at = plate(at).parent) {
             const int on = plate(at).parent;
             const std::vector<Frame>& frames = looks_.front();
-            const Polygon here = moved(reached, nth(frames, number), nth(frames, on));
+            const Polygon here = on_other_page(reached, nth(frames, number), nth(frames, on));
             std::vector<int> near;
             const Edges& edges = edges_.at(on);
             edges.index.query(bounds(here.outer), near);

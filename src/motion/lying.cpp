@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/geometry/pages.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "motion/cells.h"
@@ -46,20 +47,10 @@ bool in_one_plane(const Frame& a, const Frame& b, const PlateShape& of_b) {
 
 // What they share, on the page of b.
 std::vector<Polygon> common_paper(const Assembly& assembly, int a, int b, std::span<const Frame> frames) {
-    const Frame& to = frame_of(frames, b);
-    const auto moved = [&, &from = frame_of(frames, a)](const Ring& ring) {
-        Ring made;
-        made.reserve(ring.size());
-        for (const Vec2 p : ring) {
-            const Vec3 off = from.point(p) - to.origin;
-            made.push_back({dot(off, to.axes[0]), dot(off, to.axes[1])});
-        }
-        return made;
+    const auto outline = [&](int plate) -> const Polygon& {
+        return assembly.plates[static_cast<std::size_t>(plate)].outline;
     };
-    const Polygon& outline = assembly.plates[static_cast<std::size_t>(a)].outline;
-    Polygon of_a{moved(outline.outer), {}};
-    for (const Ring& hole : outline.holes) of_a.holes.push_back(moved(hole));
-    return intersect({of_a}, {assembly.plates[static_cast<std::size_t>(b)].outline});
+    return intersect({on_other_page(outline(a), frame_of(frames, a), frame_of(frames, b))}, {outline(b)});
 }
 
 std::optional<LyingPair> shared(const Assembly& assembly, int a, int b, std::span<const Frame> frames,

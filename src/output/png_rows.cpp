@@ -1,17 +1,12 @@
 #include "output/png_rows.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
+
+#include "base/system/picture_parts.h"
 
 namespace popup {
 namespace {
-
-std::size_t number_at(std::string_view bytes, std::size_t at) {
-    std::size_t number = 0;
-    for (const char c : bytes.substr(at, 4)) number = number << 8 | static_cast<unsigned char>(c);
-    return number;
-}
 
 // The parts of the header behind its sizes (PNG specification, 11.2.2).
 struct Header {
@@ -29,20 +24,12 @@ bool is_plain(const Header& header) {
 }  // namespace
 
 std::optional<PngRows> png_rows(const Image& image) {
-    constexpr std::size_t kSignature = 8;
-    constexpr std::size_t kFrame = 12;  // of a chunk: its length, kind and checksum
     constexpr std::size_t kHeader = 13;
     if (image.format != ImageFormat::png || image.bytes == nullptr) return std::nullopt;
-    const std::string_view file = *image.bytes;
     Header header;
     PngRows rows;
-    for (std::size_t at = kSignature; at + kFrame <= file.size();) {
-        const std::size_t length = number_at(file, at);
-        if (length > file.size() - at - kFrame) return std::nullopt;
-        const std::string_view kind = file.substr(at + 4, 4);
-        const std::string_view data = file.substr(at + 8, length);
-        at += kFrame + length;
-        if (kind == "IHDR" && length == kHeader) {
+    for (const auto& [kind, whole, data] : png_chunks(*image.bytes)) {
+        if (kind == "IHDR" && data.size() == kHeader) {
             header = {static_cast<unsigned char>(data[8]), static_cast<unsigned char>(data[9]),
                       static_cast<unsigned char>(data[12])};
             if (!is_plain(header)) return std::nullopt;

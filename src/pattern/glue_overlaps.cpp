@@ -247,11 +247,6 @@ class FlatPlaces {
         }
         return box;
     }
-    static double area(const std::vector<Polygon>& parts) {
-        double all = 0.0;
-        for (const Polygon& part : parts) all += popup::area(part);
-        return all;
-    }
     static std::string where(const Box& box) {
         return fmt::format("over {:.2f} × {:.2f} mm, round ({:.2f}, {:.2f}) mm of its page", box.width(),
                            box.height(), rounded(box.centre().x, 2), rounded(box.centre().y, 2));

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/system/picture_parts.h"
+
 namespace popup {
 namespace {
 
@@ -18,20 +20,9 @@ constexpr std::string_view kProfile{"ICC_PROFILE\0", 12};
 // Nobody sees the loss in print, and the file does not grow much.
 constexpr int kQuality = 95;
 
-// A segment of a JPEG or a chunk of a PNG, whole, and what it holds.
-struct Part {
-    std::string_view kind, whole, held;
-};
-
-std::size_t big_endian(std::string_view bytes) {
-    std::size_t value = 0;
-    for (const char byte : bytes) value = value << 8U | static_cast<unsigned char>(byte);
-    return value;
-}
-
 // The segments before the first scan, but for the mark that begins the file. `kind` is their second byte.
-std::vector<Part> segments_of(std::string_view file) {
-    std::vector<Part> parts;
+std::vector<PicturePart> segments_of(std::string_view file) {
+    std::vector<PicturePart> parts;
     std::size_t at = 2;
     while (at + 4 <= file.size() && file[at] == '\xff') {
         // Any number of these may come before a mark.
@@ -48,22 +39,8 @@ std::vector<Part> segments_of(std::string_view file) {
     return parts;
 }
 
-bool is_exif(const Part& part) { return part.kind == "\xe1" && part.held.starts_with(kExif); }
-bool is_profile(const Part& part) { return part.kind == "\xe2" && part.held.starts_with(kProfile); }
-
-// The chunks behind the signature.
-std::vector<Part> chunks_of(std::string_view file) {
-    std::vector<Part> parts;
-    std::size_t at = 8;
-    while (at + 12 <= file.size()) {
-        const std::size_t length = big_endian(file.substr(at, 4));
-        if (length > file.size() - at - 12) break;
-        const std::string_view whole = file.substr(at, length + 12);
-        parts.push_back({whole.substr(4, 4), whole, whole.substr(8, length)});
-        at += length + 12;
-    }
-    return parts;
-}
+bool is_exif(const PicturePart& part) { return part.kind == "\xe1" && part.held.starts_with(kExif); }
+bool is_profile(const PicturePart& part) { return part.kind == "\xe2" && part.held.starts_with(kProfile); }
 
 // What Exif says, which begins with its name.
 int orientation_in(const std::string& exif) {
@@ -136,9 +113,9 @@ std::string encoded_anew(const std::string& file, const ImagePixels& upright) {
     }
     std::string made = turbo.file();
     // Behind the segment of JFIF, which is the first.
-    const std::vector<Part> own = segments_of(made);
+    const std::vector<PicturePart> own = segments_of(made);
     std::size_t at = own.empty() ? 2 : 2 + own.front().whole.size();
-    for (const Part& part : segments_of(file)) {
+    for (const PicturePart& part : segments_of(file)) {
         if (!is_profile(part)) continue;
         made.insert(at, part.whole);
         at += part.whole.size();
@@ -148,7 +125,7 @@ std::string encoded_anew(const std::string& file, const ImagePixels& upright) {
 
 std::string upright_jpeg(const std::string& file, const ImagePixels& pixels, int orientation) {
     std::string bare = file;
-    for (const Part& part : segments_of(file)) {
+    for (const PicturePart& part : segments_of(file)) {
         if (is_exif(part)) bare.erase(bare.find(part.whole), part.whole.size());
     }
     std::string made = turned_without_loss(bare, orientation);
@@ -177,13 +154,13 @@ std::string upright_png(const std::string& file, const ImagePixels& pixels, int 
     made.resize(size);
     // What colours are stands before the pixels; the library says sRGB by itself, which is taken out.
     std::string colors;
-    for (const Part& part : chunks_of(file)) {
+    for (const PicturePart& part : png_chunks(file)) {
         if (part.kind == "IDAT") break;
         if (part.kind == "iCCP" || part.kind == "sRGB" || part.kind == "gAMA" || part.kind == "cHRM")
             colors += part.whole;
     }
     std::string result = made.substr(0, 8);
-    for (const Part& part : chunks_of(made)) {
+    for (const PicturePart& part : png_chunks(made)) {
         if (part.kind == "sRGB" || part.kind == "gAMA" || part.kind == "cHRM") continue;
         result += part.whole;
         if (part.kind == "IHDR") result += colors;
@@ -194,7 +171,7 @@ std::string upright_png(const std::string& file, const ImagePixels& pixels, int 
 }  // namespace
 
 int orientation_of(std::string_view file, ImageFormat format) {
-    for (const Part& part : format == ImageFormat::jpeg ? segments_of(file) : chunks_of(file)) {
+    for (const PicturePart& part : format == ImageFormat::jpeg ? segments_of(file) : png_chunks(file)) {
         // The first counts.
         if (format == ImageFormat::jpeg ? is_exif(part) : part.kind == "eXIf") {
             return orientation_in(format == ImageFormat::jpeg ? std::string(part.held)
