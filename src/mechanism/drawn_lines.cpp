@@ -234,7 +234,8 @@ bool tell_loops(Element& e, std::string_view what, std::span<const DroppedLoop> 
                fmt::format("an outline that encloses {:.2f} mm²", left)};
     e.repaired(
         "outline-crosses",
-        fmt::format("{} crosses or touches itself {}; the smaller loop was left out, of {:.2f} mm²", what,
+        fmt::format("{} crosses or touches itself {}; the smaller loop, of {:.2f} mm², is no part of it now",
+                    what,
                     seen == 1 ? "at " + at_mm(largest->at)
                               : fmt::format("in {} places, the largest loop at {}", seen, at_mm(largest->at)),
                     largest->area_mm2),

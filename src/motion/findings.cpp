@@ -163,9 +163,8 @@ class Findings {
                 finding.hint("make it smaller, or move its rivet away");
             } else {
                 finding.hint(
-                    "end it at the fold, or glue it on the other side of the paper, from which that fold "
-                    "turns "
-                    "away");
+                    "end it at the fold, or glue it on the other side of the paper: the fold turns away from "
+                    "there");
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 
 #include "base/text/cap_height.h"
 #include "base/text/utf8.h"
@@ -34,16 +35,15 @@ std::optional<Letters> measure_letters(std::string_view text, double cap_mm, Tex
     const FontFile* file = open_font(font);
     if (file == nullptr) return std::nullopt;
     Letters letters;
+    std::set<char32_t> missing;
     double units = 0.0;
     while (!text.empty()) {
         const Character letter = first_character(text);
         const std::string written(text.substr(0, letter.bytes));
         text.remove_prefix(letter.bytes);
         const FT_UInt glyph = FT_Get_Char_Index(file->face, letter.code);
-        if (glyph == 0 && !is_unseen(letter.code) &&
-            std::find(letters.missing.begin(), letters.missing.end(), written) == letters.missing.end()) {
+        if (glyph == 0 && !is_unseen(letter.code) && missing.insert(letter.code).second)
             letters.missing.push_back(written);
-        }
         if (FT_Load_Glyph(file->face, glyph, FT_LOAD_NO_SCALE) != 0) continue;
         units += static_cast<double>(file->face->glyph->metrics.horiAdvance);
     }

@@ -310,7 +310,8 @@ TEST(Sheet, OfAnOutlineThatCrossesItselfTheLargerLoopIsKept) {
     EXPECT_EQ(
         made.text,
         "warning outline-crosses: \"f\": its outline crosses or touches itself at (-10.00, -20.00) mm; the "
-        "smaller loop was left out, of 200.00 mm² [an outline of 8 edges with 1 loop -> an outline that "
+        "smaller loop, of 200.00 mm², is no part of it now [an outline of 8 edges with 1 loop -> an outline "
+        "that "
         "encloses 1600.00 mm²]\n");
     expect_sound(made);
     double own = 0.0;
