@@ -78,6 +78,7 @@ struct OutputOptions {
     std::optional<bool> letter_pages = {};
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
+    int threads = 1;  // pages of models: 2 and more let a second one draw the picture meanwhile; ≥ 1
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 

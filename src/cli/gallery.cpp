@@ -256,6 +256,7 @@ GalleryRun prepare(const Options& options, GalleryPlan plan, const std::optional
     run.dry_run = options.gallery.dry_run;
     run.compile.read.language = options.inputs.language;
     run.compile.threads = 1;
+    run.compile.output.threads = 1;
     // An interrupt lets a design come to its end as it would have: what is cut short is another result.
     static const std::atomic<bool> kNever{false};
     run.compile.layout.nesting.stop = &kNever;

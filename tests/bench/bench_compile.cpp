@@ -173,12 +173,14 @@ void pictures(benchmark::State& state, const char* suffix) {
 // The page of the 26-element sample: its model, its sheets and a still.
 void page(benchmark::State& state) {
     const CompileOptions options;
+    OutputOptions output;
+    output.threads = static_cast<int>(state.range(0));
     const Compilation c = compile({creature()}, options, {});
     const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
     for (auto _ : state) {
         Diagnostics diagnostics;
         benchmark::DoNotOptimize(
-            write_with<PageWriter>(".html")({{&scene, 1}, &*c.layout, {}}, {}, diagnostics));
+            write_with<PageWriter>(".html")({{&scene, 1}, &*c.layout, {}}, output, diagnostics));
     }
 }
 
@@ -294,7 +296,11 @@ int main(int argc, char** argv) {
     for (const char* suffix : {".view.png", ".webp", ".gif"})
         benchmark::RegisterBenchmark((std::string("picture/") + suffix).c_str(), pictures, suffix)
             ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark("page/.html", page)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("page/.html", page)
+        ->Arg(1)
+        ->Arg(2)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
     auto* sheets = benchmark::RegisterBenchmark("drawn sheet", drawn_sheet)->Unit(benchmark::kMillisecond);
     for (const int size : kSheets) sheets->Arg(size);
     static Diagnostics ignored;

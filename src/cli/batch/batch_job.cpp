@@ -271,6 +271,7 @@ JobReport do_job(const BatchRun& run, std::size_t index) {
         options.compile.layout.nesting.stop = &kNever;
         // The process that shares out the jobs is the one that asks make.
         options.jobs_given = true;
+        options.compile.output.threads = 1;
         make_directories(job.outputs);
         const auto begun = std::filesystem::file_time_type::clock::now();
         const Build built = build(options);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -307,10 +308,13 @@ void add_config_options(CLI::App& verb, Options& options) {
 
 void add_thread_option(CLI::App& verb, Options& options) {
     options.compile.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    // Under make it is make that shares out threads, and pages do not ask it for so short a while.
+    options.compile.output.threads = std::getenv("MAKEFLAGS") == nullptr ? options.compile.threads : 1;
     value(verb, "-j,--jobs", "N", "how much is done at a time (default: one a processor, or as make allows)",
           "Other", [&options](std::string_view text) {
               const double count = number_option("-j", text, 1.0, 1024.0);
               options.compile.threads = static_cast<int>(count);
+              options.compile.output.threads = options.compile.threads;
               options.jobs_given = true;
               if (options.compile.threads != count) {
                   throw UsageError(fmt::format("-j takes a whole number, not \"{}\"", text));

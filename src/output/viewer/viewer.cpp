@@ -39,8 +39,8 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     const auto keys = choose_keys(cards, options, diagnostics);
     if (!keys) return std::nullopt;
     still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
-    auto still = viewer_still(cards, modeller, diagnostics);
-    if (!still) return std::nullopt;
+    const auto drawing = begin_viewer_still(cards, modeller, options.threads, diagnostics);
+    if (!drawing) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);
     if (!sheets) return std::nullopt;
     const std::string findings = viewer_findings(page.findings);
@@ -50,12 +50,18 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
     if (!scene) return std::nullopt;
     const FixedParts& fixed = fixed_parts();
     const std::string title = as_markup(viewer_title(cards));
+    ViewerStill still = drawing->get();
+    if (still.jpeg.empty()) {
+        diagnostics.error("picture-failed", {},
+                          "the page's picture could not be made: there is no memory for it");
+        return std::nullopt;
+    }
     const std::array<std::pair<std::string_view, std::string>, 11> values{{
         {"head", page_head(fixed.policy, title, fixed.style)},
         {"title", title},
         {"live", ""},
         {"still",
-         fmt::format("alt=\"{}\" src=\"data:image/jpeg;base64,{}\"", still->text, base64(still->jpeg))},
+         fmt::format("alt=\"{}\" src=\"data:image/jpeg;base64,{}\"", still.text, base64(still.jpeg))},
         {"no_script",
          "The model moves by a script, and scripts are switched off here. This is a picture of it."},
         {"sheet_count", std::to_string(sheets->packed.size())},
@@ -65,7 +71,7 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
         {"scene", json_in_page(*scene)},
         {"script", fixed.script},
     }};
-    return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still->jpeg)};
+    return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still.jpeg)};
 }
 
 std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,

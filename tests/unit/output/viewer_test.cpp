@@ -60,10 +60,10 @@ Model model_of(const Design& design) {
     return model;
 }
 
-std::string page_of(const Model& model, const std::string& prefix = {}) {
+std::string page_of(const Model& model, const std::string& prefix = {}, const OutputOptions& options = {}) {
     const SceneCard card{&model.assembly, &model.motion, prefix};
     Diagnostics diagnostics;
-    const auto page = write_viewer({{&card, 1}, nullptr, {}}, {}, diagnostics);
+    const auto page = write_viewer({{&card, 1}, nullptr, {}}, options, diagnostics);
     EXPECT_TRUE(page) << test::findings(diagnostics);
     return page.value_or("");
 }
@@ -111,6 +111,14 @@ double area_of(const nlohmann::json& scene, const nlohmann::json& mesh) {
         sum += 0.5 * cross(point(i + 1) - point(i), point(i + 2) - point(i));
     }
     return sum;
+}
+
+TEST(Viewer, HasTheSameBytesWithAnyNumberOfThreads) {
+    const Model model = model_of(small_design());
+    const std::string alone = page_of(model);
+    OutputOptions options;
+    options.threads = 2;
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(page_of(model, {}, options), alone);
 }
 
 TEST(Viewer, IsOneFileWhosePolicyAllowsItsOwnScriptAndStyleOnly) {
