@@ -35,7 +35,7 @@ constexpr double kLeastSlice = 2e4;
 constexpr double kClockSlice = 1e6;
 // Lines looked at for a piece of the first layout, and how the orders of the lanes differ.
 constexpr int kLines = 24;
-constexpr int kFewLines = 6;  // when there are many pieces
+constexpr int kFewLines = 16;  // when there are many pieces
 constexpr double kShake = 0.4;
 
 class Nester {
