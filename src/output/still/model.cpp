@@ -58,8 +58,11 @@ Texture::Level halved(const Texture::Level& from) {
     return to;
 }
 
-// Where plates that are glued flat lie beside their base: they, and what hangs on them.
-std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> frames, double layer_mm) {
+// Where plates lie beside what they are glued flat on or, on an open card, beside their page: they, and what
+// hangs on them.
+std::vector<Vec3> lifts_of(const Assembly& assembly, const std::vector<OpenLayer>& open,
+                           std::span<const Frame> frames, double layer_mm) {
+    const double share = open.empty() ? 0.0 : share_of_open(assembly, frames);
     std::vector<Vec3> lifts(assembly.plates.size());
     std::vector<char> done(assembly.plates.size(), 0);
     for (std::size_t i = 0; i < lifts.size(); ++i) {
@@ -75,6 +78,9 @@ std::vector<Vec3> glued_lifts(const Assembly& assembly, std::span<const Frame> f
             if (one.parent < 0) continue;
             const double side = one.lying == Lying::on_front ? 1.0 : one.lying == Lying::on_back ? -1.0 : 0.0;
             lifts[*plate] = lifts[index(one.parent)] + side * layer_mm * frames[index(one.parent)].normal();
+            if (share <= 0.0 || open[*plate].page < 0) continue;
+            const double thick = layer_mm / kLayerMm;
+            lifts[*plate] = share * thick * open[*plate].mm * frames[index(open[*plate].page)].normal();
         }
     }
     return lifts;
@@ -118,6 +124,7 @@ Modeller::Modeller(std::span<const SceneCard> cards, bool printed_backs, double 
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
         Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, {}};
+        if (moves(assembly)) card.open = open_layers(assembly);
         for (const Plate& plate : assembly.plates) {
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
@@ -219,7 +226,8 @@ void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& 
     const Assembly& assembly = *card.scene->assembly;
     const double layer_mm = std::max(kLayerMm, paper_mm_ + kBetweenMm);
     const bool moving = moves(assembly);
-    const std::vector<Vec3> lifts = moving ? glued_lifts(assembly, staging.frames, layer_mm) : card.lifts;
+    const std::vector<Vec3> lifts =
+        moving ? lifts_of(assembly, card.open, staging.frames, layer_mm) : card.lifts;
     for (std::size_t i = 0; i < card.plates.size(); ++i) {
         const Plate& plate = assembly.plates[i];
         const Plane& plane = card.plates[i];

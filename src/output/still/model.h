@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "output/mesh.h"
+#include "output/open_layers.h"
 #include "output/still/camera.h"
 #include "popup/image.h"
 #include "popup/output.h"
@@ -90,6 +91,7 @@ class Modeller {
         std::vector<Plane> plates;
         std::vector<Frame> frames;
         std::vector<Vec3> lifts;  // of what stands still
+        std::vector<OpenLayer> open;
         Orientation orientation = Orientation::flat;
     };
     void decode_pictures();

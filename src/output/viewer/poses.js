@@ -91,10 +91,12 @@ const kClosedLayerMm = 0.2;  // between plates of the closed card, at most
 const kLayerMm = 0.1;  // between a plate and what is glued on it, where paper has no thickness
 const kOneAboveMm = 0.04;  // between plates that are glued on one plate, perhaps over one another
 
+const kOpenedDeg = 2;
+
 // How far a body is drawn beside its place, so that what lies on one another is told apart: on a card that is as good as
-// closed its layers, and plates that are glued on the same one.
+// closed its layers, what lies on the pages of an open one, and plates that are glued on the same one.
 function apart(scene, body, degrees, paper) {
-  const shift = [0, 0, 0];
+  const shift = body.above !== 0 ? apart(scene, scene.bodies[body.parent], degrees, paper) : [0, 0, 0];
   const move = (number, by) => {
     const axes = scene.bodies[number].node.axes;
     for (let i = 0; i < 3; ++i) shift[i] += by * axes[6 + i];
@@ -102,6 +104,10 @@ function apart(scene, body, degrees, paper) {
   if (body.above !== 0) {
     const by = Math.max(kLayerMm, paper) + kOneAboveMm * (Math.abs(body.above) - 1);
     move(body.parent, Math.sign(body.above) * by);
+  }
+  if (body.lies >= 0) {
+    const share = 1 - (scene.opening.to_deg - degrees) / kOpenedDeg;
+    move(body.lies, Math.max(1, paper / kLayerMm) * body.open * Math.max(0, share));
   }
   if (body.cover >= 0 && body.layer !== undefined && degrees < kClosedDeg) {
     const thick = Math.max(1, paper / kClosedLayerMm);

@@ -86,6 +86,8 @@ function readBody(row, flat, lists) {
     turns: row.turns !== undefined ? summed(numbers(list(row.turns), 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
     layer: row.layer,
     above: row.above || 0,
+    lies: -1,  // on this body's front when the card is open, `open` mm above it
+    open: row.open || 0,
     meshes,
     edges: { cut: spread(row.cuts), fold: spread(row.folds), line: spread(row.lines) },
     collides: false,
@@ -113,6 +115,7 @@ function readScene(data) {
     for (const row of card.plates || []) {
       const body = readBody(row, true, data.lists);
       if (row.parent !== undefined) body.parent = first + row.parent;
+      if (row.page !== undefined) body.lies = first + row.page;
       body.cover = card.cover === undefined ? -1 : first + card.cover;
       scene.bodies.push(body);
     }

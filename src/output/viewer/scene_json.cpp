@@ -18,6 +18,7 @@
 #include "output/examination_json.h"
 #include "output/gltf_values.h"
 #include "output/mesh.h"
+#include "output/open_layers.h"
 #include "output/plate_edges.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
@@ -206,6 +207,7 @@ class SceneText {
             number[static_cast<std::size_t>(tree.order[i])] = static_cast<int>(i);
         }
         const std::vector<double> layers = layers_of(card);
+        const std::vector<OpenLayer> open = open_layers(assembly);
         Json plates = Json::array();
         std::map<std::pair<int, Lying>, int> lying;  // how many lie on this side of a plate so far
         for (const int which : tree.order) {
@@ -218,6 +220,10 @@ class SceneText {
             if (!(plate.pivot == Vec2{})) one["pivot"] = lengths({plate.pivot.x, plate.pivot.y});
             put_turns(track, count, i, one);
             if (!layers.empty()) one["layer"] = layers[i];
+            if (!open.empty() && open[i].page >= 0) {
+                one["page"] = number[static_cast<std::size_t>(open[i].page)];
+                one["open"] = rounded(open[i].mm, 3);
+            }
             if (plate.lying != Lying::free) {
                 const int above = ++lying[{plate.parent, plate.lying}];
                 one["above"] = plate.lying == Lying::on_front ? above : -above;

@@ -25,6 +25,7 @@ class Modeller;
 //    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
+//      page, open: how many mm above that page it is drawn when the card is open;
 //      above: of what is glued on its parent, 1, 2, … of those on the parent's front, −1, −2, … on its back;
 //      meshes: [{color or picture, back: colour of paper that has another behind, lift of what is drawn,
 //      points: x y from the pivot, triangles,
