@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text/font_file.h"
+#include "base/text/visual_order.h"
 
 namespace popup {
 namespace {
@@ -137,10 +138,11 @@ class Painter {
         cairo_rotate(cairo_, -text.angle);
         if (text.font != TextFont::sans) cairo_set_font_face(cairo_, face_of(text.font));
         cairo_set_font_size(cairo_, text.cap_mm / kCapHeight);
+        const std::string set = in_visual_order(text.text);
         cairo_text_extents_t extents{};
-        cairo_text_extents(cairo_, text.text.c_str(), &extents);
+        cairo_text_extents(cairo_, set.c_str(), &extents);
         cairo_move_to(cairo_, -0.5 * extents.x_advance, 0.5 * text.cap_mm);
-        cairo_show_text(cairo_, text.text.c_str());
+        cairo_show_text(cairo_, set.c_str());
         cairo_restore(cairo_);
         cairo_new_path(cairo_);
     }

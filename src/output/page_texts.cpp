@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/text/visual_order.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -17,7 +18,7 @@ void grey(cairo_t* context, double white) { cairo_set_source_rgb(context, white,
 double text_length(cairo_t* context, std::string_view text, double cap_mm) {
     set_size(context, cap_mm);
     cairo_text_extents_t extents{};
-    cairo_text_extents(context, std::string(text).c_str(), &extents);
+    cairo_text_extents(context, in_visual_order(text).c_str(), &extents);
     return extents.x_advance;
 }
 
@@ -41,7 +42,7 @@ void write_turned(cairo_t* context, std::string_view text, Vec2 at, double cap_m
 void write_from(cairo_t* context, std::string_view text, Vec2 at, double cap_mm) {
     set_size(context, cap_mm);
     cairo_move_to(context, at.x, at.y);
-    cairo_show_text(context, std::string(text).c_str());
+    cairo_show_text(context, in_visual_order(text).c_str());
     cairo_new_path(context);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text/utf8.h"
+#include "base/text/visual_order.h"
 #include "fabrication/stroke_font.h"
 #include "output/text_outlines.h"
 
@@ -29,6 +30,8 @@ double add_outlines(std::string_view character, double right, std::vector<Stroke
 }  // namespace
 
 std::vector<StrokedLine> stroked_text(std::string_view text, Vec2 at, double cap_mm, double angle) {
+    const std::string set = in_visual_order(text);
+    text = set;
     std::vector<StrokedLine> lines;
     double right = 0.0;
     while (!text.empty()) {

@@ -7,6 +7,7 @@
 #include FT_OUTLINE_H
 
 #include "base/text/utf8.h"
+#include "base/text/visual_order.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -78,6 +79,8 @@ bool can_outline_text(TextFont font) { return open_font(font) != nullptr; }
 std::vector<Ring> text_outlines(std::string_view text, Vec2 at, double cap_mm, double angle, TextFont font) {
     const FontFile* file = open_font(font);
     if (file == nullptr) return {};
+    const std::string set = in_visual_order(text);
+    text = set;
     Tracing tracing;
     FT_Outline_Funcs tracers{move_to, line_to, conic_to, cubic_to, 0, 0};
     while (!text.empty()) {

@@ -7,6 +7,7 @@
 
 #include "base/text/cap_height.h"
 #include "base/text/utf8.h"
+#include "base/text/visual_order.h"
 
 namespace popup {
 namespace {
@@ -34,6 +35,8 @@ const FontFile* open_font(TextFont font) {
 std::optional<Letters> measure_letters(std::string_view text, double cap_mm, TextFont font) {
     const FontFile* file = open_font(font);
     if (file == nullptr) return std::nullopt;
+    const std::string set = in_visual_order(text);
+    text = set;
     Letters letters;
     std::set<char32_t> missing;
     double units = 0.0;

@@ -279,6 +279,7 @@ TEST(IncludeOrder, LibrariesStayInTheirRooms) {
                                                        {"png.h", "pictures/upright.cpp"},
                                                        {"turbojpeg.h", "pictures/upright.cpp"},
                                                        {"libexif/", "pictures/upright.cpp"},
+                                                       {"fribidi.h", "base/text/visual_order.cpp"},
                                                        {"csv.h", "batch/manifest.cpp"},
                                                        {"boost/asio", "live/server.cpp"},
                                                        {"boost/beast", "live/server.cpp"},
