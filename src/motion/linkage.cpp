@@ -50,6 +50,7 @@ Linkage::Linkage(const Assembly& assembly) : assembly_(assembly) {
     needs_begin_.push_back(needs_.size());
     std::sort(range_ends_.begin(), range_ends_.end());
     range_ends_.erase(std::unique(range_ends_.begin(), range_ends_.end()), range_ends_.end());
+    if (is_lawful_) join_around();
 }
 
 // The turns of a joint, and how its plates are reached by them.
@@ -108,8 +109,56 @@ void Linkage::rise(std::size_t side, int plate, int turn, int from) {
     visits_.at(side).push_back({plate, turn, from});
 }
 
-void Linkage::way(int a, int b, std::vector<int>& turns) {
+// By plate, and the world: the turns that lead away from it, also those up from others.
+void Linkage::join_around() {
+    around_.resize(joint_of_.size() + 1);
+    for (std::size_t i = 0; i < joint_of_.size(); ++i) {
+        const auto plate = static_cast<int>(i);
+        around_[node(plate)].insert(around_[node(plate)].end(), closing_turns_[i].begin(),
+                                    closing_turns_[i].end());
+        for (const int turn : {across_turn_[i], drive_turn_[i]}) {
+            if (turn < 0) continue;
+            const Turn& t = turns_[static_cast<std::size_t>(turn)];
+            around_[node(plate)].push_back(turn);
+            around_[node(t.plate == plate ? t.other : t.plate)].push_back(turn);
+        }
+    }
+}
+
+std::size_t Linkage::way(int a, int b, std::vector<int>& turns) {
     turns.clear();
+    return is_lawful_ ? way_around(a, b, turns) : way_up(a, b, turns);
+}
+
+// Level by level around a, as far as that was not done yet.
+std::size_t Linkage::way_around(int a, int b, std::vector<int>& turns) {
+    std::vector<Visit>& visits = visits_[0];
+    std::vector<int>& seen = seen_[0];
+    if (a != around_from_) {
+        for (const Visit& visit : visits) seen[node(visit.plate)] = -1;
+        visits.clear();
+        around_from_ = a;
+        around_done_ = 0;
+        rise(0, a, -1, -1);
+    }
+    const std::size_t before = visits.size();
+    for (; seen[node(b)] < 0 && around_done_ < visits.size(); ++around_done_) {
+        const Visit at = visits[around_done_];
+        for (const int turn : around_[node(at.plate)]) {
+            const Turn& t = turns_[static_cast<std::size_t>(turn)];
+            rise(0, t.plate == at.plate ? t.other : t.plate, turn, static_cast<int>(around_done_));
+        }
+    }
+    for (int at = seen[node(b)]; at > 0;) {
+        const Visit& visit = visits[static_cast<std::size_t>(at)];
+        turns.push_back(visit.turn);
+        at = visit.from;
+    }
+    std::reverse(turns.begin(), turns.end());
+    return visits.size() - before;
+}
+
+std::size_t Linkage::way_up(int a, int b, std::vector<int>& turns) {
     rise(0, a, -1, -1);
     rise(1, b, -1, -1);
     std::array<std::size_t, 2> done{0, 0};
@@ -145,10 +194,12 @@ void Linkage::way(int a, int b, std::vector<int>& turns) {
     walk(0);
     std::reverse(turns.begin(), turns.end());
     walk(1);
+    const std::size_t looked = visits_[0].size() + visits_[1].size();
     for (std::size_t side = 0; side < 2; ++side) {
         for (const Visit& visit : visits_.at(side)) seen_.at(side)[node(visit.plate)] = -1;
         visits_.at(side).clear();
     }
+    return looked;
 }
 
 void Linkage::joints_under(std::span<const int> plates, std::vector<std::size_t>& joints) {

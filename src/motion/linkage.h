@@ -81,9 +81,11 @@ class Linkage {
     // are alike: tents, for instance, that stand beside one another on one fold with the same distances.
     [[nodiscard]] int twin(int plate) const { return twin_[static_cast<std::size_t>(plate)]; }
 
-    // A shortest way from plate a to plate b, as turns from a's end on. Uses memory of the object: one caller
-    // at a time.
-    void way(int a, int b, std::vector<int>& turns);
+    // A short way from plate a to plate b, as turns from a's end on: a shortest one where all turns have
+    // laws. Uses memory of the object: one caller at a time. Returns how many plates were looked at; with
+    // laws those are remembered for the next ways from a, so that all ways from one plate take no more than
+    // all plates.
+    std::size_t way(int a, int b, std::vector<int>& turns);
     // The joints that must be placed, in order, to know where the plates and what they turn against are. One
     // caller at a time.
     void joints_under(std::span<const int> plates, std::vector<std::size_t>& joints);
@@ -98,6 +100,9 @@ class Linkage {
         int plate, turn, from;
     };
     void rise(std::size_t side, int plate, int turn, int from);
+    void join_around();
+    std::size_t way_up(int a, int b, std::vector<int>& turns);
+    std::size_t way_around(int a, int b, std::vector<int>& turns);
 
     void add(std::size_t joint, std::map<std::pair<int, int>, int>& between);
 
@@ -112,6 +117,9 @@ class Linkage {
     // Plates that joint j needs stand from needs_begin_[j] to needs_begin_[j + 1].
     std::vector<int> needs_;
     std::vector<std::size_t> needs_begin_;
+    std::vector<std::vector<int>> around_;  // of all that have laws: turns, by plate + 1
+    int around_from_ = -2;                  // visits_[0] are of ways from this plate; -2: of none
+    std::size_t around_done_ = 0;           // those of them whose turns have been followed
     std::array<std::vector<Visit>, 2> visits_;
     std::array<std::vector<int>, 2> seen_;  // by plate + 1: the visit, -1 for none
     std::vector<char> wanted_;              // by joint
@@ -144,17 +152,23 @@ double travel(std::span<const Turn> turns, int index, double opening_deg, const 
     return sum;
 }
 
-// The same from the middle of a range to either of its ends. `before`, `after`: the bends at the ends of its
-// lower and of its upper half. A turn with a law may turn back.
+// Of a turn with a law, from the middle of a range to either of its ends, each half_deg away. `rate`: in the
+// range.
+inline double travel_by_law(const TurnRate& rate, double half_deg, const Bends& before, const Bends& after) {
+    const double most = Angle::degrees(half_deg).rad() * rate.most;
+    if (!rate.one_way || most > 0.5 * std::numbers::pi) return most;
+    return std::max(before.nearer_change(), after.nearer_change());
+}
+
+// The same of any turn, from the middle of a range to either of its ends. `before`, `after`: the bends at the
+// ends of its lower and of its upper half. A turn with a law may turn back.
 template <typename BendsBefore, typename BendsAfter>
 double travel_from_middle(const Linkage& linkage, int index, double from_deg, double to_deg,
                           const BendsBefore& before, const BendsAfter& after) {
     const double half_deg = 0.5 * (to_deg - from_deg);
     if (linkage.turns()[static_cast<std::size_t>(index)].law >= 0) {
         const TurnRate rate = *linkage.rate(index, from_deg, to_deg);
-        const double most = Angle::degrees(half_deg).rad() * rate.most;
-        if (!rate.one_way || most > 0.5 * std::numbers::pi) return most;
-        return std::max(before(index).nearer_change(), after(index).nearer_change());
+        return travel_by_law(rate, half_deg, before(index), after(index));
     }
     return std::max(travel(linkage.turns(), index, half_deg, before),
                     travel(linkage.turns(), index, half_deg, after));

@@ -17,6 +17,7 @@ constexpr double kInBothMm = 1.1 * kTouchMm;  // inside: in both cores, whatever
 constexpr double kSurely = 0.999;             // of what is enough
 constexpr int kMostPoses = 20000;             // of one pair in one cell
 constexpr std::size_t kCrossingWork = 100;    // of one look, in turns of a way
+constexpr std::size_t kVisitsPerTurn = 64;    // plates looked at for a way take as long as one of its turns
 constexpr std::size_t kLongWay = 3;           // turns, from which their directions are looked at
 
 double degrees_between(double from, double to) { return 0.5 * (from + to); }
@@ -28,13 +29,20 @@ PairSearch::PairSearch(const Assembly& assembly, Linkage& linkage, std::span<con
       linkage_(linkage),
       shapes_(shapes),
       slot_(linkage.turns().size(), -1),
-      poses_at_(assembly, linkage) {}
+      poses_at_(assembly, linkage),
+      cell_rates_(linkage.turns().size()),
+      cell_of_(linkage.turns().size(), 0) {}
 
 void PairSearch::begin(const Cell& cell, int a, int b) {
     a_ = a;
     b_ = b;
     joints_known_ = false;
-    linkage_.way(linkage_.twin(a), linkage_.twin(b), way_);
+    work_ += linkage_.way(linkage_.twin(a), linkage_.twin(b), way_) / kVisitsPerTurn;
+    if (cell_number_ == 0 || cell.from != cell_from_ || cell.to != cell_to_) {
+        ++cell_number_;
+        cell_from_ = cell.from;
+        cell_to_ = cell.to;
+    }
     for (const int turn : needed_) slot_[static_cast<std::size_t>(turn)] = -1;
     needed_.clear();
     const auto need = [this](int turn) {
@@ -50,8 +58,33 @@ void PairSearch::begin(const Cell& cell, int a, int b) {
     ranges_.push_back({cell.from, cell.to, 0, 1});
     poses_at_.begin(cell.from, cell.to);
     have_laws_ = way_.size() >= kLongWay && std::all_of(way_.begin(), way_.end(), [&](int turn) {
-                     return linkage_.rate(turn, cell.from, cell.to).has_value();
+                     const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
+                     return t.law >= 0 || t.still;
                  });
+}
+
+// Of a turn that has one.
+const TurnRate& PairSearch::rate_in_cell(int turn) {
+    const auto number = static_cast<std::size_t>(turn);
+    if (cell_of_[number] != cell_number_) {
+        cell_of_[number] = cell_number_;
+        cell_rates_[number] = *linkage_.rate(turn, cell_from_, cell_to_);
+    }
+    return cell_rates_[number];
+}
+
+void PairSearch::find_rates(const Range& range) {
+    rates_.clear();
+    if (!have_laws_) return;
+    const bool whole = range.from == cell_from_ && range.to == cell_to_;
+    int at = linkage_.twin(a_);
+    for (const int turn : way_) {
+        const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
+        const bool onwards = at != t.plate;
+        at = onwards ? t.plate : t.other;
+        rates_.push_back(
+            {onwards ? 1.0 : -1.0, whole ? rate_in_cell(turn) : *linkage_.rate(turn, range.from, range.to)});
+    }
 }
 
 bool PairSearch::place_pair(std::size_t number, double deg) {
@@ -104,6 +137,7 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
     const double* first = pool_.data() + range.bends;
     const double* last = first + needed_.size();
     from_a_.clear();
+    find_rates(range);
     for (const int turn : way_) {
         const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
         const auto slot = [this](int number) {
@@ -111,9 +145,13 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
         };
         const auto before = [&](int n) { return Bends{first[slot(n)], middle[slot(n)]}; };
         const auto after = [&](int n) { return Bends{middle[slot(n)], last[slot(n)]}; };
+        const double turned = have_laws_ && t.law >= 0
+                                  ? travel_by_law(rates_[from_a_.size()].rate, 0.5 * (range.to - range.from),
+                                                  before(turn), after(turn))
+                                  : travel_from_middle(linkage_, turn, range.from, range.to, before, after);
         const Frame& frame = pose_frames_[static_cast<std::size_t>(t.plate)];
-        from_a_.push_back({in_frame(a, frame.point(t.at)), direction_in_frame(a, frame.direction(t.dir)),
-                           travel_from_middle(linkage_, turn, range.from, range.to, before, after)});
+        from_a_.push_back(
+            {in_frame(a, frame.point(t.at)), direction_in_frame(a, frame.direction(t.dir)), turned});
     }
     from_b_.assign(from_a_.rbegin(), from_a_.rend());
     pose_.from_a = {from_a_, std::nullopt};
@@ -122,14 +160,6 @@ void PairSearch::set_pose(const Range& range, std::span<const double> middle) {
 }
 
 void PairSearch::drift(const Range& range) {
-    rates_.clear();
-    int at = linkage_.twin(a_);
-    for (const int turn : way_) {
-        const Turn& t = linkage_.turns()[static_cast<std::size_t>(turn)];
-        const bool onwards = at != t.plate;
-        at = onwards ? t.plate : t.other;
-        rates_.push_back({onwards ? 1.0 : -1.0, *linkage_.rate(turn, range.from, range.to)});
-    }
     const double half = Angle::degrees(0.5 * (range.to - range.from)).rad();
     Drift& of_b = pose_.from_b.drift.emplace(half);
     for (std::size_t i = 0; i < way_.size(); ++i)

@@ -77,6 +77,8 @@ class PairSearch {
         std::size_t number;  // of Poses
     };
     void begin(const Cell& cell, int a, int b);
+    const TurnRate& rate_in_cell(int turn);
+    void find_rates(const Range& range);
     void drift(const Range& range);
     void set_pose(const Range& range, std::span<const double> middle);
     bool next(Range& range, const Cell& cell);
@@ -112,7 +114,13 @@ class PairSearch {
         double sign;  // 1: the way goes from its other plate to its own
         TurnRate rate;
     };
-    std::vector<TurnNow> rates_;  // by turn of the way
+    std::vector<TurnNow> rates_;  // by turn of the way, where all have laws
+    // Rates of turns over the whole cell, which most pairs are only looked at in: by turn, of the cell of
+    // this number.
+    double cell_from_ = 0.0, cell_to_ = 0.0;
+    int cell_number_ = 0;
+    std::vector<TurnRate> cell_rates_;
+    std::vector<int> cell_of_;
     std::span<const Frame> pose_frames_;
     PairPose pose_;
 };
