@@ -23,6 +23,11 @@ constexpr int kMostSteps = 60;
 // As many for all, whether some have come to closure before or not: in directions in which the loops hardly
 // say anything, each step goes a part of the way, and as many steps go the same part.
 constexpr int kSmoothSteps = 6;
+// Slopes are kept for so many steps more after one that began with all as near as this, or after one before
+// which this was open. The number is the same for all: a step with slopes of elsewhere goes elsewhere, by
+// what is open times how far away they are from.
+constexpr int kKeptSteps = 3;
+constexpr double kNearlyOpen = 0.1;
 constexpr double kRounded = 1e-10;  // of a residual, after which one step more is the last
 constexpr double kNotNearer = 0.5;  // of a residual
 constexpr double kSettled = 1e-11;  // below it steps need not get nearer
@@ -103,7 +108,9 @@ void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
                 const Vec3 moment = cross(motion.point(term.at), dir);
                 slopes_[i] = {dir.x, dir.y, dir.z, moment.x, moment.y, moment.z};
             }
-            motion = motion.after_turn(term.at, term.dir, term.sign * angles[closing_.angle_of(i)]);
+            const double angle = term.sign * angles[closing_.angle_of(i)];
+            motion = row.count == 3 ? motion.after_turn_at_origin(term.dir, angle)
+                                    : motion.after_turn(term.at, term.dir, angle);
         }
         const Vec3 turn = turn_of(motion);
         residual_.segment<3>(row.first) << turn.x, turn.y, turn.z;
@@ -138,13 +145,15 @@ bool Closure::step(const Eigen::VectorXd& change, Eigen::VectorXd& by) {
     return solutions > 0;
 }
 
-int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {
+int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough, bool near) {
     Eigen::VectorXd by;
     std::vector<double> open(all.size(), HUGE_VAL);
+    bool keeps = near;  // slopes
     for (int round = 0;; ++round) {
+        const bool last = round == kSmoothSteps;
         double worst = 0.0;
+        bool all_there = true;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const bool last = round == kSmoothSteps;
             evaluate(all[i], !last);
             const double before = residual_.lpNorm<Eigen::Infinity>();
             if (last ? !(before <= enough) : !(before <= kNotNearer * open[i])) return static_cast<int>(i);
@@ -154,10 +163,24 @@ int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough) {
             if (!factorise() || !step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
                 return static_cast<int>(i);
             all[i] += by;
+            if (keeps ? !keep_slopes(all[i]) : before > kRounded) all_there = false;
         }
-        // What was this near before the step is at rounding after it.
-        if (round == kSmoothSteps || worst <= kRounded) return -1;
+        if (last || all_there) return -1;
+        keeps = worst <= kNearlyOpen;
     }
+}
+
+// A few steps more with the slopes of the last one. Returns whether only rounding is left.
+bool Closure::keep_slopes(Eigen::VectorXd& angles) {
+    Eigen::VectorXd by;
+    for (int i = 0; i < kKeptSteps; ++i) {
+        evaluate(angles, false);
+        const double left = residual_.lpNorm<Eigen::Infinity>();
+        if (!step(-residual_, by)) return false;
+        angles += by;
+        if (left <= kRounded) return true;
+    }
+    return false;
 }
 
 Eigen::VectorXd Closure::along_loops(const Eigen::VectorXd& angles, const Eigen::VectorXd& direction) {

@@ -34,9 +34,9 @@ class Closure {
     using GivesUp = std::function<bool(const Eigen::VectorXd&, double)>;
     double approach(Eigen::VectorXd& angles, double enough = kRounding, const GivesUp& gives_up = {});
     // The same for angles at several shares, all by the same number of whole steps, so that where they end
-    // depends smoothly on where they begin. Returns the number of those that stay open by more than `enough`
-    // or that a step does not help, -1 for none.
-    int approach_smoothly(std::span<Eigen::VectorXd> all, double enough);
+    // depends smoothly on where they begin. `near`: they begin near to closure. Returns the number of those
+    // that stay open by more than `enough` or that a step does not help, -1 for none.
+    int approach_smoothly(std::span<Eigen::VectorXd> all, double enough, bool near);
     // Brings angles at which the loops are closed as near to others as closure allows, or nearly so: until a
     // step does not gain a hundredth. Bends count as above.
     void draw_near(Eigen::VectorXd& angles, const Eigen::VectorXd& to);
@@ -61,6 +61,7 @@ class Closure {
     // The smallest step that adds this to the residuals, to the first order.
     bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by);
     bool factorise();
+    bool keep_slopes(Eigen::VectorXd& angles);
 
     Work* work_;
     bool affordable_ = false;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/nth.h"
@@ -40,6 +41,7 @@ constexpr double kTimesStep = 1.0 / 64.0;
 constexpr double kFarTooOpen = 30.0;
 constexpr int kMostShorter = 3;  // times that a range is tried with less width before another way is
 constexpr int kPaperHalvings = 24;
+constexpr double kNearlyHalfTurn = 0.999 * std::numbers::pi;
 constexpr double kOfPaper = 0.999;  // of the way to where a fold is turned by half a turn
 constexpr int kMostStages = 12;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
@@ -62,8 +64,11 @@ struct Range {
     [[nodiscard]] double share(std::size_t i) const {
         return i == kSteps ? to : from + (to - from) * chebyshev_share(i);
     }
-    // By the barycentric formula, from every `stride`th point; not at one of these.
+    // By the barycentric formula, from every `stride`th point.
     [[nodiscard]] Angles between(double share_here, std::size_t stride = 1) const {
+        for (std::size_t i = 0; i <= kSteps; i += stride) {
+            if (share_here == share(i)) return points[i];
+        }
         Angles above = Angles::Zero(points.front().size());
         double below = 0.0;
         for (std::size_t i = 0; i <= kSteps; i += stride) {
@@ -83,6 +88,9 @@ struct Tried {
     bool too_wide = false;
     double times = kOpenTimes;  // its width: what is tried next
     int loop = -1;              // of one that was not: which loop is open there, or would be
+    // Of one that is too wide, at which points its loops are closed: every `stride`th. 0: at none.
+    std::size_t stride = 0;
+    Range range;
 };
 
 class Walk {
@@ -190,6 +198,7 @@ class Walk {
         double width = kFirstWidth;
         bool straight = true;  // led on last
         int failed = 0;
+        Tried before;  // what was too wide from here
         while (share < end) {
             const bool takes_rest = share + (failed == 0 ? kLastWidths : 1.0) * width >= end;
             const double to = takes_rest ? end : share + width;
@@ -206,24 +215,41 @@ class Walk {
                 });
             };
             bool way = straight || to == end;
-            Tried tried = go(way);
+            Tried tried = before.stride > 0 ? try_less(before, to) : go(way);
+            if (!tried.added && failed == 0 && is_turned_out(share, end, from)) break;
             const bool ends_here = tried.times * (to - share) < kLeastWidth;
             if (!tried.added && (!tried.too_wide || ends_here || failed >= kMostShorter)) {
-                way = !way;
-                if (const Tried other = go(way); other.added || other.times > tried.times) tried = other;
+                Tried other = go(!way);
+                if (other.added || other.times > tried.times) {
+                    tried = std::move(other);
+                    way = !way;
+                }
             }
             width = tried.times * (to - share);
             if (tried.added) {
                 straight = way;
                 share = to;
                 failed = 0;
+                before = {};
             } else {
                 cluster_.worst_loop = tried.loop;
                 ++failed;
                 if (width < kLeastWidth) break;
+                if (tried.too_wide) straight = way;
+                before = std::move(tried);
             }
         }
         return share;
+    }
+
+    // Whether the way on turns a fold out of paper at once, for the loops to stay closed.
+    bool is_turned_out(double share, double end, const Angles& from) {
+        if (from.lpNorm<Eigen::Infinity>() < kNearlyHalfTurn) return false;
+        const Angles by = (kLeastWidth / (end - share)) * closure_.along_loops(from, goal_ - from);
+        const Angles beyond = from + by;
+        if (is_paper(beyond)) return false;
+        cluster_.worst_loop = does_not_close(on_paper(beyond)).loop;
+        return true;
     }
 
     [[nodiscard]] bool goes_other_way(const Angles& from, double share, const Angles& angles) const {
@@ -290,14 +316,29 @@ class Walk {
                 const double open = closure_.residual(moving.front(), &loop);
                 const double ratio = std::min(1.0, open / std::max(open_before, kLeastOpen));
                 if (stride == 1 && open * ratio * ratio > kFarTooOpen * most_)
-                    return too_wide(open * ratio * ratio, loop);
+                    return too_wide(open * ratio * ratio, loop, std::move(range), 2);
                 open_before = open;
             }
-            if (const int open = closure_.approach_smoothly(moving, kClosed); open >= 0)
+            if (const int open = closure_.approach_smoothly(moving, kClosed, !is_first); open >= 0)
                 return does_not_close(nth(moving, open));
             for (std::size_t i = 0; i < numbers.size(); ++i) range.points[numbers[i]] = std::move(moving[i]);
-            if (const std::optional<Tried> beyond = leaves_paper(range, stride)) return *beyond;
+            if (std::optional<Tried> beyond = leaves_paper(range, stride)) return *std::move(beyond);
         }
+        return check_between(std::move(range));
+    }
+
+    // A first part of what was too wide, whose points say nearly where those of the part are.
+    Tried try_less(const Tried& wide, double to) {
+        Range range;
+        range.from = wide.range.from;
+        range.to = to;
+        range.points.assign(1, wide.range.points.front());
+        for (std::size_t i = 1; i <= kSteps; ++i)
+            range.points.push_back(wide.range.between(range.share(i), wide.stride));
+        if (const int open = closure_.approach_smoothly(std::span(range.points).subspan(1), kClosed, true);
+            open >= 0)
+            return does_not_close(nth(range.points, open + 1));
+        if (std::optional<Tried> beyond = leaves_paper(range, 1)) return *std::move(beyond);
         return check_between(std::move(range));
     }
 
@@ -310,15 +351,15 @@ class Walk {
             const Angles there = range.between(middle);
             int loop = -1;
             const double here = closure_.residual(there, &loop);
-            if (!(here <= kFarTooOpen * most_)) return too_wide(here, loop);
+            if (!(here <= kFarTooOpen * most_)) return too_wide(here, loop, std::move(range), 1);
             if (!is_paper(there)) return ends_between(range, 1, range.share(i), middle, there);
             if (here <= open) continue;
             open = here;
             most_open = loop;
         }
-        if (open > most_) return too_wide(open, most_open);
+        if (open > most_) return too_wide(open, most_open, std::move(range), 1);
         ranges_.push_back(std::move(range));
-        return {true, false, allowed_times(open, kWidest)};
+        return {true, false, allowed_times(open, kWidest), -1, 0, {}};
     }
 
     // The width that the error allows, in whole steps; the error grows with a power of it. That is multiplied
@@ -333,8 +374,8 @@ class Walk {
         while (steps * kTimesStep > kNarrowest && !is_allowed(steps * kTimesStep)) steps -= 1.0;
         return std::clamp(steps * kTimesStep, kNarrowest, most);
     }
-    [[nodiscard]] Tried too_wide(double open, int loop) const {
-        return {false, true, allowed_times(open, kLessWide), loop};
+    [[nodiscard]] Tried too_wide(double open, int loop, Range range, std::size_t stride) const {
+        return {false, true, allowed_times(open, kLessWide), loop, stride, std::move(range)};
     }
 
     // If a fold is turned by more than half a turn at a point: up to where none is.
@@ -353,12 +394,15 @@ class Walk {
             const double middle = 0.5 * (low + high);
             (is_paper(range.between(middle, stride)) ? low : high) = middle;
         }
-        Tried tried = does_not_close(beyond.cwiseMax(-std::numbers::pi).cwiseMin(std::numbers::pi));
+        Tried tried = does_not_close(on_paper(beyond));
         tried.too_wide = true;
         tried.times = kOfPaper * (low - range.from) / (range.to - range.from);
         return tried;
     }
 
+    static Angles on_paper(const Angles& angles) {
+        return angles.cwiseMax(-std::numbers::pi).cwiseMin(std::numbers::pi);
+    }
     static bool is_paper(const Angles& angles) { return angles.lpNorm<Eigen::Infinity>() <= kHalfTurn; }
 
     Tried does_not_close(const Angles& angles) {
