@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -54,6 +55,8 @@ constexpr double kNotNearer = 0.5;
 constexpr double kStays = 1e-3;
 // One that goes more than this share of it the other way was not meant to.
 constexpr double kOtherWay = 0.02;
+// States whose angles differ by less are the same to the eye, radians.
+constexpr double kBeside = 0.01;
 // Paper is not folded by more than half a turn, but for rounding.
 constexpr double kHalfTurn = std::numbers::pi + 1e-9;
 
@@ -123,7 +126,10 @@ class Walk {
         while (stages < kMostStages && reached == stages && !all_there) {
             if (!leave(reached, here)) break;
             ++stages;
-            reached = go_on(reached, stages);
+            const std::size_t left = ranges_.size();
+            const double begin = reached;
+            reached = go_on(begin, stages);
+            if (reached == stages && closure_.has_bends()) end_nearest(begin, stages, left);
             here = ranges_.back().points.back();
             all_there = !any_stays(here);
         }
@@ -240,6 +246,22 @@ class Walk {
             }
         }
         return share;
+    }
+
+    // Where panels bend many states close, and a way may end beside the one that is nearest to what is drawn.
+    // Then the stage goes to that one, from where it has left: after the range of this number.
+    void end_nearest(double share, double end, std::size_t left) {
+        const Angles found = ranges_.back().points.back();
+        Angles nearest = found;
+        closure_.draw_near(nearest, target_);
+        if ((nearest - found).lpNorm<Eigen::Infinity>() < kBeside || !is_paper(nearest)) return;
+        const auto after = ranges_.begin() + static_cast<std::ptrdiff_t>(left);
+        std::vector<Range> before(std::make_move_iterator(after), std::make_move_iterator(ranges_.end()));
+        ranges_.resize(left);
+        goal_ = nearest;
+        if (go_on(share, end) == end) return;
+        ranges_.resize(left);
+        std::move(before.begin(), before.end(), std::back_inserter(ranges_));
     }
 
     // Whether the way on turns a fold out of paper at once, for the loops to stay closed.
