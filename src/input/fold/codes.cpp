@@ -15,7 +15,8 @@ constexpr std::array kFoldCodes = std::to_array<CodeInfo>({
     {"fold-frame", Severity::remark, "a FOLD file whose first frame is no crease pattern",
      "A FOLD file has one frame or several; the first is often the folded form, for viewers. popupc folds "
      "the "
-     "flat sheet itself, so it reads the first frame whose corners lie in one plane and that is not called a "
+     "flat sheet itself, so it reads the first frame whose corners lie in one plane, of equal z or "
+     "equal y, and that is not called a "
      "foldedForm. The option --frame chooses a frame by its number: 0 is the file's own, 1 the first of "
      "file_frames."},
     {"fold-no-pattern", Severity::error, "a FOLD file without a crease pattern",

@@ -117,25 +117,35 @@ class Reader {
     }
 
     // Whether all its corners have one height.
-    [[nodiscard]] bool is_plane(int frame) const {
+    // The coordinate that is the same at all corners, to the size's rounding: 2 is height, as in the format's
+    // own drawings, and 1 that of programs whose y goes up, among them Origami Simulator.
+    [[nodiscard]] std::optional<std::size_t> across_plane(int frame) const {
         const JsonValue* coords = member(frame, "vertices_coords");
-        if (coords == nullptr || coords->list() == nullptr || coords->list()->empty()) return false;
-        double low = HUGE_VAL;
-        double high = -HUGE_VAL;
+        if (coords == nullptr || coords->list() == nullptr || coords->list()->empty()) return std::nullopt;
+        std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+        std::array<double, 3> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
         double size = 0.0;
         for (const JsonValue& corner : *coords->list()) {
             const JsonList* c = corner.list();
-            if (c == nullptr || c->size() < 2) return true;  // told of when it is read
-            for (const JsonValue& one : *c) {
-                if (one.number() == nullptr) return true;
-                size = std::max(size, std::abs(*one.number()));
+            if (c == nullptr || c->size() < 2) return 2;  // told of when it is read
+            std::array<double, 3> at{};
+            for (std::size_t i = 0; i < c->size(); ++i) {
+                const double* number = (*c)[i].number();
+                if (number == nullptr) return 2;
+                size = std::max(size, std::abs(*number));
+                if (i < at.size()) at.at(i) = *number;
             }
-            const double height = c->size() > 2 ? *(*c)[2].number() : 0.0;
-            low = std::min(low, height);
-            high = std::max(high, height);
+            for (std::size_t i = 0; i < at.size(); ++i) {
+                low.at(i) = std::min(low.at(i), at.at(i));
+                high.at(i) = std::max(high.at(i), at.at(i));
+            }
         }
-        return high - low <= kOutOfPlane * size;
+        for (const std::size_t axis : {2U, 1U}) {
+            if (high.at(axis) - low.at(axis) <= kOutOfPlane * size) return axis;
+        }
+        return std::nullopt;
     }
+    [[nodiscard]] bool is_plane(int frame) const { return across_plane(frame).has_value(); }
 
     bool choose_frame() {
         if (options_.frame) {
@@ -180,11 +190,17 @@ class Reader {
         if (coords == nullptr || coords->list() == nullptr)
             return coords == nullptr ? no_pattern("the frame has no vertices_coords")
                                      : wrong(*coords, "vertices_coords", "a list of corners");
+        const bool y_is_up = across_plane(frame_) == 1U;
         for (const JsonValue& corner : *coords->list()) {
             const JsonList* c = corner.list();
             if (c == nullptr || c->size() < 2 || (*c)[0].number() == nullptr || (*c)[1].number() == nullptr)
                 return wrong(corner, "a corner of vertices_coords", "a list of two or three numbers");
-            corners_.push_back({*(*c)[0].number(), *(*c)[1].number()});
+            // Seen from where y goes up, z comes down the page.
+            if (y_is_up && c->size() > 2) {
+                corners_.push_back({*(*c)[0].number(), -*(*c)[2].number()});
+            } else {
+                corners_.push_back({*(*c)[0].number(), *(*c)[1].number()});
+            }
         }
         return true;
     }
@@ -274,7 +290,8 @@ class Reader {
 
     void read_letter(const JsonValue& json, std::size_t edge) {
         const std::string* letter = json.text();
-        const std::string_view known = "BCMVUFJ";
+        // Small letters are those of early Rabbit Ear.
+        const std::string_view known = "BCMVUFJbcmvufj";
         if (letter == nullptr || letter->size() != 1 ||
             known.find(letter->front()) == std::string_view::npos) {
             wrong(json, "an edge's assignment", "one of B, C, M, V, U, F and J");
@@ -282,7 +299,7 @@ class Reader {
         }
         constexpr std::array kUses{CreaseUse::cut,  CreaseUse::cut,  CreaseUse::mountain, CreaseUse::valley,
                                    CreaseUse::fold, CreaseUse::flat, CreaseUse::flat};
-        uses_[edge] = kUses.at(known.find(letter->front()));
+        uses_[edge] = kUses.at(known.find(letter->front()) % kUses.size());
     }
 
     void guess_uses() {

@@ -70,6 +70,44 @@ TEST(FoldRead, KnowsLettersAndAngles) {
     EXPECT_EQ(flat.pattern->lines[1].fold_deg, std::nullopt);
 }
 
+TEST(FoldRead, TakesSmallLetters) {
+    const Read one = read(
+        R"({"frame_unit": "mm", "vertices_coords": [[0,0],[1,0],[2,0],[3,0],[4,0],[5,0],[6,0],[7,0]],
+"edges_vertices": [[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,7]],
+"edges_assignment": ["b","c","m","v","u","f","j"]})");
+    ASSERT_TRUE(one.pattern) << one.told;
+    EXPECT_EQ(one.told, "");
+    const std::vector<CreaseUse> uses{CreaseUse::cut,    CreaseUse::cut,  CreaseUse::mountain,
+                                      CreaseUse::valley, CreaseUse::fold, CreaseUse::flat,
+                                      CreaseUse::flat};
+    ASSERT_EQ(one.pattern->lines.size(), uses.size());
+    for (std::size_t i = 0; i < uses.size(); ++i) EXPECT_EQ(one.pattern->lines[i].use, uses[i]) << i;
+    EXPECT_FALSE(read(R"({"vertices_coords": [[0,0],[1,0]], "edges_vertices": [[0,1]],
+"edges_assignment": ["x"]})")
+                     .pattern);
+}
+
+// Origami Simulator's y goes up, and its flat sheets have it the same everywhere; seen from above z comes
+// down.
+TEST(FoldRead, TakesSheetsThatLieInTheGround) {
+    const std::string edges = R"("edges_vertices": [[0,1],[1,2],[2,0]], "frame_unit": "mm")";
+    const Read one = read(R"({"vertices_coords": [[0,5,0],[4,5,0],[4,5,3]], )" + edges + "}");
+    ASSERT_TRUE(one.pattern) << one.told;
+    EXPECT_EQ(one.told, "");
+    const std::vector<Vec2>& side = one.pattern->lines[1].points;
+    EXPECT_EQ(side[0].x, 4.0);
+    EXPECT_EQ(side[0].y, 0.0);
+    EXPECT_EQ(side[1].x, 4.0);
+    EXPECT_EQ(side[1].y, -3.0);
+    // As ever where z is the same, though y is, too.
+    const Read line = read(R"({"vertices_coords": [[0,1,2],[4,1,2],[9,1,2]], )" + edges + "}");
+    ASSERT_TRUE(line.pattern) << line.told;
+    EXPECT_EQ(line.pattern->lines[0].points[1].y, 1.0);
+    const Read folded = read(R"({"vertices_coords": [[0,0,0],[4,1,0],[4,5,3]], )" + edges + "}");
+    EXPECT_FALSE(folded.pattern);
+    EXPECT_NE(folded.told.find("fold-no-pattern"), std::string::npos) << folded.told;
+}
+
 TEST(FoldRead, InheritsFrames) {
     const std::string text = R"({"vertices_coords": [[0,0],[9,0],[9,9],[0,9]], "frame_unit": "mm",
 "edges_vertices": [[0,1],[1,2],[2,3],[3,0],[0,2]], "edges_assignment": ["B","B","B","B","M"], "file_frames": [
