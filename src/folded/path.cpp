@@ -45,6 +45,8 @@ constexpr int kPaperHalvings = 24;
 constexpr double kNearlyHalfTurn = 0.999 * std::numbers::pi;
 constexpr double kOfPaper = 0.999;  // of the way to where a fold is turned by half a turn
 constexpr int kMostStages = 12;
+// Of a motion in which panels bend, which crawls where they crumple.
+constexpr std::size_t kMostBentRanges = 100;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
 // is held to between them, and above what rounding and flat states leave.
 constexpr double kClosed = 5e-11;
@@ -237,6 +239,7 @@ class Walk {
                 share = to;
                 failed = 0;
                 before = {};
+                if (closure_.has_bends() && ranges_.size() >= kMostBentRanges) break;
             } else {
                 cluster_.worst_loop = tried.loop;
                 ++failed;

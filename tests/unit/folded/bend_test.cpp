@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "popup/crease_pattern.h"
@@ -152,6 +153,32 @@ TEST(Bends, OfPleatedSquares) {
     }
     const Vec3 across = 0.5 * (corners[0] + corners[3]) - 0.5 * (corners[1] + corners[2]);
     EXPECT_GT(length(across), 20.0);
+}
+
+// The panels beside a fold that bends to both sides crumple, and ranges become narrower and narrower.
+TEST(Bends, EndWhereTheirMotionCrawls) {
+    CreasePattern pattern;
+    pattern.fold_deg = 90.0;
+    pattern.lines.push_back({{{0, 0}, {180, 0}, {180, 180}, {0, 180}}, true, CreaseUse::cut});
+    CreaseLine curve{{}, false, CreaseUse::mountain};
+    constexpr int kChords = 80;
+    for (int i = 0; i <= kChords; ++i) {
+        const double t = static_cast<double>(i) / kChords;
+        const double u = 1.0 - t;
+        curve.points.push_back({150.0 * u * u * t + 390.0 * u * t * t + 180.0 * t * t * t,
+                                90.0 + 120.0 * u * u * t - 120.0 * u * t * t});
+    }
+    pattern.lines.push_back(curve);
+    std::string told;
+    const Assembly bent = folded(pattern, told);
+    EXPECT_TRUE(bent.sweep.bends) << told;
+    EXPECT_EQ(told.find("folding-undecided"), std::string::npos) << told;
+    EXPECT_LT(bent.sweep.from_deg, 0.9 * 180.0);
+    for (const Joint& joint : bent.joints) {
+        const auto* fold = std::get_if<Folded>(&joint.how);
+        if (fold == nullptr) continue;
+        EXPECT_LE(fold->law.size(), 100U * Folded::kLawSteps + 1U) << joint.name;
+    }
 }
 
 TEST(Bends, AreWhereThePatternDrawsThem) {
