@@ -27,6 +27,8 @@ constexpr double kMergeMm = 0.002;
 constexpr double kMergeShare = 2e-6;
 constexpr double kSnapShare = 1.0 / 400.0;
 // What more panels take, until they are outlines on sheets, grows faster than their number.
+// A border that is not drawn is no strip narrower than this share of its length.
+constexpr double kLeastOfBox = 0.01;
 constexpr int kMostPanels = 50'000;
 // Between two panels so many folds are looked at for one that a stretch goes on in.
 constexpr std::size_t kMostBetween = 500;
@@ -55,6 +57,35 @@ class Maker {
     Maker(const CreasePattern& pattern, const FoldOptions& options, Diagnostics& diagnostics)
         : pattern_(pattern), options_(options), diagnostics_(diagnostics) {}
 
+    // Whether it was told that the lines enclose no paper.
+    [[nodiscard]] bool is_without_paper() const { return without_paper_; }
+
+    // With a rectangle around all folds for the border that is not drawn.
+    std::optional<Sheet> run_in_box(std::span<const Stretch> bends) {
+        Box box;
+        for (const CreaseLine& line : pattern_.lines) {
+            if (line.use == CreaseUse::flat) continue;
+            for (const Vec2 p : line.points) box.extend(p);
+        }
+        if (std::min(box.width(), box.height()) > kLeastOfBox * std::max(box.width(), box.height())) {
+            lines_.push_back({{{box.min.x, box.min.y},
+                               {box.max.x, box.min.y},
+                               {box.max.x, box.max.y},
+                               {box.min.x, box.max.y}},
+                              true,
+                              ink_of(CreaseUse::cut),
+                              0});
+            diagnostics_
+                .warning(
+                    "no-border", {},
+                    fmt::format("the pattern has no border; the rectangle around its folds was taken for "
+                                "it, from {} to {}",
+                                shown(box.min), shown(box.max)))
+                .hint("draw the border of the sheet as cuts");
+        }
+        return run(bends);
+    }
+
     std::optional<Sheet> run(std::span<const Stretch> bends) {
         for (std::size_t i = 0; i < pattern_.lines.size(); ++i) {
             const CreaseLine& line = pattern_.lines[i];
@@ -66,6 +97,7 @@ class Maker {
         if (!mend() || !take_out_dangling() || !divide(bends)) return std::nullopt;
         find_paper();
         if (panels_ == 0) {
+            without_paper_ = true;
             diagnostics_.error("no-sheet", {}, "no line of the pattern encloses paper")
                 .hint("draw the border of the sheet as a closed line");
             return std::nullopt;
@@ -461,6 +493,7 @@ class Maker {
     std::vector<char> sliver_;   // by face
     std::vector<int> piece_of_;  // by face
     double one_line_mm_ = kSilentMm;
+    bool without_paper_ = false;
     int panels_ = 0, pieces_ = 0;
     Sheet out_;
 };
@@ -518,6 +551,15 @@ Polygon Sheet::outline_of(const Panel& panel) const {
 
 std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                 Diagnostics& diagnostics, std::span<const Stretch> bends) {
+    // Folds alone may enclose paper; where they do not, a border is missing.
+    const bool has_cuts = std::any_of(pattern.lines.begin(), pattern.lines.end(),
+                                      [](const CreaseLine& line) { return line.use == CreaseUse::cut; });
+    if (!has_cuts) {
+        Diagnostics untold;
+        Maker without(pattern, options, untold);
+        if (!without.run(bends) && without.is_without_paper())
+            return Maker(pattern, options, diagnostics).run_in_box(bends);
+    }
     return Maker(pattern, options, diagnostics).run(bends);
 }
 

@@ -411,6 +411,30 @@ TEST(FoldSheet, MendsWhatIsNotClean) {
     EXPECT_NE(falling.find("falls-out"), std::string::npos) << falling;
     const std::string nothing = told({{{{0, 0}, {100, 0}}, false, CreaseUse::valley}});
     EXPECT_NE(nothing.find("no-sheet"), std::string::npos) << nothing;
+    // Cuts that enclose nothing are a border with a gap.
+    const std::string gap = told({{{{0, 0}, {100, 0}, {100, 60}, {0, 60}}, false, CreaseUse::cut},
+                                  {{{50, 20}, {50, 40}}, false, CreaseUse::valley}});
+    EXPECT_NE(gap.find("no-sheet"), std::string::npos) << gap;
+}
+
+TEST(FoldSheet, GivesFoldsAloneABorder) {
+    CreasePattern pattern;
+    pattern.lines.push_back({{{0, 20}, {100, 20}}, false, CreaseUse::valley});
+    pattern.lines.push_back({{{50, 0}, {50, 60}}, false, CreaseUse::flat});
+    pattern.lines.push_back({{{0, 0}, {100, 0}}, false, CreaseUse::valley});
+    pattern.lines.push_back({{{0, 60}, {100, 60}}, false, CreaseUse::mountain});
+    Diagnostics diagnostics("sheet");
+    const auto sheet = fold_sheet(pattern, {}, diagnostics);
+    const std::string found = test::findings(diagnostics);
+    ASSERT_TRUE(sheet) << found;
+    EXPECT_EQ(sheet->plates.size(), 2U) << found;
+    EXPECT_NE(found.find("the pattern has no border; the rectangle around its folds was taken for it, from "
+                         "(0.00, 0.00) mm to (100.00, 60.00) mm"),
+              std::string::npos)
+        << found;
+    double paper = 0.0;
+    for (const Plate& plate : sheet->plates) paper += area(plate.outline);
+    EXPECT_NEAR(paper, 6000.0, 1e-9);
 }
 
 TEST(FoldSheet, TakesAnglesFromOptions) {
