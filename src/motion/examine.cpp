@@ -32,10 +32,60 @@ struct PairRange {
     ContactRange stretch;
 };
 
-// As examine() of the header. `aside`: the first certain contact of another pair ends it, and nothing is
-// decided from there on; null: all contacts are found.
+// The first certain contact ends the examination, and nothing is decided from there on. Pairs that are set
+// aside are not looked at, nor is what has been seen before.
+struct FirstContact {
+    const PlatePairs* aside = nullptr;
+    SeenPairs* seen = nullptr;
+    bool found = false;
+
+    [[nodiscard]] bool passes_over(int a, int b) const { return aside != nullptr && aside->contains({a, b}); }
+
+    void contacts(PairSearch& search, const Cell& cell, int a, int b, std::vector<ContactRange>& ranges) {
+        SeenPairs::Way* const way = seen != nullptr ? &seen->of(a, b) : nullptr;
+        if (way == nullptr || !way->knows(cell.from, cell.to, ranges)) {
+            search.contacts(cell, a, b, ranges);
+            if (way != nullptr) way->keep(cell.from, cell.to, ranges);
+        }
+        found = found || std::any_of(ranges.begin(), ranges.end(), is_certain);
+    }
+};
+
+// As find_contacts() for all pairs of which there are stretches. `first`: null, or what has seen some before.
+Contacts all_contacts(std::vector<PairRange>& all, PairSearch& search, FirstContact* first) {
+    std::stable_sort(all.begin(), all.end(), [](const PairRange& p, const PairRange& q) {
+        return p.a != q.a ? p.a < q.a : p.b < q.b;
+    });
+    Contacts contacts;
+    std::vector<ContactRange> found;
+    for (std::size_t i = 0; i < all.size();) {
+        found.clear();
+        std::size_t end = i;
+        for (; end < all.size() && all[end].a == all[i].a && all[end].b == all[i].b; ++end) {
+            found.push_back(all[end].stretch);
+        }
+        SeenPairs::Way* const way =
+            first != nullptr && first->seen != nullptr ? &first->seen->of(all[i].a, all[i].b) : nullptr;
+        if (way == nullptr) {
+            find_contacts(all[i].a, all[i].b, found, search, contacts);
+        } else {
+            if (!way->contacts || way->stretches != found) {
+                way->contacts.emplace();
+                way->stretches = found;
+                find_contacts(all[i].a, all[i].b, found, search, *way->contacts);
+            }
+            const Contacts& more = *way->contacts;
+            contacts.contacts.insert(contacts.contacts.end(), more.contacts.begin(), more.contacts.end());
+            contacts.undecided.insert(contacts.undecided.end(), more.undecided.begin(), more.undecided.end());
+        }
+        i = end;
+    }
+    return contacts;
+}
+
+// As examine() of the header. `first`: ends with a first contact; null: all contacts are found.
 Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
-                         const MotionOptions& options, Recall* recall, const PlatePairs* aside) {
+                         const MotionOptions& options, Recall* recall, FirstContact* first) {
     const std::size_t most_work = kMostWork + kMostWorkPerPlate * shapes.size();
     const std::size_t most_pairs = kMostPairsPerPlate * shapes.size();
     const std::vector<double> ends = cell_ends(assembly.sweep, linkage.range_ends());
@@ -61,7 +111,6 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
 
     std::vector<PairRange> all;
     std::vector<ContactRange> found;
-    bool is_over = false;
     Cell cell;
     Recorder recorder(keeps ? recall : nullptr);
     const double distance = options.clearance_mm.value_or(0.0);
@@ -69,17 +118,17 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
         if (pairs.size() > most_pairs) return false;
         for (const auto& [a, b] : pairs) {
             if (search.work() > most_work) return false;
+            if (first != nullptr && first->passes_over(a, b)) continue;
             ++result.pairs;
             recorder.begin(search);
             if (!parallels.keep_apart(a, b)) {
-                search.contacts(range, a, b, found);
-                for (const ContactRange& one : found) {
-                    all.push_back({a, b, one});
-                    is_over =
-                        is_over || (aside != nullptr && one.firm && one.kind == ContactRange::crossing &&
-                                    !aside->contains(std::minmax(a, b)));
+                if (first != nullptr) {
+                    first->contacts(search, range, a, b, found);
+                    if (first->found) return false;
+                } else {
+                    search.contacts(range, a, b, found);
                 }
-                if (is_over) return false;
+                for (const ContactRange& one : found) all.push_back({a, b, one});
             }
             if (approaches) approaches->add(range, a, b, search);
             recorder.end(a, b, search);
@@ -120,20 +169,8 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
         break;
     }
     result.poses = search.poses();
-    if (is_over) return result;
-    std::stable_sort(all.begin(), all.end(), [](const PairRange& p, const PairRange& q) {
-        return p.a != q.a ? p.a < q.a : p.b < q.b;
-    });
-    Contacts contacts;
-    for (std::size_t i = 0; i < all.size();) {
-        found.clear();
-        std::size_t end = i;
-        for (; end < all.size() && all[end].a == all[i].a && all[end].b == all[i].b; ++end) {
-            found.push_back(all[end].stretch);
-        }
-        find_contacts(all[i].a, all[i].b, found, search, contacts);
-        i = end;
-    }
+    if (first != nullptr && first->found) return result;
+    Contacts contacts = all_contacts(all, search, first);
     result.contacts = std::move(contacts.contacts);
     result.undecided = std::move(contacts.undecided);
     if (approaches) result.approaches = approaches->take(result.contacts, search);
@@ -163,14 +200,23 @@ Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const 
     return look_through(assembly, linkage, shapes, options, recall, nullptr);
 }
 
+Examination examine_until_crossed(const Assembly& assembly, Linkage& linkage,
+                                  std::span<const PlateShape> shapes, const MotionOptions& options,
+                                  bool* crossed) {
+    FirstContact first;
+    Examination found = look_through(assembly, linkage, shapes, options, nullptr, &first);
+    *crossed = first.found;
+    return found;
+}
+
 bool is_clear(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
-              const MotionOptions& options, const PlatePairs& aside, std::size_t& poses) {
-    const Examination found = look_through(assembly, linkage, shapes, options, nullptr, &aside);
+              const MotionOptions& options, const PlatePairs& aside, SeenPairs& seen, std::size_t& poses) {
+    if (seen.any_crosses(aside)) return false;
+    FirstContact first{&aside, &seen};
+    const Examination found = look_through(assembly, linkage, shapes, options, nullptr, &first);
     poses += found.poses;
     return found.undecided.empty() && found.decided_up_to_deg >= assembly.sweep.to_deg &&
-           std::all_of(found.contacts.begin(), found.contacts.end(), [&](const Contact& one) {
-               return aside.contains({one.a, one.b});
-           });
+           found.contacts.empty();
 }
 
 }  // namespace popup

@@ -21,6 +21,7 @@
 #include "motion/examine.h"
 #include "motion/linkage.h"
 #include "motion/plate_shape.h"
+#include "motion/seen_pairs.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -34,6 +35,7 @@ constexpr std::size_t kMostPosesAPart = 30'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
 // How far a lid rises while the flap on it stays upright, degrees.
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
+constexpr double kStandingDeg = 1.0;   // a sweep of what stands still
 constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
 
 using Law = std::vector<Vec2>;
@@ -199,14 +201,17 @@ class Order {
             });
         });
         parts_at_.resize(work_.plates.size());
+        std::vector<int> mover(work_.plates.size(), -1);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             for (const int joint : parts_[i].joints) {
                 const auto* const folded = std::get_if<Folded>(&nth(work_.joints, joint).how);
                 if (folded == nullptr) continue;
+                nth(mover, folded->plate) = static_cast<int>(i);
                 nth(parts_at_, folded->plate).push_back(static_cast<int>(i));
                 nth(parts_at_, folded->base).push_back(static_cast<int>(i));
             }
         }
+        seen_.emplace(base, mover);
     }
 
     void set_all(Doing doing) { doing_.assign(parts_.size(), doing); }
@@ -232,8 +237,22 @@ class Order {
     bool is_clear() {
         set_laws();
         Linkage linkage(work_);
-        const bool clear = popup::is_clear(work_, linkage, shapes_, options_, set_aside_, poses_);
+        seen_->set(numbers_of(doing_), still_);
+        const bool clear = popup::is_clear(work_, linkage, shapes_, options_, set_aside_, *seen_, poses_);
         return has_work_left() && clear;
+    }
+
+    // Of what each part is doing, the same for the same.
+    std::vector<int> numbers_of(const std::vector<Doing>& doing) {
+        std::vector<int> numbers;
+        for (const Doing one : doing) {
+            const auto known = std::find(done_.begin(), done_.end(), one);
+            numbers.push_back(static_cast<int>(known - done_.begin()));
+            if (known != done_.end()) continue;
+            done_.push_back(one);
+            still_.push_back(one.begin == one.end ? 1 : 0);
+        }
+        return numbers;
     }
 
     // The steps of opening it; what does not open so is the last one.
@@ -365,6 +384,9 @@ class Order {
     std::vector<Doing> doing_;                // by part
     std::vector<PlateShape> shapes_;          // by plate; folding changes none
     PlatePairs set_aside_;
+    std::optional<SeenPairs> seen_;
+    std::vector<Doing> done_;  // by the numbers that seen_ has, as the next
+    std::vector<char> still_;
     std::size_t poses_ = 0;
     bool all_clear_ = true;
 };
@@ -399,6 +421,8 @@ Examination examine_folded(Assembly assembly, const MotionOptions& options) {
         const double folded = law->front().y;
         *law = {{0.0, folded}, {kFlatDeg, folded}};
     }
+    // It is the same over the whole sweep.
+    assembly.sweep = {0.0, kStandingDeg, false};
     return examine(assembly, options);
 }
 

@@ -26,7 +26,10 @@ struct ContactRange {
     double from = 0.0, to = 0.0;
     Kind kind = touching;
     bool firm = false;  // a firm crossing was seen in it
+    friend bool operator==(const ContactRange&, const ContactRange&) = default;
 };
+// Whether find_contacts() makes a contact of it for certain.
+inline bool is_certain(const ContactRange& one) { return one.firm && one.kind == ContactRange::crossing; }
 
 // All plates in the middle and at the ends of a range of angles.
 struct Cell {

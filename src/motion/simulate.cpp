@@ -156,13 +156,17 @@ std::optional<Motion> run(const Assembly& assembly, Assembly* sheet, const Motio
     report_not_forced(assembly, judge.linkage, motion.not_forced, diagnostics);
     if (!examine_too) return motion;
     std::vector<PlateShape> shapes = recall ? recall->take_shapes() : plate_shapes(assembly, options);
-    motion.examination = examine(assembly, judge.linkage, shapes, options, recall ? &*recall : nullptr);
+    bool crossed = false;
     if (sheet != nullptr) {
         const Sweep& sweep = assembly.sweep;
         const bool whole = sweep.from_deg == 0.0 && sweep.to_deg == kFullOpeningDeg;
+        // What crosses is put in an order first, and then mostly looked at in that order alone.
+        motion.examination = examine_until_crossed(assembly, judge.linkage, shapes, options, &crossed);
         if (order_folds(*sheet, options, diagnostics, whole ? &*motion.examination : nullptr))
             return run(assembly, nullptr, options, diagnostics);
     }
+    if (sheet == nullptr || crossed)
+        motion.examination = examine(assembly, judge.linkage, shapes, options, recall ? &*recall : nullptr);
     motion.moves =
         report_findings(assembly, judge.linkage, shapes, *motion.examination, options, diagnostics);
     if (recall) recall->keep(std::move(shapes));
