@@ -47,10 +47,18 @@ struct Spot {
     std::vector<CornerOf> of;   // sorted
     std::vector<double> edges;  // lengths of the edges that end there, ascending
     Vec3 at;
+    std::vector<int> rigid;  // panels that it never moves against: its own, and those across folds on whose
+                             // ends it lies
     [[nodiscard]] bool shares_panel(const Spot& other) const {
         return std::any_of(of.begin(), of.end(), [&](const CornerOf& a) {
             return std::any_of(other.of.begin(), other.of.end(),
                                [&](const CornerOf& b) { return a.panel == b.panel; });
+        });
+    }
+    // Whether the distance to another is always the same.
+    [[nodiscard]] bool is_rigid_with(const Spot& other) const {
+        return std::any_of(rigid.begin(), rigid.end(), [&](int panel) {
+            return std::find(other.rigid.begin(), other.rigid.end(), panel) != other.rigid.end();
         });
     }
     [[nodiscard]] bool has_edge_like(const Spot& other) const {
@@ -77,10 +85,21 @@ class Spots {
         std::vector<Spot> spots;
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             const auto [at, is_new] = spot_of.try_emplace(find(static_cast<int>(i)), spots.size());
-            if (is_new) spots.push_back({{}, {}, state_.place(corners_[i])});
+            if (is_new) spots.push_back({{}, {}, state_.place(corners_[i]), {}});
             Spot& spot = spots[at->second];
             spot.of.push_back(corners_[i]);
+            spot.rigid.push_back(corners_[i].panel);
             spot.edges.insert(spot.edges.end(), edges_[i].begin(), edges_[i].end());
+        }
+        for (const Fold& fold : state_.sheet().folds) {
+            for (const int corner : {fold.stretches.front().a, fold.stretches.back().b}) {
+                for (const auto& [one, other] :
+                     {std::pair{fold.left, fold.right}, std::pair{fold.right, fold.left}}) {
+                    const auto number = numbers_.find({one, corner});
+                    if (number != numbers_.end())
+                        spots[spot_of.at(find(number->second))].rigid.push_back(other);
+                }
+            }
         }
         for (Spot& spot : spots) {
             std::sort(spot.of.begin(), spot.of.end());
@@ -231,7 +250,7 @@ class Finder {
             std::size_t one = group_of[pair.a];
             std::size_t other = group_of[pair.b];
             if (one == other) continue;
-            if (share_panel(groups[one], groups[other])) continue;
+            if (never_meet(groups[one], groups[other])) continue;
             const PanelJoin two = merge_of({pair.a, pair.b});
             if (!met) {
                 const std::optional<Closed> left = leaves(two);
@@ -270,11 +289,15 @@ class Finder {
         return made;
     }
 
-    [[nodiscard]] bool share_panel(const std::vector<std::size_t>& a,
-                                   const std::vector<std::size_t>& b) const {
+    // A flap may begin beside the corner of its wall: these two are as far apart however it is folded.
+    [[nodiscard]] bool never_meet(const std::vector<std::size_t>& a,
+                                  const std::vector<std::size_t>& b) const {
         return std::any_of(a.begin(), a.end(), [&](std::size_t one) {
-            return std::any_of(b.begin(), b.end(),
-                               [&](std::size_t other) { return spots_[one].shares_panel(spots_[other]); });
+            return std::any_of(b.begin(), b.end(), [&](std::size_t other) {
+                return spots_[one].shares_panel(spots_[other]) ||
+                       (spots_[one].is_rigid_with(spots_[other]) &&
+                        distance(spots_[one].at, spots_[other].at) > kMetMm);
+            });
         });
     }
 
