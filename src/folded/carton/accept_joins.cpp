@@ -24,13 +24,15 @@ std::string_view trimmed(std::string_view text) {
 class Accepter {
  public:
     Accepter(const CreasePattern& pattern, const folded::RoughShape& rough, const Suggestions& found,
-             std::vector<PanelJoin> before, std::vector<PanelJoin> rows, const AcceptOptions& options)
+             std::vector<PanelJoin> before, std::vector<PanelJoin> rows, std::vector<PanelJoin> met,
+             const AcceptOptions& options)
         : pattern_(pattern),
           rough_(rough),
           found_(found),
           options_(options),
           joins_(std::move(before)),
-          rows_(std::move(rows)) {}
+          rows_(std::move(rows)),
+          met_(std::move(met)) {}
 
     void take(std::size_t row) {
         if (!taken_.insert(row).second) return;
@@ -51,7 +53,7 @@ class Accepter {
             return found_.rows[a].apart_mm < found_.rows[b].apart_mm - 1e-6;
         });
         const std::vector<PanelJoin> before = joins_;
-        allow_what_crosses_now();
+        allowed_ = {};
         // Mostly all of them fit; where they do not, halves are tried, the nearer one first.
         std::vector<std::vector<std::size_t>> groups{rows};
         std::vector<std::size_t> fitting;
@@ -74,20 +76,9 @@ class Accepter {
     }
 
     // Those of what has met that can stay so; numbers, ascending.
-    std::vector<std::size_t> keep(const std::vector<PanelJoin>& met) {
-        std::vector<PanelJoin> whole = joins_;
-        whole.insert(whole.end(), met.begin(), met.end());
-        const bool all_fit = closes(whole);
-        std::vector<std::size_t> kept;
-        for (std::size_t i = 0; i < met.size(); ++i) {
-            joins_.push_back(met[i]);
-            if (all_fit || (may_look() && closes(joins_))) {
-                kept.push_back(i);
-            } else {
-                joins_.pop_back();
-            }
-        }
-        return kept;
+    std::vector<std::size_t> kept() {
+        if (!kept_) kept_ = keep(joins_);
+        return *kept_;
     }
 
     [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
@@ -101,6 +92,23 @@ class Accepter {
         if (joins.empty()) return true;
         const folded::Closed closed = close_joins(rough_.state(), joins, true);
         return closed.residual_mm <= rough_.enough_mm() && !closed.swings;
+    }
+
+    // Those of what has met that leave nothing open with these.
+    std::vector<std::size_t> keep(std::vector<PanelJoin> joins) {
+        std::vector<PanelJoin> whole = joins;
+        whole.insert(whole.end(), met_.begin(), met_.end());
+        const bool all_fit = closes(whole);
+        std::vector<std::size_t> kept;
+        for (std::size_t i = 0; i < met_.size(); ++i) {
+            joins.push_back(met_[i]);
+            if (all_fit || (may_look() && closes(joins))) {
+                kept.push_back(i);
+            } else {
+                joins.pop_back();
+            }
+        }
+        return kept;
     }
 
     [[nodiscard]] std::vector<PanelJoin> with(std::vector<PanelJoin> joins,
@@ -119,14 +127,16 @@ class Accepter {
         const std::size_t panels = std::max<std::size_t>(rough_.sheet.panels.size(), 1);
         return ++looks_ <= std::min(kMostLooks, kMostMoved / panels);
     }
-    // What crosses as it is drawn, and with what was named, is not the fault of what is tried.
-    void allow_what_crosses_now() {
-        if (!options_.crossings) return;
+    // What crosses as it is drawn, and with what was named, is not the fault of what is tried. It is looked
+    // for when something crosses, which seldom is.
+    [[nodiscard]] const Crossings& allowed(bool whole_way) {
+        std::optional<Crossings>& now = allowed_.at(whole_way ? 1 : 0);
+        if (now) return *now;
         std::vector<double> angles = rough_.angles;
         if (!joins_.empty()) angles = close_joins(rough_.state(), joins_, true).angles;
-        allowed_[0] = crossings(angles, false);
-        allowed_[1] = crossings(angles, true);
-        allowed_[1].insert(allowed_[0].begin(), allowed_[0].end());
+        now = crossings(angles, whole_way);
+        if (whole_way) now->insert(allowed(false).begin(), allowed(false).end());
+        return *now;
     }
 
     // Whether these joins close, and what they bring crosses nowhere.
@@ -136,17 +146,25 @@ class Accepter {
         const folded::Closed closed = close_joins(rough_.state(), joins, true);
         if (closed.residual_mm > rough_.enough_mm() || closed.swings) return false;
         if (!options_.crossings) return true;
-        const Crossings& allowed = allowed_.at(whole_way ? 1 : 0);
         for (const auto& pair : crossings(closed.angles, whole_way)) {
-            if (!allowed.contains(pair)) new_.insert(pair);
+            if (!allowed(whole_way).contains(pair)) new_.insert(pair);
         }
         return new_.empty();
     }
 
-    // Leaves out what concerns panels that cross while the sheet is folded; in the end, all of it.
+    // Leaves out what concerns panels that cross while the sheet is folded; in the end, all of it. What has
+    // met is looked at with the rest, for it is kept with that, and is the first to be left out.
     void keep_ways_clear(const std::vector<PanelJoin>& before, std::vector<std::size_t>& fitting) {
         for (int i = 0; i < kMostWaysLookedAt && !fitting.empty() && options_.crossings; ++i) {
-            if (fits(with(before, fitting, {}), true)) return;
+            std::vector<PanelJoin> joins = with(before, fitting, {});
+            if (!is_met_in_the_way_) kept_ = keep(joins);
+            for (const std::size_t one : *kept_) joins.push_back(met_[one]);
+            if (fits(joins, true)) return;
+            if (!kept_->empty()) {
+                is_met_in_the_way_ = true;
+                kept_->clear();
+                continue;
+            }
             const auto crosses = [&](const std::string& panel) {
                 return std::any_of(new_.begin(), new_.end(), [&](const auto& pair) {
                     return pair.first == panel || pair.second == panel;
@@ -160,22 +178,26 @@ class Accepter {
             if (count == 0) break;
         }
         if (options_.crossings) fitting.clear();
+        kept_.reset();
     }
 
     static constexpr std::size_t kMostLooks = 100;
     static constexpr std::size_t kMostMoved = 20'000;  // panels
-    static constexpr int kMostWaysLookedAt = 4;
+    static constexpr int kMostWaysLookedAt = 5;
     const CreasePattern& pattern_;
     const folded::RoughShape& rough_;
     const Suggestions& found_;
     const AcceptOptions& options_;
     std::vector<PanelJoin> joins_;
     std::vector<PanelJoin> rows_;
+    std::vector<PanelJoin> met_;
+    std::optional<std::vector<std::size_t>> kept_;  // of these; none: not known yet
+    bool is_met_in_the_way_ = false;
     std::set<std::size_t> taken_;
     std::vector<std::size_t> order_;
     std::vector<std::size_t> left_;
-    std::array<Crossings, 2> allowed_;  // folded, and on the whole way
-    Crossings new_;                     // what fits() has found
+    std::array<std::optional<Crossings>, 2> allowed_;  // folded, and on the whole way; none: not asked yet
+    Crossings new_;                                    // what fits() has found
     std::size_t looks_ = 0;
 };
 
@@ -245,7 +267,7 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
     auto rows = folded::resolve(*rough, joins, pattern, diagnostics);
     const auto met = folded::resolve(*rough, found.met, pattern, diagnostics);
     if (!before || !rows || !met) return std::nullopt;
-    Accepter accepter(pattern, *rough, found, std::move(*before), std::move(*rows), accept);
+    Accepter accepter(pattern, *rough, found, std::move(*before), std::move(*rows), *met, accept);
     for (const std::size_t row : *named) accepter.take(row);
     std::vector<std::size_t> more;
     if (all) {
@@ -276,7 +298,7 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
             return shown_join(old, pattern.ruler) == shown_join(join, pattern.ruler);
         });
     };
-    for (const std::size_t one : accepter.keep(*met)) {
+    for (const std::size_t one : accepter.kept()) {
         if (is_new(found.met[one])) result.push_back(found.met[one]);
     }
     return result;
