@@ -73,17 +73,30 @@ class SubjectFinder {
         if (!panel) return std::nullopt;
         const Vec3 out = shape_.out(*panel);
         Subject subject;
+        bool is_flat = true;  // all of the shape
         const Vec3 at = shape_.place(nth(shape_.sheet().panels, *panel).outer.front());
         const auto in_plane = [&](int corner) {
             return std::abs(dot(out, shape_.place(corner) - at)) <= shape_.meet_mm();
         };
         for (const Panel& one : shape_.sheet().panels) {
-            if (!std::all_of(one.outer.begin(), one.outer.end(), in_plane)) continue;
+            if (!std::all_of(one.outer.begin(), one.outer.end(), in_plane)) {
+                is_flat = false;
+                continue;
+            }
             for (const int corner : one.outer) {
                 if (shape_.vertex_of(corner) < 0) continue;
                 subject.vertices.emplace(shape_.vertex_of(corner), edit_.out_mm * out);
                 subject.exact.push_back(corner);
             }
+        }
+        if (is_flat && edit_.out_mm != 0.0) {
+            refuse(fmt::format(
+                       "extrude moves all that lies in the plane of {}, and the whole folded shape does: "
+                       "it would be where it is, only further on",
+                       shape_.name_of(*panel)),
+                   "a shape that lies flat grows in its plane, by edge or vertex; for one with room inside, "
+                   "draw walls between its panels, or let folds go by less than 180°");
+            return std::nullopt;
         }
         return subject;
     }
