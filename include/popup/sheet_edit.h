@@ -44,7 +44,8 @@ struct EditedSheet {
         std::vector<Segment> parted;
         // Not empty: how far it is folded now, degrees as fold_by() takes them. One for all of it, or one for
         // each of `parted`: of folds that lie on one line and are folded by different angles. Where a drawing
-        // cannot say that, `points` are where the line is.
+        // cannot say that, `points` are where the line is. Of `parted` those come last that fold nothing, as
+        // between two flaps: they have none.
         std::vector<double> fold_deg = {};
     };
     std::vector<Line> lines;

@@ -113,7 +113,7 @@ std::string ElementMoves::angles(const Said& said, bool of_edges) const {
     }
     for (const Drawn& one : lines_) {
         for (std::size_t i = 0; of_edges && i < one.parted.size(); ++i)
-            words.push_back(one.fold_deg.empty() ? "auto" : shown_number(one.fold_deg[i]));
+            words.push_back(i < one.fold_deg.size() ? shown_number(one.fold_deg[i]) : "auto");
     }
     return joined(words);
 }
@@ -136,7 +136,7 @@ std::optional<std::string> ElementMoves::angle_of_side(const Drawn& line, const 
     if (line.fold_deg.size() == 1) return shown_number(line.fold_deg.front());
     std::optional<double> deg;
     const Vec2 way = unit(side.b - side.a);
-    for (std::size_t i = 0; i < line.parted.size(); ++i) {
+    for (std::size_t i = 0; i < line.fold_deg.size(); ++i) {
         const Vec2 middle = lerp(line.parted[i].a, line.parted[i].b, 0.5) - side.a;
         const double along = dot(way, middle);
         if (std::abs(cross(way, middle)) > kOnSideMm || along < 0.0 || along > distance(side.a, side.b))

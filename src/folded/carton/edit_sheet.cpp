@@ -55,7 +55,7 @@ CreasePattern moved_pattern(const CreasePattern& pattern, const EditedSheet& edi
         for (std::size_t k = 0; k < to.parted.size(); ++k) {
             CreaseLine& one = made.lines.emplace_back(line);
             one.points = {to.parted[k].a, to.parted[k].b};
-            if (!to.fold_deg.empty()) fold_by(one, to.fold_deg[k]);
+            if (k < to.fold_deg.size()) fold_by(one, to.fold_deg[k]);
         }
     }
     return made;

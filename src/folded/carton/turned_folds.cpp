@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/nth.h"
 
@@ -16,7 +19,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kToldDeg = 0.01;
 constexpr double kSameDeg = 1e-6;     // as drawings write angles
-constexpr double kLeftOverMm = 0.05;  // of a line beside its folds
+constexpr double kLeftOverMm = 0.05;  // of a line beside its folds, and of these beside it
 
 class TurnedFolds {
  public:
@@ -30,7 +33,7 @@ class TurnedFolds {
 
     // What keeps lines from having their angles, or the angles from counting.
     struct Lacks {
-        bool unparted = false;   // a line is more than its folds, and they differ
+        bool unparted = false;   // folds of a line differ, and it goes apart or is elsewhere
         bool overruled = false;  // the options say other angles
     };
     Lacks give(EditedSheet& made) const {
@@ -72,8 +75,8 @@ class TurnedFolds {
             told.hint("leave --fold-angle out next time: it counts before what drawings say");
         if (lacks.unparted)
             told.hint(
-                "a line that is more than its folds cannot have the angles of each: draw folds and cuts as "
-                "lines of their own");
+                "a line that is cut, too, and goes apart there cannot have the angles of each of its folds: "
+                "draw folds and cuts as lines of their own");
     }
 
  private:
@@ -98,7 +101,50 @@ class TurnedFolds {
         return was_mountain == (examined_.angles[fold] < 0.0) ? deg : -deg;
     }
 
+    // What of a line, where it goes, is none of these parts of it; nullopt: they are not on it.
+    static std::optional<std::vector<Segment>> rest_of(const CreaseLine& line, const EditedSheet::Line& made,
+                                                       const std::vector<Segment>& parts) {
+        std::vector<Segment> rest;
+        std::size_t placed = 0;
+        auto next = made.through.begin();
+        for (std::size_t i = 0; i + (line.closed ? 0 : 1) < made.points.size(); ++i) {
+            Vec2 from = made.points[i];
+            for (; next != made.through.end() && next->first == static_cast<int>(i); ++next)
+                placed += add_rest({std::exchange(from, next->second), next->second}, parts, rest);
+            placed += add_rest({from, made.points[(i + 1) % made.points.size()]}, parts, rest);
+        }
+        return placed == parts.size() ? std::optional(rest) : std::nullopt;
+    }
+
+    // Adds what is left of one side of a line. Returns how many parts lie on it.
+    static std::size_t add_rest(Segment side, const std::vector<Segment>& parts, std::vector<Segment>& rest) {
+        const double size = distance(side.a, side.b);
+        if (size <= 0.0) return 0;
+        const Vec2 way = unit(side.b - side.a);
+        std::vector<std::pair<double, double>> taken;  // mm along it
+        for (const Segment& one : parts) {
+            const auto along = [&](Vec2 p) { return dot(way, p - side.a); };
+            const auto is_on = [&](Vec2 p) {
+                return std::abs(cross(way, p - side.a)) <= kLeftOverMm && along(p) >= -kLeftOverMm &&
+                       along(p) <= size + kLeftOverMm;
+            };
+            if (is_on(one.a) && is_on(one.b)) taken.push_back(std::minmax(along(one.a), along(one.b)));
+        }
+        std::sort(taken.begin(), taken.end());
+        double done = 0.0;
+        const auto leave = [&](double up_to) {
+            if (up_to - done > kLeftOverMm) rest.push_back({side.a + done * way, side.a + up_to * way});
+        };
+        for (const auto& [begin, end] : taken) {
+            leave(begin);
+            done = std::max(done, end);
+        }
+        leave(size);
+        return taken.size();
+    }
+
     bool give(const CreaseLine& line, const std::vector<std::size_t>& folds, EditedSheet::Line& made) const {
+        if (!made.parted.empty()) return false;  // what is cut by it goes apart
         const double first = degrees_of(line, folds.front());
         const bool alike = std::all_of(folds.begin(), folds.end(), [&](std::size_t fold) {
             return std::abs(degrees_of(line, fold) - first) <= kSameDeg;
@@ -107,20 +153,17 @@ class TurnedFolds {
             made.fold_deg = {first};
             return true;
         }
-        double left = 0.0;
-        for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.points.size(); ++i)
-            left += distance(line.points[i], line.points[(i + 1) % line.points.size()]);
         std::vector<Segment> parts;
         std::vector<double> degrees;
         for (const std::size_t fold : folds) {
-            for (const Segment& one : shape_.sheet().stretches_of(shape_.sheet().folds[fold]))
-                left -= distance(one.a, one.b);
             for (const Segment& one : examined_.sheet.stretches_of(examined_.sheet.folds[fold])) {
                 parts.push_back(one);
                 degrees.push_back(degrees_of(line, fold));
             }
         }
-        if (std::abs(left) > kLeftOverMm * static_cast<double>(parts.size())) return false;
+        const auto rest = rest_of(line, made, parts);
+        if (!rest) return false;
+        parts.insert(parts.end(), rest->begin(), rest->end());
         made.parted = std::move(parts);
         made.fold_deg = std::move(degrees);
         return true;

@@ -13,8 +13,8 @@ namespace popup::folded {
 
 // Gives the lines of `made`, which stand where they go, the angles of folds that turn further, or less far,
 // than in `shape`, and tells of the most (`folds-turn`). Angles are not given where the options end the
-// motion before its end, and to lines that are more than their folds: those cannot be parted. Cost: linear in
-// folds.
+// motion before its end, and to lines whose folds differ while what they cut goes apart. Cost: linear in
+// folds, times those of one line.
 void turn_folds(const CreasePattern& pattern, const FoldOptions& options, const Vertices& shape,
                 const ExaminedEdit& examined, EditedSheet& made, Diagnostics& diagnostics);
 

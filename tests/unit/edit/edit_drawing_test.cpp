@@ -393,6 +393,71 @@ TEST(EditDrawing, WallsOnOneSideHaveAnglesOfTheirOwn) {
     EXPECT_EQ(part.text->find("data-fold-angle"), std::string::npos) << *part.text;
 }
 
+// An envelope: all of it lies in one plane, and would move as a whole.
+TEST(EditDrawing, WhatLiesFlatIsNotExtruded) {
+    const std::string envelope =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="220mm" height="200mm" viewBox="0 0 220 200">
+ <g fill="none" stroke-width="0.3">
+  <path class="cut" stroke="#000" d="M60 60 110 15 160 60 200 95 160 130 110 175 60 130 20 95Z"/>
+  <path class="valley" stroke="#00f" data-fold-angle="180" d="M60 60H160V130H60Z"/>
+ </g>
+</svg>
+)";
+    for (const std::string panel : {"1", "4"}) {
+        const Done done = edit(envelope, {"extrude " + panel + " --by 10"});
+        EXPECT_FALSE(done.text) << *done.text;
+        EXPECT_EQ(done.told, "extrude moves all that lies in the plane of " + panel +
+                                 ", and the whole folded shape does: it would be where it is, only further "
+                                 "on [bad-edit]\n");
+    }
+    // In its plane it grows, and where its folds go by less it has room inside.
+    EXPECT_TRUE(edit(envelope, {"edge 1+2 --by 0,5,0"}).text);
+    std::string open = envelope;
+    open.replace(open.find("180"), 3, "90");
+    const Done done = edit(open, {"extrude base --by 10"});
+    EXPECT_TRUE(done.text) << done.told;
+}
+
+// Two walls on one side with a gap between them, which the crease is drawn across: their angles differ, and
+// the side stays straight. A path is parted, and goes on drawing what folds nothing; others cannot say it.
+TEST(EditDrawing, WallsWithAGapBetweenThemHaveAnglesOfTheirOwn) {
+    const std::string crease =
+        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
+    std::string drawing = kTray;
+    const std::string wall = "V190H50V150H10";
+    drawing.replace(drawing.find(wall), wall.size(), "V190H105V150H95V190H50V150H10");
+    const std::string move = "edge panel-4.1-2 --by 0,-10,0";
+    const Done done = edit(drawing, {move});
+    ASSERT_TRUE(done.text) << done.told;
+    EXPECT_NE(done.text->find("data-fold-angle=\"90 90 75.963757 90 90 auto\""), std::string::npos)
+        << *done.text;
+    EXPECT_NE(done.text->find("M 105,150 95,150\""), std::string::npos) << *done.text;
+    const Vec3 was = vertices_of(drawing).at("panel-4.1");
+    EXPECT_LT(distance(vertices_of(*done.text).at("panel-4.1"), was + Vec3{0, -10, 0}), 1e-4);
+    EXPECT_TRUE(edit(*done.text, {"edge panel-4.1-2 --by 0,-1,0"}).text);
+    const std::string polygon =
+        "<polygon class='mountain' stroke='#f00' points='50,50 150,50 150,150 50,150'/>";
+    for (const auto& [element, tag] : {std::pair{kRectangle, "rect"}, std::pair{polygon, "polygon"}}) {
+        std::string other = drawing;
+        other.replace(other.find(crease), crease.size(), element);
+        const Done told = edit(other, {move});
+        ASSERT_TRUE(told.text) << told.told;
+        EXPECT_NE(told.told.find("folds on one side of this <" + std::string(tag) +
+                                 "> have different angles now, and it has one data-fold-angle for each side "
+                                 "[folds-turn]"),
+                  std::string::npos)
+            << told.told;
+        EXPECT_EQ(told.text->find("data-fold-angle"), std::string::npos) << *told.text;
+    }
+    // One wall on the side says the angle of the side, also of a rectangle.
+    std::string alone = kTray;
+    alone.replace(alone.find(wall), wall.size(), "V190H105V150H50H10");
+    alone.replace(alone.find(crease), crease.size(), kRectangle);
+    const Done one = edit(alone, {"edge panel-4.1-2 --by 0,-10,0"});
+    ASSERT_TRUE(one.text) << one.told;
+    EXPECT_NE(one.text->find("data-fold-angle=\"90 90 75.963757 90\""), std::string::npos) << *one.text;
+}
+
 // A base that is no rectangle any more becomes a polygon, with all else that its element said.
 TEST(EditDrawing, ARectangleMayBecomeAPolygon) {
     struct Row {
