@@ -1,5 +1,5 @@
 // What a state of a folded sheet costs, beside a plain dense Newton iteration, and how the cost of a sheet
-// grows. Ends with a table of ratios, all of one run.
+// grows; and what cartons of forty panels cost until they are closed. Ends with tables, all of one run.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -18,7 +18,11 @@
 #include "folded/rigid.h"
 #include "folded/sheet.h"
 #include "folded/work.h"
+#include "popup/edit_drawing.h"
+#include "popup/language.h"
 #include "popup/motion.h"
+#include "popup/refinement.h"
+#include "support/dielines.h"
 
 namespace popup::test {
 namespace {
@@ -122,6 +126,40 @@ void whole_sheet(benchmark::State& state, const CreasePattern& pattern) {
     }
 }
 
+// Of cartons: suggestions, and all that "suggest --accept all" does to close them and see them move.
+const std::map<std::string, std::string> kCartons{{"a pointed tube of 40 panels", pointed_tube(13)},
+                                                  {"a locked tube of 41", locked_tube(8)},
+                                                  {"a locked tray of 42", locked_tray()}};
+
+CreasePattern carton_of(const std::string& drawing) {
+    Diagnostics diagnostics("box.svg");
+    ReadOptions options;
+    options.drawing.as = DrawnAs::folded;
+    return *read_source_text({"box.svg", drawing}, options, diagnostics).creases;
+}
+
+void suggestions_of(benchmark::State& state, const std::string& drawing) {
+    for (auto _ : state) {
+        Diagnostics diagnostics;
+        benchmark::DoNotOptimize(suggest_joins(carton_of(drawing), {}, diagnostics));
+    }
+}
+
+void closed_carton(benchmark::State& state, const std::string& drawing) {
+    for (auto _ : state) {
+        Diagnostics diagnostics;
+        const CreasePattern pattern = carton_of(drawing);
+        const auto found = suggest_joins(pattern, {}, diagnostics);
+        const auto crossings = [](const CreasePattern& refined, bool whole_way) {
+            return crossings_in(refined, whole_way, {}, {});
+        };
+        const auto joins = accept_joins(pattern, {}, *found, "all", {true, crossings}, diagnostics);
+        const auto refined = refine_shape(pattern, {{}, *joins}, diagnostics);
+        std::optional<Assembly> box = fold_sheet(refined->pattern, {}, diagnostics);
+        benchmark::DoNotOptimize(simulate_sheet(*box, {}, diagnostics));
+    }
+}
+
 }  // namespace
 }  // namespace popup::test
 
@@ -152,6 +190,12 @@ int main(int argc, char** argv) {
         if (side <= kLargestWhole)
             add("whole", [side](benchmark::State& state) { whole_sheet(state, pattern_of(side)); });
     }
+    for (const auto& [name, drawing] : kCartons) {
+        benchmark::RegisterBenchmark(("suggestions/" + name).c_str(), suggestions_of, drawing)
+            ->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("closed/" + name).c_str(), closed_carton, drawing)
+            ->Unit(benchmark::kMillisecond);
+    }
     Keeper keeper;
     benchmark::RunSpecifiedBenchmarks(&keeper);
     const auto ms = [&](const std::string& name, int side) {
@@ -172,5 +216,10 @@ int main(int argc, char** argv) {
                    side > kLargestWhole
                        ? " | "
                        : fmt::format("{:.0f} | {:.1f}", ms("whole", side), per_panel("whole", side)));
+    }
+    fmt::print("\n| Carton | suggestions, ms | all accepted, closed and examined, ms |\n|---|---|---|\n");
+    for (const auto& [name, drawing] : kCartons) {
+        fmt::print("| {} | {:.0f} | {:.0f} |\n", name, keeper.cpu_ms["suggestions/" + name],
+                   keeper.cpu_ms["closed/" + name]);
     }
 }

@@ -201,6 +201,22 @@ class Accepter {
     std::size_t looks_ = 0;
 };
 
+// "merge 1 to 4, merge 6, paste 1".
+std::string names_of(const std::vector<Suggestion>& rows) {
+    std::string names;
+    for (std::size_t i = 0; i < rows.size();) {
+        std::size_t last = i;
+        while (last + 1 < rows.size() && rows[last + 1].join.kind == rows[i].join.kind &&
+               rows[last + 1].number == rows[last].number + 1) {
+            ++last;
+        }
+        names += (names.empty() ? "" : ", ") + rows[i].name();
+        if (last > i) names += fmt::format(" to {}", rows[last].number);
+        i = last + 1;
+    }
+    return names;
+}
+
 // Rows that the words name, without what was accepted before; `all` is set where they say so. nullopt: a word
 // names none.
 std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std::span<const Join> before,
@@ -229,8 +245,7 @@ std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std
         } else if (row != found.rows.end()) {
             rows.push_back(static_cast<std::size_t>(row - found.rows.begin()));
         } else {
-            std::string names;
-            for (const Suggestion& one : found.rows) names += (names.empty() ? "" : ", ") + one.name();
+            const std::string names = names_of(found.rows);
             diagnostics
                 .error("no-such-suggestion", {}, fmt::format("there is no suggestion \"{}\"", shown(word)))
                 .hint(names.empty() ? "there are none" : "there are " + names);

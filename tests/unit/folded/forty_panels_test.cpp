@@ -103,6 +103,22 @@ TEST(FortyPanels, WallsCloseWhoseFlapsBeginBesideTheirCorners) {
     EXPECT_TRUE(crossings_in(refined->pattern, true, {}, {}).empty());
 }
 
+// What is not there is answered with what is, in few words.
+TEST(FortyPanels, SuggestionsThatThereAreAreNamedInRanges) {
+    const CreasePattern pattern = read(test::pointed_tube(13));
+    Diagnostics diagnostics;
+    const auto found = suggest_joins(pattern, {}, diagnostics);
+    ASSERT_TRUE(found);
+    for (const std::string word : {"merge 99", "1", "merge"}) {
+        Diagnostics told;
+        EXPECT_FALSE(accept_joins(pattern, {}, *found, word, {}, told));
+        ASSERT_EQ(told.sorted().size(), 1U);
+        EXPECT_EQ(told.sorted().front().message, "there is no suggestion \"" + word + "\"");
+        EXPECT_EQ(told.sorted().front().hints,
+                  std::vector<std::string>{"there are merge 1 to 32, paste 1, coplanar 1 to 2"});
+    }
+}
+
 // How often it is looked for crossings: of a sheet in which nothing crosses, once of what is folded, and once
 // on the whole way. What the sheet crosses without the joins is not asked then.
 TEST(FortyPanels, AreLookedAtOnceWhereNothingCrosses) {
