@@ -31,6 +31,8 @@ constexpr double kOfBoxesDeg = 90.0;
 constexpr std::size_t kMostPanels = 400;
 constexpr std::size_t kMostWalls = 64;
 constexpr std::size_t kLeastWalls = 3;
+constexpr std::size_t kLeastCoiled = 5;
+constexpr double kAsWide = 0.02;  // of the wider: walls that differ by less are as wide as each other
 
 // Panels side by side: fold i is between panels i and i + 1.
 struct Row {
@@ -143,8 +145,9 @@ class RingFinder {
         }
         ring.is_deg = is.front();
         const Ends ends = ends_of(row, walls);
-        ring.hangs_open = (ends.fold_deg || !ends.any) &&
-                          gap_of(walls, is) > kMeets * std::accumulate(walls.begin(), walls.end(), 0.0);
+        ring.hangs_open = coils(walls, is) ||
+                          ((ends.fold_deg || !ends.any) &&
+                           gap_of(walls, is) > kMeets * std::accumulate(walls.begin(), walls.end(), 0.0));
         std::vector<OpenRing> rings;
         for (ClosingAngles& way : closing_angles(walls, ends.fold_deg)) {
             bool is_so = true;
@@ -156,6 +159,12 @@ class RingFinder {
             rings.back().why = way.why;
         }
         return rings;
+    }
+    // Whether walls as wide as each other go around more than once. No tray has five such panels in a row.
+    [[nodiscard]] static bool coils(const std::vector<double>& walls, const std::vector<double>& deg) {
+        const auto [least, most] = std::minmax_element(walls.begin(), walls.end());
+        return walls.size() >= kLeastCoiled && *most - *least <= kAsWide * *most &&
+               std::accumulate(deg.begin(), deg.end(), 0.0) > 360.0 + kAsItIsDeg;
     }
     // What hangs on the ends of the walls, and how far one of them has it that the walls' folds go.
     struct Ends {

@@ -16,7 +16,7 @@ struct OpenRing {
     std::vector<int> lines;   // of the pattern, a line a fold, the glue flap's last
     std::vector<double> deg;  // how far each goes, (0, 180)
     double is_deg = 0.0;      // how far the first goes as it is
-    bool hangs_open = false;  // the walls are a tube, and as their folds go they do not meet
+    bool hangs_open = false;  // the walls are a tube, and as their folds go they do not meet, or coil up
     std::string_view why;     // as ClosingAngles has it
 };
 

@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "folded/carton/closing_angles.h"
+#include "popup/language.h"
 #include "popup/motion.h"
+#include "support/dielines.h"
 
 namespace popup {
 namespace {
@@ -228,6 +230,32 @@ TEST(OpenRing, ATubeThatHangsOpenIsTold) {
 }
 
 // Whoever gives the option no longer sees a collision.
+// A tube of many sides with flaps at its ends, whose folds say nothing: by right angles it coils up, wall on
+// wall, and nothing need collide.
+TEST(OpenRing, ATubeThatCoilsUpIsTold) {
+    for (const int sides : {5, 6, 7, 12}) {
+        std::string drawing = test::pointed_tube(sides);
+        const std::string said = fmt::format(" data-fold-angle=\"{:g}\"", std::round(360.0 / sides));
+        for (std::size_t at = drawing.find(said); at != std::string::npos; at = drawing.find(said))
+            drawing.erase(at, said.size());
+        ReadOptions read;
+        read.drawing.as = DrawnAs::folded;
+        Diagnostics diagnostics("box.svg");
+        const Reading reading = read_source_text({"box.svg", drawing}, read, diagnostics);
+        ASSERT_TRUE(reading.creases);
+        Diagnostics told("box.svg");
+        folded::tell_open_ring(*reading.creases, {}, false, simulated, told);
+        ASSERT_EQ(told.sorted().size(), 1U) << sides;
+        const Diagnostic one = told.sorted().front();
+        EXPECT_EQ(one.code, "ring-open");
+        EXPECT_EQ(
+            one.message,
+            fmt::format("{0} walls side by side, with a glue flap at their end, meet if their {0} folds "
+                        "go by {1:.6g}° instead of 90°; nothing goes through anything then",
+                        sides, std::round(36000.0 / sides) / 100.0));
+    }
+}
+
 TEST(OpenRing, TheHintIsAnOptionWhereANameIsOfTheseFoldsAlone) {
     const CreasePattern pattern = strip_with_lid({60, 30, 25, 60, 30, 25, 12}, "#00ff00");
     EXPECT_GT(collisions(pattern, {}), 0U);
