@@ -58,13 +58,35 @@ bool give_measures(Session& session, std::size_t n, const std::vector<double>& v
     return session.write(n, *made);
 }
 
+// The fold as a structure sees it, along the line that the document gives for it where that lies on it. An
+// element on a fold that a repair has moved sees that where its author did or, beyond its end there, where it
+// is: lines that differ by a little, of which a move along the one must not be taken back along the other.
+PageFold fold_as_given(const Structure& structure, PageFold seen, double rounding_mm) {
+    if (structure.plate || structure.finds_ground || structure.named().given()) return seen;
+    Segment given{structure.fold.begin.at, structure.fold.end.at};
+    const bool on_left = structure.fold.page == seen.left_page;
+    if ((!on_left && structure.fold.page != seen.right_page) || distance(given.a, given.b) <= 0.0)
+        return seen;
+    const auto take = [&](Segment& line) {
+        if (dot(line.b - line.a, given.b - given.a) < 0.0) std::swap(given.a, given.b);
+        const Vec2 along = unit(given.b - given.a);
+        const double off =
+            std::max(std::abs(cross(along, line.a - given.a)), std::abs(cross(along, line.b - given.a)));
+        if (off <= rounding_mm) line = given;
+    };
+    // A fold that is no seam has one line, on one page.
+    if (on_left || !seen.seam) take(seen.on_left);
+    if (!on_left || !seen.seam) take(seen.on_right);
+    return seen;
+}
+
 // Moves an element so far along the fold that it stands on, towards the fold's end. Its shape stays as it is
 // to the last digit, which its measures may not tell: they know nothing of a piece that has been pulled
 // askew.
 bool shift_along(Session& session, std::size_t n, double mm) {
     const Structure& structure = session.design.structures[n];
     const ElementInfo& info = Session::info_of(structure);
-    const PageFold on = session.standing(n).seen;
+    const PageFold on = fold_as_given(structure, session.standing(n).seen, session.tolerances().rounding_mm);
     const auto by = [mm, &on, ground = structure.ground_page()](std::optional<int> page) {
         const Segment& fold = page.value_or(ground) == on.left_page ? on.on_left : on.on_right;
         return (mm / distance(fold.a, fold.b)) * (fold.b - fold.a);
@@ -220,7 +242,7 @@ bool move_point(Session& session, const Command& command) {
     DesignPoint& point = structure.points[i];
     Vec2 by = to_text != nullptr ? *given - point.at : *given;
     const bool on_fold = info.points[i].page == PointPage::fold;
-    const PageFold& fold = standing.seen;
+    const PageFold fold = fold_as_given(structure, standing.seen, session.tolerances().rounding_mm);
     const auto partner = static_cast<std::size_t>(info.partners[i]);
     // A point of the fold slides on it.
     if (on_fold && partner == i && info.points[i].side == '-' && standing.fold && !info.grounds.found) {

@@ -64,6 +64,7 @@ class Session {
     // Raises the version of the document, where it needs that.
     void need_version(std::string_view version);
     [[nodiscard]] const std::string& folder() const { return folder_; }
+    [[nodiscard]] const Tolerances& tolerances() const { return tolerances_; }
 
     static const ElementInfo& info_of(const Structure& structure);
     static std::vector<Vec2> points_of(const Structure& structure);
