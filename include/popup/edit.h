@@ -93,6 +93,9 @@ struct ShowOptions {
 // nullopt after an error: there is no such id.
 std::optional<std::string> show_tree(const Design& design, const ShowOptions& options,
                                      Diagnostics& diagnostics);
+// The same of a design whose folds are known: `card` is folds_of_card(design), which is most of the cost.
+std::optional<std::string> show_tree(const Design& design, const CardFolds& card, const ShowOptions& options,
+                                     Diagnostics& diagnostics);
 // The same as JSON, with all measures, points and values.
 std::optional<std::string> show_json(const Design& design, const ShowOptions& options,
                                      Diagnostics& diagnostics);

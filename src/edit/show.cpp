@@ -1,6 +1,7 @@
 // What a card is made of, in the words of people.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,11 +17,8 @@ using Json = nlohmann::ordered_json;
 
 class Shown {
  public:
-    Shown(const Design& design, const ShowOptions& options)
-        : design_(design),
-          options_(options),
-          card_(folds_of_card(design)),
-          children_(design.structures.size()) {
+    Shown(const Design& design, const CardFolds& card, const ShowOptions& options)
+        : design_(design), options_(options), card_(card), children_(design.structures.size()) {
         for (std::size_t n = 0; n < design.structures.size(); ++n) {
             const auto owner = card_.standing[n].owner;
             if (owner) children_[*owner].push_back(n);
@@ -222,29 +220,37 @@ class Shown {
 
     const Design& design_;
     const ShowOptions& options_;
-    CardFolds card_;
+    const CardFolds& card_;
     std::vector<std::vector<std::size_t>> children_;
     std::vector<int> pages_;
     int glued_ = 0;
 };
 
 bool is_there(const Design& design, const ShowOptions& options, Diagnostics& diagnostics) {
-    return options.id.empty() ||
-           edit::Session(design, design.file, {}, diagnostics).find(options.id).has_value();
+    if (options.id.empty() || std::any_of(design.structures.begin(), design.structures.end(),
+                                          [&](const Structure& one) { return one.id == options.id; }))
+        return true;
+    return edit::Session(design, design.file, {}, diagnostics).find(options.id).has_value();
 }
 
 }  // namespace
 
 std::optional<std::string> show_tree(const Design& design, const ShowOptions& options,
                                      Diagnostics& diagnostics) {
+    return show_tree(design, folds_of_card(design), options, diagnostics);
+}
+
+std::optional<std::string> show_tree(const Design& design, const CardFolds& card, const ShowOptions& options,
+                                     Diagnostics& diagnostics) {
     if (!is_there(design, options, diagnostics)) return std::nullopt;
-    return Shown(design, options).tree();
+    return Shown(design, card, options).tree();
 }
 
 std::optional<std::string> show_json(const Design& design, const ShowOptions& options,
                                      Diagnostics& diagnostics) {
     if (!is_there(design, options, diagnostics)) return std::nullopt;
-    return json_text(Shown(design, options).json());
+    const CardFolds card = folds_of_card(design);
+    return json_text(Shown(design, card, options).json());
 }
 
 }  // namespace popup

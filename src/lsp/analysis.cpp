@@ -114,6 +114,7 @@ Analysis analyse(const Source& source, const AnalysisOptions& options, Depth dep
     CompiledDesign one;
     if (goes_on) {
         one = stages->design;
+        made.card = stages->card;
         find_further(one, compile_options);
     } else {
         one = std::move(compile({source}, compile_options, options.policy).designs.front());
@@ -127,7 +128,7 @@ Analysis analyse(const Source& source, const AnalysisOptions& options, Depth dep
         fixer.emplace(one, *one.design, made.standing);
     }
     if (depth == Depth::check && document && one.checked)
-        made.stages = std::make_shared<Checked>(Checked{one, made.standing, made.text});
+        made.stages = std::make_shared<Checked>(Checked{one, made.standing, made.text, made.card});
     for (Diagnostic& diagnostic : one.diagnostics.sorted()) {
         Finding& finding = made.findings.emplace_back();
         finding.at = underlined(text, text.offset(diagnostic.place));

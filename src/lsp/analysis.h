@@ -12,6 +12,7 @@
 
 #include "lsp/text.h"
 #include "mechanism/footings.h"
+#include "popup/check.h"
 #include "popup/compile.h"
 
 namespace popup::lsp {
@@ -40,22 +41,38 @@ struct Finding {
     bool late = false;       // as mark_late() found
 };
 
+// The folds of a card by their names, found when somebody asks for them, and once. For one thread.
+class CardOnce {
+ public:
+    // Of always the same design. Cost: that of check(), the first time.
+    const CardFolds& of(const Design& design) {
+        if (!card_) card_ = folds_of_card(design);
+        return *card_;
+    }
+
+ private:
+    std::optional<CardFolds> card_;
+};
+
 // What a check has left for whoever looks at the motion of the same text: what is done once.
 struct Checked {
     CompiledDesign design;
     Footings standing;
     std::shared_ptr<const Text> text;
+    std::shared_ptr<CardOnce> card;
 };
 using Stages = std::shared_ptr<const Checked>;
 
 struct Analysis {
     std::shared_ptr<const Text> text;  // that was looked at
     Depth depth = Depth::check;
-    std::vector<Finding> findings;   // worst first, then by place
-    Footings standing;               // of the design of a document
-    std::optional<Design> design;    // as it was read, where it could be
-    std::vector<std::string> files;  // others that were read or looked for in vain
-    Stages stages;                   // of a check of a document that has no errors
+    std::vector<Finding> findings;  // worst first, then by place
+    Footings standing;              // of the design of a document
+    std::optional<Design> design;   // as it was read, where it could be
+    std::shared_ptr<CardOnce> card =
+        std::make_shared<CardOnce>();  // of the design; the whole has its check's
+    std::vector<std::string> files;    // others that were read or looked for in vain
+    Stages stages;                     // of a check of a document that has no errors
     // How much of the motion was examined; nullopt: nothing was, or without a memory.
     std::optional<ExaminationMemory::Share> examined;
 };

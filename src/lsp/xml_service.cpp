@@ -74,7 +74,8 @@ class Page {
     [[nodiscard]] std::string measures(const std::string& id) const {
         if (!number_of_.contains(id)) return {};
         Diagnostics unheard;
-        const auto shown = show_tree(*view_.good->design, {id}, unheard);
+        const Design& design = *view_.good->design;
+        const auto shown = show_tree(design, view_.good->card->of(design), {id}, unheard);
         const std::size_t begin = shown ? shown->find(": ") : std::string::npos;
         if (begin == std::string::npos || begin > shown->find('\n')) return {};
         return shown->substr(begin + 2, shown->find_first_of(";\n", begin) - begin - 2);

@@ -72,12 +72,31 @@ void BM_Hover(benchmark::State& state) {
     });
 }
 BENCHMARK(BM_Hover)->Unit(benchmark::kMillisecond);
+// The first in a text that has changed.
+void BM_FirstHover(benchmark::State& state) {
+    const Source source{"card.xml", write_document(test::row(kElements, kScale))};
+    Analysis analysis = analyse(source, options(), Depth::check);
+    const Text text(source.text);
+    const std::size_t at = source.text.find("<structure ", source.text.size() / 2) + 4;
+    for (auto _ : state) {
+        analysis.card = std::make_shared<CardOnce>();
+        const View view{text, source.name, &analysis, &analysis};
+        benchmark::DoNotOptimize(find_service("xml")->hover(view, at));
+    }
+}
+BENCHMARK(BM_FirstHover)->Unit(benchmark::kMillisecond);
 void BM_Complete(benchmark::State& state) {
     ask(state, [](const Service& service, const View& view, std::size_t at) {
         benchmark::DoNotOptimize(service.complete(view, at));
     });
 }
 BENCHMARK(BM_Complete)->Unit(benchmark::kMillisecond);
+void BM_Definition(benchmark::State& state) {
+    ask(state, [](const Service& service, const View& view, std::size_t at) {
+        benchmark::DoNotOptimize(service.definition(view, at));
+    });
+}
+BENCHMARK(BM_Definition)->Unit(benchmark::kMillisecond);
 void BM_Symbols(benchmark::State& state) {
     ask(state, [](const Service& service, const View& view, std::size_t /*at*/) {
         benchmark::DoNotOptimize(service.symbols(view));

@@ -103,5 +103,18 @@ TEST(Analysis, AfterEachChangeIsThatOfWhoKnowsNothing) {
         EXPECT_GT(codes[code], 0) << code;
 }
 
+// Nobody looks for the folds of a card twice: neither behind its check nor behind its motion.
+TEST(Analysis, FindsTheFoldsOfACardOnce) {
+    const AnalysisOptions options{{}, {}, find_language({}, "xml")};
+    const Source source{"card.xml", write_document(test::generate(3, 8))};
+    const Analysis checked = analyse(source, options, Depth::check);
+    ASSERT_TRUE(checked.stages);
+    const CardFolds* card = &checked.card->of(*checked.design);
+    EXPECT_EQ(card->standing.size(), checked.design->structures.size());
+    EXPECT_EQ(&checked.card->of(*checked.design), card);
+    const Analysis whole = analyse(source, options, Depth::whole, checked.stages);
+    EXPECT_EQ(&whole.card->of(*whole.design), card);
+}
+
 }  // namespace
 }  // namespace popup::lsp

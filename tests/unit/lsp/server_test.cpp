@@ -271,6 +271,31 @@ TEST(Server, KnowsWhatStandsUnderTheCursor) {
     EXPECT_EQ(hover(2, 0), "");
 }
 
+// What a hover has found out is kept until the text is another one, whichever run has ended since.
+TEST(Server, ShowsMeasuresOfTheTextAsItIsNow) {
+    Client client(kAbilities);
+    client.open(kCamp);
+    const auto measures = [&] {
+        const Json result = client.ask("textDocument/hover", at(14, 8))["result"];
+        const auto said = result["contents"]["value"].get<std::string>();
+        return said.substr(0, said.find('\n'));
+    };
+    client.look(Depth::check);
+    const std::string before = measures();
+    EXPECT_NE(before.find(": at "), std::string::npos) << before;
+    EXPECT_EQ(measures(), before);
+    client.look(Depth::whole);
+    EXPECT_EQ(measures(), before);
+    Diagnostics said("camp.xml");
+    const auto longer =
+        edit_document({"camp.xml", kCamp}, read_edits("set flag --width 5", said), {}, said, said);
+    ASSERT_TRUE(longer && !longer->refused) << test::findings(said);
+    client.change({{{"text", longer->text}}}, 2);
+    client.look(Depth::check);
+    EXPECT_NE(measures(), before);
+    EXPECT_NE(measures().find("width 5"), std::string::npos) << measures();
+}
+
 TEST(Server, ShowsTheTreeFindsAndRenames) {
     Client client(kAbilities);
     client.open(kCamp);
