@@ -121,6 +121,12 @@ double room_for(const ElementInfo& info, std::string_view measure, double fold_m
     return fold_mm;
 }
 
+double smaller_on(const ElementInfo& info, std::string_view measure, const PageFold& fold) {
+    if (info.family != "pivot" || fold.closed_deg != 360) return 1.0;
+    // Beside its apex the strip is as wide as half its angle lets it be; what is left still holds on it.
+    return measure == "piecewidth" ? 0.5 : measure == "pieceheight" ? 2.0 / 3.0 : 1.0;
+}
+
 void put_on_plate(Session& session, Structure& made, const ElementInfo& info, const std::vector<bool>& given,
                   std::vector<double>& measures) {
     constexpr double kShareOfRoom = 0.9;

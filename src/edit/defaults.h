@@ -19,6 +19,10 @@ const ElementInfo& form_on(const ElementInfo& info, const PageFold& fold);
 // and glued areas would be too small to hold.
 double room_for(const ElementInfo& info, std::string_view measure, double fold_mm);
 
+// How much smaller than elsewhere a measure of a new element is on that fold: 1 but for the piece of a pivot
+// on a fold that the pivot's own strip closes on, where a larger piece reaches across that.
+double smaller_on(const ElementInfo& info, std::string_view measure, const PageFold& fold);
+
 // Puts what is glued on a plate in the middle of what is free there, in a size that fits. Its place stays
 // where one of x and y is `given`, as each size does that is. In a card with errors everything stays.
 // Cost: that of check() and assemble().

@@ -182,7 +182,8 @@ bool add(Session& session, const Command& command) {
     }
     std::vector<double> measures;
     for (const MeasureInfo& measure : info->measures)
-        measures.push_back(measure.share * (enlarge ? room_for(*info, measure.name, size) : size) +
+        measures.push_back(measure.share * (enlarge ? room_for(*info, measure.name, size) : size) *
+                               smaller_on(*info, measure.name, *seen) +
                            measure.standard);
     if (made.plate && made.plate->on.owner == std::nullopt) {
         // In the middle of that half of the page, for the present.

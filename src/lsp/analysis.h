@@ -12,7 +12,6 @@
 
 #include "lsp/text.h"
 #include "mechanism/footings.h"
-#include "popup/check.h"
 #include "popup/compile.h"
 
 namespace popup::lsp {
