@@ -6,26 +6,14 @@
 
 namespace popup {
 
-SeenPairs::SeenPairs(std::span<const int> base, std::span<const int> mover) {
-    const auto plates = static_cast<int>(base.size());
-    std::vector<std::vector<int>> above(base.size());  // by plate: itself and all that it hangs on
-    for (int plate = 0; plate < plates; ++plate) {
-        for (int at = plate; at >= 0; at = nth(base, at)) nth(above, plate).push_back(at);
-        std::sort(nth(above, plate).begin(), nth(above, plate).end());
-    }
-    std::vector<int> between;
-    for (int b = 0; b < plates; ++b) {
-        for (int a = 0; a < b; ++a) {
-            between.clear();
-            std::set_symmetric_difference(nth(above, a).begin(), nth(above, a).end(), nth(above, b).begin(),
-                                          nth(above, b).end(), std::back_inserter(between));
-            Pair& pair = pairs_.emplace_back(Pair{a, b, {}, {}});
-            for (const int plate : between) {
-                if (nth(mover, plate) >= 0) pair.movers.push_back(nth(mover, plate));
-            }
-            std::sort(pair.movers.begin(), pair.movers.end());
-            pair.movers.erase(std::unique(pair.movers.begin(), pair.movers.end()), pair.movers.end());
-        }
+SeenPairs::SeenPairs(std::span<const int> base, std::span<const int> mover)
+    : base_(base.begin(), base.end()), mover_(mover.begin(), mover.end()), depth_(base.size(), -1) {
+    std::vector<int> way;
+    for (int plate = 0; plate < static_cast<int>(base_.size()); ++plate) {
+        int at = plate;
+        for (; at >= 0 && nth(depth_, at) < 0; at = nth(base_, at)) way.push_back(at);
+        int depth = at < 0 ? -1 : nth(depth_, at);
+        for (; !way.empty(); way.pop_back()) nth(depth_, way.back()) = ++depth;
     }
 }
 
@@ -34,9 +22,19 @@ void SeenPairs::set(std::vector<int> doing, const std::vector<char>& still) {
     still_ = still;
 }
 
-std::size_t SeenPairs::index(int a, int b) const {
-    const auto row = static_cast<std::size_t>(b);
-    return row * (row - 1) / 2 + static_cast<std::size_t>(a);
+SeenPairs::Pair& SeenPairs::pair_of(int a, int b) {
+    const auto [known, fresh] = pairs_.try_emplace({a, b});
+    Pair& pair = known->second;
+    if (!fresh) return pair;
+    // Up from both, as far as to the plate that they hang on together.
+    while (a != b) {
+        int& deeper = b < 0 || (a >= 0 && nth(depth_, a) >= nth(depth_, b)) ? a : b;
+        if (nth(mover_, deeper) >= 0) pair.movers.push_back(nth(mover_, deeper));
+        deeper = nth(base_, deeper);
+    }
+    std::sort(pair.movers.begin(), pair.movers.end());
+    pair.movers.erase(std::unique(pair.movers.begin(), pair.movers.end()), pair.movers.end());
+    return pair;
 }
 
 const SeenPairs::Way* SeenPairs::find(const Pair& pair) const {
@@ -51,7 +49,7 @@ const SeenPairs::Way* SeenPairs::find(const Pair& pair) const {
 }
 
 SeenPairs::Way& SeenPairs::of(int a, int b) {
-    Pair& pair = pairs_[index(a, b)];
+    Pair& pair = pair_of(a, b);
     if (const Way* const known = find(pair))
         return pair.ways[static_cast<std::size_t>(known - pair.ways.data())];
     Way& way = pair.ways.emplace_back();
@@ -89,9 +87,10 @@ void SeenPairs::Way::keep(double from, double to, const std::vector<ContactRange
 }
 
 bool SeenPairs::any_crosses(const std::set<std::pair<int, int>>& aside) const {
-    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& known) {
+        const Pair& pair = known.second;
         const Way* const way = pair.ways.empty() ? nullptr : find(pair);
-        return way != nullptr && way->crosses && !aside.contains({pair.a, pair.b});
+        return way != nullptr && way->crosses && !aside.contains(known.first);
     });
 }
 

@@ -6,7 +6,7 @@
 // rest stands still; most pairs do then what they did before.
 #pragma once
 
-#include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -54,14 +54,15 @@ class SeenPairs {
 
  private:
     struct Pair {
-        int a, b;
         std::vector<int> movers;  // between them
         std::vector<Way> ways;
     };
-    [[nodiscard]] std::size_t index(int a, int b) const;
+    Pair& pair_of(int a, int b);
     [[nodiscard]] const Way* find(const Pair& pair) const;
 
-    std::vector<Pair> pairs_;
+    std::vector<int> base_, mover_;
+    std::vector<int> depth_;                     // of each plate: how many it hangs on
+    std::map<std::pair<int, int>, Pair> pairs_;  // those that were asked for: few come near each other
     std::vector<int> doing_;
     std::vector<char> still_;
 };
