@@ -76,12 +76,14 @@ constexpr std::array kOutputCodes = std::to_array<CodeInfo>({
      "which is 819 mm. Most machines of today take larger numbers; one that does not stops there, or draws "
      "in the wrong place. Plot the sheet once with the pen or the knife up, or choose a smaller sheet with "
      "--sheet."},
-    {"prints-left-out", Severity::remark, "the machine profile leaves out what was asked for",
+    {"prints-left-out", Severity::remark, "the machine profile or the format leaves out what is printed",
      "Profiles of lasers and cutters leave out what is printed, so that no machine burns it: pictures, "
      "printed texts, registration marks, the bar to measure, and all that is on printed backs. The colours "
      "of plates and drawn lines are left out, too, but of them nothing is said. --print-and-cut writes all "
      "of it to files of its own, which are for a printer; a profile of your own can give the pens of what is "
-     "printed a layer."},
+     "printed a layer. .dxf, .lbrn2 and .plt hold lines: whatever the profile, they have no pictures, nor "
+     "the "
+     "colours of areas. Write .svg, .pdf or .png beside them."},
     {"reference-too-long", Severity::error, "the bar to measure does not fit on the sheet",
      "--reference draws a bar of a known length below the pieces, with its figure beside it and clear of "
      "registration marks. The sheet is too narrow for a bar of this length. Ask for a shorter one, or "

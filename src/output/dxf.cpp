@@ -12,6 +12,7 @@
 #include "base/text/numbers.h"
 #include "base/text/utf8.h"
 #include "output/arcs.h"
+#include "output/pictures_left_out.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -386,6 +387,7 @@ std::optional<std::vector<SheetFile>> write_dxf(const Layout& layout, const Outp
                                                 Diagnostics& diagnostics) {
     OutputOptions machine = options;
     machine.legend = Legend::never;
+    tell_pictures_left_out(layout, options, ".dxf", diagnostics);
     return file_per_view(layout, machine, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
         return DxfText(drawing).sheet();
     });

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "output/pictures_left_out.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -125,6 +126,7 @@ std::optional<std::vector<SheetFile>> write_hpgl(const Layout& layout, const Out
     OutputOptions outlined = options;
     outlined.outlined_print = true;
     outlined.legend = Legend::never;
+    tell_pictures_left_out(layout, options, ".plt", diagnostics);
     auto files =
         file_per_view(layout, outlined, diagnostics, [&](const SheetDrawing& drawing, const SheetView&) {
             Plot plot(drawing, options);

@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/text/numbers.h"
+#include "output/pictures_left_out.h"
 #include "output/sheet_drawing.h"
 
 namespace popup {
@@ -287,6 +288,7 @@ std::optional<std::vector<SheetFile>> write_lightburn(const Layout& layout, cons
     OutputOptions outlined = options;
     outlined.profile.outlined_text = true;
     outlined.legend = Legend::never;
+    tell_pictures_left_out(layout, options, ".lbrn2", diagnostics);
     return file_per_view(layout, outlined, diagnostics, [](const SheetDrawing& drawing, const SheetView&) {
         return Project(drawing).sheet();
     });

@@ -13,6 +13,7 @@
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
 #include "output/cairo_sheet.h"
+#include "output/pictures_left_out.h"
 #include "output/sheet_legend.h"
 #include "output/sheet_sides.h"
 #include "output/text_outlines.h"
@@ -55,21 +56,33 @@ std::optional<TextFont> missing_font(const Layout& layout) {
     return std::nullopt;
 }
 
-// Not the colours of plates and drawn lines: hardly a card has none, and whoever cuts it knows.
-void name_pictures(const Layout& layout, const Profile& profile, std::vector<std::string>& missing) {
-    // What lies on several plates is one.
+// What lies on several plates is one.
+struct Printed {
     std::set<const std::string*> pictures;
     std::set<std::string_view> texts;
+};
+
+// What of the prints these operations draw, or would draw.
+template <class Asked>
+Printed printed_on(const Layout& layout, const Asked& asked) {
+    Printed all;
     for (const Placement& placement : layout.placements) {
-        const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
-        const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
+        const Pattern& pattern = nth(layout.designs, placement.design).pattern;
+        const PatternPiece& piece = nth(pattern.pieces, placement.piece);
         for (const PatternPrint& one : piece.prints) {
-            if (profile.draws(operation_of(one.print))) continue;
-            if (const Image* image = std::get_if<Image>(&one.print)) pictures.insert(image->bytes.get());
+            if (!asked(operation_of(one.print))) continue;
+            if (const Image* image = std::get_if<Image>(&one.print)) all.pictures.insert(image->bytes.get());
             const Text* text = std::get_if<Text>(&one.print);
-            if (text != nullptr && text->color) texts.insert(text->text);
+            if (text != nullptr && text->color) all.texts.insert(text->text);
         }
     }
+    return all;
+}
+
+// Not the colours of plates and drawn lines: hardly a card has none, and whoever cuts it knows.
+void name_pictures(const Layout& layout, const Profile& profile, std::vector<std::string>& missing) {
+    const auto [pictures, texts] =
+        printed_on(layout, [&](Operation operation) { return !profile.draws(operation); });
     const auto name = [&missing](std::size_t count, std::string_view what) {
         if (count > 0) missing.push_back(fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"));
     };
@@ -260,6 +273,19 @@ void examine_prints(const Layout& layout, const OutputOptions& options, Diagnost
                   ? "a profile of your own can give the pen of registration a layer"
                   : "take --print-and-cut, which prints them to files of their own, or give "
                     "their pens a layer in a profile of your own");
+}
+
+void tell_pictures_left_out(const Layout& layout, const OutputOptions& options, std::string_view suffix,
+                            Diagnostics& diagnostics) {
+    const auto is_meant = [&](Operation operation) {
+        return options.print_and_cut || options.profile.draws(operation);
+    };
+    const std::size_t pictures = printed_on(layout, is_meant).pictures.size();
+    if (pictures == 0) return;
+    diagnostics
+        .remark("prints-left-out", {},
+                fmt::format("{} files hold lines, and leave out {}", suffix, counted(pictures, "picture")))
+        .hint("sheets as .svg, .pdf or .png have what is printed");
 }
 
 Profile profile_of(const OutputOptions& options, const SheetView& view) {
