@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "folded/carton/ring.h"
+#include "popup/made_size.h"
 #include "run/crew.h"
 #include "run/unique_stems.h"
 #include "run/unused_allowances.h"
@@ -72,6 +73,7 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
         pattern.clearing_move = std::bind_front(options.clearing_move, std::cref(one), std::cref(options));
     if (draw == Draw::no) judge_tabs(*one.assembly, pattern, one.diagnostics);
     if (draw == Draw::yes) one.pattern = make_pattern(*one.assembly, pattern, one.diagnostics);
+    judge_made_size(*one.assembly, pattern, options.layout.scale, one.diagnostics);
     return true;
 }
 

@@ -29,7 +29,9 @@ constexpr std::array kPatternCodes = std::to_array<CodeInfo>({
      "trimmed so that they stay 1 mm clear of folds, cuts, edges and earlier tabs. Of this one less than 3 "
      "mm of depth are left along half its seam or more, so the joint will hold badly, or the seam has no "
      "tab at all. Move the element away from what is near its seam, make the seam longer, or add paper by "
-     "hand and glue from behind; --allow tab-too-small accepts it."},
+     "hand and glue from behind; --allow tab-too-small accepts it. A --scale below 1 makes tabs smaller with "
+     "all "
+     "else: they are judged as they are made, too, and so is what is glued flat, which needs 25 mm²."},
 });
 
 }  // namespace

@@ -14,8 +14,6 @@ namespace {
 
 // What a tab must stay off.
 constexpr double kGapMm = 1.0;
-// A tab with less depth than this along half its seam holds badly.
-constexpr double kWeakMm = 3.0;
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
@@ -148,7 +146,7 @@ std::vector<Ring> TabPlaces::place(const Glue& glue) {
 void judge_tab(const Assembly& assembly, const TabRules& rules, const Glue& glue, std::span<const Ring> parts,
                Diagnostics& diagnostics) {
     const double seam = SeamFrame(glue.on_piece, true).length();
-    const double wanted = std::min(kWeakMm, rules.depth);
+    const double wanted = std::min(kWeakTabMm, rules.depth);
     const double good = length_with_depth(parts, wanted - 1e-6);
     if (good > 0.5 * seam) return;
     const std::string& base = assembly.plates[at(glue.base_plate)].name;

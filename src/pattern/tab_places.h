@@ -20,6 +20,9 @@
 
 namespace popup {
 
+// A tab with less depth than this along half its seam holds badly.
+inline constexpr double kWeakTabMm = 3.0;
+
 // The rules that all tabs of a pattern keep to.
 TabRules tab_rules(const PatternOptions& options);
 

@@ -62,11 +62,11 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
 // up to it.
 const std::vector<std::string>& stages() {
     static const std::vector<std::string> order{
-        "units",      "diagnostics", "geometry",     "path",   "curves",      "nest",      "print",
-        "image",      "trace",       "files",        "lines",  "joints",      "assembly",  "crease_pattern",
-        "refinement", "sheet_edit",  "flat_folding", "design", "language",    "mechanism", "check",
-        "motion",     "gluing",      "pattern",      "tabs",   "layout",      "profile",   "output",
-        "compile",    "find",        "write",        "edit",   "edit_drawing"};
+        "units",      "diagnostics", "geometry",     "path",      "curves",   "nest",        "print",
+        "image",      "trace",       "files",        "lines",     "joints",   "assembly",    "crease_pattern",
+        "refinement", "sheet_edit",  "flat_folding", "design",    "language", "mechanism",   "check",
+        "motion",     "gluing",      "pattern",      "made_size", "tabs",     "layout",      "profile",
+        "output",     "compile",     "find",         "write",     "edit",     "edit_drawing"};
     return order;
 }
 
