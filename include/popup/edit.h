@@ -40,21 +40,27 @@ struct EditOptions {
     bool force = false;  // also what adds an error
     ReadOptions read;
     CheckOptions check;
+    // Given: all is looked at that compile() finds with these up to the pattern, collisions and tabs too, in
+    // the document as it was and as it is then.
+    const CompileOptions* all = nullptr;
 };
 
 struct Edited {
     std::string text;                // of the whole document; places of `of_document` are in it
     bool refused = false;            // it would have a new error: nothing is to be written
+    bool examined = false;           // all was looked at, or no edit changed anything that is looked at
     std::vector<std::string> files;  // others that the document reads
 };
 
 // All edits, in their order, or none. Each sees what those before it made. Then the document is read and
 // checked as always; when it has an error that it did not have before, that is refused: `edit-refused` in
 // `of_edits`, at an edit that brings it, and the errors in `of_document`, unless it is forced. What else the
-// checks newly find is in `of_document` too. The two may be one object. nullopt: there is no such document.
+// checks newly find is in `of_document` too. What the policy of `of_document` makes an error is one: it is
+// refused. The two may be one object. nullopt: there is no such document.
 // Cost: one reading of the document, one look at what stands on what, and a check of what it becomes. Where
 // that finds anything, both documents are read, checked and moved as a whole; edits that change what a later
-// one stands on cost another look; what is refused of n edits costs log2(n) times that.
+// one stands on cost another look; what is refused of n edits costs log2(n) times that. With `all`: two
+// compilations, and log2(n) more where it is refused.
 std::optional<Edited> edit_document(const Source& source, std::span<const EditLine> edits,
                                     const EditOptions& options, Diagnostics& of_edits,
                                     Diagnostics& of_document);

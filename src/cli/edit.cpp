@@ -17,6 +17,10 @@
 namespace popup::cli {
 namespace {
 
+// Of documents with up to so many elements all is looked at as `check` does, where nothing asks for it: that
+// takes some ten milliseconds.
+constexpr std::size_t kMostExamined = 40;
+
 std::string edits_footer() {
     std::string text = "Edits, with lengths in the document's unit where they have none of their own:\n";
     for (const EditVerb& verb : edit_verbs())
@@ -35,6 +39,11 @@ std::string edits_footer() {
            "  popupc edit card.xml -f edits.txt --in-place\n"
            "  popupc edit box.svg extrude top --by 10mm -o higher.svg\n"
            "  popupc edit box.svg edge front+top --by 0,0,5 --diff\n"
+           "\nWhat an edit brings that popupc check would find is told, and what is an error then, also by "
+           "--deny "
+           "and\n--werror, refuses it. Of documents with more than 40 elements collisions, what sticks out "
+           "and "
+           "tabs are\nlooked at only under --deny or --werror.\n"
            "\nExit status 0 when the edit was carried out; 1 when it was refused (nothing is written), or, "
            "with\n"
            "--diff, when it changes something; 2 for wrong usage and files that cannot be read or written.";
@@ -60,6 +69,18 @@ void check_edit_usage(const EditVerbOptions& edit, const MessageOptions& message
     if (!messages.file.empty() && (same_place(messages.file, edit.output.output) ||
                                    (edit.output.in_place && same_place(messages.file, edit.document))))
         throw UsageError(messages.file + " is named twice as an output");
+}
+
+// Whether more than the checks is looked at. Opening tags are counted in place of elements: they are all that
+// a document can have.
+bool is_examined(const Source& source, const Options& options) {
+    if (!options.policy.deny.empty() || options.policy.warnings_are_errors) return true;
+    constexpr std::string_view kTag = "<structure ";
+    std::size_t count = 0;
+    for (std::size_t at = source.text.find(kTag); at != std::string::npos && count <= kMostExamined;
+         at = source.text.find(kTag, at + kTag.size()))
+        ++count;
+    return count <= kMostExamined;
 }
 
 }  // namespace
@@ -160,6 +181,7 @@ int run_edit(const Options& options) {
     edit.read = options.compile.read;
     if (readable && !of_edits.has_errors() && !of_refinement.has_errors()) {
         Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
+        if (!is_sheet && is_examined(*source, options)) edit.all = &options.compile;
         edited = is_sheet ? edit_drawing(*source, edits, drawing, heard, of_document)
                           : edit_document(*source, edits, edit, heard, of_document);
     }
@@ -173,6 +195,15 @@ int run_edit(const Options& options) {
     bool changed = false;
     if (accepted) {
         changed = edited->text != source->text;
+        if (!is_sheet && changed && !edited->examined) {
+            of_document
+                .remark(
+                    "edit-not-examined", {},
+                    fmt::format("the document has more than {} elements, so that collisions, what sticks out "
+                                "and tabs were not looked at",
+                                kMostExamined))
+                .hint("popupc check looks at them; so does edit with --deny or --werror");
+        }
         std::vector<PendingFile> files;
         if (verb.output.diff) {
             if (changed) files.push_back({"-", unified_diff(source->name, source->text, edited->text)});

@@ -235,6 +235,35 @@ Looked look_at_text(const std::string& text, const std::string& name, const Edit
     return looked;
 }
 
+// The same, with all that compile() finds up to the pattern.
+Looked look_at_all(const std::string& text, const std::string& name, const CompileOptions& options,
+                   const DiagnosticPolicy& policy) {
+    CompileOptions first = options;
+    first.read.language = "xml";
+    first.until = Stage::check;
+    first.progress = {};
+    Compilation run = compile({{name, text}}, first, policy);
+    CompiledDesign& one = run.designs.front();
+    find_further(one, first);
+    Looked looked;
+    looked.design = std::move(one.design);
+    looked.found = one.diagnostics.sorted();
+    looked.last = Until::motion;
+    return looked;
+}
+
+// As the findings of a document as it was: no move is looked for that would mend them.
+Counts counted_all(const Source& source, const CompileOptions& options, const DiagnosticPolicy& policy) {
+    CompileOptions plain = options;
+    plain.fitting_size = {};
+    plain.clearing_move = {};
+    plain.motion.memory = nullptr;
+    Counts counts;
+    for (const Diagnostic& one : look_at_all(source.text, source.name, plain, policy).found)
+        ++counts[{one.severity, one.code, one.element}];
+    return counts;
+}
+
 // Whether something stands on the page of a piece that was taken out: no number is written for it.
 bool has_lost_page(const Design& design) {
     const auto is_lost = [](const std::optional<int>& page) { return page && *page < 0; };
@@ -296,14 +325,14 @@ std::optional<Looked> look_at_design(const Source& before, std::span<const xml::
 bool is_among(const Diagnostics& found, const Diagnostic& error) {
     const auto all = found.sorted();
     return std::any_of(all.begin(), all.end(), [&](const Diagnostic& one) {
-        return one.severity == error.severity && one.code == error.code && one.element == error.element;
+        return one.severity == Severity::error && one.code == error.code && one.element == error.element;
     });
 }
 
 // The place of an edit that brings an error of the document that all of them make: it is not there before
 // that one, and is after it. Edits before it may come to it and mend it again.
 Place place_of_error(const Source& source, std::span<const EditLine> edits, const EditOptions& options,
-                     const Diagnostic& error) {
+                     const Diagnostic& error, const DiagnosticPolicy& policy) {
     EditOptions forced = options;
     forced.force = true;
     std::size_t before = 0;
@@ -311,7 +340,7 @@ Place place_of_error(const Source& source, std::span<const EditLine> edits, cons
     while (after > before + 1) {
         const std::size_t middle = before + (after - before) / 2;
         Diagnostics unheard;
-        Diagnostics found(source.name);
+        Diagnostics found(source.name, policy);
         edit_document(source, edits.first(middle), forced, unheard, found);
         (is_among(found, error) ? after : before) = middle;
     }
@@ -375,11 +404,18 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     Edited made;
     made.text = xml::patched(source.text, changes);
     made.files = std::move(reading.files);
+    made.examined = options.all != nullptr || made.text == source.text;
     if (made.text == source.text) return made;
     edit::Edits done{before_edits, session.design, session.take_owners()};
-    if (edit::is_as_it_was(done)) return made;
+    if (edit::is_as_it_was(done)) {
+        made.examined = true;
+        return made;
+    }
+    const DiagnosticPolicy& policy = of_document.policy();
     std::optional<edit::Looked> looked;
-    if (edit::tells_all(done, reading_errors)) {
+    if (options.all != nullptr) {
+        looked = edit::look_at_all(made.text, source.name, *options.all, policy);
+    } else if (edit::tells_all(done, reading_errors)) {
         looked = edit::look_at_design(source, changes, made.text, reading_errors, options, done);
     } else if (edit::finds_nothing(done, options.check)) {
         return made;
@@ -388,7 +424,10 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
     const std::vector<Diagnostic>& found = looked->found;
     // What was found before is asked only as far as there is something to compare it with.
     edit::Counts before = edit::counted(reading_errors);
-    if (!found.empty() && !(looked->last == edit::Until::check && edit::is_surely_new(found, before, done))) {
+    if (options.all != nullptr) {
+        before = edit::counted_all(source, *options.all, policy);
+    } else if (!found.empty() &&
+               !(looked->last == edit::Until::check && edit::is_surely_new(found, before, done))) {
         edit::look_at(before_edits, looked->last, options, reading_errors);
         before = edit::counted(reading_errors);
     }
@@ -402,13 +441,16 @@ std::optional<Edited> edit_document(const Source& source, std::span<const EditLi
             --known;
             continue;
         }
-        if (broken == nullptr && one.severity == Severity::error) broken = &one;
-        of_document.add(one.severity, one.code, one.place, one.message) = one;
+        Diagnostic& told = of_document.add(one.severity, one.code, one.place, one.message);
+        const Severity severity = told.severity;  // the policy may have raised it
+        told = one;
+        told.severity = severity;
+        if (broken == nullptr && severity == Severity::error) broken = &one;
     }
     if (broken == nullptr || options.force) return made;
     Diagnostic& refused =
         of_edits
-            .error("edit-refused", edit::place_of_error(source, edits, options, *broken),
+            .error("edit-refused", edit::place_of_error(source, edits, options, *broken, policy),
                    "the document would have an error that it does not have now; nothing is written")
             .hint("--force writes it all the same");
     const bool leaves_others = std::any_of(edits.begin(), edits.end(), [](const EditLine& one) {
