@@ -126,7 +126,10 @@ bool outline(Session& session, const Command& command) {
     if (data != nullptr) return session.set_parameter(structure, info, *parameter, *data);
     Diagnostics trouble(*from);
     const auto file = read_source(*from, trouble);
-    if (!file) return session.fail("bad-edit", trouble.sorted().front().message);
+    if (!file) {
+        return session.fail("bad-edit",
+                            fmt::format("the drawing {} {}", shown(*from), trouble.sorted().front().message));
+    }
     xml::OutlineDrawing drawing;
     if (const std::string refusal = xml::read_outline_drawing(*from, file->text, drawing); !refusal.empty())
         return session.fail("bad-edit", fmt::format("{} has no outline: {}", *from, refusal));
