@@ -37,7 +37,10 @@ bool has_inverse(const ElementInfo& info) {
 
 Placing::Placing(const Design& design, const Structure& structure, const ElementInfo& info, int extra_page,
                  const PageTurns& pages)
-    : structure_(&structure), pages_(pages), unit_mm_(design.unit.mm) {
+    : structure_(&structure),
+      pages_(pages),
+      unit_mm_(design.unit.mm),
+      unit_(fmt::format(" {}", design.unit.name)) {
     element.info = &info;
     element.arguments = structure.arguments;
     element.arguments.resize(info.parameters.size());
@@ -332,6 +335,11 @@ Change Placing::take_change(const Tolerances& tolerances) {
         const std::string_view space = change.before.empty() ? "" : " ";
         change.before += fmt::format("{}{}", space, text(snapped.a));
         change.after += fmt::format("{}{}", space, text(snapped.b));
+    }
+    // Findings speak of millimetres, and points are as they are written.
+    if (!change.before.empty() && unit_mm_ != 1.0) {
+        change.before += unit_;
+        change.after += unit_;
     }
     if (change.before.empty() && element.redrawn) {
         change = *std::exchange(element.redrawn, std::nullopt);

@@ -112,6 +112,7 @@ struct Placing {
     const Structure* structure_;
     PageTurns pages_;
     double unit_mm_;
+    std::string unit_;                 // " in": behind points
     std::vector<PagePoint> points_;    // the author's, on their pages; moved with their fold once it is known
     std::vector<PagePoint> authored_;  // the author's, never moved
     std::vector<PagePoint> reported_;  // as of the last take_change()

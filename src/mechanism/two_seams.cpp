@@ -71,13 +71,16 @@ bool fit_seam(Element& e, Side side, std::size_t i, std::size_t j, std::string_v
                  fmt::format("move the {} along the fold, or what has been cut out beside it", e.info->name));
         return false;
     }
-    e.repaired(
-        "does-not-fit",
-        fmt::format(
-            "the seam {} leaves the plane it is glued to; it is now {} from the fold (was {}) and {} long "
-            "(was {})",
-            name, mm(w), mm(p.w), mm(std::abs(e.on[i].s - e.on[j].s)), mm(std::abs(p.s - q.s))),
-        fmt::format("make the {} smaller, or the paper under it larger", e.info->name));
+    // What the repair leaves alone is not told as if it had changed.
+    const auto now = [](const std::string& is, const std::string& was, std::string_view what) {
+        return is == was ? fmt::format("still {} {}", is, what)
+                         : fmt::format("now {} {} (was {})", is, what, was);
+    };
+    e.repaired("does-not-fit",
+               fmt::format("the seam {} leaves the plane it is glued to; it is {} and {}", name,
+                           now(mm(w), mm(p.w), "from the fold"),
+                           now(mm(std::abs(e.on[i].s - e.on[j].s)), mm(std::abs(p.s - q.s)), "long")),
+               fmt::format("make the {} smaller, or the paper under it larger", e.info->name));
     return true;
 }
 
