@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text/nearest.h"
+
 namespace popup {
 namespace {
 
@@ -45,7 +47,15 @@ const Format* format_of(const std::string& path, const std::string& otherwise, D
             .hint("name it with --to FORMAT")
             .hint(formats);
     } else {
-        refuse(diagnostics, fmt::format("{}: the suffix names no format", path)).hint(formats);
+        Diagnostic& told = refuse(diagnostics, fmt::format("{}: the suffix names no format", path));
+        const std::size_t dot = path.rfind('.');
+        const std::string suffix = dot == std::string::npos ? std::string() : path.substr(dot);
+        // What is one slip away: many suffixes are alike.
+        const auto meant = std::find_if(names.begin(), names.end(), [&](std::string_view one) {
+            return edit_distance(suffix, one) == 1;
+        });
+        if (meant != names.end()) told.hint(fmt::format("did you mean {}?", *meant));
+        told.hint(formats);
     }
     return nullptr;
 }

@@ -18,7 +18,9 @@ bool is_id(std::string_view text);
 // What the base page is called; no element has it as its id.
 inline constexpr std::string_view kBasePage = "page";
 inline constexpr std::string_view kIdHint =
-    "an id begins with a letter or \"_\" and goes on with letters, digits, \"_\", \".\" and \"-\"";
+    "an id begins with a letter from A to Z or a to z, or \"_\", and goes on with such letters, digits, "
+    "\"_\", "
+    "\".\" and \"-\"";
 
 // Whether it is UTF-16 or UTF-32, by its byte order mark or by the zero bytes beside its first character.
 // None of the languages is written so.

@@ -45,8 +45,10 @@ std::optional<toml::table> parse_toml(std::string_view text, std::string_view co
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        diagnostics.error(code, place_of(error.source()),
-                          fmt::format("this is not TOML: {}", error.description()));
+        Diagnostic& told = diagnostics.error(code, place_of(error.source()),
+                                             fmt::format("this is not TOML: {}", error.description()));
+        if (error.description().find("value type") != std::string_view::npos)
+            told.hint("texts stand in quotes: sheet = \"a3\"");
         return std::nullopt;
     }
 }

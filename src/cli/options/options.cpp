@@ -126,7 +126,16 @@ void add_talk_options(CLI::App& verb, Options& options) {
                             {{"auto", When::automatic}, {"always", When::always}, {"never", When::never}});
     };
     value(verb, "--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured", "Diagnostics",
-          [&messages, when](std::string_view text) { messages.color = when("--color", text); });
+          [&messages, when, edits = verb.get_name() == "edit"](std::string_view text) {
+              try {
+                  messages.color = when("--color", text);
+              } catch (const UsageError& error) {
+                  if (!edits) throw;
+                  std::vector<std::string> hints = error.hints();
+                  hints.push_back(fmt::format("the colour of an element is written color={}", text));
+                  throw UsageError(error.what(), std::move(hints));
+              }
+          });
     value(verb, "--progress", "WHEN", "auto (default: on a terminal), always or never", "Diagnostics",
           [&messages, when](std::string_view text) { messages.progress = when("--progress", text); });
     CLI::Option* quiet =

@@ -303,6 +303,7 @@ TEST_F(Config, MistakesAreToldWithTheirPlaces) {
            {":1:8: error: --deny: there is no diagnostic \"colision\"", "did you mean collision?"});
     expect("spacing = inf\n", {":1:11: error: --spacing takes"});
     expect("a = \n", {":1:", "error: this is not TOML: "});
+    expect("sheet = a3\n", {":1:", "texts stand in quotes: sheet = \"a3\""});
     expect("margin = 1\nmargin = 2\n", {"designs/popupc.toml:2:", "error: this is not TOML: "});
     expect(std::string(70000, '#'), {"designs/popupc.toml: error: a configuration has at most 65536 bytes"});
     expect(std::string("a\0b", 3), {"designs/popupc.toml:1:"});

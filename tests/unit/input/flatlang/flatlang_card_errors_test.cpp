@@ -102,9 +102,8 @@ TEST(FlatLangCardErrors, WhatCannotBeIsSaidWhereItIsCalled) {
         {"e = beak(popup(), [0, 1], [-1, 0]) named(e, 3)",
          "1:45 argument 2 of named() is a number, where its name, a text, is expected"},
         {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"a b\")",
-         "1:36 named() cannot give the name 'a b' (an id begins with a letter or \"_\" and goes on with "
-         "letters, "
-         "digits, \"_\", \".\" and \"-\")"},
+         "1:36 named() cannot give the name 'a b' (an id begins with a letter from A to Z or a to z, or "
+         "\"_\", and goes on with such letters, digits, \"_\", \".\" and \"-\")"},
         {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"page\")",
          "1:36 named() cannot give the name 'page', which is kept for the base page"},
         {"e = beak(popup(), [0, 1], [-1, 0]) named(e, \"a\", 0.5)",
