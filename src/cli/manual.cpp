@@ -76,9 +76,15 @@ std::string item(const OptionView& option) {
     return line + "\n";
 }
 
-// A verb's footer in parts: examples, and the paragraphs around them.
+// A verb's footer in parts: examples, other lists with what stands above each, and the paragraphs around
+// them.
 struct Footer {
+    struct List {
+        std::string heading;
+        std::vector<std::string> lines;
+    };
     std::vector<std::string> examples;
+    std::vector<List> lists;
     std::string exit_status;
     std::string remarks;
 };
@@ -93,17 +99,33 @@ Footer parts_of(const std::string& text) {
         (about_exit ? footer.exit_status : footer.remarks) += paragraph;
         paragraph.clear();
     };
+    bool in_list = false;  // of footer.lists
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("  ")) {
-            footer.examples.push_back(line.substr(2));
+            if (!paragraph.empty()) {
+                footer.lists.push_back({std::exchange(paragraph, {}), {}});
+                in_list = true;
+            }
+            (in_list ? footer.lists.back().lines : footer.examples).push_back(line.substr(2));
         } else if (line.empty()) {
+            in_list = false;
             close();
         } else if (line != "Examples:") {
+            in_list = false;
             paragraph += line + " ";
         }
     }
     close();
     return footer;
+}
+
+std::string literal(const std::vector<std::string>& lines) {
+    std::string text = ".Bd -literal -offset indent\n";
+    for (const std::string& line : lines) {
+        for (const char c : line) text += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+        text += "\n";
+    }
+    return text + ".Ed\n";
 }
 
 std::string manual_page(const VerbView& verb) {
@@ -121,6 +143,8 @@ std::string manual_page(const VerbView& verb) {
     }
     page += ".Sh DESCRIPTION\n" + filled(verb.about + ".") + filled(footer.remarks);
     if (footer.remarks.empty()) page.pop_back();
+    for (const Footer::List& list : footer.lists)
+        page += ".Pp\n" + filled(list.heading) + literal(list.lines);
     page +=
         ".Pp\nThis page has the options of the verb in short.\nAll of it is said at length in\n.Xr popupc 1 "
         ".\n";
@@ -140,13 +164,7 @@ std::string manual_page(const VerbView& verb) {
     }
     if (!footer.exit_status.empty()) page += ".Sh EXIT STATUS\n" + filled(footer.exit_status);
     if (!footer.examples.empty()) {
-        page += ".Sh EXAMPLES\n.Bd -literal -offset indent\n";
-        for (const std::string& line : footer.examples) {
-            std::string shown;
-            for (const char c : line) shown += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
-            page += shown + "\n";
-        }
-        page += ".Ed\n";
+        page += ".Sh EXAMPLES\n" + literal(footer.examples);
     }
     return page + fmt::format(".Sh SEE ALSO\n.Xr popupc 1{}\n", has_inputs ? " ,\n.Xr popup 5" : "");
 }
