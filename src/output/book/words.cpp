@@ -23,7 +23,12 @@ std::string joined_pairs(const std::vector<std::string>& pairs) {
     return fmt::format("{}", fmt::join(pairs, ", "));
 }
 
-std::string degrees_text(double deg) { return number_text(std::round(deg), 0) + "°"; }
+// How far a fold is folded: "folded flat" would be read as either of the ends.
+std::string bent_text(double deg) {
+    if (deg < kFlatDeg) return "not folded";
+    if (deg > 180.0 - kFlatDeg) return "folded right over";
+    return fmt::format("folded by {}°", number_text(std::round(deg), 0));
+}
 
 }  // namespace
 
@@ -120,12 +125,8 @@ std::vector<std::string> Words::folds(int piece) const {
     std::vector<std::pair<std::string, std::vector<std::string>>> alike;
     for (const FoldWay& way : ways) {
         const Hinge& hinge = nth(in_.hinges, way.hinge);
-        const std::string open = way.open_deg < kFlatDeg ? std::string("flat on the open card")
-                                                         : degrees_text(way.open_deg) + " on the open card";
-        const std::string closed =
-            way.closed_deg > 180.0 - kFlatDeg ? std::string("right over on the closed card")
-            : way.closed_deg < kFlatDeg       ? std::string("flat on the closed card")
-                                              : degrees_text(way.closed_deg) + " on the closed card";
+        const std::string open = bent_text(way.open_deg) + " on the open card";
+        const std::string closed = bent_text(way.closed_deg) + " on the closed card";
         const std::string how = fmt::format("{} {}, {}", way.mountain ? "mountain" : "valley", closed, open);
         const std::string between = fmt::format("{} and {}", part(hinge.a), part(hinge.b));
         const auto same =
@@ -144,9 +145,9 @@ std::vector<std::string> Words::folds(int piece) const {
     std::vector<std::string> said;
     for (const auto& [how, where] : alike) {
         const std::size_t space = how.find(' ');
-        said.push_back(fmt::format(
-            "{} {} between {}: folded{}.", how.substr(0, space) == "valley" ? "Valley" : "Mountain",
-            where.size() == 1 ? "fold" : "folds", joined_pairs(where), how.substr(space)));
+        said.push_back(
+            fmt::format("{} {} between {}:{}.", how.substr(0, space) == "valley" ? "Valley" : "Mountain",
+                        where.size() == 1 ? "fold" : "folds", joined_pairs(where), how.substr(space)));
     }
     return said;
 }

@@ -48,6 +48,9 @@ struct Made {
     explicit Made(const std::vector<std::string>& samples, const CompileOptions& options = {}) {
         std::vector<Source> sources;
         for (const std::string& name : samples) sources.push_back(sample_source(name));
+        make(std::move(sources), options);
+    }
+    void make(std::vector<Source> sources, const CompileOptions& options) {
         run = compiled(std::move(sources), options);
         for (const CompiledDesign& one : run.designs) {
             EXPECT_TRUE(one.pattern) << test::findings(one.diagnostics);
@@ -56,12 +59,33 @@ struct Made {
         }
         POPUP_INVARIANT(run.layout.has_value());
     }
+    Made() = default;
     [[nodiscard]] RunPage page() const { return {cards, &*run.layout, {}, false}; }
     [[nodiscard]] book::Book made() const { return book::make_book(page(), {}); }
 
     Compilation run;
     std::vector<SceneCard> cards;
 };
+
+// Of a document of a card of 200 × 140 mm.
+Made card_of(const std::string& structures) {
+    Source source;
+    source.name = "card.xml";
+    source.text = R"(<popup version="3.0" units="mm"><mainpage width="200" height="140"/><structurelist>)" +
+                  structures + "</structurelist></popup>";
+    std::vector<Source> sources;
+    sources.push_back(std::move(source));
+    Made made;
+    made.make(std::move(sources), {});
+    return made;
+}
+
+std::string need(const book::Book& book, const std::string& name) {
+    for (const auto& [what, value] : book.needs) {
+        if (what == name) return value;
+    }
+    return {};
+}
 
 std::string written(const Made& run, const std::string& format, const OutputOptions& options = {}) {
     Diagnostics diagnostics("book");
@@ -119,8 +143,8 @@ TEST(Book, SaysWhatIsDoneInWords) {
     const book::Step& front = step_named(house, "Step 5: glue on 1. front");
     EXPECT_EQ(front.lies, "The card lies open on the table.");
     EXPECT_EQ(front.actions,
-              (Lines{"Mountain fold between left and right: folded right over on the closed card, 62° on the "
-                     "open card.",
+              (Lines{"Mountain fold between left and right: folded right over on the closed card, folded by "
+                     "62° on the open card.",
                      "Put glue on tab 1L, and press it onto target 1L on the left part of page.",
                      "When that holds, fold the piece flat onto that side, so that tab 1R faces up. Put glue "
                      "on it, close "
@@ -147,6 +171,20 @@ TEST(Book, SaysWhatIsDoneInWords) {
     EXPECT_EQ(top.actions.at(1),
               "Put glue on tab 2T of 2. low-top/pillar, and let the top-left part of low-top down on it, "
               "so that the tab is under it, along the fold.");
+}
+
+// "Folded flat" would be read as folded right over.
+TEST(Book, SaysOfAFoldThatIsStraightThatItIsNotFolded) {
+    const book::Book book = card_of(R"(<structure type="box" id="b" height="20" ends="out"><outerpoints>
+        <point x="-25" y="-20"/><point x="-25" y="20"/><point x="25" y="-20"/><point x="25" y="20"/>
+        </outerpoints><parentfold on="gutter"/></structure>)")
+                                .made();
+    const Lines& actions = book.cards.front().chapters.back().steps.front().actions;
+    EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const std::string& text) {
+        return text.find(": not folded on the closed card, folded by 90° on the open card.") !=
+               std::string::npos;
+    }));
+    for (const std::string& text : actions) EXPECT_EQ(text.find("folded flat"), std::string::npos) << text;
 }
 
 TEST(Book, OfOneSheetIsPushedOutByLevels) {
@@ -221,16 +259,11 @@ TEST(Book, CountsWhatIsNeeded) {
     CompileOptions options;
     options.layout.copies = 2;
     const book::Book book = Made({"house.xml"}, options).made();
-    const auto need = [&](const std::string& name) {
-        for (const auto& [what, value] : book.needs) {
-            if (what == name) return value;
-        }
-        return std::string();
-    };
-    EXPECT_EQ(need("To glue"), "12 tabs");
-    EXPECT_EQ(need("Copies").substr(0, 34), "the sheets have 2 of each piece; t");
-    EXPECT_EQ(need("To fold"), "14 folds");
-    EXPECT_NE(need("Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos) << need("Paper");
+    EXPECT_EQ(need(book, "To glue"), "12 tabs");
+    EXPECT_EQ(need(book, "Copies").substr(0, 34), "the sheets have 2 of each piece; t");
+    EXPECT_EQ(need(book, "To fold"), "14 folds");
+    EXPECT_NE(need(book, "Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos)
+        << need(book, "Paper");
 }
 
 // The first picture of a step has what is there and what comes; the second differs. What is new has its
