@@ -66,7 +66,8 @@ struct GlueCount {
 GlueCount glue_of(std::span<const SceneCard> cards) {
     GlueCount all;
     for (const SceneCard& card : cards) {
-        all.tabs += card.assembly->glue.size();
+        const std::vector<bool> tabs = tabs_on_sheets(card);
+        all.tabs += static_cast<std::size_t>(std::count(tabs.begin(), tabs.end(), true));
         all.areas += card.assembly->glued_areas.size();
         for (const Plate& plate : card.assembly->plates) all.rivets += plate.rivet ? 1U : 0U;
     }
@@ -175,7 +176,10 @@ std::vector<PartRow> parts_of(const SceneCard& card, const Layout& layout, std::
         std::string& of_piece = nth(tabs, nth(assembly.plates, plate).piece);
         of_piece += (of_piece.empty() ? "" : ", ") + label;
     };
-    for (const Glue& glue : assembly.glue) add_tab(glue.piece_plate, glue.label);
+    const std::vector<bool> there = tabs_on_sheets(card);
+    for (std::size_t i = 0; i < assembly.glue.size(); ++i) {
+        if (there[i]) add_tab(assembly.glue[i].piece_plate, assembly.glue[i].label);
+    }
     for (const GluedArea& glued : assembly.glued_areas) add_tab(glued.plate, "area " + glued.label);
     std::vector<PartRow> rows;
     for (std::size_t i = 0; i < assembly.pieces.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "base/nth.h"
@@ -45,6 +46,19 @@ std::string listed(const std::vector<std::string>& items, std::size_t most) {
     }
     if (shown < items.size()) text += fmt::format(" and {} more", items.size() - shown);
     return text;
+}
+
+std::vector<bool> tabs_on_sheets(const SceneCard& card) {
+    const Assembly& in = *card.assembly;
+    std::vector<bool> there(in.glue.size(), card.pattern == nullptr);
+    if (card.pattern == nullptr) return there;
+    std::set<std::pair<int, std::string_view>> targets;
+    for (const PatternPiece& piece : card.pattern->pieces) {
+        for (const GlueTarget& target : piece.targets) targets.emplace(target.plate, target.label);
+    }
+    for (std::size_t i = 0; i < in.glue.size(); ++i)
+        there[i] = targets.contains({in.glue[i].base_plate, in.glue[i].label});
+    return there;
 }
 
 Words::Words(const SceneCard& card, bool backs_are_marked)

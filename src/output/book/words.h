@@ -16,6 +16,10 @@ std::string counted(std::size_t count, std::string_view one, std::string_view mo
 // "a", "a and b", "a, b and c"; at most `most` of them, then "and 7 more".
 std::string listed(const std::vector<std::string>& items, std::size_t most = 12);
 
+// Of each Assembly::glue whether the sheets have its tab: trimming may leave nothing of it. Where it is not
+// known what they have, all are there. Cost: n log n in tabs and targets.
+std::vector<bool> tabs_on_sheets(const SceneCard& card);
+
 class Words {
  public:
     // `backs_are_marked`: sheets show on backs what is glued there.

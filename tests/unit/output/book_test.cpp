@@ -187,6 +187,39 @@ TEST(Book, SaysOfAFoldThatIsStraightThatItIsNotFolded) {
     for (const std::string& text : actions) EXPECT_EQ(text.find("folded flat"), std::string::npos) << text;
 }
 
+// Nothing is left of 1P: it lies on the target of 1L, as wide as both are.
+const char* const kLowLayer = R"(<structure type="floating-layer" id="fl" height="10"><outerpoints>
+        <point x="-6" y="-15"/><point x="-6" y="15"/><point x="6" y="-15"/><point x="6" y="15"/>
+        </outerpoints><parentfold on="gutter"/></structure>)";
+
+TEST(Book, TellsOfNoTabThatNoSheetHas) {
+    const Made run = card_of(kLowLayer);
+    const book::Book book = run.made();
+    EXPECT_EQ(need(book, "To glue"), "3 tabs");
+    for (const book::PartRow& part : book.cards.front().parts)
+        EXPECT_EQ(part.tabs.find("1P"), std::string::npos) << part.tabs;
+    std::size_t told = 0;
+    for (const book::Chapter& chapter : book.cards.front().chapters) {
+        for (const book::Step& step : chapter.steps) {
+            for (const std::string& text : step.actions)
+                EXPECT_EQ(text.find("1P"), std::string::npos) << text;
+            for (const std::string& note : step.notes) {
+                told += note ==
+                        "No sheet has a tab 1P, for which there was no room: glue a strip of paper, folded "
+                        "along its "
+                        "middle, into that edge instead.";
+            }
+            for (const book::Scene& scene : step.scenes) {
+                for (const Bond& bond : scene.bonds)
+                    EXPECT_NE(
+                        run.cards.front().assembly->glue.at(static_cast<std::size_t>(bond.number)).label,
+                        "1P");
+            }
+        }
+    }
+    EXPECT_EQ(told, 1U);
+}
+
 TEST(Book, OfOneSheetIsPushedOutByLevels) {
     const book::Book book = Made({"castle.xml"}).made();
     EXPECT_EQ(titles(book),
