@@ -10,6 +10,7 @@
 #include "base/nth.h"
 #include "base/text/numbers.h"
 #include "output/book/book.h"
+#include "output/book/opening.h"
 #include "output/book/steps.h"
 #include "output/book/words.h"
 #include "output/sheet_drawing.h"

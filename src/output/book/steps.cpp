@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "base/nth.h"
@@ -21,12 +19,6 @@ namespace {
 constexpr float kWashed = 0.62F;
 constexpr std::size_t kMostTogether = 6;  // flat pieces that are glued in one step
 constexpr std::size_t kMostNames = 12;
-
-// Findings that somebody who holds the card can see, or do something about.
-constexpr std::array<std::string_view, 12> kForHands{
-    "clearance-low",       "collision",   "folds-in-order",  "glue-overlaps",
-    "glue-marks-left-out", "layer-order", "lies-on-another", "not-forced",
-    "not-rigid",           "protrusion",  "tab-too-small",   "target-covered"};
 
 class CardSteps {
  public:
@@ -59,8 +51,7 @@ class CardSteps {
     }
 
  private:
-    // Nobody glues tabs that no sheet has: the steps keep their order, and a note
-    // tells of those edges.
+    // Nobody glues tabs that no sheet has: the steps keep their order, and a note tells of those edges.
     void leave_out_missing_tabs(const std::vector<bool>& there) {
         const auto is_missing = [&](const Bond& bond) {
             return bond.kind == Bond::Kind::tab && !there[static_cast<std::size_t>(bond.number)];
@@ -143,13 +134,10 @@ class CardSteps {
         const auto pushes = pushed_.find(order_.card);
         const bool glued = !order_.steps.empty();
         if (pushes == pushed_.end()) {
-            step.actions.emplace_back(
-                "Close the card, press the fold with a "
-                "fingernail, and open it again.");
+            step.actions.emplace_back("Close the card, press the fold with a fingernail, and open it again.");
         } else {
             step.actions.emplace_back(
-                "Fold each line once, only a little, the way "
-                "it goes: then all move easily later.");
+                "Fold each line once, only a little, the way it goes: then all move easily later.");
         }
         chapter.steps.push_back(std::move(step));
         if (pushes != pushed_.end()) push_out(pushes->second, chapter);
@@ -181,8 +169,7 @@ class CardSteps {
                                                 "it away from you: its middle fold is a valley.");
             if (level == levels)
                 step.actions.emplace_back(
-                    "Close the card slowly, and help with a "
-                    "finger wherever a fold does not know its "
+                    "Close the card slowly, and help with a finger wherever a fold does not know its "
                     "way. Press it flat, and open it.");
             if (shows()) {
                 Scene before = scene(1.0, "Before: flat, with what is pushed out in its colours");
@@ -258,8 +245,7 @@ class CardSteps {
         chapter.title = "Fold";
         if (folding.size() > 1)
             chapter.intro =
-                "In this order nothing is in the way of anything. Let "
-                "what is folded stay folded.";
+                "In this order nothing is in the way of anything. Let what is folded stay folded.";
         std::vector<Frame> to(in_.plates.size());
         for (const FoldingStep& fold : folding) {
             Step step;
@@ -277,10 +263,8 @@ class CardSteps {
             step.actions = fold_words(fold, folded);
             if (fold.hinges.size() > kMostNames)
                 step.actions.emplace_back(
-                    "Crease each fold by itself first. Then take "
-                    "the sheet in both hands and move all "
-                    "of them a little further, again and again, "
-                    "until they are where they end.");
+                    "Crease each fold by itself first. Then take the sheet in both hands and move all "
+                    "of them a little further, again and again, until they are where they end.");
             add_fold_figures(fold, folded, step);
             step.large_figures = true;
             Scene before = scene(0.0, "Before");
@@ -311,8 +295,7 @@ class CardSteps {
         }
         step.large_figures = true;
         step.actions.emplace_back(
-            "Fold it until it lies as the picture shows. In "
-            "which order its folds go is not known.");
+            "Fold it until it lies as the picture shows. In which order its folds go is not known.");
         if (shows()) {
             Scene after = scene(0.0, "The sheet as it lies folded");
             std::fill(after.fades.begin(), after.fades.end(), 0.0F);
@@ -441,8 +424,7 @@ class CardSteps {
         if (const auto missing = missing_.find(one.piece); missing != missing_.end()) {
             const bool single = missing->second.size() == 1;
             step.notes.push_back(fmt::format(
-                "No sheet has {} {}, for which there was no room: glue "
-                "{} of paper, folded along {} "
+                "No sheet has {} {}, for which there was no room: glue {} of paper, folded along {} "
                 "middle, into {} instead.",
                 single ? "a tab" : "the tabs", listed(missing->second), single ? "a strip" : "strips",
                 single ? "its" : "their", single ? "that edge" : "those edges"));
@@ -451,13 +433,12 @@ class CardSteps {
         std::vector<std::string> labels;
         for (const Bond& bond : one.under) labels.push_back(words_.label(bond));
         const bool is_area = one.under.front().kind == Bond::Kind::area;
-        step.notes.push_back(is_area ? fmt::format("Other pieces cover a part of area {} already: "
-                                                   "glue over them.",
-                                                   listed(labels))
-                                     : fmt::format("Something stands above target {} already: slip "
-                                                   "the {} in below it. Closing "
-                                                   "the card presses it.",
-                                                   listed(labels), one.under.size() == 1 ? "tab" : "tabs"));
+        step.notes.push_back(
+            is_area
+                ? fmt::format("Other pieces cover a part of area {} already: glue over them.", listed(labels))
+                : fmt::format("Something stands above target {} already: slip the {} in below it. Closing "
+                              "the card presses it.",
+                              listed(labels), one.under.size() == 1 ? "tab" : "tabs"));
     }
 
     void add_scenes(std::span<const GluingStep> together, Step& step) const {
@@ -492,8 +473,7 @@ class CardSteps {
         step.captions = {"before", "after"};
     }
 
-    // Whether all that is glued on a piece lies flat on it: then it can be shown
-    // as it is cut.
+    // Whether all that is glued on a piece lies flat on it: then it can be shown as it is cut.
     [[nodiscard]] bool lies_unfolded(int ground) const {
         return std::all_of(order_.steps.begin(), order_.steps.end(), [ground](const GluingStep& step) {
             if (step.ground != ground) return true;
@@ -530,74 +510,6 @@ class CardSteps {
 
 std::vector<Chapter> chapters_of(const SceneCard& card, std::size_t number, bool backs_are_marked) {
     return CardSteps(card, number, backs_are_marked).run();
-}
-
-void add_opening(const SceneCard& card, std::size_t number, std::span<const Diagnostic> findings,
-                 CardPart& part) {
-    const Assembly& in = *card.assembly;
-    const bool is_card = moves(in) && !in.covers.empty();
-    const Sweep& sweep = in.sweep;
-    const auto add = [&](double share, std::string caption) {
-        Scene one;
-        one.card = number;
-        one.as_still = true;
-        one.opening_deg = sweep.from_deg + share * (sweep.to_deg - sweep.from_deg);
-        one.alt = fmt::format("{}, {}", in.stem, caption);
-        part.opening.push_back(std::move(one));
-        part.opening_captions.push_back(std::move(caption));
-    };
-    const auto degrees = [&](double share) {
-        return fmt::format(
-            "open {}°", number_text(std::round(sweep.from_deg + share * (sweep.to_deg - sweep.from_deg)), 0));
-    };
-    if (is_card) {
-        for (const double share : {0.2, 0.5, 1.0}) add(share, degrees(share));
-        const bool is_glued = !in.glue.empty() || !in.glued_areas.empty();
-        part.opens.push_back(
-            fmt::format("{}pen it slowly, to {}°: everything stands up by itself, and lies "
-                        "flat again when "
-                        "it closes.",
-                        is_glued ? "Let the glue dry with the card closed, under a book. Then o" : "O",
-                        number_text(sweep.to_deg, 0)));
-        part.trouble.emplace_back(
-            "It does not close flat: a fold goes the wrong way. Find the place "
-            "that is thick, open the "
-            "card, and crease that fold as its line is drawn.");
-        part.trouble.emplace_back(
-            "It does not open wide: glue went beyond a tab, "
-            "or a tab sits beside its target. Look along "
-            "the seams of what is tight.");
-        part.trouble.emplace_back(
-            "Something stands crooked: its two tabs do not "
-            "sit alike. Loosen one while the glue is "
-            "wet, and close the card on it again.");
-        if (!is_glued) {
-            part.trouble.erase(part.trouble.begin() + 1, part.trouble.end());
-            part.trouble.emplace_back(
-                "It does not open wide, or tears: a cut does "
-                "not go to its end. Cut it a little further, "
-                "exactly to where the folds begin.");
-        }
-    } else if (moves(in)) {
-        part.closing_title = "How it must look";
-        add(1.0, "flat");
-        add(0.5, "half folded");
-        add(0.0, "folded");
-        part.opens.emplace_back(
-            "Folded, it looks like the last picture. Whether "
-            "glue or tucked flaps keep it so, its drawing "
-            "does not say.");
-        part.trouble.emplace_back(
-            "Panels do not meet: a fold goes the wrong way, "
-            "or not far enough. Compare each with the "
-            "steps.");
-    }
-    for (const Diagnostic& one : findings) {
-        const bool own = one.file == in.file || one.file.empty();
-        const bool is_for_hands = std::find(kForHands.begin(), kForHands.end(), one.code) != kForHands.end();
-        if (!own || !is_for_hands || one.severity == Severity::error) continue;
-        part.found.push_back(one.message);
-    }
 }
 
 }  // namespace popup::book

@@ -220,6 +220,36 @@ TEST(Book, TellsOfNoTabThatNoSheetHas) {
     EXPECT_EQ(told, 1U);
 }
 
+TEST(Book, SaysWhatDoesNotStandUpByItself) {
+    const std::string layer = R"(<structure type="layer" id="a"><outerpoints>
+        <point x="-45" y="30"/><point x="-45" y="60"/><point x="45" y="30"/><point x="45" y="60"/>
+        <point x="-45" y="25"/><point x="-45" y="55"/><point x="45" y="25"/><point x="45" y="55"/>
+        </outerpoints><parentfold on="gutter"/></structure>)";
+    const std::string box = R"(<structure type="box" id="b" height="20"><outerpoints>
+        <point x="-25" y="-60"/><point x="-25" y="-30"/><point x="25" y="-60"/><point x="25" y="-30"/>
+        </outerpoints><parentfold on="gutter"/></structure>)";
+    const std::string glue =
+        "Let the glue dry with the card closed, under a book. Then open it slowly, to 180°";
+    const std::string push =
+        "Nothing forces fl to stand: it can lean to one side while the card stands still. Set it upright "
+        "with a finger when the card is open, and see before it closes that it leans the way that its folds "
+        "go.";
+    const auto opens = [](const std::string& structures) {
+        return card_of(structures).made().cards.front().opens;
+    };
+    EXPECT_EQ(opens(box),
+              Lines{glue + ": everything stands up by itself, and lies flat again when it closes."});
+    EXPECT_EQ(
+        opens(layer),
+        Lines{glue + ": a rises on the way, and lies flat when it is wide open and when it is closed."});
+    EXPECT_EQ(opens(kLowLayer), (Lines{glue + ".", push}));
+    EXPECT_EQ(
+        opens(box + layer + kLowLayer),
+        (Lines{glue + ": b stands up by itself, and lies flat again when it closes; a rises on the way, "
+                      "and lies flat when it is wide open and when it is closed.",
+               push}));
+}
+
 TEST(Book, OfOneSheetIsPushedOutByLevels) {
     const book::Book book = Made({"castle.xml"}).made();
     EXPECT_EQ(titles(book),
