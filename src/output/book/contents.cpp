@@ -9,6 +9,7 @@
 
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "gluing/glue_flaps.h"
 #include "output/book/book.h"
 #include "output/book/opening.h"
 #include "output/book/steps.h"
@@ -61,7 +62,7 @@ Figures figures_of(const Layout& layout) {
 }
 
 struct GlueCount {
-    std::size_t tabs = 0, areas = 0, rivets = 0;
+    std::size_t tabs = 0, areas = 0, flaps = 0, rivets = 0;
 };
 
 GlueCount glue_of(std::span<const SceneCard> cards) {
@@ -70,6 +71,7 @@ GlueCount glue_of(std::span<const SceneCard> cards) {
         const std::vector<bool> tabs = tabs_on_sheets(card);
         all.tabs += static_cast<std::size_t>(std::count(tabs.begin(), tabs.end(), true));
         all.areas += card.assembly->glued_areas.size();
+        all.flaps += glue_flaps(*card.assembly).size();
         for (const Plate& plate : card.assembly->plates) all.rivets += plate.rivet ? 1U : 0U;
     }
     return all;
@@ -104,7 +106,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
     std::vector<std::string> tools;
     tools.emplace_back(figures.has_inner_cuts ? "a sharp knife, a cutting mat, scissors" : "scissors");
     if (figures.folds > 0) tools.emplace_back("a ruler, a blunt point to score folds");
-    if (glue.tabs + glue.areas > 0) tools.emplace_back("glue that does not warp paper");
+    if (glue.tabs + glue.areas + glue.flaps > 0) tools.emplace_back("glue that does not warp paper");
     if (glue.rivets > 0) tools.push_back(counted(glue.rivets, "brad", "brads") + " (paper fasteners)");
     book.needs.emplace_back("Tools", fmt::format("{}", fmt::join(tools, ", ")));
     book.needs.emplace_back("To cut", fmt::format("{} m of lines", number_text(figures.cut_mm / 1000.0, 1)));
@@ -112,6 +114,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
     std::vector<std::string> spots;
     if (glue.tabs > 0) spots.push_back(counted(glue.tabs, "tab", "tabs"));
     if (glue.areas > 0) spots.push_back(counted(glue.areas, "area", "areas"));
+    if (glue.flaps > 0) spots.push_back(counted(glue.flaps, "flap", "flaps"));
     if (!spots.empty()) book.needs.emplace_back("To glue", listed(spots));
     const int copies = copies_of(layout);
     if (copies > 1)

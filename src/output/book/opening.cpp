@@ -13,6 +13,7 @@
 
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "gluing/glue_flaps.h"
 #include "output/book/words.h"
 #include "popup/motion.h"
 
@@ -138,6 +139,21 @@ class Risers {
     std::vector<std::string> stand_, rise_, free_;
 };
 
+// What keeps a folded sheet as it is.
+std::string how_it_holds(const Assembly& in) {
+    const std::string looks = "Folded, it looks like the last picture. ";
+    std::vector<std::string> flaps;
+    for (const GlueFlap& one : glue_flaps(in)) {
+        const std::string& name = nth(in.plates, one.flap).name;
+        flaps.push_back(name.substr(name.rfind('/') + 1));
+    }
+    if (flaps.empty()) return looks + "Whether glue or tucked flaps keep it so, its drawing does not say.";
+    return looks + fmt::format(
+                       "{} {} it together, glued; whether its other flaps are glued or tucked, its "
+                       "drawing does not say.",
+                       listed(flaps, kMostNames), flaps.size() == 1 ? "holds" : "hold");
+}
+
 }  // namespace
 
 void add_opening(const SceneCard& card, std::size_t number, std::span<const Diagnostic> findings,
@@ -182,9 +198,7 @@ void add_opening(const SceneCard& card, std::size_t number, std::span<const Diag
         add(1.0, "flat");
         add(0.5, "half folded");
         add(0.0, "folded");
-        part.opens.emplace_back(
-            "Folded, it looks like the last picture. Whether glue or tucked flaps keep it so, its drawing "
-            "does not say.");
+        part.opens.push_back(how_it_holds(in));
         part.trouble.emplace_back(
             "Panels do not meet: a fold goes the wrong way, or not far enough. Compare each with the "
             "steps.");

@@ -10,6 +10,7 @@
 
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "gluing/glue_flaps.h"
 #include "output/book/words.h"
 #include "popup/motion.h"
 
@@ -27,7 +28,8 @@ class CardSteps {
           in_(*card.assembly),
           number_(number),
           words_(card, backs_are_marked),
-          order_(gluing_order(in_)) {
+          order_(gluing_order(in_)),
+          flaps_(glue_flaps(in_)) {
         borne_.resize(in_.pieces.size());
         for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
             if (order_.bearers[i] >= 0) nth(borne_, order_.bearers[i]).push_back(static_cast<int>(i));
@@ -247,7 +249,9 @@ class CardSteps {
             chapter.intro =
                 "In this order nothing is in the way of anything. Let what is folded stay folded.";
         std::vector<Frame> to(in_.plates.size());
+        int number = -1;
         for (const FoldingStep& fold : folding) {
+            ++number;
             Step step;
             std::vector<std::string> moved;
             for (const int plate : fold.plates) moved.push_back(panel(plate));
@@ -265,6 +269,7 @@ class CardSteps {
                 step.actions.emplace_back(
                     "Crease each fold by itself first. Then take the sheet in both hands and move all "
                     "of them a little further, again and again, until they are where they end.");
+            glue_flaps_after(number, step);
             add_fold_figures(fold, folded, step);
             step.large_figures = true;
             Scene before = scene(0.0, "Before");
@@ -278,6 +283,18 @@ class CardSteps {
             step.scenes = {std::move(before), std::move(after)};
             step.captions = {"before", "after"};
             chapter.steps.push_back(std::move(step));
+        }
+    }
+
+    void glue_flaps_after(int number, Step& step) const {
+        for (const GlueFlap& one : flaps_) {
+            if (one.step != number) continue;
+            step.actions.push_back(
+                one.panel < 0
+                    ? fmt::format("Put glue on {}, and press it onto what it comes to lie on.",
+                                  panel(one.flap))
+                    : fmt::format("Put glue on {}, and press it onto the {} of {} until it holds.",
+                                  panel(one.flap), one.inside ? "inside" : "outside", panel(one.panel)));
         }
     }
 
@@ -497,6 +514,7 @@ class CardSteps {
     std::size_t number_;
     Words words_;
     GluingOrder order_;
+    std::vector<GlueFlap> flaps_;
     std::vector<std::vector<int>> borne_;  // of each piece those that are glued on it
     std::map<int, std::vector<PushedOut>> pushed_;
     std::map<int, std::vector<std::string>> missing_;  // of each piece the tabs that no sheet has

@@ -13,6 +13,7 @@
 
 #include "base/nth.h"
 #include "gluing/circles.h"
+#include "gluing/glue_flaps.h"
 #include "popup/compile.h"
 #include "popup/motion.h"
 #include "support/designs.h"
@@ -323,6 +324,25 @@ TEST(FoldingSteps, OfACartonInOrder) {
     EXPECT_EQ(steps[1].plates.size(), 5U);
     EXPECT_TRUE(folding_steps(sample("castle.xml")).empty());
     EXPECT_EQ(folding_steps(sample("folded/bowl.svg")).size(), 1U);
+}
+
+// The kit's flap stands a caliper in from its wall; without a caliper the flap that is folded after the wall
+// that it lies on is outside of it.
+TEST(GlueFlaps, LieOnTheLastWall) {
+    const auto told = [](const Assembly& in) {
+        std::vector<std::string> lines;
+        for (const GlueFlap& one : glue_flaps(in))
+            lines.push_back(fmt::format("{} {} {} {}", nth(in.plates, one.flap).name,
+                                        one.inside ? "inside" : "outside", nth(in.plates, one.panel).name,
+                                        one.step));
+        return lines;
+    };
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(told(sample("folded/carton.svg")), Lines{"sheet/glue-flap outside sheet/left 1"});
+    EXPECT_EQ(told(sample("cartons/auto-lock-bottom.fl")), Lines{"sheet/glue-flap inside sheet/left 0"});
+    EXPECT_EQ(told(sample("cartons/hexagonal-box.fl")), Lines{"sheet/glue-flap inside sheet/wall-6 0"});
+    EXPECT_EQ(told(sample("folded/bowl.svg")), Lines{});
+    EXPECT_EQ(told(sample("castle.xml")), Lines{});
 }
 
 // A gutter is a valley, and the middle of a step a mountain.

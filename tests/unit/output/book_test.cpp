@@ -271,8 +271,14 @@ TEST(Book, OfACartonHasItsFoldsInOrder) {
                                    "bottom-flap-back, top-flap-back and left",
                                    "  " + last}));
     EXPECT_EQ(step_named(book, last).actions,
-              Lines{"Valley folds, to 90°: between glue-flap | front, right | bottom-flap-right, right | "
-                    "top-flap-right, left | bottom-flap-left and left | top-flap-left."});
+              (Lines{"Valley folds, to 90°: between glue-flap | front, right | bottom-flap-right, right | "
+                     "top-flap-right, left | bottom-flap-left and left | top-flap-left.",
+                     "Put glue on glue-flap, and press it onto the outside of left until it holds."}));
+    EXPECT_EQ(need(book, "To glue"), "1 flap");
+    EXPECT_NE(need(book, "Tools").find("glue that does not warp paper"), std::string::npos);
+    EXPECT_EQ(book.cards.front().opens,
+              Lines{"Folded, it looks like the last picture. glue-flap holds it together, glued; whether its "
+                    "other flaps are glued or tucked, its drawing does not say."});
     EXPECT_EQ(book.cards.front().closing_title, "How it must look");
     // The panels' names are on the drawing.
     std::set<std::string> labels;

@@ -1,0 +1,24 @@
+// Flaps of folded sheets that are glued, which no number tells of: panels that are called glue flaps.
+#pragma once
+
+#include <vector>
+
+#include "popup/assembly.h"
+
+namespace popup {
+
+struct GlueFlap {
+    int flap = -1;       // plate
+    int panel = -1;      // that it lies on in the folded sheet; -1: none is near it
+    bool inside = true;  // on the side of the panel that looks to the middle of the folded sheet
+    // By index into folding_steps(): after which it lies there for good; the last where none is near.
+    int step = 0;
+};
+
+// Of a folded sheet: of every panel with "glue-flap" in its name, by plate, what it lies on at the end:
+// parallel, its middle within the panel and at most 3 mm off, the nearest of those that it does not hang on.
+// On which side is told by the distance between them, or where there is none by the side that it comes from.
+// None of what moves not, or is no folded sheet. Cost: the poses of folding_steps(), and flaps times plates.
+std::vector<GlueFlap> glue_flaps(const Assembly& assembly);
+
+}  // namespace popup
