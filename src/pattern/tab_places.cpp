@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/geometry/regions.h"
 #include "pattern/glue_overlaps.h"
 #include "pattern/silhouette.h"
 
@@ -42,6 +43,31 @@ void block(const EdgeIndex& index, const SeamFrame& frame, int free_winding,
         if (index.winding(probe) == free_winding) continue;
         obstacles.push_back({{ends[i], kBeside}, {ends[i + 1], kBeside}});
     }
+}
+
+// Of the element's own tabs that come before, the one that takes most of a tab's place: moving the element
+// moves both. Null: none does.
+const Glue* own_tab_there(const Assembly& assembly, const TabRules& rules, const Glue& glue) {
+    const auto place_of = [&](const Glue& one) {
+        const SeamFrame frame(one.on_base, one.on_back);
+        Ring ring = frame.to_page(full_tab(frame.length(), rules));
+        if (signed_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+        return std::vector<Polygon>{{std::move(ring), {}}};
+    };
+    const std::vector<Polygon> place = place_of(glue);
+    const Glue* most = nullptr;
+    double taken = 0.25 * area(place);
+    for (const Glue& other : assembly.glue) {
+        if (&other == &glue) break;
+        if (other.element != glue.element || other.base_plate != glue.base_plate ||
+            other.on_back != glue.on_back)
+            continue;
+        const double shared = area(intersect(place, place_of(other)));
+        if (shared <= taken) continue;
+        taken = shared;
+        most = &other;
+    }
+    return most;
 }
 
 }  // namespace
@@ -158,13 +184,22 @@ void judge_tab(const Assembly& assembly, const TabRules& rules, const Glue& glue
                   glue.label, wanted, good, seam);
     const std::array<Ring, 1> full{full_tab(seam, rules)};
     const bool short_seam = length_with_depth(full, wanted - 1e-6) <= 0.5 * seam;
-    diagnostics.warning("tab-too-small", glue.place, message)
-        .about(glue.element)
-        .hint(short_seam ? "make the seam longer, or taper the tabs less"
-                         : fmt::format(
-                               "move the element so that {:.4g} mm of {} beside the seam are clear of folds, "
-                               "cuts and earlier tabs",
-                               wanted + kGapMm, base));
+    const Glue* const own = short_seam ? nullptr : own_tab_there(assembly, rules, glue);
+    std::string hint;
+    if (short_seam) {
+        hint = "make the seam longer, or taper the tabs less";
+    } else if (own != nullptr) {
+        hint = fmt::format(
+            "tab {} of \"{}\" itself takes its place on {}, and goes along wherever it is moved: make \"{}\" "
+            "larger, so that its seams are further apart, or --tab-depth less",
+            own->label, glue.element, base, glue.element);
+    } else {
+        hint = fmt::format(
+            "move the element so that {:.4g} mm of {} beside the seam are clear of folds, cuts and earlier "
+            "tabs",
+            wanted + kGapMm, base);
+    }
+    diagnostics.warning("tab-too-small", glue.place, message).about(glue.element).hint(hint);
 }
 
 void judge_tabs(const Assembly& assembly, const PatternOptions& options, Diagnostics& diagnostics) {

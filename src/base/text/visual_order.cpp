@@ -17,7 +17,7 @@ constexpr unsigned char kFirstLead = 0xD6;
 std::string in_visual_order(std::string_view text) {
     const auto may_turn = [](char c) { return static_cast<unsigned char>(c) >= kFirstLead; };
     if (std::none_of(text.begin(), text.end(), may_turn)) return std::string(text);
-    const std::string bytes(text);
+    std::string bytes(text);
     std::vector<FriBidiChar> logical(bytes.size() + 1);
     const FriBidiStrIndex length = fribidi_charset_to_unicode(
         FRIBIDI_CHAR_SET_UTF8, bytes.c_str(), static_cast<FriBidiStrIndex>(bytes.size()), logical.data());
