@@ -13,11 +13,11 @@ namespace popup {
 namespace {
 
 constexpr std::string_view kName = "glue-flap";
-constexpr double kNearMm = 3.0;
-constexpr double kParallel = 0.995;  // cosine
-constexpr double kTouchMm = 0.05;    // nearer they lie in one plane
-constexpr double kBackDeg = 0.5;     // steps back to where it comes from
-constexpr double kInnerMm = 0.5;     // precision of middles
+constexpr double kUnderPanelMm = 3.0;
+constexpr double kParallel = 0.995;      // cosine
+constexpr double kOnPanelMm = 0.05;      // nearer they lie in one plane
+constexpr double kBackDeg = 0.5;         // steps back to where it comes from
+constexpr double kMiddleWithinMm = 0.5;  // precision of middles
 
 class Finder {
  public:
@@ -44,7 +44,7 @@ class Finder {
         return frames;
     }
     [[nodiscard]] Vec2 middle(int plate) const {
-        return inner_point(nth(in_.plates, plate).outline, kInnerMm).at;
+        return inner_point(nth(in_.plates, plate).outline, kMiddleWithinMm).at;
     }
     // How far the flap's middle is before the front of the panel.
     [[nodiscard]] double before(int flap, int panel, const Frames& frames) const {
@@ -54,7 +54,7 @@ class Finder {
     [[nodiscard]] bool lies_on(int flap, int panel, const Frames& frames) const {
         const Frame& on = nth(frames, panel);
         if (std::abs(dot(on.normal(), nth(frames, flap).normal())) < kParallel) return false;
-        if (std::abs(before(flap, panel, frames)) > kNearMm) return false;
+        if (std::abs(before(flap, panel, frames)) > kUnderPanelMm) return false;
         const Vec3 away = nth(frames, flap).point(middle(flap)) - on.origin;
         return contains(nth(in_.plates, panel).outline, {dot(away, on.axes[0]), dot(away, on.axes[1])});
     }
@@ -97,8 +97,8 @@ class Finder {
         const double inner = dot((1.0 / paper) * sum - on.origin, on.normal());
         double flap = before(one.flap, one.panel, end);
         const Sweep& sweep = in_.sweep;
-        for (double opening = sweep.from_deg + kBackDeg; std::abs(flap) < kTouchMm && opening < sweep.to_deg;
-             opening += kBackDeg) {
+        for (double opening = sweep.from_deg + kBackDeg;
+             std::abs(flap) < kOnPanelMm && opening < sweep.to_deg; opening += kBackDeg) {
             if (const auto frames = frames_at(opening)) flap = before(one.flap, one.panel, *frames);
         }
         return flap * inner >= 0.0;

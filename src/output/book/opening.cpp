@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 6;
 constexpr double kAlike = 0.9998;  // cosine: of planes within a degree
-constexpr double kOffMm = 0.5;     // what is nearer to a cover lies on it
+constexpr double kRisenMm = 0.5;   // what is nearer to a cover lies on it
 
 // Findings that somebody who holds the card can see, or do something about.
 constexpr std::array<std::string_view, 12> kForHands{
@@ -130,7 +130,7 @@ class Risers {
         return std::none_of(in_.covers.begin(), in_.covers.end(), [&](int cover) {
             const Frame& on = nth(frames, cover);
             return std::abs(dot(on.normal(), own.normal())) > kAlike &&
-                   std::abs(dot(at - on.origin, on.normal())) < kOffMm;
+                   std::abs(dot(at - on.origin, on.normal())) < kRisenMm;
         });
     }
 
