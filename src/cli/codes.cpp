@@ -37,6 +37,12 @@ constexpr std::array kCliCodes = std::to_array<CodeInfo>({
      "this one, but ninja knows fewer characters and ways to protect them, and takes it for another name "
      "or for several: it would build again every time, or miss a change. Rename the file; letters, digits, "
      "blanks and most marks are no trouble. Where only make reads the dependency file, allow this warning."},
+    {"edit-not-examined", Severity::remark, "an edited document that was not looked at as a whole",
+     "`popupc edit` tells what an edit brings that `popupc check` would find. Of a document with more than "
+     "40 "
+     "elements it looks only at what the checks find, and whether the card closes, so that it answers at "
+     "once: collisions, plates that lie on one another or stick out, and tabs are not looked at. With --deny "
+     "or --werror they are, whatever the size."},
     {"fix-unsettled", Severity::error, "repairs that undo one another",
      "Each repair is the least change that mends one thing, and what it moves is looked at again. Here the "
      "repaired document was read again several times and still had something to repair, or had become one "

@@ -20,12 +20,6 @@ constexpr std::array kEditCodes = std::to_array<CodeInfo>({
      "`popupc edit card.xml outline ID --from FILE` takes what a drawing encloses. A line that lies on "
      "another one, all along, such as a copy left in its place, would take away what the first encloses. "
      "It is taken once."},
-    {"edit-not-examined", Severity::remark, "an edited document that was not looked at as a whole",
-     "`popupc edit` tells what an edit brings that `popupc check` would find. Of a document with more than "
-     "40 "
-     "elements it looks only at what the checks find, and whether the card closes, so that it answers at "
-     "once: collisions, plates that lie on one another or stick out, and tabs are not looked at. With --deny "
-     "or --werror they are, whatever the size."},
     {"edit-refused", Severity::error, "an edit that would break the card or carton",
      "popupc checks the document that the edits make. It would have an error that it does not have now; "
      "another message names that error. Nothing is written. Often "

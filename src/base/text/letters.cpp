@@ -19,6 +19,15 @@ bool is_unseen(char32_t code) {
            (code >= 0x2060 && code <= 0x206F) || (code >= 0xFE00 && code <= 0xFE0F) || code == 0xFEFF;
 }
 
+template <typename Visit>
+void each_letter(std::string_view text, const Visit& visit) {
+    while (!text.empty()) {
+        const Character letter = first_character(text);
+        visit(letter, text.substr(0, letter.bytes));
+        text.remove_prefix(letter.bytes);
+    }
+}
+
 }  // namespace
 
 const FontFile* open_font(TextFont font) {
@@ -35,21 +44,24 @@ const FontFile* open_font(TextFont font) {
 std::optional<Letters> measure_letters(std::string_view text, double cap_mm, TextFont font) {
     const FontFile* file = open_font(font);
     if (file == nullptr) return std::nullopt;
-    const std::string set = in_visual_order(text);
-    text = set;
     Letters letters;
     std::set<char32_t> missing;
+    // As it is written, for that is how it is told.
+    each_letter(text, [&](const Character& letter, std::string_view written) {
+        if (FT_Get_Char_Index(file->face, letter.code) == 0 && !is_unseen(letter.code) &&
+            missing.insert(letter.code).second)
+            letters.missing.emplace_back(written);
+    });
+    const bool has_all = missing.empty();
     double units = 0.0;
-    while (!text.empty()) {
-        const Character letter = first_character(text);
-        const std::string written(text.substr(0, letter.bytes));
-        text.remove_prefix(letter.bytes);
+    each_letter(in_visual_order(text), [&](const Character& letter, std::string_view written) {
         const FT_UInt glyph = FT_Get_Char_Index(file->face, letter.code);
-        if (glyph == 0 && !is_unseen(letter.code) && missing.insert(letter.code).second)
-            letters.missing.push_back(written);
-        if (FT_Load_Glyph(file->face, glyph, FT_LOAD_NO_SCALE) != 0) continue;
+        // A font may have a letter, and not the form in which it joins with others.
+        if (has_all && glyph == 0 && !is_unseen(letter.code) && missing.insert(letter.code).second)
+            letters.missing.emplace_back(written);
+        if (FT_Load_Glyph(file->face, glyph, FT_LOAD_NO_SCALE) != 0) return;
         units += static_cast<double>(file->face->glyph->metrics.horiAdvance);
-    }
+    });
     letters.length_mm = units * cap_mm / (kCapHeight * file->face->units_per_EM);
     return letters;
 }

@@ -37,7 +37,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"nest", {"base"}},
         {"layout", {"base", "nest"}},
         {"fabrication", {"base"}},
-        {"output", {"base", "assembly", "fabrication", "run"}},
+        {"output", {"base", "assembly", "gluing", "fabrication", "run"}},
         {"edit", {"base", "input", "mechanism", "output"}},
         {"run", {"base"}},
         {"findings", {"base"}},
