@@ -7,10 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,45 +19,13 @@
 #include "popup/refinement.h"
 #include "popup/sheet_edit.h"
 #include "support/run_program.h"
+#include "unit/edit/drawing_edits.h"
 
-namespace popup {
+namespace popup::test {
 namespace {
 
 const std::filesystem::path kSource = POPUP_SOURCE_DIR;
 constexpr double kExactMm = 0.01;
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) words.push_back(word);
-    return words;
-}
-
-struct Done {
-    std::optional<std::string> text;
-    std::string told;
-};
-
-Done edit(const std::string& drawing, const std::vector<std::string>& edits,
-          DrawingEditOptions options = {}) {
-    std::vector<EditLine> lines;
-    for (const std::string& one : edits) lines.push_back({words_of(one), {}});
-    Diagnostics said("box.svg");
-    const auto edited = edit_drawing({"box.svg", drawing}, lines, options, said, said);
-    Done done;
-    if (edited) done.text = edited->text;
-    for (const Diagnostic& one : said.sorted()) done.told += one.message + " [" + one.code + "]\n";
-    return done;
-}
-
-CreasePattern pattern_of(const std::string& drawing) {
-    Diagnostics said("box.svg");
-    ReadOptions read;
-    read.drawing.as = DrawnAs::folded;
-    Reading reading = read_source_text({"box.svg", drawing}, read, said);
-    EXPECT_TRUE(reading.creases) << drawing;
-    return reading.creases ? std::move(*reading.creases) : CreasePattern{};
-}
 
 // The corners that lines of a drawing go through, moved so that the least is at the origin.
 std::vector<Vec2> corners_of(const std::string& drawing) {
@@ -114,22 +79,6 @@ std::string carton(const std::string& call) {
 }
 
 std::string tube() { return test::read_file(kSource / "samples/folded/carton.svg"); }
-
-// Four walls of 40 mm around a base of 100 mm, with a window.
-const std::string kTray =
-    R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">
- <g fill="none" stroke-width="0.3">
-  <!-- the outline -->
-  <path class="cut" stroke="#000000" d="M50 10H150V50H190V150H150V190H50V150H10V50H50Z"/>
-  <path id="crease" class="mountain" stroke="#ff0000" d="M50 50H150V150H50Z"/>
-  <circle class="cut" stroke="#000000" cx="100" cy="100" r="12"/>
- </g>
-</svg>
-)";
-
-const std::string kRectangle =
-    "<rect id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" x=\"50\" y=\"50\" width=\"100\" "
-    "height=\"100\"/>";
 
 TEST(EditDrawing, AnExtrudedCartonIsThatOfTheKitDrawnAsLarge) {
     struct Row {
@@ -213,18 +162,6 @@ TEST(EditDrawing, WhatDoesNotMoveStaysByteForByte) {
     EXPECT_EQ(*done.text, wanted);
 }
 
-// Where the vertices of a folded drawing are.
-std::map<std::string, Vec3> vertices_of(const std::string& drawing) {
-    Diagnostics said("box.svg");
-    std::map<std::string, Vec3> places;
-    const auto sheet = show_sheet(pattern_of(drawing), {}, {}, said);
-    if (!sheet) return places;
-    for (const ShownSheet::Panel& panel : sheet->panels) {
-        for (const ShownSheet::Vertex& one : panel.vertices) places[one.name] = one.at;
-    }
-    return places;
-}
-
 // Edits that turn folds, read again: what moves is where it was to go, all else where it was.
 TEST(EditDrawing, TurnedFoldsAreReadAgain) {
     struct Row {
@@ -274,53 +211,6 @@ TEST(EditDrawing, TurnedFoldsAreReadAgain) {
     }
 }
 
-// A side gets a corner where the element has an angle for each: the corner parts it in two sides.
-TEST(EditDrawing, SidesThatHaveAnglesGetCorners) {
-    const std::string path =
-        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
-    for (const std::string& crease :
-         {path, kRectangle,
-          std::string("<polygon class='mountain' stroke='#f00' points='50,50 150,50 150,150 50,150'/>"),
-          std::string(
-              "<path class='mountain' stroke='#f00' d='M50 50H150M150 50V150M150 150H50M50 150V50'/>")}) {
-        for (const std::string angles : {"90 90 80 90", "90 90 90 90"}) {
-            std::string drawing = kTray;
-            std::string said = crease;
-            said.insert(said.find(' '), " data-fold-angle='" + angles + "'");
-            drawing.replace(drawing.find(path), path.size(), said);
-            drawing.insert(drawing.find("  <circle"),
-                           "  <path class=\"cut\" stroke=\"#000\" d=\"M100 150V190\"/>\n");
-            const Done done = edit(drawing, {"vertex base.2 --by 0,-5,0"});
-            ASSERT_TRUE(done.text) << said << "\n" << done.told;
-            const auto before = vertices_of(drawing);
-            const auto after = vertices_of(*done.text);
-            ASSERT_TRUE(before.contains("base.2"));
-            const Vec3 to = before.at("base.2") + Vec3{0, -5, 0};
-            EXPECT_TRUE(std::any_of(after.begin(), after.end(), [&](const auto& one) {
-                return one.first.starts_with("base.") && distance(one.second, to) < 1e-4;
-            })) << *done.text;
-            // It says all angles, and can be edited again.
-            const Done still = edit(*done.text, {"extrude base --by 0"});
-            ASSERT_TRUE(still.text) << still.told;
-            EXPECT_EQ(*still.text, *done.text);
-            EXPECT_EQ(still.told.find("[folds-turn]"), std::string::npos) << still.told;
-            const Done again = edit(*done.text, {"vertex base.2 --by 0,-1,0"});
-            EXPECT_TRUE(again.text) << *done.text << again.told;
-        }
-    }
-}
-
-// What says of its lines how far they are folded goes on doing so.
-TEST(EditDrawing, AnglesThatWereSaidStay) {
-    std::string drawing = kTray;
-    const std::string crease = "d=\"M50 50H150V150H50Z\"";
-    drawing.replace(drawing.find(crease), crease.size(),
-                    "data-fold-angle='90 90 auto 80' d=\"M50 50H150M150 150H50M50 50V150M150 150V50\"");
-    const Done done = edit(drawing, {"edge front.1-2 --by 0,-10,0"});
-    ASSERT_TRUE(done.text) << done.told;
-    EXPECT_NE(done.text->find("data-fold-angle='90 75.963757 auto 80'"), std::string::npos) << *done.text;
-}
-
 // Where four scored folds meet, corners that rise leave less than 360°. The refusal stands at one of the
 // folds.
 TEST(EditDrawing, WhatWouldNotLieFlatIsToldWhereItIsDrawn) {
@@ -367,32 +257,6 @@ TEST(EditDrawing, LinesInPiecesAreRefusedAsWhatTheyAre) {
     }
 }
 
-// Two walls on one side, which gets a corner between them: each has an angle, of a rectangle as of a path.
-// With --fold-to none is written.
-TEST(EditDrawing, WallsOnOneSideHaveAnglesOfTheirOwn) {
-    std::string drawing = kTray;
-    const std::string crease =
-        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
-    drawing.insert(drawing.find("  <circle"), "  <path class=\"cut\" stroke=\"#000\" d=\"M100 150V190\"/>\n");
-    std::string of_rectangle = drawing;
-    of_rectangle.replace(drawing.find(crease), crease.size(), kRectangle);
-    for (const std::string& one : {drawing, of_rectangle}) {
-        const Done done = edit(one, {"edge panel-4.1-2 --by 0,-10,0"});
-        ASSERT_TRUE(done.text) << done.told;
-        const std::string said = "data-fold-angle=\"";
-        const std::size_t at = done.text->find(said);
-        ASSERT_NE(at, std::string::npos) << *done.text;
-        const std::size_t from = at + said.size();
-        EXPECT_EQ(words_of(done.text->substr(from, done.text->find('"', from) - from)).size(), 5U);
-    }
-    // With --fold-to it is not known how far they go in the end.
-    DrawingEditOptions half;
-    half.fold.to = 0.5;
-    const Done part = edit(kTray, {"edge front.1-2 --by 0,-1,0"}, half);
-    ASSERT_TRUE(part.text) << part.told;
-    EXPECT_EQ(part.text->find("data-fold-angle"), std::string::npos) << *part.text;
-}
-
 // An envelope: all of it lies in one plane, and would move as a whole.
 TEST(EditDrawing, WhatLiesFlatIsNotExtruded) {
     const std::string envelope =
@@ -416,46 +280,6 @@ TEST(EditDrawing, WhatLiesFlatIsNotExtruded) {
     open.replace(open.find("180"), 3, "90");
     const Done done = edit(open, {"extrude base --by 10"});
     EXPECT_TRUE(done.text) << done.told;
-}
-
-// Two walls on one side with a gap between them, which the crease is drawn across: their angles differ, and
-// the side stays straight. A path is parted, and goes on drawing what folds nothing; others cannot say it.
-TEST(EditDrawing, WallsWithAGapBetweenThemHaveAnglesOfTheirOwn) {
-    const std::string crease =
-        "<path id=\"crease\" class=\"mountain\" stroke=\"#ff0000\" d=\"M50 50H150V150H50Z\"/>";
-    std::string drawing = kTray;
-    const std::string wall = "V190H50V150H10";
-    drawing.replace(drawing.find(wall), wall.size(), "V190H105V150H95V190H50V150H10");
-    const std::string move = "edge panel-4.1-2 --by 0,-10,0";
-    const Done done = edit(drawing, {move});
-    ASSERT_TRUE(done.text) << done.told;
-    EXPECT_NE(done.text->find("data-fold-angle=\"90 90 75.963757 90 90 auto\""), std::string::npos)
-        << *done.text;
-    EXPECT_NE(done.text->find("M 105,150 95,150\""), std::string::npos) << *done.text;
-    const Vec3 was = vertices_of(drawing).at("panel-4.1");
-    EXPECT_LT(distance(vertices_of(*done.text).at("panel-4.1"), was + Vec3{0, -10, 0}), 1e-4);
-    EXPECT_TRUE(edit(*done.text, {"edge panel-4.1-2 --by 0,-1,0"}).text);
-    const std::string polygon =
-        "<polygon class='mountain' stroke='#f00' points='50,50 150,50 150,150 50,150'/>";
-    for (const auto& [element, tag] : {std::pair{kRectangle, "rect"}, std::pair{polygon, "polygon"}}) {
-        std::string other = drawing;
-        other.replace(other.find(crease), crease.size(), element);
-        const Done told = edit(other, {move});
-        ASSERT_TRUE(told.text) << told.told;
-        EXPECT_NE(told.told.find("folds on one side of this <" + std::string(tag) +
-                                 "> have different angles now, and it has one data-fold-angle for each side "
-                                 "[folds-turn]"),
-                  std::string::npos)
-            << told.told;
-        EXPECT_EQ(told.text->find("data-fold-angle"), std::string::npos) << *told.text;
-    }
-    // One wall on the side says the angle of the side, also of a rectangle.
-    std::string alone = kTray;
-    alone.replace(alone.find(wall), wall.size(), "V190H105V150H50H10");
-    alone.replace(alone.find(crease), crease.size(), kRectangle);
-    const Done one = edit(alone, {"edge panel-4.1-2 --by 0,-10,0"});
-    ASSERT_TRUE(one.text) << one.told;
-    EXPECT_NE(one.text->find("data-fold-angle=\"90 90 75.963757 90\""), std::string::npos) << *one.text;
 }
 
 // A base that is no rectangle any more becomes a polygon, with all else that its element said.
@@ -610,4 +434,4 @@ TEST(EditDrawing, ForcedCarriesOutWhatCrosses) {
 }
 
 }  // namespace
-}  // namespace popup
+}  // namespace popup::test
