@@ -165,7 +165,7 @@ std::vector<Diagnostic> findings_of(const Compilation& run) {
 
 // The files of one output.
 std::optional<std::vector<SheetFile>> write_format(const Format& format, const OutputOptions& options,
-                                                   Compilation& run) {
+                                                   const BegunPages& begun, Compilation& run) {
     Diagnostics& diagnostics = run.run_diagnostics;
     const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<SheetFile>> {
         if (!bytes) return std::nullopt;
@@ -182,7 +182,9 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
                 const std::vector<SceneCard> cards = scene_of(run);
                 const std::optional<Design>& first = run.designs.front().design;
                 const bool inches = first && first->unit.name == "in";
-                return single(write({cards, &*run.layout, findings_of(run), inches}, options, diagnostics));
+                RunPage page{cards, &*run.layout, findings_of(run), inches};
+                if (const auto found = begun.find(&format); found != begun.end()) page.begun = found->second;
+                return single(write(page, options, diagnostics));
             },
             [&](DocumentWriter write) {
                 return single(write(*run.designs.front().checked, options, diagnostics));
@@ -312,8 +314,27 @@ void refuse_definitions(Compilation& run) {
     }
 }
 
+BegunPages begin_pages(const OutputPlan& plan, const OutputOptions& options, const Compilation& run) {
+    Diagnostics told_later;
+    if (options.threads < 2 || run.designs.empty() || run.has_errors() ||
+        !can_be_made(plan, run, told_later)) {
+        return {};
+    }
+    // Of what ended early nothing is made.
+    const bool compiled = std::all_of(run.designs.begin(), run.designs.end(), [](const CompiledDesign& one) {
+        return one.assembly && (one.motion || !moves(*one.assembly));
+    });
+    if (!compiled) return {};
+    BegunPages begun;
+    for (const PlannedOutput& output : plan.outputs) {
+        if (output.format->begin == nullptr || begun.count(output.format) > 0) continue;
+        begun[output.format] = output.format->begin(scene_of(run), options);
+    }
+    return begun;
+}
+
 std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const OutputOptions& options,
-                                                   Compilation& run) {
+                                                   Compilation& run, const BegunPages& begun) {
     refuse_definitions(run);
     if (run.has_errors() || !can_be_made(plan, run, run.run_diagnostics)) return std::nullopt;
     if (!run.layout && !plan.outputs.empty()) {
@@ -325,7 +346,7 @@ std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const
     bool good = true;
     OutputOptions writing = options;
     for (const PlannedOutput& output : in_order_of_making(plan)) {
-        auto parts = write_format(*output.format, writing, run);
+        auto parts = write_format(*output.format, writing, begun, run);
         if (!parts) {
             // A writer that fails must have said why: no result is ever silently missing.
             POPUP_INVARIANT(run.run_diagnostics.has_errors());

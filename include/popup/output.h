@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -78,7 +79,7 @@ struct OutputOptions {
     std::optional<bool> letter_pages = {};
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
-    int threads = 1;  // pages of models: 2 and more let a second one draw the picture meanwhile; ≥ 1
+    int threads = 1;  // begin_pages(): 2 and more let it make pages of models while sheets are laid out; ≥ 1
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 
@@ -122,14 +123,20 @@ using SceneWriter = std::optional<std::string> (*)(std::span<const SceneCard>, c
 // Gives one file for each picture.
 using StillWriter = std::optional<std::vector<SheetFile>> (*)(std::span<const SceneCard>,
                                                               const OutputOptions&, Diagnostics&);
+// What of a page needs no sheets, made by a thread of its own meanwhile. Its destructor waits for that
+// thread.
+struct BegunPage;
 // What people are shown of a run in one file: the model, the sheets, and what was found.
 struct RunPage {
     std::span<const SceneCard> cards;
-    const Layout* layout = nullptr;    // null: there are no sheets
-    std::vector<Diagnostic> findings;  // in the order in which they are told
-    bool inches = false;               // the first design is written in inches
+    const Layout* layout = nullptr;         // null: there are no sheets
+    std::vector<Diagnostic> findings = {};  // in the order in which they are told
+    bool inches = false;                    // the first design is written in inches
+    std::shared_ptr<BegunPage> begun = {};  // of these cards, by the row's `begin`; null: nothing is
 };
 using PageWriter = std::optional<std::string> (*)(const RunPage&, const OutputOptions&, Diagnostics&);
+// What the cards point to must outlive what is returned, unchanged. The page is the same with it and without.
+using PageBeginner = std::shared_ptr<BegunPage> (*)(std::vector<SceneCard>, const OutputOptions&);
 using DocumentWriter = std::optional<std::string> (*)(const CheckedDesign&, const OutputOptions&,
                                                       Diagnostics&);
 using ReportWriter = std::optional<std::string> (*)(const Compilation&, const OutputOptions&, Diagnostics&);
@@ -159,6 +166,7 @@ struct Format {
     std::variant<SheetWriter, SceneWriter, StillWriter, PageWriter, DocumentWriter, ReportWriter> write;
     Stills stills = Stills::none;  // of models and their pictures
     OptionUses uses = {};
+    PageBeginner begin = nullptr;  // null: nothing can be made before there are sheets
 };
 std::span<const Format> format_table();
 // The row whose suffix ends `path` (case disregarded), or whose suffix without its dot is `path`; null: none.

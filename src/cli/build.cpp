@@ -250,8 +250,8 @@ bool take_in_profile(Options& options, Build& result) {
     return true;
 }
 
-void run_stages(const Options& options, Stage until, Build& result) {
-    result.run = run_inputs(options, until);
+void run_stages(const Options& options, Stage until, const OutputPlan* plan, Build& result) {
+    result.run = run_inputs(options, until, plan);
     take_in_loaded(options, result);
     // To check them is one thing, but nothing can be built of programs that only define what others call.
     refuse_definitions(result.run.compilation);
@@ -273,12 +273,12 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
         print_trails(options, result);
         return;
     }
-    run_stages(options, needed_stage(plan, options.build.emit), result);
+    run_stages(options, needed_stage(plan, options.build.emit), &plan, result);
     Compilation& compilation = result.run.compilation;
     tell_unused_options(options, plan, compilation.run_diagnostics);
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
-        auto files = files_of(plan, options, compilation);
+        auto files = files_of(plan, options, compilation, result.run.begun);
         if (files && !options.print.file.empty()) {
             files->push_back({options.print.file, printed_text(result.run)});
         }
@@ -319,7 +319,7 @@ Build compile_inputs(Options& options, Stage until) {
     Build result;
     result.inputs = inputs_of(options);
     if (!take_in_profile(options, result)) return result;
-    run_stages(options, until, result);
+    run_stages(options, until, nullptr, result);
     settle_status(true, result);
     return result;
 }

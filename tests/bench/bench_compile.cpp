@@ -8,6 +8,7 @@
 #include <map>
 
 #include "popup/compile.h"
+#include "popup/write.h"
 #include "support/designs.h"
 #include "support/freeform_sheet.h"
 
@@ -170,17 +171,23 @@ void pictures(benchmark::State& state, const char* suffix) {
     }
 }
 
-// The page of the 26-element sample: its model, its sheets and a still.
+constexpr const char* kPaged = "sheets and page, of so many threads";
+// The 26-element sample laid out, and its page if there are threads to make it: its model, its sheets and a
+// still.
 void page(benchmark::State& state) {
-    const CompileOptions options;
-    OutputOptions output;
-    output.threads = static_cast<int>(state.range(0));
-    const Compilation c = compile({creature()}, options, {});
-    const SceneCard scene{&*c.designs[0].assembly, &*c.designs[0].motion, ""};
+    const Source source = creature();
+    const bool paged = state.range(0) > 0;
+    CompileOptions options;
+    options.until = Stage::pattern;
+    options.output.threads = paged ? static_cast<int>(state.range(0)) : 1;
+    Diagnostics diagnostics;
+    const auto plan = plan_outputs({.outputs = {"creature.html"}}, diagnostics);
+    POPUP_INVARIANT(plan.has_value());
     for (auto _ : state) {
-        Diagnostics diagnostics;
-        benchmark::DoNotOptimize(
-            write_with<PageWriter>(".html")({{&scene, 1}, &*c.layout, {}}, output, diagnostics));
+        Compilation run = compile({source}, options, {});
+        const BegunPages begun = begin_pages(*plan, options.output, run);
+        lay_out_run(run, options);
+        if (paged) benchmark::DoNotOptimize(make_files(*plan, options.output, run, begun));
     }
 }
 
@@ -210,12 +217,14 @@ class Keeper : public benchmark::ConsoleReporter {
             if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
             cpu_ns[run.benchmark_name()] =
                 run.GetAdjustedCPUTime() * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit);
+            wall_ms[run.benchmark_name()] =
+                run.GetAdjustedRealTime() * 1e3 / benchmark::GetTimeUnitMultiplier(run.time_unit);
             for (const auto& [name, counter] : run.counters)
                 counters[run.benchmark_name() + "/" + name] = counter;
         }
         ConsoleReporter::ReportRuns(runs);
     }
-    std::map<std::string, double> cpu_ns, counters;
+    std::map<std::string, double> cpu_ns, wall_ms, counters;
 };
 
 const std::vector<int> kSizes{10, 100, 1000, 10000, 100000};
@@ -259,8 +268,14 @@ void print_tables(const Keeper& keeper) {
     std::sort(shares.rbegin(), shares.rend());
     for (const auto& [cost, name] : shares)
         fmt::print(" {} {:.0f} %", name, 100.0 * cost / ns("whole compile"));
-    fmt::print("\n\n");
-    fmt::print("| stage, CPU per element relative to 1000 elements |");
+    const auto paged_ms = [&](int threads) {
+        const auto found = keeper.wall_ms.find(fmt::format("{}/{}/real_time", kPaged, threads));
+        return found != keeper.wall_ms.end() ? found->second : NAN;
+    };
+    fmt::print(
+        "\nits sheets {:.2f} ms; its page beside them {:.2f} ms more with one thread, {:.2f} ms with two\n",
+        paged_ms(0), paged_ms(1) - paged_ms(0), paged_ms(2) - paged_ms(0));
+    fmt::print("\n| stage, CPU per element relative to 1000 elements |");
     for (const int size : kSizes) fmt::print(" {} |", size);
     fmt::print("\n|---|");
     for (std::size_t i = 0; i < kSizes.size(); ++i) fmt::print("---|");
@@ -296,7 +311,8 @@ int main(int argc, char** argv) {
     for (const char* suffix : {".view.png", ".webp", ".gif"})
         benchmark::RegisterBenchmark((std::string("picture/") + suffix).c_str(), pictures, suffix)
             ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark("page/.html", page)
+    benchmark::RegisterBenchmark(kPaged, page)
+        ->Arg(0)
         ->Arg(1)
         ->Arg(2)
         ->UseRealTime()

@@ -261,7 +261,21 @@ const Language& language_of(const InputOptions& options, const Source& source) {
                      {"languages: " + known_languages(), "--from LANGUAGE says what the file holds"});
 }
 
-Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep) {
+namespace {
+
+// compile(), with pages of the plan begun once there is all that they need but the sheets.
+void compile_beside_pages(std::vector<Source> sources, const CompileOptions& options,
+                          const DiagnosticPolicy& policy, const OutputPlan& plan, Run& run) {
+    CompileOptions first = options;
+    first.until = Stage::pattern;
+    run.compilation = compile(std::move(sources), first, policy);
+    run.begun = begin_pages(plan, options.output, run.compilation);
+    lay_out_run(run.compilation, options);
+}
+
+}  // namespace
+
+Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep, const OutputPlan* plan) {
     check_names(files.names);
     Run run;
     run.files = std::move(files);
@@ -282,7 +296,9 @@ Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep)
     Jobserver jobserver(options.jobs_given ? nullptr : std::getenv("MAKEFLAGS"));
     ask_before_threads(jobserver, compile_options);
     if (!jobserver.trouble().empty()) say(options.messages, jobserver.trouble());
-    if (keep == Keep::everything) {
+    if (keep == Keep::everything && plan != nullptr && until == Stage::layout) {
+        compile_beside_pages(std::move(sources), compile_options, options.policy, *plan, run);
+    } else if (keep == Keep::everything) {
         run.compilation = compile(std::move(sources), compile_options, options.policy);
     } else {
         look_at_each(run, options, compile_options);
@@ -316,10 +332,10 @@ std::vector<std::string> trails_of(const Options& options, const Compilation& co
     return trails;
 }
 
-Run run_inputs(const Options& options, Stage until) {
+Run run_inputs(const Options& options, Stage until, const OutputPlan* plan) {
     InputFiles files;
     files.names = options.inputs.names;
-    return run_inputs(options, std::move(files), until);
+    return run_inputs(options, std::move(files), until, Keep::everything, plan);
 }
 
 }  // namespace popup::cli

@@ -8,6 +8,7 @@
 #include "cli/options/options.h"
 #include "cli/report.h"
 #include "popup/compile.h"
+#include "popup/write.h"
 
 namespace popup::cli {
 
@@ -41,6 +42,7 @@ struct Run {
     };
     InputFiles files;
     Compilation compilation;   // of the inputs that could be read, if everything was to be kept
+    BegunPages begun;          // of its plan; after `compilation`, which it must not outlive
     std::vector<Apart> apart;  // the others
     std::vector<int> order;    // per file: index into designs, or -1-index into `apart`
     bool readable = true;      // every file was
@@ -71,8 +73,10 @@ std::vector<std::string> trails_of(const Options& options, const Compilation& co
 
 // Reads and compiles up to `until`. Unreadable inputs do not keep the others from being looked at.
 // UsageError on a suffix that names no language and on standard input named twice.
-Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep = Keep::everything);
+// `plan`: of what is to be written; its pages are begun while sheets are laid out.
+Run run_inputs(const Options& options, InputFiles files, Stage until, Keep keep = Keep::everything,
+               const OutputPlan* plan = nullptr);
 // The same, of the arguments as they are: a directory is unreadable.
-Run run_inputs(const Options& options, Stage until);
+Run run_inputs(const Options& options, Stage until, const OutputPlan* plan = nullptr);
 
 }  // namespace popup::cli

@@ -168,7 +168,7 @@ Stage needed_stage(const OutputPlan& plan, const std::optional<Emit>& emit) {
 }
 
 std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const Options& options,
-                                                 Compilation& compilation) {
+                                                 Compilation& compilation, const BegunPages& begun) {
     // Of programs and of standard input it is known only now.
     Diagnostics told;
     if (!can_be_made(plan, compilation, told)) refuse_usage(told);
@@ -182,7 +182,7 @@ std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const O
                              {"it has --emit assembly, motion, pattern or layout"});
         }
     }
-    auto files = make_files(plan, options.compile.output, compilation);
+    auto files = make_files(plan, options.compile.output, compilation, begun);
     if (files && emit) files->push_back({"-", emitted(*emit, options, compilation)});
     return files;
 }

@@ -76,7 +76,9 @@ std::optional<std::string> live_model(std::span<const SceneCard> cards, const Ou
     const still::Modeller modeller(cards, options.backs);
     const nlohmann::ordered_json model{{"title", viewer_title(cards)},
                                        {"scene", viewer_scene(cards, *keys, modeller, options)}};
-    return viewer_scene_text(model, diagnostics);
+    std::string text = viewer_scene_text(model);
+    if (!browsers_take(text.size(), diagnostics)) return std::nullopt;
+    return text;
 }
 
 std::optional<std::string> live_sheets(const Layout& layout, const OutputOptions& options,

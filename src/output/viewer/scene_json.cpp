@@ -413,17 +413,20 @@ Json viewer_scene(std::span<const SceneCard> cards, const Keys& keys, const stil
     return scene;
 }
 
-std::optional<std::string> viewer_scene_text(const nlohmann::ordered_json& scene, Diagnostics& diagnostics) {
-    std::string text = scene.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    if (text.size() <= kMostBytes) return text;
+std::string viewer_scene_text(const nlohmann::ordered_json& scene) {
+    return scene.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+bool browsers_take(std::size_t bytes, Diagnostics& diagnostics) {
+    if (bytes <= kMostBytes) return true;
     diagnostics
         .error("model-too-large", {},
                fmt::format("the page would be {:.0f} MB, {:.0f} MB are the most",
-                           1e-6 * static_cast<double>(text.size()), 1e-6 * static_cast<double>(kMostBytes)))
+                           1e-6 * static_cast<double>(bytes), 1e-6 * static_cast<double>(kMostBytes)))
         .hint(
             "ask for fewer angles or fewer keys a second, take smaller pictures, or write fewer designs into "
             "one page");
-    return std::nullopt;
+    return false;
 }
 
 std::string viewer_title(std::span<const SceneCard> cards) {

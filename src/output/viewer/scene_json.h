@@ -47,8 +47,11 @@ class Modeller;
 nlohmann::ordered_json viewer_scene(std::span<const SceneCard> cards, const Keys& keys,
                                     const still::Modeller& modeller, const OutputOptions& options);
 
-// The scene as text. `model-too-large` and nullopt: it has more than 400 MB, which browsers do not take.
-std::optional<std::string> viewer_scene_text(const nlohmann::ordered_json& scene, Diagnostics& diagnostics);
+// The scene as text; what is no UTF-8 is replaced.
+std::string viewer_scene_text(const nlohmann::ordered_json& scene);
+// False, and `model-too-large` is told: a scene of so many bytes is more than 400 MB, which browsers do not
+// take.
+bool browsers_take(std::size_t bytes, Diagnostics& diagnostics);
 
 // The names of all cards, at most three. Valid UTF-8.
 std::string viewer_title(std::span<const SceneCard> cards);

@@ -48,23 +48,20 @@ std::string place_html(const std::string& file, Place place) {
     return told_html(text);
 }
 
-std::unique_ptr<Beside<ViewerStill>> begin_viewer_still(std::span<const SceneCard> cards,
-                                                        still::Modeller& modeller, int threads,
-                                                        Diagnostics& diagnostics) {
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, still::Modeller& modeller,
+                                        Diagnostics& diagnostics) {
     const double opening_deg = modeller.best_deg();
-    std::optional<still::Model> model = modeller.at(opening_deg, diagnostics);
-    if (!model) return nullptr;
-    std::string text = "A picture of the model";
+    const std::optional<still::Model> model = modeller.at(opening_deg, diagnostics);
+    if (!model) return std::nullopt;
+    ViewerStill still{{}, "A picture of the model"};
     if (moves(*cards.front().assembly))
-        text += fmt::format(", open at {} degrees", number_text(opening_deg, 1));
-    auto draw = [model = std::move(*model), text = std::move(text)] {
-        const still::Framing framing = still::framing_of(model, View::iso, kSize.width, kSize.height);
-        ViewerStill still{{}, text};
-        if (!to_jpeg(still::render(model, framing, kSize.width, kSize.height), kQuality, kDpi, still.jpeg))
-            still.jpeg.clear();
+        still.text += fmt::format(", open at {} degrees", number_text(opening_deg, 1));
+    const still::Framing framing = still::framing_of(*model, View::iso, kSize.width, kSize.height);
+    if (to_jpeg(still::render(*model, framing, kSize.width, kSize.height), kQuality, kDpi, still.jpeg))
         return still;
-    };
-    return std::make_unique<Beside<ViewerStill>>(std::move(draw), threads > 1);
+    diagnostics.error("picture-failed", {},
+                      "the page's picture could not be made: there is no memory for it");
+    return std::nullopt;
 }
 
 std::optional<ViewerSheets> viewer_sheets(const Layout* layout, const OutputOptions& options,

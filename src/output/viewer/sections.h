@@ -1,7 +1,6 @@
 // What the viewer's page has beside the model: a picture of it, its sheets, and what was found.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,22 +9,19 @@
 
 #include "output/viewer/scene_json.h"
 #include "popup/output.h"
-#include "run/beside.h"
 
 namespace popup {
 
 // The model before, or instead of, what the browser draws: 480 × 360 pixels.
 struct ViewerStill {
-    std::string jpeg;  // its file; empty: there was no memory for it
+    std::string jpeg;  // its file
     std::string text;  // for those who cannot see it
 };
 
-// The picture of the cards, which `modeller` is one of and outlives, at the opening where they are seen best.
-// It takes longer than all the rest of a page, so with 2 `threads` and more another one draws it meanwhile.
-// A JPEG: a WebP is a third smaller and takes ten times as long. nullptr: `locks` was told.
-std::unique_ptr<Beside<ViewerStill>> begin_viewer_still(std::span<const SceneCard> cards,
-                                                        still::Modeller& modeller, int threads,
-                                                        Diagnostics& diagnostics);
+// The picture of the cards, which `modeller` is one of, at the opening where they are seen best. A JPEG: a
+// WebP is a third smaller and takes ten times as long. Errors: `locks`; `picture-failed`, for want of memory.
+std::optional<ViewerStill> viewer_still(std::span<const SceneCard> cards, still::Modeller& modeller,
+                                        Diagnostics& diagnostics);
 
 struct ViewerSheets {
     std::string html;                 // a figure a side, whose picture is number data-sheet of `packed`

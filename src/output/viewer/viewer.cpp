@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text/base64.h"
 #include "output/html_page.h"
@@ -15,6 +16,7 @@
 #include "output/viewer/page_parts.h"
 #include "output/viewer/scene_json.h"
 #include "output/viewer/sections.h"
+#include "run/beside.h"
 
 namespace popup {
 namespace {
@@ -30,32 +32,69 @@ const FixedParts& fixed_parts() {
     return kParts;
 }
 
+// What a page has of the cards alone.
+struct ViewerModel {
+    std::string scene;  // viewer_scene() as it stands in a page, without its sheets
+    ViewerStill still;
+};
+
+std::optional<ViewerModel> model_of(std::span<const SceneCard> cards, const OutputOptions& options,
+                                    Diagnostics& diagnostics) {
+    const auto keys = choose_keys(cards, options, diagnostics);
+    if (!keys) return std::nullopt;
+    still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
+    std::optional<ViewerStill> still = viewer_still(cards, modeller, diagnostics);
+    if (!still) return std::nullopt;
+    std::string scene = json_in_page(viewer_scene_text(viewer_scene(cards, *keys, modeller, options)));
+    return ViewerModel{std::move(scene), std::move(*still)};
+}
+
+// `scene` is an object that is not empty.
+std::string with_sheets(std::string scene, const std::vector<std::string>& packed) {
+    scene.back() = ',';
+    return scene + "\"sheets\":" + nlohmann::json(packed).dump() + "}";
+}
+
 }  // namespace
+
+struct BegunPage {
+    BegunPage(std::vector<SceneCard> of, const OutputOptions& with)
+        : cards(std::move(of)), options(with), making([this] { return make(); }, true) {}
+    [[nodiscard]] std::optional<ViewerModel> make() const {
+        Diagnostics told_later;
+        return model_of(cards, options, told_later);
+    }
+    std::optional<ViewerModel> take() {
+        if (std::exchange(taken, true)) return std::nullopt;
+        return making.get();
+    }
+
+    std::vector<SceneCard> cards;
+    OutputOptions options;
+    bool taken = false;
+    Beside<std::optional<ViewerModel>> making;  // last: it refers to the others
+};
+
+std::shared_ptr<BegunPage> begin_viewer(std::vector<SceneCard> cards, const OutputOptions& options) {
+    return std::make_shared<BegunPage>(std::move(cards), options);
+}
 
 std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions& options,
                                        Diagnostics& diagnostics) {
     const std::span<const SceneCard> cards = page.cards;
     POPUP_INVARIANT(!cards.empty() && options.duration_s > 0.0);
-    const auto keys = choose_keys(cards, options, diagnostics);
-    if (!keys) return std::nullopt;
-    still::Modeller modeller(cards, options.backs, options.still.paper_mm.value_or(0.0));
-    const auto drawing = begin_viewer_still(cards, modeller, options.threads, diagnostics);
-    if (!drawing) return std::nullopt;
     const auto sheets = viewer_sheets(page.layout, options, diagnostics);
     if (!sheets) return std::nullopt;
-    const std::string findings = viewer_findings(page.findings);
-    nlohmann::ordered_json data = viewer_scene(cards, *keys, modeller, options);
-    data["sheets"] = sheets->packed;
-    const auto scene = viewer_scene_text(data, diagnostics);
-    if (!scene) return std::nullopt;
+    std::optional<ViewerModel> model;
+    if (page.begun) model = page.begun->take();
+    // Where that failed, it says why here; and a run may have two such pages.
+    if (!model) model = model_of(cards, options, diagnostics);
+    if (!model) return std::nullopt;
+    const std::string scene = with_sheets(std::move(model->scene), sheets->packed);
+    if (!browsers_take(scene.size(), diagnostics)) return std::nullopt;
+    ViewerStill& still = model->still;
     const FixedParts& fixed = fixed_parts();
     const std::string title = as_markup(viewer_title(cards));
-    ViewerStill still = drawing->get();
-    if (still.jpeg.empty()) {
-        diagnostics.error("picture-failed", {},
-                          "the page's picture could not be made: there is no memory for it");
-        return std::nullopt;
-    }
     const std::array<std::pair<std::string_view, std::string>, 11> values{{
         {"head", page_head(fixed.policy, title, fixed.style)},
         {"title", title},
@@ -67,8 +106,8 @@ std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions&
         {"sheet_count", std::to_string(sheets->packed.size())},
         {"sheets", sheets->html},
         {"finding_count", std::to_string(page.findings.size())},
-        {"findings", findings},
-        {"scene", json_in_page(*scene)},
+        {"findings", viewer_findings(page.findings)},
+        {"scene", scene},
         {"script", fixed.script},
     }};
     return ViewerFiles{filled_page(page_file(viewer_files(), "page.html"), values), std::move(still.jpeg)};

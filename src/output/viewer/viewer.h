@@ -1,8 +1,10 @@
 // The model as a page to look at: one HTML file that needs no network.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "popup/output.h"
 
@@ -33,6 +35,10 @@ namespace popup {
 // four thirds of the pictures.
 std::optional<std::string> write_viewer(const RunPage& page, const OutputOptions& options,
                                         Diagnostics& diagnostics);
+
+// Makes what the page has of the cards alone: the model and the still, ten elevenths of the work. Its thread
+// tells nothing: where it fails, write_viewer() tries again and says why.
+std::shared_ptr<BegunPage> begin_viewer(std::vector<SceneCard> cards, const OutputOptions& options);
 
 // The same, with the still as a file of its own beside it: JPEG, 480 × 360 pixels.
 struct ViewerFiles {

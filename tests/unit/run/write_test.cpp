@@ -12,10 +12,11 @@
 namespace popup {
 namespace {
 
-Compilation compiled(const std::string& name) {
-    const Source source{name, test::read_file(std::string(POPUP_SOURCE_DIR) + "/samples/bird.xml")};
-    return compile({source}, {}, {});
+Source sample(const std::string& name) {
+    return {name, test::read_file(std::string(POPUP_SOURCE_DIR) + "/samples/" + name)};
 }
+
+Compilation compiled(const std::string& name) { return compile({sample(name)}, {}, {}); }
 
 // The one error that keeps a plan from being made.
 Diagnostic refused(const OutputRequest& request) {
@@ -80,6 +81,82 @@ TEST(WriteFiles, WantsARunThatWentAsFarAsTheSheets) {
     Compilation nothing = compile({}, {}, {});
     EXPECT_FALSE(make_files(*plan, {}, nothing));
     EXPECT_TRUE(output_refused(nothing.run_diagnostics));
+}
+
+OutputOptions two_threads() {
+    OutputOptions options;
+    options.threads = 2;
+    return options;
+}
+
+// Sheets and files of a run of which pages were begun by so many threads.
+std::vector<PendingFile> made_by(int threads, const std::vector<Source>& sources, const OutputPlan& plan) {
+    CompileOptions options;
+    options.until = Stage::pattern;
+    options.output.threads = threads;
+    Compilation run = compile(sources, options, {});
+    const BegunPages begun = begin_pages(plan, options.output, run);
+    EXPECT_EQ(begun.size(), threads > 1 ? 1U : 0U);
+    lay_out_run(run, options);
+    return make_files(plan, options.output, run, begun).value_or(std::vector<PendingFile>{});
+}
+
+TEST(BeginPages, GivesTheSamePagesAsWithoutIt) {
+    Diagnostics told;
+    // Two pages, of which one is begun, and what is never begun.
+    const auto plan = plan_outputs({.outputs = {"a.html", "b.svg", "c.html", "d.book.html"}}, told);
+    ASSERT_TRUE(plan);
+    for (const std::vector<std::string>& names :
+         {std::vector<std::string>{"bird.xml"}, {"castle.xml"}, {"bird.xml", "castle.xml"}}) {
+        std::vector<Source> sources;
+        for (const std::string& name : names) sources.push_back(sample(name));
+        const std::vector<PendingFile> alone = made_by(1, sources, *plan);
+        const std::vector<PendingFile> beside = made_by(2, sources, *plan);
+        ASSERT_EQ(beside.size(), alone.size());
+        ASSERT_GE(alone.size(), 4U);
+        for (std::size_t i = 0; i < alone.size(); ++i) {
+            EXPECT_EQ(beside[i].path, alone[i].path);
+            EXPECT_TRUE(beside[i].bytes == alone[i].bytes) << alone[i].path;
+        }
+    }
+}
+
+TEST(BeginPages, MayBeForgotten) {
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
+    ASSERT_TRUE(plan);
+    const Compilation run = compiled("castle.xml");
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(begin_pages(*plan, two_threads(), run).size(), 1U);
+}
+
+TEST(BeginPages, BeginsNothingOfWhatIsNotWritten) {
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
+    ASSERT_TRUE(plan);
+    EXPECT_TRUE(begin_pages(*plan, two_threads(), compile({}, {}, {})).empty());
+    const Compilation broken = compile({Source{"bad.xml", "<popup"}}, {}, {});
+    EXPECT_TRUE(begin_pages(*plan, two_threads(), broken).empty());
+    const auto sheets = plan_outputs({.outputs = {"a.svg"}}, told);
+    EXPECT_TRUE(begin_pages(*sheets, two_threads(), compiled("castle.xml")).empty());
+    CompileOptions short_of_motion;
+    short_of_motion.until = Stage::assembly;
+    const Compilation halted = compile({sample("castle.xml")}, short_of_motion, {});
+    EXPECT_TRUE(begin_pages(*plan, two_threads(), halted).empty());
+}
+
+// What is wrong with a model is told when the page is made, as without threads.
+TEST(BeginPages, TellsWhatFailed) {
+    Diagnostics told;
+    const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
+    ASSERT_TRUE(plan);
+    CompileOptions options;
+    options.output.threads = 2;
+    options.output.fps = 1e6;
+    options.output.duration_s = 1e6;
+    Compilation run = compile({sample("castle.xml")}, options, {});
+    const BegunPages begun = begin_pages(*plan, options.output, run);
+    EXPECT_FALSE(make_files(*plan, options.output, run, begun));
+    EXPECT_TRUE(output_refused(run.run_diagnostics));
 }
 
 TEST(WriteFiles, SparesInputsFromFurtherSheets) {
