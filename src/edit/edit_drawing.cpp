@@ -136,8 +136,12 @@ void tell(const Diagnostics& heard, const EditLine& line, Diagnostics& of_edits,
         Diagnostic& told =
             (of_edit ? of_edits : of_document).add(one.severity, one.code, one.place, one.message);
         const Place place = of_edit ? line.place : one.place;
+        std::string file = std::move(told.file);
         told = one;
+        told.file = std::move(file);
         told.place = place;
+        if (!of_edit && one.code == "edit-refused" && line.place.line > 0)
+            told.hint(fmt::format("the edit is line {} of {}", line.place.line, of_edits.file()));
     }
 }
 
