@@ -65,12 +65,16 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
         double middle = std::clamp(0.5 * (lo + hi), 0.0, fold.length());
         if (there.element.site.reversed) middle = fold.length() - middle;
         const CutSpan* cut = fold.cut_within(middle - 1e-6, middle + 1e-6);
+        const std::string& by = cut != nullptr ? cut->by : fold.owner;
         diagnostics
             .error("fold-cut-away", structure.fold.place,
                    fmt::format("where \"{}\" stands, its parent fold has been cut away by \"{}\"",
-                               structure.id, cut != nullptr ? cut->by : fold.owner))
-            .hint(fmt::format("stand it on a fold of \"{}\", or move it along the fold",
-                              cut != nullptr ? cut->by : fold.owner))
+                               structure.id, by))
+            .hint(fmt::format(
+                "stand it on a fold of \"{0}\", or move it along the fold{1}", by,
+                placing.element.info->glued
+                    ? fmt::format("; to stand over the hole, it comes before \"{}\" in the document", by)
+                    : ""))
             .about(structure.id);
         return;
     }
