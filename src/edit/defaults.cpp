@@ -16,12 +16,16 @@ namespace {
 struct LeastRoom {
     std::string_view family;
     double mm = 0.0;
-    std::string_view measure = {};  // which is that large; empty: all are
+    std::string_view measure = {};  // which is that large; empty: all are that no row before tells
+    double most = 2.0;  // times as large, and no more: on shorter folds it would stick out everywhere
 };
-constexpr std::array<LeastRoom, 3> kLeastRooms{
-    {{"v-fold", 60.0}, {"pivot", 70.0}, {"floating-layer", 110.0, "width"}}};
-// On a fold that is shorter still, what is so large would stick out everywhere.
-constexpr double kMostEnlarged = 2.0;
+constexpr std::array<LeastRoom, 7> kLeastRooms{{{"tent", 30.0},
+                                                {"layer", 30.0},
+                                                {"box", 50.0, "", 2.5},
+                                                {"v-fold", 60.0},
+                                                {"pivot", 70.0},
+                                                {"floating-layer", 110.0, "width", 4.0},
+                                                {"floating-layer", 40.0}}};
 
 // What bounds the free places of a plate: its edges, the seams on it, and the edges of what is glued flat on
 // it.
@@ -90,6 +94,16 @@ FreePlace free_place(const Assembly& assembly, int plate, double wanted_mm) {
     return best;
 }
 
+// Plates that a document calls "bird.left" and "box.frontleft" are "bird/left" and "box/front-left" in the
+// assembly, and "sign" where they are all that there is of it: each of these as "box/frontleft".
+std::string name_there(std::string name) {
+    const std::size_t at = name.find_last_of("./");
+    if (at == std::string::npos) return name;
+    name[at] = '/';
+    name.erase(std::remove(name.begin() + static_cast<std::ptrdiff_t>(at), name.end(), '-'), name.end());
+    return name;
+}
+
 // The line beside which the points of what stands on a plate lie; nullopt: they lie on its page.
 std::optional<Segment> line_of_plate(Session& session, const NamedGround& on) {
     if (!on.owner) return std::nullopt;
@@ -116,7 +130,7 @@ const ElementInfo& form_on(const ElementInfo& info, const PageFold& fold) {
 double room_for(const ElementInfo& info, std::string_view measure, double fold_mm) {
     for (const LeastRoom& least : kLeastRooms) {
         if (least.family == info.family && (least.measure.empty() || least.measure == measure))
-            return std::max(fold_mm, std::min(least.mm, kMostEnlarged * fold_mm));
+            return std::max(fold_mm, std::min(least.mm, least.most * fold_mm));
     }
     return fold_mm;
 }
@@ -137,11 +151,10 @@ void put_on_plate(Session& session, Structure& made, const ElementInfo& info, co
     const auto checked = check(session.design, {}, unheard);
     const auto assembly = checked ? assemble(*checked, {}, unheard) : std::nullopt;
     if (!assembly) return;
-    // Plates are called "bird/left" there, and "sign" where they are all that there is of it.
-    std::string name = made.plate->on.text;
-    if (const std::size_t dot = name.rfind('.'); dot < name.size()) name[dot] = '/';
+    const std::string name = name_there(made.plate->on.text);
     const auto plate = std::find_if(assembly->plates.begin(), assembly->plates.end(), [&](const Plate& one) {
-        return one.name == name || one.name + "/plate" == name;
+        const std::string there = name_there(one.name);
+        return there == name || there + "/plate" == name;
     });
     if (plate == assembly->plates.end()) return;
     const auto width = find_measure(info, "width");

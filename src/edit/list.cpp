@@ -193,7 +193,8 @@ bool add(Session& session, const Command& command) {
     for (std::size_t i = 0; i < info->parameters.size(); ++i) {
         const ParameterInfo& parameter = info->parameters[i];
         if (parameter.kind == ParameterKind::length && parameter.required) {
-            made.argument(i).value = std::clamp(kHeightShare * size, parameter.least, parameter.most);
+            const double room = enlarge ? room_for(*info, parameter.name, size) : size;
+            made.argument(i).value = std::clamp(kHeightShare * room, parameter.least, parameter.most);
         }
     }
     session.design.structures.push_back(made);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "popup/compile.h"
 #include "popup/edit.h"
@@ -73,6 +74,38 @@ TEST(Defaults, MakeCardsWithoutFindings) {
                 continue;
             }
             EXPECT_EQ(found_in(made.text), "");
+        }
+    }
+}
+
+// What has several plates is called otherwise in the assembly.
+TEST(Defaults, FindRoomOnPlatesOfSeveral) {
+    const std::string card =
+        added(added(kBlank, "add floating-layer --id deck --at 40").text, "add box --id house --at -40").text;
+    ASSERT_FALSE(card.empty());
+    for (const std::string on :
+         {"deck.left", "deck.topleft", "deck.topright", "house.left", "house.frontleft", "house.frontright",
+          "house.backleft", "house.backright"}) {
+        SCOPED_TRACE(on);
+        const Added made = added(card, "add attached-plane --id sign --on " + on);
+        ASSERT_FALSE(made.text.empty()) << made.refusal;
+        EXPECT_EQ(found_in(made.text), "");
+    }
+}
+
+// Shares of a short fold alone would leave nothing of tabs.
+TEST(Defaults, HaveTabsThatHoldOnShortFolds) {
+    const auto card_of = [](int height_mm) {
+        return "<popup version=\"3.0\" units=\"mm\">\n  <mainpage width=\"200\" height=\"" +
+               std::to_string(height_mm) + "\"/>\n  <structurelist>\n  </structurelist>\n</popup>\n";
+    };
+    for (const auto& [type, from_mm] :
+         {std::pair{"tent", 15}, {"layer", 15}, {"box", 20}, {"v-fold", 30}, {"floating-layer", 20}}) {
+        for (int height_mm = from_mm; height_mm <= 100; height_mm += 5) {
+            SCOPED_TRACE(std::string(type) + " on " + std::to_string(height_mm));
+            const Added made =
+                added(card_of(height_mm), "add " + std::string(type) + " --id new --on gutter");
+            EXPECT_EQ(made.text.empty() ? made.refusal : found_in(made.text), "");
         }
     }
 }
