@@ -63,6 +63,8 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
         MotionOptions motion = options.motion;
         if (options.fitting_size)
             motion.fitting_size = std::bind_front(options.fitting_size, std::cref(one), std::cref(options));
+        if (options.move_command)
+            motion.move_command = std::bind_front(options.move_command, std::cref(one), std::cref(options));
         one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
                                  : simulate(*one.assembly, motion, one.diagnostics);
         if (one.creases && one.motion) tell_what_closes(one, options);

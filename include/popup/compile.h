@@ -52,6 +52,12 @@ struct CompileOptions {
     std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
                                              const std::string& element)>
         clearing_move = {};
+    // Asked of a move that a hint of the motion tells, as MotionOptions has it; move_command() of
+    // popup/edit.h is such a function. It is given what fitting_size is given. Empty: moves are told without
+    // it.
+    std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
+                                             const std::string& element, Vec2 by)>
+        move_command = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.

@@ -90,6 +90,13 @@ std::optional<std::string> fitting_size(const CompiledDesign& design, const Comp
 std::optional<std::string> clearing_move(const CompiledDesign& design, const CompileOptions& options,
                                          const std::string& element);
 
+// What to type for a move of an element by so many mm on the page of the left plate that drives it, and of
+// everything that stands on it: "popupc edit … move b --along=-5.00mm --follow". That edit was made in the
+// design as it was read. nullopt: none moves it so, or the design is no document. Precondition: the design
+// has been checked. Cost: that of a check().
+std::optional<std::string> move_command(const CompiledDesign& design, const CompileOptions& options,
+                                        const std::string& element, Vec2 by);
+
 // What `popupc show` tells of a design.
 struct ShowOptions {
     std::string id;    // of one structure alone, and what stands on it; empty: everything

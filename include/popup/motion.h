@@ -71,6 +71,9 @@ struct MotionOptions {
     // Asked of an element that sticks out of the closed card, by so many mm: a size that was tried and keeps
     // it inside, as the words of a hint; nullopt: none does. Empty: nobody knows of sizes.
     std::function<std::optional<std::string>(const std::string& element, double by_mm)> fitting_size = {};
+    // Asked of a move of an element that a hint tells, by so many mm on the page of its left driving plate:
+    // what to type for it. nullopt: nothing does it. Empty: nobody knows of edits.
+    std::function<std::optional<std::string>(const std::string& element, Vec2 by)> move_command = {};
 };
 
 // Two plates that cross, from the first to the last angle of one contact (each to 0.001°).
@@ -164,14 +167,15 @@ struct FreePlates {
     bool parallel = false;    // all of these run in one direction
 };
 
-// What would keep two elements from colliding: tried out by the examination, not guessed. The element is
-// moved along what it stands on, as if its points had been drawn there, stays on that, and meets nothing and
-// lets nothing stick out that did not before. Tabs, and cuts of others on its way, are not looked at.
+// What would keep two elements from colliding, or from lying on one another: tried out by the examination,
+// not guessed. The element is moved along what it stands on, as if its points had been drawn there, stays on
+// that, and meets nothing and lets nothing stick out that did not before. Tabs, and cuts of others on its
+// way, are not looked at.
 struct FreeingMove {
-    std::string element;  // the one that moves: the name of its joint
-    std::string other;    // that of the other
-    Place place;          // of the collision's finding, and of the other element that this names
-    Place other_place;
+    std::string element;     // the one that moves: the name of its joint
+    std::string other;       // that of the other
+    Place place;             // of the finding that the two collide, or lie on one another
+    Place other_place;       // of the other element that this names
     Vec2 by;                 // mm, on the page of its left driving plate
     std::string_view along;  // what it moves along, in words: "fold"
 };
@@ -186,7 +190,8 @@ struct Motion {
     bool flat_closed = false;            // flat_error_deg within tolerance
     std::vector<FreePlates> not_forced;  // as free_plates() has them; none with Solver::iterative
     std::optional<Examination> examination;  // none: not examined, not asked for or as Sweep::bends says
-    std::vector<FreeingMove> moves;  // of the first collisions that were found, as many as could be tried
+    std::vector<FreeingMove>
+        moves;  // of the first that collide, then of those that lie on one another, as many as could be tried
 };
 
 // Frames of all plates at one angle, in closed form. `frames` has one entry a plate.

@@ -62,6 +62,7 @@ int run_lsp(const Options& options) {
     // Tried with every key that is pressed, they would take too long.
     server.compile.fitting_size = {};
     server.compile.clearing_move = {};
+    server.compile.move_command = {};  // a fix makes the move
     server.policy = options.policy;
     server.open_view = open_view;
     // A request that asks too much is refused, and the next one answered.

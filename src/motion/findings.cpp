@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -96,17 +97,15 @@ class Findings {
                     freeing_move(assembly_, linkage_, shapes_,
                                  pairs_between(assembly_, joints.first, joints.second), contacts, budget_)) {
                 finding.hint(in_words(*move, "frees the two"));
-                const int still = move->joint == joints.first ? joints.second : joints.first;
-                moves.push_back({assembly_.joints[static_cast<std::size_t>(move->joint)].name,
-                                 assembly_.joints[static_cast<std::size_t>(still)].name, joint.place,
-                                 linkage_.element(other).place, move->by, move->along});
+                moves.push_back(as_told(*move, joints, joint.place, linkage_.element(other).place));
             }
         }
         return moves;
     }
 
     // Of elements that collide, too, nothing more is said: they are told of, with a move that parts them.
-    void lying(const std::vector<LyingPair>& all, const std::vector<Contact>& contacts) {
+    std::vector<FreeingMove> lying(const std::vector<LyingPair>& all, const std::vector<Contact>& contacts) {
+        std::vector<FreeingMove> moves;
         const auto colliding = by_elements(contacts);
         int tried = 0;
         for (const auto& [joints, some] : by_elements(all)) {
@@ -124,19 +123,22 @@ class Findings {
                             most.size.y, in_hundredths(most.point.x), in_hundredths(most.point.y),
                             name(most.b)));
             finding.about(joint.name);
-            also(finding, first ? most.b : most.a, first ? most.a : most.b);
+            const int other = first ? most.a : most.b;
+            also(finding, first ? most.b : most.a, other);
             if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
             const auto move =
                 freeing_move(assembly_, linkage_, shapes_,
                              pairs_between(assembly_, joints.first, joints.second), contacts, budget_, true);
             if (move) {
                 finding.hint(in_words(*move, "parts the two"));
+                moves.push_back(as_told(*move, joints, joint.place, linkage_.element(other).place));
             } else {
                 finding.hint(
                     "make one of the two smaller, or take it out: no move of one along what it stands on was "
                     "found that leaves it on nothing");
             }
         }
+        return moves;
     }
 
     void across_folds(const std::vector<AcrossFold>& all) {
@@ -287,10 +289,22 @@ class Findings {
     static double in_hundredths(double mm) { return std::round(mm * 100.0) / 100.0 + 0.0; }
 
     [[nodiscard]] std::string in_words(const ElementMove& move, std::string_view does) const {
-        return fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, {}",
-                           assembly_.joints[static_cast<std::size_t>(move.joint)].name,
-                           in_hundredths(length(move.by)), move.along, in_hundredths(move.by.x),
-                           in_hundredths(move.by.y), does);
+        const std::string& element = assembly_.joints[static_cast<std::size_t>(move.joint)].name;
+        const auto command =
+            options_.move_command ? options_.move_command(element, move.by) : std::optional<std::string>();
+        return fmt::format("moving \"{}\" {:.2f} mm along its {}, by ({:.2f}, {:.2f}) mm on the page, {}{}{}",
+                           element, in_hundredths(length(move.by)), move.along, in_hundredths(move.by.x),
+                           in_hundredths(move.by.y), does, command ? ": " : "", command.value_or(""));
+    }
+    [[nodiscard]] FreeingMove as_told(const ElementMove& move, std::pair<int, int> joints, Place place,
+                                      Place other_place) const {
+        const int still = move.joint == joints.first ? joints.second : joints.first;
+        return {assembly_.joints[static_cast<std::size_t>(move.joint)].name,
+                assembly_.joints[static_cast<std::size_t>(still)].name,
+                place,
+                other_place,
+                move.by,
+                move.along};
     }
     // Names the element of a second plate, where it is another one.
     void also(Diagnostic& finding, int plate, int second) const {
@@ -369,7 +383,9 @@ std::vector<FreeingMove> report_findings(const Assembly& assembly, const Linkage
                                          const MotionOptions& options, Diagnostics& diagnostics) {
     Findings findings(assembly, linkage, shapes, options, diagnostics);
     std::vector<FreeingMove> moves = findings.collisions(found.contacts);
-    findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
+    std::vector<FreeingMove> parting = findings.lying(find_lying(assembly, linkage, shapes), found.contacts);
+    moves.insert(moves.end(), std::make_move_iterator(parting.begin()),
+                 std::make_move_iterator(parting.end()));
     findings.across_folds(find_across_folds(assembly));
     findings.protrusions(found.closed.protrusions, found.contacts);
     findings.layers(found);
