@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -33,7 +34,8 @@ class Fixer {
 
     void add_to(Finding& finding) {
         if (finding.diagnostic.change) add_repair(finding);
-        if (finding.diagnostic.code == "collision" && one_.motion) add_move(finding);
+        const std::string_view code = finding.diagnostic.code;
+        if ((code == "collision" || code == "lies-on-another") && one_.motion) add_move(finding);
     }
 
  private:

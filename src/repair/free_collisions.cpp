@@ -7,6 +7,9 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mechanism/footings.h"
 
@@ -16,13 +19,32 @@ namespace {
 using Pair = std::pair<std::string, std::string>;
 using Pairs = std::set<Pair>;
 
+// In one order, whichever of the two is told of.
+Pair sorted(Pair pair) {
+    if (pair.second < pair.first) std::swap(pair.first, pair.second);
+    return pair;
+}
+
 // "front/left" is of "front".
 std::string owner_of(const std::string& plate) { return plate.substr(0, plate.rfind('/')); }
+
+// What a move may mend.
+bool may_be_freed(const Diagnostic& finding) {
+    return finding.code == "collision" || finding.code == "lies-on-another";
+}
+
+// The two elements that such a finding names: related are such as "\"front\"".
+Pair pair_of(const Diagnostic& finding) {
+    std::string other = finding.related.empty() ? finding.element : finding.related.front().text;
+    if (other.size() > 2 && other.front() == '"') other = other.substr(1, other.size() - 2);
+    return {finding.element, other};
+}
 
 // A document that was looked at.
 struct Looked {
     CompiledDesign design;
-    Pairs colliding;                    // of elements
+    Pairs colliding;                    // of elements, also those that are allowed to
+    Pairs lying;                        // on one another, of those that are told
     std::map<std::string, int> others;  // warnings of other kinds, by code
     bool accepted = false;              // without errors and repairs, and its motion was examined
 };
@@ -37,6 +59,8 @@ class Freer {
         options_.motion.examine = true;
         options_.threads = 1;
         options_.progress = {};
+        options_.fitting_size = {};  // nobody reads the hints
+        options_.move_command = {};
     }
 
     FreedDocument run(const std::string& text) {
@@ -45,10 +69,7 @@ class Freer {
         while (now.accepted && step(now, made)) {
         }
         for (const Diagnostic& one : now.design.diagnostics.sorted()) {
-            if (one.code != "collision") continue;
-            std::string other = one.related.empty() ? one.element : one.related.front().text;
-            if (other.size() > 2 && other.front() == '"') other = other.substr(1, other.size() - 2);
-            made.left.emplace_back(one.element, other);
+            if (may_be_freed(one)) made.left.push_back(pair_of(one));
         }
         return made;
     }
@@ -56,10 +77,11 @@ class Freer {
  private:
     Looked look(std::string text) const {
         Compilation run = compile({Source{name_, std::move(text)}}, options_, policy_);
-        Looked made{std::move(run.designs.front()), {}, {}, false};
+        Looked made{std::move(run.designs.front()), {}, {}, {}, false};
         const CompiledDesign& design = made.design;
         for (const Diagnostic& one : design.diagnostics.sorted()) {
-            if (one.code != "collision" && one.severity != Severity::remark) ++made.others[one.code];
+            if (one.code == "lies-on-another") made.lying.insert(sorted(pair_of(one)));
+            if (!may_be_freed(one) && one.severity != Severity::remark) ++made.others[one.code];
         }
         if (!design.motion || !design.motion->examination) return made;
         for (const Contact& contact : design.motion->examination->contacts) {
@@ -84,7 +106,7 @@ class Freer {
             if (!move_element(moved, standing, move)) continue;
             std::string text = language_.patch(now.design.source, moved);
             Looked next = look(text);
-            if (!helps(now, next, std::minmax(move.element, move.other))) continue;
+            if (!helps(now, next, sorted({move.element, move.other}))) continue;
             MadeMove record{move, {}, {}};
             points(*now.design.design, moved, move.element, record);
             made.moves.push_back(std::move(record));
@@ -95,13 +117,13 @@ class Freer {
         return false;
     }
 
-    // Those whose collision is told: others are allowed.
+    // Those whose finding is told: others are allowed.
     static std::vector<FreeingMove> told(const CompiledDesign& design) {
         std::vector<FreeingMove> moves;
         const std::vector<Diagnostic> findings = design.diagnostics.sorted();
         for (const FreeingMove& move : design.motion->moves) {
             const bool is_told = std::any_of(findings.begin(), findings.end(), [&](const Diagnostic& one) {
-                return one.code == "collision" && one.place == move.place && !one.related.empty() &&
+                return may_be_freed(one) && one.place == move.place && !one.related.empty() &&
                        one.related.front().place == move.other_place;
             });
             if (is_told) moves.push_back(move);
@@ -110,16 +132,18 @@ class Freer {
     }
 
     static bool helps(const Looked& before, const Looked& after, const Pair& pair) {
-        if (!after.accepted || after.colliding.contains(pair)) return false;
-        const bool subset = std::includes(before.colliding.begin(), before.colliding.end(),
-                                          after.colliding.begin(), after.colliding.end());
-        return subset && std::all_of(after.others.begin(), after.others.end(), [&](const auto& one) {
+        if (!after.accepted || after.colliding.contains(pair) || after.lying.contains(pair)) return false;
+        const auto brings_none = [](const Pairs& had, const Pairs& has) {
+            return std::includes(had.begin(), had.end(), has.begin(), has.end());
+        };
+        return brings_none(before.colliding, after.colliding) && brings_none(before.lying, after.lying) &&
+               std::all_of(after.others.begin(), after.others.end(), [&](const auto& one) {
                    const auto had = before.others.find(one.first);
                    return had != before.others.end() && had->second >= one.second;
                });
     }
 
-    // "A (-30, -40) B (-30, 2)", before and after.
+    // "A (-3, -4) B (-3, 0.2) in", before and after.
     static void points(const Design& before, const Design& after, const std::string& id, MadeMove& made) {
         const auto find = [&id](const Design& design) -> const Structure& {
             return *std::find_if(design.structures.begin(), design.structures.end(),
@@ -138,6 +162,10 @@ class Freer {
             made.before += fmt::format("{}{} {}", gap, info->points[i].letter, text(old.points[i].at));
             made.after += fmt::format("{}{} {}", gap, info->points[i].letter, text(now.points[i].at));
         }
+        // Findings speak of millimetres, and points are as they are written.
+        if (made.before.empty() || before.unit.mm == 1.0) return;
+        made.before += fmt::format(" {}", before.unit.name);
+        made.after += fmt::format(" {}", before.unit.name);
     }
 
     std::string name_;
@@ -155,18 +183,14 @@ FreedDocument free_collisions(const Source& source, const Language& language, co
 
 Diagnostics with_moves(const Diagnostics& found, const Design& design, const FreedDocument& freed) {
     Diagnostics made(found.file(), found.policy());
-    const auto is_freed = [&](const Diagnostic& finding) {
-        return finding.code == "collision" &&
-               std::any_of(freed.moves.begin(), freed.moves.end(), [&](const MadeMove& made_move) {
-                   const FreeingMove& move = made_move.move;
-                   const std::string other =
-                       fmt::format("\"{}\"", finding.element == move.element ? move.other : move.element);
-                   return (finding.element == move.element || finding.element == move.other) &&
-                          !finding.related.empty() && finding.related.front().text == other;
-               });
-    };
+    Pairs moved;
+    for (const MadeMove& one : freed.moves) moved.insert(sorted({one.move.element, one.move.other}));
+    Pairs lay;  // of these on one another
     for (const Diagnostic& finding : found.sorted()) {
-        if (is_freed(finding)) continue;
+        if (may_be_freed(finding) && moved.contains(sorted(pair_of(finding)))) {
+            if (finding.code == "lies-on-another") lay.insert(sorted(pair_of(finding)));
+            continue;
+        }
         made.add(finding.severity, finding.code, finding.place, finding.message) = finding;
     }
     for (const MadeMove& made_move : freed.moves) {
@@ -177,8 +201,9 @@ Diagnostics with_moves(const Diagnostics& found, const Design& design, const Fre
             if (structure.id == move.element) place = structure.place;
         }
         made.warning("moved-clear", place,
-                     fmt::format("\"{}\" went through \"{}\"; it was moved {:.2f} mm along its {}",
-                                 move.element, move.other, moved_mm(move), move.along))
+                     fmt::format("\"{}\" {} \"{}\"; it was moved {:.2f} mm along its {}", move.element,
+                                 lay.contains(sorted({move.element, move.other})) ? "lay on" : "went through",
+                                 move.other, moved_mm(move), move.along))
             .about(move.element)
             .changed(made_move.before, made_move.after);
     }

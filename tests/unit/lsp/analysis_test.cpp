@@ -116,5 +116,23 @@ TEST(Analysis, FindsTheFoldsOfACardOnce) {
     EXPECT_EQ(&whole.card->of(*whole.design), card);
 }
 
+// A fix makes the move that the hint of elements in one place tells.
+TEST(Analysis, OffersTheMoveThatPartsWhatLiesOnOneAnother) {
+    Design design = test::card(200, 240);
+    test::add_tent(design, 0, 15, 20, 25);
+    test::add_tent(design, 10, 15, 20, 25);
+    const AnalysisOptions options{{}, {}, find_language({}, "xml")};
+    const Analysis whole = analyse({"card.xml", write_document(design)}, options, Depth::whole);
+    int offered = 0;
+    for (const Finding& one : whole.findings) {
+        if (one.diagnostic.code != "lies-on-another") continue;
+        ASSERT_EQ(one.fixes.size(), 1U) << one.diagnostic.message;
+        EXPECT_TRUE(one.fixes[0].title.starts_with("Move \"")) << one.fixes[0].title;
+        EXPECT_FALSE(one.fixes[0].edits.empty());
+        ++offered;
+    }
+    EXPECT_EQ(offered, 1) << told(whole);
+}
+
 }  // namespace
 }  // namespace popup::lsp

@@ -223,6 +223,50 @@ TEST(FreeCollisions, EachMoveThatIsToldFreesItsTwoAndHarmsNothing) {
     EXPECT_GE(obeyed, static_cast<int>(seeds / 4));
 }
 
+// Two tents in one place, and a third beside them, which the shortest move would bring one onto.
+TEST(FreeCollisions, PartsWhatLiesOnOneAnother) {
+    NewCard card;
+    card.width_mm = 200;
+    card.height_mm = 300;
+    Diagnostics trouble("card.xml");
+    std::string text = new_document(card, trouble).value();
+    const auto tent = [](const char* id, double from, double to) {
+        return EditLine{{"add", "tent", "--id", id, "--at", fmt::format("{}", (from + to) / 2), "--length",
+                         fmt::format("{}", to - from), "--width", "50", "--height", "24"},
+                        {}};
+    };
+    const std::vector<EditLine> edits{tent("a", 0, 40), tent("b", 62, 100), tent("c", 20, 60)};
+    const auto edited = edit_document({"card.xml", text}, edits, {}, trouble, trouble);
+    ASSERT_TRUE(edited && !edited->refused) << test::findings(trouble);
+    text = edited->text;
+    const CompiledDesign before = compiled(text);
+    EXPECT_NE(test::findings(before.diagnostics).find("lie on one another"), std::string::npos);
+    const FreedDocument freed = free_collisions({"card.xml", text}, *find_language({}, "xml"), {}, {});
+    ASSERT_EQ(freed.moves.size(), 1U);
+    EXPECT_TRUE(freed.left.empty());
+    const CompiledDesign after = compiled(freed.text);
+    EXPECT_EQ(test::findings(after.diagnostics), "");
+    const std::string told = test::findings(with_moves(before.diagnostics, *before.design, freed));
+    EXPECT_NE(told.find("moved-clear"), std::string::npos) << told;
+    EXPECT_NE(told.find(" lay on "), std::string::npos) << told;
+    EXPECT_EQ(told.find("lie on one another"), std::string::npos) << told;
+}
+
+// Points are as they are written, and say so where that is not in millimetres.
+TEST(FreeCollisions, TellsTheUnitOfWhatMoved) {
+    const auto points = [](const Unit& unit) {
+        Design design = test::card(200, 240);
+        design.unit = unit;
+        test::add_tent(design, 0, 15, 20, 25);
+        test::add_tent(design, 10, 15, 20, 25);
+        const FreedDocument freed =
+            free_collisions({"card.xml", write_document(design)}, *find_language({}, "xml"), {}, {});
+        return freed.moves.empty() ? std::string() : freed.moves[0].after;
+    };
+    EXPECT_TRUE(points({"in", 25.4}).ends_with(") in")) << points({"in", 25.4});
+    EXPECT_TRUE(points({"mm", 1.0}).ends_with(")")) << points({"mm", 1.0});
+}
+
 // What stands on an element goes with it where its paper does, and stays on its own piece.
 TEST(MoveElement, TakesAlongWhatStandsOnIt) {
     Design design = test::card(200, 200);
