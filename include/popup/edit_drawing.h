@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "popup/compile.h"
 #include "popup/crease_pattern.h"
 #include "popup/diagnostics.h"
 #include "popup/edit.h"
@@ -30,7 +31,10 @@ struct DrawingEditOptions {
     std::vector<Join> joins = {};  // of the refinement; they are those of the drawing before the edits
     MotionOptions motion = {};     // for what passes through what
     Ruler ruler = {};    // out: that of the drawing after the edits, in which corners of joins are then
-    bool force = false;  // carries it out also where panels pass through each other that did not
+    bool force = false;  // carries it out also where panels pass through each other that did not, and denied
+    // Of a compilation, which looks for what the policy of the document denies. Null: what edits themselves
+    // find is all that is looked at.
+    const CompileOptions* all = nullptr;
 };
 // Whether it is a drawing, or a crease pattern, and no document: what is shown and edited so.
 bool is_sheet_drawing(const Source& source, const ReadOptions& options);
@@ -39,8 +43,10 @@ bool is_sheet_drawing(const Source& source, const ReadOptions& options);
 // drawing grows out of grows with it. `joins` follow their corners and panels. What is written has been read
 // again. nullopt after an error: those of edit_sheet(), `bad-edit`, and `edit-refused` where an element
 // cannot be written anew, as one that use elements draw, where what is written would not be read as it is
-// meant, or where panels pass through each other on the way to the folded shape that did not before. Cost:
-// two readings of the drawing an edit, that of edit_sheet(), and two of simulate_sheet().
+// meant, or where panels pass through each other on the way to the folded shape that did not before. What the
+// policy of `of_document` denies refuses an edit that brings it: then Edited says so, and `edit-refused` is
+// in `of_edits`. Cost: two readings of the drawing an edit, that of edit_sheet(), and two of
+// simulate_sheet(); with a policy that denies, two compilations more.
 std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLine> edits,
                                    DrawingEditOptions& options, Diagnostics& of_edits,
                                    Diagnostics& of_document);

@@ -180,6 +180,7 @@ int run_edit(const Options& options) {
     if (readable && !of_edits.has_errors() && !of_refinement.has_errors()) {
         Diagnostics& heard = verb.file.empty() ? of_document : of_edits;
         if (!is_sheet && is_examined(*source, options)) edit.all = &options.compile;
+        drawing.all = &options.compile;
         edited = is_sheet ? edit_drawing(*source, edits, drawing, heard, of_document)
                           : edit_document(*source, edits, edit, heard, of_document);
     }

@@ -12,6 +12,7 @@
 
 #include "base/text/numbers.h"
 #include "base/text/shown.h"
+#include "edit/denied_of_drawing.h"
 #include "edit/sheet_drawing.h"
 #include "input/text.h"
 #include "input/xml/number.h"
@@ -129,20 +130,53 @@ ReadOptions as_folded(ReadOptions read) {
 }
 
 // What speaks against an edit is told where the edit stands; what is told of the drawing as that has it.
-void tell(const Diagnostics& heard, const EditLine& line, Diagnostics& of_edits, Diagnostics& of_document) {
+// Whether the policy makes an error of something that was none.
+bool tell(const Diagnostics& heard, const EditLine& line, Diagnostics& of_edits, Diagnostics& of_document) {
+    bool raised = false;
     for (const Diagnostic& one : heard.sorted()) {
         if (one.code == "line-meaning") continue;
         const bool of_edit = one.place.line == 0;
         Diagnostic& told =
             (of_edit ? of_edits : of_document).add(one.severity, one.code, one.place, one.message);
+        const Severity severity = told.severity;
         const Place place = of_edit ? line.place : one.place;
         std::string file = std::move(told.file);
         told = one;
         told.file = std::move(file);
         told.place = place;
+        told.severity = severity;
+        raised = raised || severity != one.severity;
         if (!of_edit && one.code == "edit-refused" && line.place.line > 0)
             told.hint(fmt::format("the edit is line {} of {}", line.place.line, of_edits.file()));
     }
+    return raised;
+}
+
+// The place of the edit that brings what a policy denies of the drawing that all of them make.
+Place place_of_denied(const Source& source, std::span<const EditLine> edits,
+                      const DrawingEditOptions& options, const DiagnosticPolicy& policy) {
+    DrawingEditOptions forced = options;
+    forced.force = true;
+    std::size_t before = 0;
+    std::size_t after = edits.size();
+    while (after > before + 1) {
+        const std::size_t middle = before + (after - before) / 2;
+        DrawingEditOptions trial = forced;
+        Diagnostics unheard(source.name);
+        Diagnostics found(source.name, policy);
+        const auto made = edit_drawing(source, edits.first(middle), trial, unheard, unheard);
+        const bool denied = made && edit::brings_denied(source, made->text, *options.all, found);
+        (denied ? after : before) = middle;
+    }
+    return edits.empty() ? Place{} : edits[after - 1].place;
+}
+
+void refuse(Edited& made, Place place, Diagnostics& of_edits) {
+    of_edits
+        .error("edit-refused", place,
+               "the drawing would have an error that it does not have now; nothing is written")
+        .hint("--force writes it all the same");
+    made.refused = true;
 }
 
 // Panels that joins name have the names that they have then, and corners are where their edges have gone.
@@ -339,6 +373,7 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
         return std::nullopt;
     }
     const ReadOptions read = as_folded(options.read);
+    const DrawingEditOptions before_edits = options;  // joins follow the edits
     Edited made;
     made.text = source.text;
     for (const EditLine& line : edits) {
@@ -389,10 +424,18 @@ std::optional<Edited> edit_drawing(const Source& source, std::span<const EditLin
             if (all_say) turned->hints.emplace_back("the drawing says so now, with data-fold-angle");
             heard.add(turned->severity, turned->code, turned->place, turned->message) = *turned;
         }
-        tell(heard, line, of_edits, of_document);
+        const bool denied = tell(heard, line, of_edits, of_document);
         if (!text) return std::nullopt;
         made.text = std::move(*text);
+        if (denied && !options.force) {
+            refuse(made, line.place, of_edits);
+            return made;
+        }
     }
+    const DiagnosticPolicy& policy = of_document.policy();
+    if (options.all != nullptr && edit::denies(policy) &&
+        edit::brings_denied(source, made.text, *options.all, of_document) && !options.force)
+        refuse(made, place_of_denied(source, edits, before_edits, policy), of_edits);
     return made;
 }
 

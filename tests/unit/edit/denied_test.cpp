@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "edit/denied_of_drawing.h"
 #include "popup/edit.h"
+#include "popup/edit_drawing.h"
 #include "support/designs.h"
+#include "unit/edit/drawing_edits.h"
 
 namespace popup::test {
 namespace {
@@ -77,6 +81,56 @@ TEST(DeniedEdits, AreToldAtTheLineThatBringsThem) {
                {{"collision"}, {}, false}, true);
     EXPECT_TRUE(denied.edited.refused);
     EXPECT_EQ(denied.line, 2) << denied.of_edits;
+}
+
+// The wall leans then, and its fold goes by another angle.
+Denied leaned(const DiagnosticPolicy& policy, bool force) {
+    Diagnostics of_edits("edits.txt");
+    Diagnostics of_document("box.svg", policy);
+    DrawingEditOptions options;
+    options.force = force;
+    const std::vector<EditLine> lines{{words_of("extrude back --by 1"), {1, 1}},
+                                      {words_of("edge front.1-2 --by 0,-10,0"), {2, 1}}};
+    const auto done = edit_drawing({"box.svg", kTray}, lines, options, of_edits, of_document);
+    EXPECT_TRUE(done) << findings(of_edits);
+    const auto said = of_edits.sorted();
+    return {done.value_or(Edited()), findings(of_edits), findings(of_document),
+            said.empty() ? 0 : said.front().place.line};
+}
+
+TEST(DeniedEdits, OfDrawingsAreThoseThatFindIt) {
+    const Denied denied = leaned({{"folds-turn"}, {}, false}, false);
+    EXPECT_TRUE(denied.edited.refused);
+    EXPECT_NE(denied.of_document.find("error"), std::string::npos) << denied.of_document;
+    EXPECT_NE(denied.of_edits.find("edit-refused"), std::string::npos) << denied.of_edits;
+    EXPECT_EQ(denied.line, 2);
+    EXPECT_FALSE(leaned({}, false).edited.refused);
+    EXPECT_FALSE(leaned({{"folds-turn"}, {}, false}, true).edited.refused);
+    EXPECT_FALSE(leaned({{"collision"}, {}, true}, false).edited.refused);
+}
+
+TEST(DeniedEdits, OfDrawingsAreThoseOfWhatIsFoundOfTheSheet) {
+    const std::string tray = kTray;
+    std::string dangling = tray;
+    const std::string fold = R"(<path class="mountain" stroke="#ff0000" d="M60 60H90"/>)";
+    dangling.insert(dangling.rfind("</g>"), fold);
+    std::string two = dangling;
+    two.insert(two.rfind("</g>"), R"(<path class="mountain" stroke="#ff0000" d="M60 70H90"/>)");
+    const auto brings = [](const std::string& before, const std::string& after,
+                           const DiagnosticPolicy& policy) {
+        Diagnostics told("box.svg", policy);
+        const bool any = edit::brings_denied({"box.svg", before}, after, {}, told);
+        EXPECT_EQ(any, told.has_errors()) << findings(told);
+        return any;
+    };
+    const DiagnosticPolicy deny{{"dangling-fold"}, {}, false};
+    EXPECT_TRUE(brings(tray, dangling, deny));
+    EXPECT_TRUE(brings(tray, dangling, {{}, {}, true}));
+    EXPECT_FALSE(brings(tray, dangling, {{"collision"}, {}, false}));
+    EXPECT_FALSE(brings(tray, dangling, {}));
+    EXPECT_FALSE(brings(dangling, dangling, deny));
+    EXPECT_FALSE(brings(dangling, tray, deny));
+    EXPECT_TRUE(brings(dangling, two, deny));
 }
 
 }  // namespace
