@@ -158,7 +158,9 @@ class LeftoverFinder {
         double size = 0.0;
         Vec2 at;
         double gap = HUGE_VAL;  // from a loose end of it to the nearest other line
+        int face = 0;           // that it lies in
     };
+    static constexpr double kNeighbourMm = 5.0;
 
     void add_idle(int number, Idle kind) {
         const int face = graph_.face_of(2 * number);
@@ -166,6 +168,7 @@ class LeftoverFinder {
         const GraphEdge& edge = nth(graph_.edges, number);
         const Segment s = graph_.segment(2 * number);
         IdleLine& line = idle_.try_emplace({edge.line, kind}, IdleLine{edge.element, 0.0, s.a}).first->second;
+        line.face = face;
         line.size += distance(s.a, s.b);
         constexpr int kMostGaps = 100;
         for (const int corner : {edge.a, edge.b}) {
@@ -175,12 +178,15 @@ class LeftoverFinder {
                 if (other.line == edge.line) continue;
                 line.gap = std::min(line.gap, distance(graph_.at(corner), graph_.segment(half)));
             }
+            if (kind == Idle::fold_in_paper && line.gap <= kNeighbourMm) torn_.insert(face);
         }
     }
 
     void tell_idle() {
-        constexpr double kNeighbourMm = 5.0;
         for (const auto& [key, line] : idle_) {
+            // It does part the paper, as soon as the fold that nearly ends at another line does.
+            if (key.second == Idle::fold_in_paper && line.gap > kNeighbourMm && torn_.contains(line.face))
+                continue;
             std::string what;
             switch (key.second) {
                 case Idle::fold_in_paper:
@@ -218,6 +224,7 @@ class LeftoverFinder {
         nth(seen, first) = 1;
         NoLinkage why{"no folds lead from it to both sides of a fold", HUGE_VAL};
         bool tried = false;
+        bool on_torn = false;
         int element = -1;
         Vec2 at;
         for (std::size_t i = 0; i < part.size(); ++i) {
@@ -231,6 +238,7 @@ class LeftoverFinder {
                 const GraphEdge& edge = graph_.edge(half);
                 const int next = graph_.face_of(half ^ 1);
                 if (!is_fold(edge) || next == 0) continue;
+                on_torn = on_torn || torn_.contains(next);
                 if (element < 0 || edge.element < element) {
                     element = edge.element;
                     at = graph_.at(edge.a);
@@ -240,7 +248,8 @@ class LeftoverFinder {
                 part.push_back(next);
             }
         }
-        if (element >= 0)
+        // What hangs on paper that a fold fails to part is told with that fold.
+        if (element >= 0 && (tried || !on_torn))
             out_.faults.push_back({element, "what is cut out here cannot pop up: " + why.what, at});
     }
 
@@ -250,6 +259,7 @@ class LeftoverFinder {
     std::vector<char> outside_;                      // faces
     std::set<int> used_;                             // folds
     std::map<std::pair<int, Idle>, IdleLine> idle_;  // by line
+    std::set<int> torn_;                             // faces in which a fold nearly ends at another line
     int gaps_ = 0;
     Leftovers out_;
 };
