@@ -92,7 +92,7 @@ class Patch {
         const auto& list = design_.list_text;
         const auto outer = list.present() ? indent_at(list.offset) : indent_at(design_.root_text.offset);
         std::string indent(outer.value_or(""));
-        indent += list.present() ? "  " : "    ";
+        for (int i = list.present() ? 1 : 2; i > 0; --i) indent += indent_step(indent);
         const bool listed = last != nullptr && list.present() && last->tag_text.offset > list.offset &&
                             last->tag_text.offset < list.offset + list.length;
         if (listed) indent = indent_at(last->tag_text.offset).value_or(indent);
@@ -103,7 +103,8 @@ class Patch {
         }
         if (inside.empty()) return;
         if (list.present()) return append_to(list, "structurelist", inside);
-        const std::string around = std::string(outer.value_or("")) + "  ";
+        std::string around(outer.value_or(""));
+        around += indent_step(around);
         append_to(design_.root_text, "popup",
                   around + "<structurelist>\n" + inside + around + "</structurelist>\n");
     }

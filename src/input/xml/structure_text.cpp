@@ -10,6 +10,9 @@
 #include "popup/mechanism.h"
 
 namespace popup::xml {
+
+std::string_view indent_step(std::string_view indent) { return indent.ends_with('\t') ? "\t" : "  "; }
+
 namespace {
 
 class StructureText {
@@ -36,7 +39,7 @@ class StructureText {
     template <class... Arguments>
     void line(int depth, fmt::format_string<Arguments...> text, Arguments&&... arguments) {
         out_.append(indent_);
-        for (int i = 0; i < depth; ++i) out_.append(std::string_view("  "));
+        for (int i = 0; i < depth; ++i) out_.append(indent_step(indent_));
         fmt::format_to(std::back_inserter(out_), text, std::forward<Arguments>(arguments)...);
         out_.push_back('\n');
     }
