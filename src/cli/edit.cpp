@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/files/inputs.h"
 #include "cli/files/line_diff.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
@@ -156,6 +157,11 @@ int run_edit(const Options& options) {
     DrawingEditOptions drawing{
         options.compile.read, options.compile.fold, {}, options.compile.motion, {}, verb.force};
     const bool is_sheet = source && is_sheet_drawing(*source, options.compile.read);
+    if (source && !is_sheet) {
+        check_is_document(*source, options.compile.read,
+                          "edit changes popup documents, and SVG drawings of folded sheets");
+        check_document_name(verb.output.output, "edit");
+    }
     Diagnostics of_refinement(verb.refinement, options.policy);
     std::optional<Source> refinement;
     if (is_sheet && !verb.refinement.empty()) {

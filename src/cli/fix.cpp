@@ -68,11 +68,7 @@ void check_language(const Options& options, const Language& language, const std:
                          {"name the document with -o, such as -o card.xml"});
     }
     throw UsageError(
-        fmt::format("{}: fix mends popup documents, and this {}", name,
-                    language.trail != nullptr ? "is a program"
-                    : language.only_parts     ? "describes flat parts"
-                    : language.drawn          ? "is a drawing"
-                                              : "is none"),
+        fmt::format("{}: fix mends popup documents, and this {}", name, what_it_is(language)),
         language.drawn ? std::vector<std::string>{"--as card reads it as a pop-up card, and makes a document "
                                                   "of it"}
                        : std::vector<std::string>{"popupc check tells what is wrong with it; popupc build "
@@ -139,7 +135,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");
     verb->add_flag("--collisions", fix.collisions,
-                   "move elements as little as keeps them from going through others")
+                   "move elements as little as keeps them from going through others, or lying on them")
         ->group("Output");
     add_message_options(*verb, options);
     add_config_options(*verb, options);

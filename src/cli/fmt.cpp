@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/files/inputs.h"
 #include "cli/files/line_diff.h"
 #include "cli/files/outputs.h"
 #include "cli/files/read_files.h"
@@ -25,6 +26,7 @@ void check_fmt_usage(const Options& options) {
         throw UsageError("standard input cannot be written in place", {"use -o FILE"});
     if (!output.in_place && !output.diff && verb.documents.size() > 1)
         throw UsageError("several documents go to several files", {"use --in-place or --diff"});
+    check_document_name(output.output, "fmt");
     if (to_standard_output && options.messages.use_standard_output()) {
         throw UsageError("standard output has two users: the document and the diagnostics",
                          {"--diagnostics FILE and -o FILE take files"});
@@ -72,6 +74,7 @@ int run_fmt(const Options& options) {
     for (const std::string& name : verb.documents) {
         auto source = read_source(name, trouble);
         if (!source) continue;
+        check_is_document(*source, options.compile.read, "fmt spells popup documents");
         check_loaded(*source, options.compile.read, {verb.output.output, options.messages.file});
         sources.push_back(std::move(*source));
     }

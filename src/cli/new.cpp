@@ -98,6 +98,7 @@ int run_new(const Options& options) {
         throw UsageError("standard output has two users: the document and the diagnostics",
                          {"--diagnostics FILE takes a file"});
     }
+    check_document_name(verb.output, "new");
     std::error_code error;
     if (!verb.force && verb.output != "-" && !is_standard_output(verb.output) &&
         std::filesystem::exists(verb.output, error)) {

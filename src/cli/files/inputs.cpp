@@ -338,4 +338,21 @@ Run run_inputs(const Options& options, Stage until, const OutputPlan* plan) {
     return run_inputs(options, std::move(files), until, Keep::everything, plan);
 }
 
+std::string_view what_it_is(const Language& language) {
+    if (language.trail != nullptr) return "is a program";
+    if (language.only_parts) return "describes flat parts";
+    return language.drawn ? "is a drawing" : "is none";
+}
+
+void check_is_document(const Source& source, const ReadOptions& read, std::string_view takes) {
+    const Language* language = find_language(source, read.language);
+    if (language == nullptr || language->patch != nullptr) return;
+    const bool is_card = language->drawn && read.drawing.as == DrawnAs::card;
+    throw UsageError(
+        fmt::format("{}: {}, and this {}", source.name, takes,
+                    is_card ? "is a drawing of a card" : what_it_is(*language)),
+        {language->drawn ? "popupc fix --as card DRAWING -o card.xml makes a document of a drawn card"
+                         : "popupc build -o card.xml writes the document of what makes a card"});
+}
+
 }  // namespace popup::cli

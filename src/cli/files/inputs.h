@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,12 @@ enum class Keep { everything, findings };
 
 // The language a source is read as: --from, else as find_language() finds it; UsageError when there is none.
 const Language& language_of(const InputOptions& options, const Source& source);
+
+// What a language describes that is no document, in words: "is a program".
+std::string_view what_it_is(const Language& language);
+// UsageError where a source is known to be no document, with what makes one of it. `takes`: "edit changes
+// popup documents".
+void check_is_document(const Source& source, const ReadOptions& read, std::string_view takes);
 
 // UsageError where an input has no name or a suffix that names no language, or standard input is named twice.
 void check_inputs(const Options& options, const std::vector<std::string>& names);

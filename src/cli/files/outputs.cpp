@@ -187,4 +187,16 @@ std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const O
     return files;
 }
 
+void check_document_name(const std::string& name, std::string_view verb) {
+    if (name.empty() || name == "-") return;
+    const Format* format = find_format(name);
+    const Language* language = find_language({name, {}}, {});
+    const bool is_document = format != nullptr ? std::holds_alternative<DocumentWriter>(format->write)
+                                               : language == nullptr || language->patch != nullptr;
+    if (is_document) return;
+    throw UsageError(fmt::format("{} is a {} file, and {} writes documents", name,
+                                 format != nullptr ? format->suffix : language->suffix, verb),
+                     {format != nullptr ? "popupc build writes it" : "name it such as card.xml"});
+}
+
 }  // namespace popup::cli

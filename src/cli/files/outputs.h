@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/options/options.h"
@@ -13,6 +14,9 @@ namespace popup::cli {
 
 // UsageError when `name`, a suffix with or without its full stop, is no format's.
 void check_format_name(const std::string& name);
+
+// UsageError when a file that a verb writes a document into is named as something else.
+void check_document_name(const std::string& name, std::string_view verb);
 
 // Throws the first of the findings as a UsageError: what the library found is how the program was called.
 // Precondition: there is one.
