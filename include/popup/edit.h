@@ -130,6 +130,9 @@ struct NewCard {
     std::optional<double> width_mm, height_mm;  // both or none: 200 × 140 mm, or as the template has it
     std::vector<std::string> with;              // kinds of elements, which share the gutter
     std::string pattern;  // the name of a template; it is made larger or smaller to fit the size
+    // That of the document where a size is given: "in". Empty, or none that there is: millimetres, or that of
+    // the template.
+    std::string unit = {};
 };
 // The document; nullopt after an error: an element that there is not, or that has no room. Precondition:
 // there is a template of that name.

@@ -16,7 +16,7 @@ namespace popup::cli {
 namespace {
 
 // "200x140", "8x5in".
-std::pair<double, double> card_size(std::string_view text) {
+void read_card_size(std::string_view text, NewVerbOptions& made) {
     const std::size_t cross = text.find('x');
     std::string_view unit;
     std::string_view number = text;
@@ -27,8 +27,11 @@ std::pair<double, double> card_size(std::string_view text) {
         const auto width = parse_length(std::string(text.substr(0, cross)) + std::string(unit));
         const auto height = parse_length(std::string(number.substr(cross + 1)) + std::string(unit));
         if (width && height && width->mm >= 10.0 && height->mm >= 10.0 && width->mm <= 5000.0 &&
-            height->mm <= 5000.0)
-            return {width->mm, height->mm};
+            height->mm <= 5000.0) {
+            made.size = {width->mm, height->mm};
+            made.unit = unit;
+            return;
+        }
     }
     throw UsageError(fmt::format("--size takes the width and height of the open card, not \"{}\"", text),
                      {"write 200x140mm or 8x6in"});
@@ -55,8 +58,9 @@ CLI::App* add_new(CLI::App& app, Options& options) {
         ->configurable(false)
         ->type_name("");
     value(*verb, "--size", "SIZE",
-          "width and height of the open card, such as 8x6in (default 200x140mm, or the template's)", "Card",
-          [&made](std::string_view text) { made.size = card_size(text); })
+          "width and height of the open card, such as 8x6in, and the document's unit (default 200x140mm, or "
+          "the template's)",
+          "Card", [&made](std::string_view text) { read_card_size(text, made); })
         // A size in a configuration is that of pictures.
         ->configurable(false);
     CLI::Option* with = value(*verb, "--with", "TYPES", "elements along the gutter, such as v-fold,tent",
@@ -109,6 +113,7 @@ int run_new(const Options& options) {
     if (verb.size) {
         wanted.width_mm = verb.size->first;
         wanted.height_mm = verb.size->second;
+        wanted.unit = verb.unit;
     }
     wanted.with = verb.with;
     wanted.pattern = verb.pattern;

@@ -7,6 +7,7 @@
 #include "edit/templates.h"
 #include "input/xml/number.h"
 #include "input/xml/read.h"
+#include "input/xml/units.h"
 #include "mechanism/measures.h"
 #include "output/xml.h"
 #include "popup/edit.h"
@@ -67,6 +68,7 @@ std::string of_template(const CardTemplate& pattern, const NewCard& wanted) {
     scale(*design, std::min(*wanted.width_mm / design->width_mm, *wanted.height_mm / design->height_mm));
     design->width_mm = *wanted.width_mm;
     design->height_mm = *wanted.height_mm;
+    if (const Unit* unit = xml::find_unit(wanted.unit)) design->unit = *unit;
     return write_document(*design);
 }
 
@@ -92,10 +94,13 @@ std::optional<std::string> new_document(const NewCard& wanted, Diagnostics& diag
         return of_template(*found, wanted);
     }
     const double height = wanted.height_mm.value_or(kCardHeightMm);
+    const Unit* given = wanted.width_mm ? xml::find_unit(wanted.unit) : nullptr;
+    const Unit unit = given != nullptr ? *given : Unit{"mm", 1.0};
     const std::string text = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<popup version=\"3.0\" units=\"mm\">\n"
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<popup version=\"3.0\" units=\"{}\">\n"
         "  <mainpage width=\"{}\" height=\"{}\"/>\n  <structurelist>\n  </structurelist>\n</popup>\n",
-        xml::format_number(wanted.width_mm.value_or(kCardWidthMm)), xml::format_number(height));
+        unit.name, xml::format_number(wanted.width_mm.value_or(kCardWidthMm) / unit.mm),
+        xml::format_number(height / unit.mm));
     if (wanted.with.empty()) return text;
     // Each has its own stretch of the gutter, from its end to its begin: the first stands furthest back.
     std::vector<EditLine> edits;

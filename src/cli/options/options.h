@@ -127,6 +127,7 @@ struct FmtVerbOptions {
 struct NewVerbOptions {
     std::string output;
     std::optional<std::pair<double, double>> size;  // mm
+    std::string unit;                               // in which the size is given; empty: none is named
     std::vector<std::string> with;
     std::string pattern;  // the template; empty: none
     bool force = false;
