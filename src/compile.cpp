@@ -59,20 +59,18 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
         return false;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
     if (!one.assembly || options.until <= Stage::assembly) return false;
+    const auto bound = [&](const auto& f) { return std::bind_front(f, std::cref(one), std::cref(options)); };
     if (moves(*one.assembly)) {
         MotionOptions motion = options.motion;
-        if (options.fitting_size)
-            motion.fitting_size = std::bind_front(options.fitting_size, std::cref(one), std::cref(options));
-        if (options.move_command)
-            motion.move_command = std::bind_front(options.move_command, std::cref(one), std::cref(options));
+        if (options.fitting_size) motion.fitting_size = bound(options.fitting_size);
+        if (options.move_command) motion.move_command = bound(options.move_command);
         one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
                                  : simulate(*one.assembly, motion, one.diagnostics);
         if (one.creases && one.motion) tell_what_closes(one, options);
     }
     if (options.until == Stage::motion || (moves(*one.assembly) && !one.motion)) return false;
     PatternOptions pattern = options.pattern;
-    if (options.clearing_move)
-        pattern.clearing_move = std::bind_front(options.clearing_move, std::cref(one), std::cref(options));
+    if (options.clearing_move) pattern.clearing_move = bound(options.clearing_move);
     if (draw == Draw::no) judge_tabs(*one.assembly, pattern, one.diagnostics);
     if (draw == Draw::yes) one.pattern = make_pattern(*one.assembly, pattern, one.diagnostics);
     judge_made_size(*one.assembly, pattern, options.layout.scale, one.diagnostics);
