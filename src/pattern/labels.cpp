@@ -128,32 +128,65 @@ struct Candidate {
     double clear;  // the distance to the plate's edges
 };
 
+constexpr int kGrid = 7;
+
+void sort_by_room(std::vector<Candidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.room > b.room; });
+}
+
+std::optional<Candidate> candidate_at(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds,
+                                      Vec2 at) {
+    if (plate.winding(at) != 1) return std::nullopt;
+    const double limit = 0.5 * std::max(bounds.width(), bounds.height());
+    const double clear = plate.clearance(at, limit);
+    double room = clear;
+    if (drawing) room = std::min(room, drawing->lines.clearance(at, limit) - drawing->half_width);
+    if (room <= 0.0) return std::nullopt;
+    return Candidate{std::round(1e3 * room), at, clear};
+}
+
 // Places on the plate in a grid over its box, the roomiest first.
 std::vector<Candidate> candidates_on(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds) {
-    constexpr int kGrid = 7;
     constexpr std::size_t kTried = 12;
     std::vector<Candidate> candidates;
-    const double limit = 0.5 * std::max(bounds.width(), bounds.height());
     for (int row = 0; row < kGrid; ++row) {
         for (int column = 0; column < kGrid; ++column) {
             const Vec2 at{bounds.min.x + bounds.width() * (column + 0.5) / kGrid,
                           bounds.min.y + bounds.height() * (row + 0.5) / kGrid};
-            if (plate.winding(at) != 1) continue;
-            const double clear = plate.clearance(at, limit);
-            double room = clear;
-            if (drawing) room = std::min(room, drawing->lines.clearance(at, limit) - drawing->half_width);
-            if (room > 0.0) candidates.push_back({std::round(1e3 * room), at, clear});
+            if (const auto one = candidate_at(plate, drawing, bounds, at)) candidates.push_back(*one);
         }
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.room > b.room; });
+    sort_by_room(candidates);
     if (candidates.size() > kTried) candidates.resize(kTried);
+    return candidates;
+}
+
+// The first of them moved to where there is more room, as between the edges of a ring that the grid misses.
+std::vector<Candidate> climbed(std::vector<Candidate> candidates, const EdgeIndex& plate,
+                               const Drawing* drawing, const Box& bounds) {
+    constexpr std::size_t kMoved = 8;
+    constexpr int kHalvings = 5;
+    constexpr std::array<Vec2, 8> kWays{
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+    if (candidates.size() > kMoved) candidates.resize(kMoved);
+    for (Candidate& one : candidates) {
+        Vec2 step{0.5 * bounds.width() / kGrid, 0.5 * bounds.height() / kGrid};
+        for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
+            const Vec2 from = one.at;
+            for (const Vec2 way : kWays) {
+                const auto there =
+                    candidate_at(plate, drawing, bounds, from + Vec2{step.x * way.x, step.y * way.y});
+                if (there && there->room > one.room) one = *there;
+            }
+        }
+    }
+    sort_by_room(candidates);
     return candidates;
 }
 
 std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds,
                                     std::string_view text) {
-    const std::vector<Candidate> candidates = candidates_on(plate, drawing, bounds);
     std::vector<int> found;
     const auto clear_of = [&](const EdgeIndex& index, Vec2 at, Vec2 half) {
         index.query({at - half, at + half}, found);
@@ -173,18 +206,25 @@ std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawi
         return !drawing ||
                clear_of(drawing->lines, at, half + Vec2{drawing->half_width, drawing->half_width});
     };
-    for (const double height : kHeights) {
-        const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
-        for (const Candidate& candidate : candidates) {
-            if (is_free(candidate, half)) return TextSpot{candidate.at, height, 0.0};
-        }
-        for (const Candidate& candidate : candidates) {
-            if (is_free(candidate, {half.y, half.x})) {
-                return TextSpot{candidate.at, height, 0.5 * std::numbers::pi};
+    const auto largest = [&](const std::vector<Candidate>& candidates, double above) {
+        for (const double height : kHeights) {
+            if (height <= above) break;
+            const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
+            for (const Candidate& candidate : candidates) {
+                if (is_free(candidate, half)) return std::optional(TextSpot{candidate.at, height, 0.0});
+            }
+            for (const Candidate& candidate : candidates) {
+                if (is_free(candidate, {half.y, half.x}))
+                    return std::optional(TextSpot{candidate.at, height, 0.5 * std::numbers::pi});
             }
         }
-    }
-    return std::nullopt;
+        return std::optional<TextSpot>();
+    };
+    const std::vector<Candidate> candidates = candidates_on(plate, drawing, bounds);
+    const std::optional<TextSpot> spot = largest(candidates, 0.0);
+    if (candidates.empty() || (spot && spot->height == kHeights.front())) return spot;
+    const auto larger = largest(climbed(candidates, plate, drawing, bounds), spot ? spot->height : 0.0);
+    return larger ? larger : spot;
 }
 
 }  // namespace

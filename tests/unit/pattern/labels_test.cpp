@@ -41,6 +41,22 @@ TEST(Labels, LabelsOfTabsFitIntoThem) {
     EXPECT_GE(spot->height, 2.0);
 }
 
+// A frame about a window: whatever the sizes, its sides have room for as large a number as fits between them.
+TEST(Labels, FindTheRoomBetweenTwoEdges) {
+    constexpr double kPad = 1.0;  // of each side of a text
+    for (double outer = 10.0; outer <= 24.0; outer += 0.5) {
+        for (double side = 4.0; side <= std::min(6.5, outer - 3.0); side += 0.5) {
+            const double inner = outer - side;
+            const Polygon frame{{{-outer, -outer}, {outer, -outer}, {outer, outer}, {-outer, outer}},
+                                {{{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}}};
+            const auto spot = place_on_plate(EdgeIndex(edges_of(frame), {}), {EdgeIndex({}, {}), 0.0},
+                                             bounds(frame.outer), "3");
+            ASSERT_TRUE(spot) << outer << ' ' << side;
+            EXPECT_GE(spot->height, std::min(4.0, side - 2.0 * kPad - 0.5)) << outer << ' ' << side;
+        }
+    }
+}
+
 TEST(Labels, NamesInTabsHaveRoomBelowTheirLine) {
     for (const double depth : {3.6, 5.0, 7.0, 10.0}) {
         const std::vector<Ring> parts{{{0, 0}, {80, 0}, {80, depth}, {0, depth}}};
