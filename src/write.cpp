@@ -7,8 +7,36 @@
 #include <utility>
 
 #include "base/text/nearest.h"
+#include "run/beside.h"
 
 namespace popup {
+
+struct BegunModel {
+    BegunModel(SceneWriter with, const Compilation& run, const OutputOptions& as)
+        : write(with),
+          cards(scene_of(run)),
+          options(as),
+          policy(run.run_diagnostics.policy()),
+          making([this] { return make(); }, true) {}
+    [[nodiscard]] std::optional<std::string> make() const {
+        Diagnostics told({}, policy);
+        std::optional<std::string> bytes = write(cards, options, told);
+        return told.sorted().empty() ? std::move(bytes) : std::nullopt;
+    }
+    // nullopt: it is to be written now, for there is something to tell of it, or it has been taken.
+    std::optional<std::string> take() {
+        if (std::exchange(taken, true)) return std::nullopt;
+        return making.get();
+    }
+
+    SceneWriter write;
+    std::vector<SceneCard> cards;
+    OutputOptions options;
+    DiagnosticPolicy policy;
+    bool taken = false;
+    Beside<std::optional<std::string>> making;  // last: it refers to the others
+};
+
 namespace {
 
 template <class... Fs>
@@ -165,7 +193,7 @@ std::vector<Diagnostic> findings_of(const Compilation& run) {
 
 // The files of one output.
 std::optional<std::vector<SheetFile>> write_format(const Format& format, const OutputOptions& options,
-                                                   const BegunPages& begun, Compilation& run) {
+                                                   const BegunFiles& begun, Compilation& run) {
     Diagnostics& diagnostics = run.run_diagnostics;
     const auto single = [](std::optional<std::string> bytes) -> std::optional<std::vector<SheetFile>> {
         if (!bytes) return std::nullopt;
@@ -176,14 +204,20 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
     return std::visit(
         Overloaded{
             [&](SheetWriter write) { return write(*run.layout, options, diagnostics); },
-            [&](SceneWriter write) { return single(write(scene_of(run), options, diagnostics)); },
+            [&](SceneWriter write) {
+                const auto found = begun.models.find(&format);
+                std::optional<std::string> bytes;
+                if (found != begun.models.end()) bytes = found->second->take();
+                return single(bytes ? std::move(bytes) : write(scene_of(run), options, diagnostics));
+            },
             [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
             [&](PageWriter write) {
                 const std::vector<SceneCard> cards = scene_of(run);
                 const std::optional<Design>& first = run.designs.front().design;
                 const bool inches = first && first->unit.name == "in";
                 RunPage page{cards, &*run.layout, findings_of(run), inches};
-                if (const auto found = begun.find(&format); found != begun.end()) page.begun = found->second;
+                const auto found = begun.pages.find(&format);
+                if (found != begun.pages.end()) page.begun = found->second;
                 return single(write(page, options, diagnostics));
             },
             [&](DocumentWriter write) {
@@ -314,7 +348,7 @@ void refuse_definitions(Compilation& run) {
     }
 }
 
-BegunPages begin_pages(const OutputPlan& plan, const OutputOptions& options, const Compilation& run) {
+BegunFiles begin_files(const OutputPlan& plan, const OutputOptions& options, const Compilation& run) {
     Diagnostics told_later;
     if (options.threads < 2 || run.designs.empty() || run.has_errors() ||
         !can_be_made(plan, run, told_later)) {
@@ -325,16 +359,22 @@ BegunPages begin_pages(const OutputPlan& plan, const OutputOptions& options, con
         return one.assembly && (one.motion || !moves(*one.assembly));
     });
     if (!compiled) return {};
-    BegunPages begun;
+    BegunFiles begun;
     for (const PlannedOutput& output : plan.outputs) {
-        if (output.format->begin == nullptr || begun.count(output.format) > 0) continue;
-        begun[output.format] = output.format->begin(scene_of(run), options);
+        const Format* format = output.format;
+        if (const SceneWriter* write = std::get_if<SceneWriter>(&format->write)) {
+            std::shared_ptr<BegunModel>& model = begun.models[format];
+            if (!model) model = std::make_shared<BegunModel>(*write, run, options);
+        } else if (format->begin != nullptr) {
+            std::shared_ptr<BegunPage>& page = begun.pages[format];
+            if (!page) page = format->begin(scene_of(run), options);
+        }
     }
     return begun;
 }
 
 std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const OutputOptions& options,
-                                                   Compilation& run, const BegunPages& begun) {
+                                                   Compilation& run, const BegunFiles& begun) {
     refuse_definitions(run);
     if (run.has_errors() || !can_be_made(plan, run, run.run_diagnostics)) return std::nullopt;
     if (!run.layout && !plan.outputs.empty()) {

@@ -79,7 +79,7 @@ struct OutputOptions {
     std::optional<bool> letter_pages = {};
     // Sheets: printed texts, those with a colour of their own, are outlines even where labels are text.
     bool outlined_print = false;
-    int threads = 1;  // begin_pages(): 2 and more let it make pages of models while sheets are laid out; ≥ 1
+    int threads = 1;  // begin_files(): 2 and more let it make models while sheets are laid out; ≥ 1
     std::vector<std::string> files;  // report: the files of this run, every sheet's; empty: not known
 };
 

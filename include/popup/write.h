@@ -78,25 +78,30 @@ std::string outputs_of_parts(bool has_model);
 // FoldOptions::flat a sheet of which no flat state was found.
 void refuse_definitions(Compilation& run);
 
-// Pages of a run, each by its format, of which threads of their own make what needs no sheets.
+// What of a run's files needs no sheets, and is made by threads of their own: models, and pages as far as the
+// rows of their formats begin them. Equal formats share what is begun.
 //
 //     Compilation run = compile({*source}, options, {});  // with options.until == Stage::pattern
-//     const BegunPages begun = begin_pages(*plan, options.output, run);
+//     const BegunFiles begun = begin_files(*plan, options.output, run);
 //     lay_out_run(run, options);
 //     const auto files = make_files(*plan, options.output, run, begun);
-using BegunPages = std::map<const Format*, std::shared_ptr<BegunPage>>;
+struct BegunModel;
+struct BegunFiles {
+    std::map<const Format*, std::shared_ptr<BegunModel>> models = {};
+    std::map<const Format*, std::shared_ptr<BegunPage>> pages = {};
+};
 // None where options.threads is 1, where a design has errors, or where make_files() would refuse one. What is
 // returned must not outlive the designs of the run, nor may these change before.
-BegunPages begin_pages(const OutputPlan& plan, const OutputOptions& options, const Compilation& run);
+BegunFiles begin_files(const OutputPlan& plan, const OutputOptions& options, const Compilation& run);
 
 // Makes every file of the plan, and writes none. Sheets after the first are "card-2.svg", what is printed of
 // a sheet and what is cut "card-print.svg" and "card-cut.svg"; reports come last and name the others.
 // Findings on the profile and on single outputs are added to the run's. Nullopt when a design has errors,
 // there is no layout, or a writer failed; then the run or a design has an error that says why.
-// Precondition: `run` was compiled with the same output options, and pages were begun with them; `begun` is
+// Precondition: `run` was compiled with the same output options, and files were begun with them; `begun` is
 // used once.
 std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const OutputOptions& options,
-                                                   Compilation& run, const BegunPages& begun = {});
+                                                   Compilation& run, const BegunFiles& begun = {});
 
 // True when no file replaces an input, or what a program has loaded. The plan could not know: names of
 // further sheets, and what programs load, are known only now. Else an `unwritable-output` error names the

@@ -185,7 +185,7 @@ void page(benchmark::State& state) {
     POPUP_INVARIANT(plan.has_value());
     for (auto _ : state) {
         Compilation run = compile({source}, options, {});
-        const BegunPages begun = begin_pages(*plan, options.output, run);
+        const BegunFiles begun = begin_files(*plan, options.output, run);
         lay_out_run(run, options);
         if (paged) benchmark::DoNotOptimize(make_files(*plan, options.output, run, begun));
     }

@@ -269,7 +269,7 @@ void compile_beside_pages(std::vector<Source> sources, const CompileOptions& opt
     CompileOptions first = options;
     first.until = Stage::pattern;
     run.compilation = compile(std::move(sources), first, policy);
-    run.begun = begin_pages(plan, options.output, run.compilation);
+    run.begun = begin_files(plan, options.output, run.compilation);
     lay_out_run(run.compilation, options);
 }
 

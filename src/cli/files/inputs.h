@@ -43,7 +43,7 @@ struct Run {
     };
     InputFiles files;
     Compilation compilation;   // of the inputs that could be read, if everything was to be kept
-    BegunPages begun;          // of its plan; after `compilation`, which it must not outlive
+    BegunFiles begun;          // of its plan; after `compilation`, which it must not outlive
     std::vector<Apart> apart;  // the others
     std::vector<int> order;    // per file: index into designs, or -1-index into `apart`
     bool readable = true;      // every file was

@@ -168,7 +168,7 @@ Stage needed_stage(const OutputPlan& plan, const std::optional<Emit>& emit) {
 }
 
 std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const Options& options,
-                                                 Compilation& compilation, const BegunPages& begun) {
+                                                 Compilation& compilation, const BegunFiles& begun) {
     // Of programs and of standard input it is known only now.
     Diagnostics told;
     if (!can_be_made(plan, compilation, told)) refuse_usage(told);

@@ -44,6 +44,6 @@ std::string json_list(std::vector<std::string> documents);
 // not to have what an output needs.
 // Precondition: no design has errors.
 std::optional<std::vector<PendingFile>> files_of(const OutputPlan& plan, const Options& options,
-                                                 Compilation& compilation, const BegunPages& begun = {});
+                                                 Compilation& compilation, const BegunFiles& begun = {});
 
 }  // namespace popup::cli

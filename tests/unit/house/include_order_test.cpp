@@ -48,7 +48,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"lay_out_run.cpp", {"base", "fabrication"}},
         {"repair", {"base", "mechanism", "output"}},
         {"lsp", {"base", "input", "mechanism", "repair"}},
-        {"write.cpp", {"base"}},
+        {"write.cpp", {"base", "run"}},
         {"batch", {"base"}},
         {"gallery", {"base", "output", "batch"}},
         {"live", {"base"}},

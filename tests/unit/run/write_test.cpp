@@ -89,22 +89,24 @@ OutputOptions two_threads() {
     return options;
 }
 
-// Sheets and files of a run of which pages were begun by so many threads.
+// Sheets and files of a run of which what can be was begun by threads.
 std::vector<PendingFile> made_by(int threads, const std::vector<Source>& sources, const OutputPlan& plan) {
     CompileOptions options;
     options.until = Stage::pattern;
     options.output.threads = threads;
     Compilation run = compile(sources, options, {});
-    const BegunPages begun = begin_pages(plan, options.output, run);
-    EXPECT_EQ(begun.size(), threads > 1 ? 1U : 0U);
+    const BegunFiles begun = begin_files(plan, options.output, run);
+    EXPECT_EQ(begun.pages.size(), threads > 1 ? 1U : 0U);
+    EXPECT_EQ(begun.models.size(), threads > 1 ? 2U : 0U);
     lay_out_run(run, options);
     return make_files(plan, options.output, run, begun).value_or(std::vector<PendingFile>{});
 }
 
-TEST(BeginPages, GivesTheSamePagesAsWithoutIt) {
+TEST(BeginFiles, GivesTheSameFilesAsWithoutIt) {
     Diagnostics told;
-    // Two pages, of which one is begun, and what is never begun.
-    const auto plan = plan_outputs({.outputs = {"a.html", "b.svg", "c.html", "d.book.html"}}, told);
+    // Two pages and three models, of which one of a kind is begun, and what is never begun.
+    const auto plan = plan_outputs(
+        {.outputs = {"a.html", "b.svg", "c.html", "d.book.html", "e.glb", "f.fold", "g.glb"}}, told);
     ASSERT_TRUE(plan);
     for (const std::vector<std::string>& names :
          {std::vector<std::string>{"bird.xml"}, {"castle.xml"}, {"bird.xml", "castle.xml"}}) {
@@ -113,7 +115,7 @@ TEST(BeginPages, GivesTheSamePagesAsWithoutIt) {
         const std::vector<PendingFile> alone = made_by(1, sources, *plan);
         const std::vector<PendingFile> beside = made_by(2, sources, *plan);
         ASSERT_EQ(beside.size(), alone.size());
-        ASSERT_GE(alone.size(), 4U);
+        ASSERT_GE(alone.size(), 7U);
         for (std::size_t i = 0; i < alone.size(); ++i) {
             EXPECT_EQ(beside[i].path, alone[i].path);
             EXPECT_TRUE(beside[i].bytes == alone[i].bytes) << alone[i].path;
@@ -121,31 +123,36 @@ TEST(BeginPages, GivesTheSamePagesAsWithoutIt) {
     }
 }
 
-TEST(BeginPages, MayBeForgotten) {
+TEST(BeginFiles, MayBeForgotten) {
     Diagnostics told;
     const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
     ASSERT_TRUE(plan);
     const Compilation run = compiled("castle.xml");
-    for (int i = 0; i < 20; ++i) EXPECT_EQ(begin_pages(*plan, two_threads(), run).size(), 1U);
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(begin_files(*plan, two_threads(), run).pages.size(), 1U);
 }
 
-TEST(BeginPages, BeginsNothingOfWhatIsNotWritten) {
+bool begins_nothing(const OutputPlan& plan, const OutputOptions& options, const Compilation& run) {
+    const BegunFiles begun = begin_files(plan, options, run);
+    return begun.pages.empty() && begun.models.empty();
+}
+
+TEST(BeginFiles, BeginsNothingOfWhatIsNotWritten) {
     Diagnostics told;
     const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
     ASSERT_TRUE(plan);
-    EXPECT_TRUE(begin_pages(*plan, two_threads(), compile({}, {}, {})).empty());
+    EXPECT_TRUE(begins_nothing(*plan, two_threads(), compile({}, {}, {})));
     const Compilation broken = compile({Source{"bad.xml", "<popup"}}, {}, {});
-    EXPECT_TRUE(begin_pages(*plan, two_threads(), broken).empty());
+    EXPECT_TRUE(begins_nothing(*plan, two_threads(), broken));
     const auto sheets = plan_outputs({.outputs = {"a.svg"}}, told);
-    EXPECT_TRUE(begin_pages(*sheets, two_threads(), compiled("castle.xml")).empty());
+    EXPECT_TRUE(begins_nothing(*sheets, two_threads(), compiled("castle.xml")));
     CompileOptions short_of_motion;
     short_of_motion.until = Stage::assembly;
     const Compilation halted = compile({sample("castle.xml")}, short_of_motion, {});
-    EXPECT_TRUE(begin_pages(*plan, two_threads(), halted).empty());
+    EXPECT_TRUE(begins_nothing(*plan, two_threads(), halted));
 }
 
 // What is wrong with a model is told when the page is made, as without threads.
-TEST(BeginPages, TellsWhatFailed) {
+TEST(BeginFiles, TellsWhatFailed) {
     Diagnostics told;
     const auto plan = plan_outputs({.outputs = {"a.html"}}, told);
     ASSERT_TRUE(plan);
@@ -154,7 +161,7 @@ TEST(BeginPages, TellsWhatFailed) {
     options.output.fps = 1e6;
     options.output.duration_s = 1e6;
     Compilation run = compile({sample("castle.xml")}, options, {});
-    const BegunPages begun = begin_pages(*plan, options.output, run);
+    const BegunFiles begun = begin_files(*plan, options.output, run);
     EXPECT_FALSE(make_files(*plan, options.output, run, begun));
     EXPECT_TRUE(output_refused(run.run_diagnostics));
 }
