@@ -1,6 +1,7 @@
 // What is folded: elements that are pushed out of a piece, and the folds of a sheet in their order.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -18,6 +19,7 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMovesDeg = 0.02;  // from one opening looked at to the next
 constexpr int kLooks = 180;
+constexpr double kSameOpeningDeg = 1e-6;
 
 bool is_folded_sheet(const Assembly& assembly) {
     return std::any_of(assembly.joints.begin(), assembly.joints.end(),
@@ -28,11 +30,13 @@ bool is_folded_sheet(const Assembly& assembly) {
 struct Moves {
     int hinge = 0;
     int from = -1, to = -1;
+    std::vector<char> turns = {};  // by look: whether it has turned since the one before
 };
 
 std::vector<Moves> moves_of(const Assembly& assembly) {
     std::vector<Moves> moves;
-    for (std::size_t i = 0; i < assembly.hinges.size(); ++i) moves.push_back({static_cast<int>(i)});
+    for (std::size_t i = 0; i < assembly.hinges.size(); ++i)
+        moves.push_back({static_cast<int>(i), -1, -1, std::vector<char>(kLooks + 1, 0)});
     std::vector<double> last(moves.size());
     std::vector<Frame> frames(assembly.plates.size());
     const Sweep& sweep = assembly.sweep;
@@ -47,6 +51,7 @@ std::vector<Moves> moves_of(const Assembly& assembly) {
             if (look > 0 && std::abs(turned) > kMovesDeg) {
                 if (moves[i].from < 0) moves[i].from = look - 1;
                 moves[i].to = look;
+                moves[i].turns[static_cast<std::size_t>(look)] = 1;
             }
             last[i] = now;
         }
@@ -54,6 +59,63 @@ std::vector<Moves> moves_of(const Assembly& assembly) {
     moves.erase(std::remove_if(moves.begin(), moves.end(), [](const Moves& one) { return one.from < 0; }),
                 moves.end());
     return moves;
+}
+
+// Where a fold goes, by openings that ascend: stretches of its law that its order of folds may have given it.
+struct Stretch {
+    double low = 0.0, high = 0.0;
+};
+
+void add_stretches(const std::vector<Vec2>& law, std::vector<Stretch>& stretches) {
+    const std::size_t step = law.size() > 2 ? Folded::kLawSteps : 1;
+    for (std::size_t i = 0; i + step < law.size(); i += step) {
+        const auto begin = law.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool goes = std::any_of(begin, begin + static_cast<std::ptrdiff_t>(step) + 1,
+                                      [&](Vec2 point) { return std::abs(point.y - begin->y) > kMovesDeg; });
+        if (goes) stretches.push_back({begin->x, (begin + static_cast<std::ptrdiff_t>(step))->x});
+    }
+}
+
+// Openings at which one step of an order ends and the next begins although a fold goes on in both, as a lid
+// does that is let down before its flap is tucked in: a fold begins or ends to go there, and none goes
+// through.
+std::vector<double> step_ends(const Assembly& assembly) {
+    std::vector<Stretch> stretches;
+    for (const Joint& joint : assembly.joints) {
+        if (const auto* const folded = std::get_if<Folded>(&joint.how)) add_stretches(folded->law, stretches);
+        if (const auto* const closing = std::get_if<LoopFold>(&joint.how))
+            add_stretches(closing->law, stretches);
+    }
+    std::vector<double> ends;
+    for (const Stretch& one : stretches) {
+        for (const double at : {one.low, one.high}) {
+            const bool parts = std::none_of(stretches.begin(), stretches.end(), [at](const Stretch& other) {
+                return other.low < at - kSameOpeningDeg && other.high > at + kSameOpeningDeg;
+            });
+            if (parts) ends.push_back(at);
+        }
+    }
+    std::sort(ends.begin(), ends.end(), std::greater<>());
+    return ends;
+}
+
+// Each fold that goes on over the end of a step goes once before it and once after it.
+void part_at_step_ends(const Assembly& assembly, std::vector<Moves>& moves) {
+    const Sweep& sweep = assembly.sweep;
+    for (const double end : step_ends(assembly)) {
+        const double share = (sweep.to_deg - end) / (sweep.to_deg - sweep.from_deg);
+        const int look = static_cast<int>(std::lround(share * kLooks));
+        const std::size_t count = moves.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (look < moves[i].from + 2 || look > moves[i].to - 2) continue;
+            Moves later = moves[i];
+            later.from = look;
+            moves[i].to = look;
+            while (later.turns[static_cast<std::size_t>(later.from) + 1] == 0) ++later.from;
+            while (moves[i].turns[static_cast<std::size_t>(moves[i].to)] == 0) --moves[i].to;
+            moves.push_back(std::move(later));
+        }
+    }
 }
 
 }  // namespace
@@ -100,6 +162,7 @@ std::vector<PushedOut> pushed_out(const Assembly& assembly) {
 std::vector<FoldingStep> folding_steps(const Assembly& assembly) {
     if (!is_folded_sheet(assembly)) return {};
     std::vector<Moves> moves = moves_of(assembly);
+    part_at_step_ends(assembly, moves);
     std::sort(moves.begin(), moves.end(), [](const Moves& a, const Moves& b) {
         return std::pair{a.from, a.hinge} < std::pair{b.from, b.hinge};
     });

@@ -326,6 +326,21 @@ TEST(FoldingSteps, OfACartonInOrder) {
     EXPECT_EQ(folding_steps(sample("folded/bowl.svg")).size(), 1U);
 }
 
+// A lid is let down to where its tuck goes in, and both go on from there: each is a step of its own.
+TEST(FoldingSteps, EndWhereOneFoldStopsAndAnotherGoesOn) {
+    const Assembly in = sample("cartons/straight-tuck-end.fl");
+    const std::vector<FoldingStep> steps = folding_steps(in);
+    ASSERT_EQ(steps.size(), 5U);
+    const auto moves = [&](std::size_t step, const std::string& panel) {
+        return std::any_of(steps[step].plates.begin(), steps[step].plates.end(),
+                           [&](int plate) { return nth(in.plates, plate).name == "sheet/" + panel; });
+    };
+    EXPECT_TRUE(moves(2, "top-dust-flap-left") && moves(2, "top-tuck") && !moves(2, "top"));
+    EXPECT_TRUE(moves(3, "top") && !moves(3, "top-tuck"));
+    EXPECT_TRUE(moves(4, "top") && moves(4, "top-tuck"));
+    for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_EQ(steps[i].from_deg, steps[i - 1].to_deg);
+}
+
 // The kit's flap stands a caliper in from its wall; without a caliper the flap that is folded after the wall
 // that it lies on is outside of it.
 TEST(GlueFlaps, LieOnTheLastWall) {
