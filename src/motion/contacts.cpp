@@ -8,6 +8,7 @@
 #include "base/geometry/tolerances.h"
 #include "motion/cells.h"
 #include "motion/depth.h"
+#include "motion/touching.h"
 
 namespace popup {
 namespace {
@@ -155,20 +156,7 @@ struct Pair {
     // Which side of a the point of b is on that touches it, and of b the point of a; 0: neither for certain.
     [[nodiscard]] int side(double deg, Vec2 of_a, Vec2 of_b) const {
         const auto at = search.frames_at(a, b, deg);
-        const Vec3 b_at = at.b_in_a.point(of_b);
-        // What has slipped round an edge has not gone through.
-        if (!search.shape(a).covers({b_at.x, b_at.y}) ||
-            !search.shape(b).covers(on_page(at.b_in_a, {of_a.x, of_a.y, 0.0}))) {
-            return 0;
-        }
-        const double b_over_a = b_at.z;
-        const double a_over_b = dot(Vec3{of_a.x, of_a.y, 0.0} - at.b_in_a.origin, at.b_in_a.normal());
-        if (std::abs(b_over_a) < kTouchMm || std::abs(a_over_b) < kTouchMm) return 0;
-        // The planes face the same way or not; a is behind b when b is before a only if they do.
-        const bool same = at.b_in_a.normal().z > 0.0;
-        const int first = b_over_a > 0.0 ? 1 : -1;
-        const int second = (a_over_b < 0.0) == same ? 1 : -1;
-        return first == second ? first : 0;
+        return side_of(search.shape(a), search.shape(b), at.b_in_a, of_a, of_b);
     }
 
     // Adds how far b reaches below and above a at an angle.

@@ -4,6 +4,10 @@
 //
 // A flap that is tucked in behind a wall does not open so: it leaves upright, while the lid that it hangs on
 // begins to rise. So the two are tried together, the flap turning on by as much as the lid turns back.
+//
+// Each step is looked at by itself, and what lies on one another between two steps has no sides there. So the
+// sides are kept from step to step: those on which plates came there, and those that a box has when it is
+// closed, where an order can be found that has them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,6 +27,7 @@
 #include "motion/linkage.h"
 #include "motion/plate_shape.h"
 #include "motion/seen_pairs.h"
+#include "motion/touching.h"
 #include "popup/motion.h"
 
 namespace popup {
@@ -35,8 +41,9 @@ constexpr std::size_t kMostPosesAPart = 30'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
 // How far a lid rises while the flap on it stays upright, degrees.
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
-constexpr double kStandingDeg = 1.0;   // a sweep of what stands still
-constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
+constexpr double kStandingDeg = 1.0;                 // a sweep of what stands still
+constexpr double kParallelRad = 1e-6;                // folds this near to parallel are
+constexpr std::string_view kGlueFlap = "glue-flap";  // what names.cpp calls one
 
 using Law = std::vector<Vec2>;
 
@@ -66,12 +73,19 @@ bool shows_clear(const Examination& found) {
     return found.undecided.empty() && found.decided_up_to_deg >= kFlatDeg && found.contacts.empty();
 }
 
+enum class Wishes { all, of_others };  // which count: all, or not those of the part that goes
+
 // A part that goes in a step.
 struct Move {
     int part = 0;
     Doing doing = kMoves;
 };
 using Step = std::vector<Move>;  // its parts go at once; each is in it once
+// With what lies on one another where its parts are folded, and where they are opened.
+struct Stage {
+    Step moves;
+    TouchingPlates folded, opened;
+};
 
 class Order {
  public:
@@ -100,10 +114,19 @@ class Order {
         for (const Contact& contact : found.contacts) set_aside_.insert({contact.a, contact.b});
         set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
-        std::vector<Step> steps = unfold();
-        std::reverse(steps.begin(), steps.end());
-        join(steps);
-        return steps.size() > 1 ? steps : std::vector<Step>{};
+        std::vector<Stage> stages = unfold(First::small);
+        // What is rolled up is unrolled from where it hangs.
+        if (!all_clear_ && has_work_left()) {
+            std::vector<Stage> others = unfold(First::large);
+            if (all_clear_) stages = std::move(others);
+        }
+        std::reverse(stages.begin(), stages.end());
+        join(stages);
+        if (stages.size() < 2) return {};
+        std::vector<Step> steps;
+        steps.reserve(stages.size());
+        for (Stage& stage : stages) steps.push_back(std::move(stage.moves));
+        return steps;
     }
 
     // The law of a joint of `part` in these steps.
@@ -137,6 +160,7 @@ class Order {
     [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
     // Whether nothing passes through anything in any step, but for what crosses in the end.
     [[nodiscard]] bool is_all_clear() const { return all_clear_; }
+    [[nodiscard]] const PlatePairs& crossing_in_the_end() const { return set_aside_; }
 
  private:
     static double angle_at(const Law& own, double share) {
@@ -255,42 +279,113 @@ class Order {
         return numbers;
     }
 
-    // The steps of opening it; what does not open so is the last one.
-    std::vector<Step> unfold() {
+    // The steps of opening it; what does not open so is the last one. Which parts are tried first: flaps
+    // before the walls that they hang on, or those that move the most.
+    enum class First { small, large };
+    std::vector<Stage> unfold(First first) {
         std::vector<int> left(parts_.size());
         for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
-        // Flaps before the walls that they hang on.
-        std::stable_sort(left.begin(), left.end(),
-                         [this](int a, int b) { return nth(parts_, a).area < nth(parts_, b).area; });
+        std::stable_sort(left.begin(), left.end(), [&](int a, int b) {
+            return first == First::small ? nth(parts_, a).area < nth(parts_, b).area
+                                         : nth(parts_, a).area > nth(parts_, b).area;
+        });
         set_all(kFolded);
-        std::vector<Step> steps;
+        set_laws();
+        const PlateFrames closed = frames_at(work_, 0.0);
+        touching_ = touching_plates(work_, shapes_, closed);
+        for (const auto& pair : set_aside_) touching_.erase(pair);
+        wish_sides(work_, closed, touching_);
+        std::vector<Stage> stages;
         while (!left.empty() && has_work_left()) {
-            const auto found = std::find_if(left.begin(), left.end(), [this](int part) {
-                return is_clear_with({{part, kMoves}});
-            });
-            if (found == left.end()) {
-                if (!open_upright(left, steps)) break;
-                continue;
-            }
-            nth(doing_, *found) = kFlat;
-            steps.push_back({{*found, kMoves}});
-            left.erase(found);
+            if (open_one(left, stages)) continue;
+            heeds_wishes_ = false;
+            const bool opened = open_one(left, stages);
+            heeds_wishes_ = true;
+            if (!opened) break;
         }
         all_clear_ = left.empty();
         if (!left.empty()) {
-            steps.emplace_back();
-            for (const int part : left) steps.back().push_back({part, kMoves});
+            stages.emplace_back();
+            for (const int part : left) stages.back().moves.push_back({part, kMoves});
         }
-        return steps;
+        return stages;
     }
 
-    // Whether these moves, all else staying as it is, are clear.
-    bool is_clear_with(const Step& step) {
+    // Opens a part, or a lid with its flap: the first that opens by itself. A tucked flap leaves with its
+    // lid, or where paper would have to give way for that, by itself, before walls are tried: they could well
+    // be laid on it from outside, but nobody closes a box so.
+    bool open_one(std::vector<int>& left, std::vector<Stage>& stages) {
+        for (const int part : left) {
+            if (go({{part, kMoves}}, stages)) {
+                std::erase(left, part);
+                return true;
+            }
+            if (!is_tucked(part)) continue;
+            if (open_upright(part, left, stages)) return true;
+            if (go({{part, kMoves}}, stages, Wishes::of_others)) {
+                std::erase(left, part);
+                return true;
+            }
+        }
+        return std::any_of(left.begin(), left.end(),
+                           [&](int part) { return !is_tucked(part) && open_upright(part, left, stages); });
+    }
+
+    // Opens it by a step, if that is clear and leaves what touches on its sides.
+    bool go(Step step, std::vector<Stage>& stages, Wishes wishes = Wishes::all) {
         const std::vector<Doing> before = doing_;
         for (const Move& move : step) nth(doing_, move.part) = move.doing;
-        const bool clear = is_clear();
-        doing_ = before;
-        return clear;
+        const int own = wishes == Wishes::of_others ? plate_of(step.front().part) : -1;
+        if (!keeps_sides(own) || !is_clear()) {
+            doing_ = before;
+            return false;
+        }
+        TouchingPlates opened = touching_when_opened();
+        for (const Move& move : step) nth(doing_, move.part) = {move.doing.begin, move.doing.begin};
+        stages.push_back({std::move(step), std::move(touching_), opened});
+        touching_ = std::move(opened);
+        return true;
+    }
+
+    // Whether what touches at the beginning of opening a step leaves to the sides it is on. Wishes of the
+    // plate `but` do not count.
+    bool keeps_sides(int but = -1) {
+        set_laws();
+        TouchingPlates held = touching_;
+        std::erase_if(held, [&](const auto& known) {
+            const auto& [pair, one] = known;
+            return one.wished && (!heeds_wishes_ || pair.first == but || pair.second == but);
+        });
+        return leave_to_their_sides(work_, shapes_, held);
+    }
+    // What touches when the step is opened, from what touches when it is folded.
+    [[nodiscard]] TouchingPlates touching_when_opened() {
+        set_laws();
+        return touching_at_end(work_, shapes_, touching_);
+    }
+
+    // A flap that is to lie on the inside of a wall, from which a lid that it hangs on takes it, and that is
+    // not glued there.
+    [[nodiscard]] bool is_tucked(int part) const {
+        const int flap = plate_of(part);
+        if (flap < 0 || nth(work_.plates, flap).name.find(kGlueFlap) != std::string::npos) return false;
+        const std::vector<int> lids = lids_of(part);
+        return std::any_of(touching_.begin(), touching_.end(), [&](const auto& known) {
+            const auto& [pair, one] = known;
+            if (!one.wished || (pair.first != flap && pair.second != flap)) return false;
+            return std::any_of(lids.begin(), lids.end(), [&, ends = pair](int lid) {
+                return hangs_on(ends.first, plate_of(lid)) != hangs_on(ends.second, plate_of(lid));
+            });
+        });
+    }
+    // The plate of a part that is one fold; -1: it is none such.
+    [[nodiscard]] int plate_of(int part) const {
+        const Folded* const own = single_fold(part);
+        return own == nullptr ? -1 : own->plate;
+    }
+    [[nodiscard]] bool hangs_on(int plate, int on) const {
+        while (plate >= 0 && plate != on) plate = nth(work_.plates, plate).parent;
+        return plate >= 0;
     }
 
     // The one fold of a part whose way is straight; null: it is none such.
@@ -318,62 +413,71 @@ class Order {
         return lids;
     }
 
-    // Opens one lid with its flap, and adds the steps; false where there is none that opens so.
-    bool open_upright(std::vector<int>& left, std::vector<Step>& steps) {
-        for (const int flap : left) {
-            for (const int lid : lids_of(flap)) {
-                if (nth(doing_, lid) != kFolded || !open_upright(flap, lid, steps)) continue;
-                std::erase_if(left, [&](int part) { return part == flap || part == lid; });
-                return true;
-            }
-        }
-        return false;
-    }
-
-    bool open_upright(int flap, int lid, std::vector<Step>& steps) {
-        const double lid_deg = turned_deg(lid, 1.0);
-        const double flap_deg = turned_deg(flap, 1.0);
-        for (const double by : kUprightDeg) {
-            if (by >= lid_deg || flap_deg + by > kFlatDeg || !has_work_left()) return false;
-            const double risen = 1.0 - by / lid_deg;
-            const double turned = 1.0 + by / flap_deg;
-            const Step lifts{{flap, {turned, 1.0}}, {lid, {risen, 1.0}}};
-            // Further up it would go the same way first.
-            if (!is_clear_with(lifts)) return false;
-            if (!is_clear_with({{flap, {turned, turned}}, {lid, {0.0, risen}}}) ||
-                !is_clear_with({{flap, {0.0, turned}}, {lid, kFlat}})) {
-                continue;
-            }
-            steps.push_back(lifts);
-            steps.push_back({{lid, {0.0, risen}}});
-            steps.push_back({{flap, {0.0, turned}}});
-            nth(doing_, flap) = kFlat;
-            nth(doing_, lid) = kFlat;
+    // Opens a flap with a lid that it hangs on; false where there is none that opens so.
+    bool open_upright(int flap, std::vector<int>& left, std::vector<Stage>& stages) {
+        for (const int lid : lids_of(flap)) {
+            if (nth(doing_, lid) != kFolded || !open_upright(flap, lid, stages)) continue;
+            std::erase_if(left, [&](int part) { return part == flap || part == lid; });
             return true;
         }
         return false;
     }
 
+    bool open_upright(int flap, int lid, std::vector<Stage>& stages) {
+        const double lid_deg = turned_deg(lid, 1.0);
+        const double flap_deg = turned_deg(flap, 1.0);
+        const std::vector<Doing> doing = doing_;
+        const TouchingPlates touching = touching_;
+        const std::size_t count = stages.size();
+        for (const double by : kUprightDeg) {
+            if (by >= lid_deg || flap_deg + by > kFlatDeg || !has_work_left()) return false;
+            const double risen = 1.0 - by / lid_deg;
+            const double turned = 1.0 + by / flap_deg;
+            // Further up it would go the same way first.
+            if (!go({{flap, {turned, 1.0}}, {lid, {risen, 1.0}}}, stages)) return false;
+            if (go({{lid, {0.0, risen}}}, stages) && go({{flap, {0.0, turned}}}, stages)) return true;
+            doing_ = doing;
+            touching_ = touching;
+            stages.resize(count);
+        }
+        return false;
+    }
+
     // Steps that can go at once with the one before do.
-    void join(std::vector<Step>& steps) {
-        for (std::size_t i = 0; i + 1 < steps.size() && has_work_left();) {
+    void join(std::vector<Stage>& stages) {
+        for (std::size_t i = 0; i + 1 < stages.size() && has_work_left();) {
             set_all(kFlat);
             for (std::size_t k = 0; k < i; ++k) {
-                for (const Move& move : steps[k]) nth(doing_, move.part) = {move.doing.end, move.doing.end};
+                for (const Move& move : stages[k].moves)
+                    nth(doing_, move.part) = {move.doing.end, move.doing.end};
             }
-            Step both = steps[i];
-            both.insert(both.end(), steps[i + 1].begin(), steps[i + 1].end());
-            const bool once = std::none_of(steps[i].begin(), steps[i].end(), [&](const Move& a) {
-                return std::any_of(steps[i + 1].begin(), steps[i + 1].end(),
-                                   [&](const Move& b) { return a.part == b.part; });
-            });
-            if (!once || !is_clear_with(both)) {
+            if (!join_two(stages[i], stages[i + 1])) {
                 ++i;
                 continue;
             }
-            steps[i] = std::move(both);
-            steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         }
+    }
+
+    // Makes one of two, if that is clear, and everything comes to lie as it does one after the other.
+    bool join_two(Stage& first, const Stage& second) {
+        const bool once = std::none_of(first.moves.begin(), first.moves.end(), [&](const Move& a) {
+            return std::any_of(second.moves.begin(), second.moves.end(),
+                               [&](const Move& b) { return a.part == b.part; });
+        });
+        if (!once) return false;
+        Step both = first.moves;
+        both.insert(both.end(), second.moves.begin(), second.moves.end());
+        for (const Move& move : both) nth(doing_, move.part) = move.doing;
+        touching_ = second.folded;
+        if (!keeps_sides() || !is_clear()) return false;
+        for (const auto& [pair, one] : touching_when_opened()) {
+            const auto known = first.opened.find(pair);
+            if (known != first.opened.end() && known->second.side * one.side < 0) return false;
+        }
+        first.moves = std::move(both);
+        first.folded = second.folded;
+        return true;
     }
 
     Assembly work_;
@@ -385,6 +489,8 @@ class Order {
     std::vector<PlateShape> shapes_;          // by plate; folding changes none
     PlatePairs set_aside_;
     std::optional<SeenPairs> seen_;
+    TouchingPlates touching_;  // where the parts are folded that have not been opened yet
+    bool heeds_wishes_ = true;
     std::vector<Doing> done_;  // by the numbers that seen_ has, as the next
     std::vector<char> still_;
     std::size_t poses_ = 0;
@@ -448,11 +554,18 @@ bool order_folds(Assembly& assembly, const MotionOptions& options, Diagnostics& 
     auto& remark = diagnostics.remark(
         "folds-in-order", {},
         fmt::format("its folds cannot all go at once: they go in {} steps, {}", steps.size(), told));
-    if (order.is_all_clear()) {
-        remark.hint("fold it in that order, too");
-    } else {
+    if (!order.is_all_clear()) {
         remark.hint(
             "for the panels of the first step no order was found in which none passes through another");
+    } else if (const PlatePairs& aside = order.crossing_in_the_end(); !aside.empty()) {
+        const auto [a, b] = *aside.begin();
+        remark.hint(fmt::format(
+            "where it ends \"{}\" goes through \"{}\"{}, in any order; nothing else passes through anything "
+            "in this one",
+            nth(assembly.plates, a).name, nth(assembly.plates, b).name,
+            aside.size() > 1 ? fmt::format(", as do {} more", aside.size() - 1) : ""));
+    } else {
+        remark.hint("fold it in that order, too");
     }
     return true;
 }

@@ -1,6 +1,11 @@
 // The order in which the folds of a sheet go.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -62,10 +67,84 @@ std::vector<Frame> frames_at(const Assembly& assembly, double deg) {
     return frames;
 }
 
+// What is said of the order, its hint included.
 std::string ordered(Assembly& assembly) {
     Diagnostics diagnostics("sheet");
     order_folds(assembly, {}, diagnostics);
-    return test::findings(diagnostics);
+    std::string told;
+    for (const Diagnostic& one : diagnostics.sorted()) {
+        told += one.code + ": " + one.message;
+        for (const std::string& hint : one.hints) told += "; " + hint;
+    }
+    return told;
+}
+
+// From where to where on the way of a sheet a panel turns against what it hangs on: 0 flat, 1 folded.
+struct Turns {
+    double begin = 2.0, end = -1.0;
+};
+std::map<std::string, Turns> turns_of(const Assembly& assembly) {
+    std::map<std::string, Turns> all;
+    for (const Joint& joint : assembly.joints) {
+        const auto* const folded = std::get_if<Folded>(&joint.how);
+        if (folded == nullptr) continue;
+        const std::string& name = assembly.plates[static_cast<std::size_t>(folded->plate)].name;
+        Turns& turns = all[name.substr(name.find('/') + 1)];
+        for (std::size_t i = 1; i < folded->law.size(); ++i) {
+            const Vec2 low = folded->law[i - 1];
+            const Vec2 high = folded->law[i];
+            if (std::abs(low.y - high.y) < 1e-9) continue;
+            turns.begin = std::min(turns.begin, 1.0 - high.x / 180.0);
+            turns.end = std::max(turns.end, 1.0 - low.x / 180.0);
+        }
+    }
+    return all;
+}
+
+// The first is folded when the second begins to.
+void expect_before(const Assembly& assembly, const std::string& first, const std::string& second) {
+    const std::map<std::string, Turns> turns = turns_of(assembly);
+    ASSERT_TRUE(turns.contains(first) && turns.contains(second)) << first << ", " << second;
+    EXPECT_LE(turns.at(first).end, turns.at(second).begin + 1e-9) << first << ", " << second;
+}
+
+// Four walls with a glue flap; a lid with a tuck on either end of the first, dust flaps on the walls beside.
+// `dust`: at their ends, as much narrower than their walls as lets a tuck go by.
+CreasePattern tuck_end(double length, double width, double height, double dust) {
+    CreasePattern pattern;
+    cut(pattern, {{0.0, 0.0}, {-12.0, 4.0}, {-12.0, height - 4.0}, {0.0, height}});
+    double x = 0.0;
+    for (const int wall : {0, 1, 2, 3}) {
+        const double wide = wall % 2 == 0 ? length : width;
+        const double end = x + wide;
+        fold(pattern, {x, 0.0}, {x, height});
+        for (const double way : {-1.0, 1.0}) {
+            const double y = way > 0.0 ? height : 0.0;
+            const auto out = [&](double at, double by) { return Vec2{at, y + way * by}; };
+            if (wall == 0) {
+                fold(pattern, out(x, 0.0), out(end, 0.0));
+                fold(pattern, out(x, width), out(end, width));
+                cut(pattern, {out(x, 0.0), out(x, width), out(x + 4.0, width + 12.0),
+                              out(end - 4.0, width + 12.0), out(end, width), out(end, 0.0)});
+            } else if (wall == 2) {
+                cut(pattern, {out(x, 0.0), out(end, 0.0)});
+            } else {
+                fold(pattern, out(x + dust, 0.0), out(end - dust, 0.0));
+                cut(pattern, {out(x, 0.0), out(x + dust, 0.0), out(x + 6.0, 18.0), out(end - 6.0, 18.0),
+                              out(end - dust, 0.0), out(end, 0.0)});
+            }
+        }
+        x = end;
+    }
+    cut(pattern, {{x, 0.0}, {x, height}});
+    return pattern;
+}
+
+void expect_clear(const Assembly& assembly) {
+    const Examination found = examine(assembly, {});
+    EXPECT_TRUE(found.contacts.empty());
+    EXPECT_TRUE(found.undecided.empty());
+    EXPECT_EQ(found.decided_up_to_deg, 180.0);
 }
 
 void expect_same_at(const Assembly& before, const Assembly& after, double deg) {
@@ -122,11 +201,100 @@ TEST(FoldOrder, LeavesWhatCrossesInTheEnd) {
     ASSERT_TRUE(simulate(before, {}, first));
     EXPECT_NE(test::findings(first).find("collision"), std::string::npos);
     Assembly after = before;
-    ordered(after);
+    const std::string told = ordered(after);
+    EXPECT_EQ(told.find("fold it in that order, too"), std::string::npos) << told;
     Diagnostics diagnostics("box");
     ASSERT_TRUE(simulate(after, {}, diagnostics));
     EXPECT_NE(test::findings(diagnostics).find("until the card is closed"), std::string::npos)
         << test::findings(diagnostics);
+}
+
+// Plates without thickness pass through nothing as they come to lie on one another, whichever comes first.
+TEST(FoldOrder, FoldsInnerFlapsBeforeThoseThatLieOnThem) {
+    Assembly box = folded(carton(60.0, 40.0, 50.0));
+    ASSERT_NE(ordered(box).find("fold it in that order, too"), std::string::npos);
+    for (const std::string end : {"top", "bottom"}) {
+        for (const std::string& inner : std::vector<std::string>{"left", "right"}) {
+            for (const std::string outer : {"front", "back"})
+                expect_before(box, end + "-flap-" + inner, end + "-flap-" + outer);
+        }
+    }
+    expect_before(box, "glue-flap", "top-flap-front");
+    expect_clear(box);
+}
+
+TEST(FoldOrder, FoldsDustFlapsBeforeLidsAndTucksLast) {
+    // Where dust flaps are as wide as their walls, paper gives way: the tuck goes by itself.
+    for (const double dust : {0.0, 1.0}) {
+        SCOPED_TRACE(dust);
+        Assembly box = folded(tuck_end(60.0, 30.0, 90.0, dust));
+        const std::string told = ordered(box);
+        EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+        EXPECT_EQ(told.find("top-tuck to") != std::string::npos, dust > 0.0) << told;
+        for (const std::string end : {"top", "bottom"}) {
+            for (const std::string& inner : std::vector<std::string>{
+                     end + "-dust-flap-left", end + "-dust-flap-right", "left", "right", "back", "glue-flap"})
+                expect_before(box, inner, end);
+            EXPECT_GE(turns_of(box).at(end + "-tuck").end, turns_of(box).at(end).end);
+        }
+        expect_clear(box);
+    }
+}
+
+// Corners lie between the two layers of a wall that is rolled in.
+TEST(FoldOrder, RollsWallsInOverCorners) {
+    CreasePattern tray;
+    constexpr double kWide = 100.0, kDeep = 70.0, kHigh = 25.0, kCorner = 20.0;
+    const std::array<Vec2, 4> base{Vec2{0, 0}, {kWide, 0}, {kWide, kDeep}, {0, kDeep}};
+    for (std::size_t i = 0; i < base.size(); ++i) fold(tray, base.at(i), base.at((i + 1) % base.size()));
+    for (const double way : {-1.0, 1.0}) {
+        const double y = way > 0.0 ? kDeep : 0.0;
+        const auto out = [&](double at, double by) { return Vec2{at, y + way * by}; };
+        cut(tray, {out(0, 0), out(-kCorner, 2), out(-kCorner, kHigh - 2), out(0, kHigh), out(kWide, kHigh),
+                   out(kWide + kCorner, kHigh - 2), out(kWide + kCorner, 2), out(kWide, 0)});
+        fold(tray, out(0, 0), out(0, kHigh));
+        fold(tray, out(kWide, 0), out(kWide, kHigh));
+        const double x = way > 0.0 ? kWide : 0.0;
+        const auto aside = [&](double by, double at) { return Vec2{x + way * by, at}; };
+        const double in = 2 * kHigh;
+        fold(tray, aside(kHigh, 0.5), aside(kHigh, kDeep - 0.5));
+        fold(tray, aside(kHigh + 1, 0.5), aside(kHigh + 1, kDeep - 0.5));
+        cut(tray, {aside(0, 0), aside(kHigh, 0), aside(kHigh, 0.5), aside(in, 0.5), aside(in, kDeep - 0.5),
+                   aside(kHigh, kDeep - 0.5), aside(kHigh, kDeep), aside(0, kDeep)});
+    }
+    Assembly box = folded(tray);
+    const std::string told = ordered(box);
+    EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+    for (const std::string end : {"front", "back"}) {
+        for (const std::string side : {"left", "right"})
+            expect_before(box, fmt::format("{}-corner-{}", end, side), side + "-lining");
+    }
+    expect_clear(box);
+}
+
+// Two squares lie on one another between two steps; the next would part them to the other side.
+TEST(FoldOrder, RemembersFromStepToStepOnWhichSidePlatesLie) {
+    CreasePattern pattern;
+    cut(pattern, {{0, 20},
+                  {0, 40},
+                  {20, 40},
+                  {20, 20},
+                  {20, 0},
+                  {20, -20},
+                  {0, -20},
+                  {-20, -20},
+                  {-20, 0},
+                  {-20, 20},
+                  {0, 20},
+                  {0, 0}});
+    pattern.lines.push_back({{{0, 20}, {20, 20}}, false, CreaseUse::mountain, 90.0});
+    fold(pattern, {0, 0}, {20, 0});
+    pattern.lines.push_back({{{0, -20}, {0, 0}}, false, CreaseUse::valley, 45.0});
+    fold(pattern, {-20, 0}, {0, 0});
+    Assembly sheet = folded(pattern);
+    const std::string told = ordered(sheet);
+    EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+    expect_clear(sheet);
 }
 
 }  // namespace

@@ -263,17 +263,19 @@ TEST(Book, OfOneSheetIsPushedOutByLevels) {
 
 TEST(Book, OfACartonHasItsFoldsInOrder) {
     const book::Book book = Made({"folded/carton.svg"}).made();
-    const std::string last =
-        "Step 2: fold up panels glue-flap, bottom-flap-right, top-flap-right, bottom-flap-left and "
-        "top-flap-left";
-    EXPECT_EQ(titles(book), (Lines{"Fold",
-                                   "  Step 1: fold up panels bottom-flap-front, top-flap-front, right, back, "
-                                   "bottom-flap-back, top-flap-back and left",
-                                   "  " + last}));
-    EXPECT_EQ(step_named(book, last).actions,
-              (Lines{"Valley folds, to 90°: between glue-flap | front, right | bottom-flap-right, right | "
-                     "top-flap-right, left | bottom-flap-left and left | top-flap-left.",
-                     "Put glue on glue-flap, and press it onto the outside of left until it holds."}));
+    const std::string first =
+        "Step 1: fold up panels glue-flap, right, top-flap-right, back, left and top-flap-left";
+    const std::string last = "Step 3: fold up panels bottom-flap-front, top-flap-front and bottom-flap-back";
+    EXPECT_EQ(titles(book),
+              (Lines{"Fold", "  " + first,
+                     "  Step 2: fold up panels bottom-flap-right, top-flap-back and bottom-flap-left",
+                     "  " + last}));
+    EXPECT_EQ(step_named(book, first).actions.back(),
+              "Put glue on glue-flap, and press it onto the inside of left until it holds.");
+    EXPECT_EQ(
+        step_named(book, last).actions,
+        Lines{"Valley folds, to 90°: between front | bottom-flap-front, front | top-flap-front and back | "
+              "bottom-flap-back."});
     EXPECT_EQ(need(book, "To glue"), "1 flap");
     EXPECT_NE(need(book, "Tools").find("glue that does not warp paper"), std::string::npos);
     EXPECT_EQ(book.cards.front().opens,
