@@ -147,9 +147,9 @@ struct AcceptOptions {
     std::function<Crossings(const CreasePattern& refined, bool whole_way)> crossings = {};
 };
 
-// The joins of `options`, and the suggestions that `words` name: "merge 3, paste 1", or "all": each, the
-// nearest first, that leaves nothing open together with those before, swings nothing, and brings no crossing
-// that was not there. Then those of Suggestions::met that
+// The joins of `options`, and the suggestions that `words` name: "merge 3, paste 1", or "all": each, seams of
+// walls first, then the nearest, that leaves nothing open with those before, swings nothing, flattens no
+// corner of more than 5°, and brings no crossing that was not there. Then those of Suggestions::met that
 // leave nothing open either, so that what is joined does not part what has met. The remark `join-left` names
 // those that do not fit, of "all" and of what is alike; what is named itself is accepted whatever it leaves.
 // What was accepted before under its number is so already. Error `no-such-suggestion`: nullopt.

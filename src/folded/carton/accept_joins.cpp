@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text/shown.h"
+#include "folded/carton/names.h"
 #include "folded/carton/rough.h"
 #include "popup/refinement.h"
 
@@ -40,16 +41,18 @@ class Accepter {
         order_.push_back(row);
     }
 
-    // Those that leave nothing open together with what is taken, and bring no crossing; the nearest first.
+    // Those that leave nothing open together with what is taken, and bring no crossing: seams before all that
+    // closes ends, for tips that meet while the walls are open keep these apart; else the nearest first.
     void try_all(std::vector<std::size_t> rows) {
         std::erase_if(rows, [&](std::size_t row) {
             if (taken_.contains(row)) return true;
-            if (found_.rows[row].closes) return false;
+            if (found_.rows[row].closes && !flattens(row)) return false;
             left_.push_back(row);
             return true;
         });
         if (rows.empty()) return;
         std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+            if (is_seam(a) != is_seam(b)) return is_seam(a);
             return found_.rows[a].apart_mm < found_.rows[b].apart_mm - 1e-6;
         });
         const std::vector<PanelJoin> before = joins_;
@@ -57,7 +60,7 @@ class Accepter {
         // Mostly all of them fit; where they do not, halves are tried, the nearer one first.
         std::vector<std::vector<std::size_t>> groups{rows};
         std::vector<std::size_t> fitting;
-        while (!groups.empty()) {
+        while (!groups.empty() && looks_ + kKeptForWays < most_looks()) {
             const std::vector<std::size_t> group = std::move(groups.back());
             groups.pop_back();
             if (fits(with(before, fitting, group), false)) {
@@ -88,6 +91,20 @@ class Accepter {
     }
 
  private:
+    // Whether it makes one plane of panels that are meant to stand at an angle, as walls of a tube of many
+    // sides are, or the tongues of a lock and their flap.
+    [[nodiscard]] bool flattens(std::size_t row) const {
+        const Suggestion& one = found_.rows[row];
+        return one.join.kind == JoinKind::coplanar && one.turn_deg > kMostFlattenedDeg;
+    }
+    // Whether it brings walls together, and what is glued to them, alone.
+    [[nodiscard]] bool is_seam(std::size_t row) const {
+        if (found_.rows[row].join.kind == JoinKind::coplanar) return false;
+        const std::vector<JoinPart>& parts = found_.rows[row].join.parts;
+        return std::all_of(parts.begin(), parts.end(),
+                           [](const JoinPart& part) { return folded::is_of_walls(part.panel); });
+    }
+
     [[nodiscard]] bool closes(const std::vector<PanelJoin>& joins) const {
         if (joins.empty()) return true;
         const folded::Closed closed = close_joins(rough_.state(), joins, true);
@@ -123,9 +140,10 @@ class Accepter {
         return options_.crossings(folded::pattern_of(pattern_, rough_, angles), whole_way);
     }
     // False when that has been done often enough: each time, all panels are moved.
-    bool may_look() {
+    bool may_look() { return ++looks_ <= most_looks(); }
+    [[nodiscard]] std::size_t most_looks() const {
         const std::size_t panels = std::max<std::size_t>(rough_.sheet.panels.size(), 1);
-        return ++looks_ <= std::min(kMostLooks, kMostMoved / panels);
+        return std::min(kMostLooks, kMostMoved / panels);
     }
     // What crosses as it is drawn, and with what was named, is not the fault of what is tried. It is looked
     // for when something crosses, which seldom is.
@@ -170,20 +188,26 @@ class Accepter {
                     return pair.first == panel || pair.second == panel;
                 });
             };
-            const std::size_t count = std::erase_if(fitting, [&](std::size_t row) {
+            const auto concerns = [&](std::size_t row) {
                 const std::vector<JoinPart>& parts = found_.rows[row].join.parts;
                 return std::any_of(parts.begin(), parts.end(),
                                    [&](const JoinPart& part) { return crosses(part.panel); });
-            });
-            if (count == 0) break;
+            };
+            // A seam is the last to be left out: without it nothing else closes a box.
+            if (std::erase_if(fitting, [&](std::size_t row) { return concerns(row) && !is_seam(row); }) > 0)
+                continue;
+            if (std::erase_if(fitting, [&](std::size_t row) { return !is_seam(row); }) > 0) continue;
+            if (std::erase_if(fitting, concerns) == 0) break;
         }
         if (options_.crossings) fitting.clear();
         kept_.reset();
     }
 
+    static constexpr double kMostFlattenedDeg = 5.0;
     static constexpr std::size_t kMostLooks = 100;
+    static constexpr std::size_t kKeptForWays = 10;    // looks
     static constexpr std::size_t kMostMoved = 20'000;  // panels
-    static constexpr int kMostWaysLookedAt = 5;
+    static constexpr int kMostWaysLookedAt = 7;
     const CreasePattern& pattern_;
     const folded::RoughShape& rough_;
     const Suggestions& found_;

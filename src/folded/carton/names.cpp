@@ -483,4 +483,15 @@ std::vector<std::string> name_panels(const CreasePattern& pattern, const Sheet& 
     return Namer(pattern, sheet, tree).run();
 }
 
+bool is_of_walls(std::string_view name) {
+    constexpr std::array<std::string_view, 7> kWalls{"front", "back", "left",     "right",
+                                                     "wall",  "base", "glue-flap"};
+    name.remove_prefix(name.rfind('/') + 1);  // none: 0
+    // "wall-3", "left-1"
+    const std::size_t end = name.find_last_not_of("0123456789");
+    if (end != std::string_view::npos && end + 1 < name.size() && name[end] == '-')
+        name = name.substr(0, end);
+    return std::find(kWalls.begin(), kWalls.end(), name) != kWalls.end();
+}
+
 }  // namespace popup::folded

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "folded/lower.h"
@@ -31,5 +32,9 @@ namespace popup::folded {
 // A panel of less than a tenth of the one that it hangs on is its lock (`back-lock`); any other is `panel-7`,
 // by its place in the tree. Cost: near linear in panels and folds.
 std::vector<std::string> name_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree);
+
+// Whether a panel that is called so ("sheet/left", "sheet-2/left-1") stands around a box or is its base: a
+// wall, the base, or a glue flap that closes a row of walls.
+bool is_of_walls(std::string_view name);
 
 }  // namespace popup::folded

@@ -68,6 +68,33 @@ TEST(FortyPanels, MayBeAcceptedWhole) {
     }
 }
 
+// The seam is taken before the tips of the flaps, which would meet without it, and then keep it open. What
+// crossed because it was open crosses no more; no corner of the tube is made flat.
+TEST(FortyPanels, TubesCloseAlongTheirSeamsFirst) {
+    for (const std::string& drawing :
+         {test::pointed_tube(11), test::pointed_tube(13), test::locked_tube(13)}) {
+        const CreasePattern pattern = read(drawing);
+        const auto crossings = [](const CreasePattern& refined, bool whole_way) {
+            return crossings_in(refined, whole_way, {}, {});
+        };
+        EXPECT_FALSE(crossings(pattern, true).empty());
+        Diagnostics diagnostics;
+        const auto found = suggest_joins(pattern, {}, diagnostics);
+        ASSERT_TRUE(found);
+        const auto joins = accept_joins(pattern, {}, *found, "all", {true, crossings}, diagnostics);
+        ASSERT_TRUE(joins);
+        const auto is_seam = [](const Join& join) {
+            return join.kind == JoinKind::paste && join.parts.front().panel == "sheet/glue-flap";
+        };
+        EXPECT_TRUE(std::any_of(joins->begin(), joins->end(), is_seam));
+        for (const Join& join : *joins) EXPECT_NE(join.kind, JoinKind::coplanar);
+        const auto refined = refine_shape(pattern, {{}, *joins}, diagnostics);
+        ASSERT_TRUE(refined);
+        EXPECT_TRUE(refined->closes);
+        EXPECT_TRUE(crossings(refined->pattern, true).empty());
+    }
+}
+
 // The tube of 13 sides, whose folds say 28°: its first and last wall meet at both ends, and so do their
 // flaps, which begin a little beside the corners of the walls.
 TEST(FortyPanels, WallsCloseWhoseFlapsBeginBesideTheirCorners) {
