@@ -95,22 +95,35 @@ void ClosingStep::arrange_conditions() {
     });
 }
 
+// Loops around corners have three conditions, and are nearly all there are: what is summed over as many as
+// are known when this is compiled takes a third.
+template <typename Visit>
+void ClosingStep::each_row(const Visit& visit) const {
+    for (const LoopRow& row : rows_) {
+        if (row.count == 3) {
+            visit.template operator()<3>(row);
+        } else {
+            visit.template operator()<6>(row);
+        }
+    }
+}
+
 void ClosingStep::add_angles(const std::vector<Slope>& slopes) {
     double* const values = normal_.valuePtr();
     const int* at = pairs_.data();
-    for (const LoopRow& row : rows_) {
+    each_row([&]<std::size_t Count>(const LoopRow& row) {
         for (std::size_t i = row.begin; i < row.end; ++i) {
             const Slope& one = slopes[i];
             for (std::size_t k = i; k < row.end; ++k) {
                 const Slope& other = slopes[k];
                 double sum = 0.0;
-                for (int j = 0; j < row.count; ++j) sum += nth(one, j) * nth(other, j);
+                for (std::size_t j = 0; j < Count; ++j) sum += one[j] * other[j];
                 // A loop that crosses a fold twice has its product with itself both ways.
                 if (i != k && columns_[i] == columns_[k]) sum *= 2.0;
                 values[*at++] += root_[columns_[i]] * root_[columns_[k]] * sum;
             }
         }
-    }
+    });
 }
 
 void ClosingStep::add_conditions(const std::vector<Slope>& slopes) {
@@ -143,34 +156,34 @@ bool ClosingStep::factorise(const std::vector<Slope>& slopes, double damping) {
     }
     damping_ = damping;
     for (const int at : diagonal_) values[at] += damping;
-    if (!analysed_) {
-        solver_.analyzePattern(normal_);
-        analysed_ = true;
-    }
-    solver_.factorize(normal_);
-    return solver_.info() == Eigen::Success;
+    if (!factors_.is_analysed()) factors_.analyse(normal_, {});
+    rate_ = {};
+    return factors_.factorise(normal_);
 }
 
 void ClosingStep::slope_back(const std::vector<Slope>& slopes, const Eigen::VectorXd& conditions,
                              Eigen::VectorXd& by) const {
     by.setZero(ease_.size());
-    for (const LoopRow& row : rows_) {
+    each_row([&]<std::size_t Count>(const LoopRow& row) {
+        const double* const own = conditions.data() + row.first;
         for (std::size_t i = row.begin; i < row.end; ++i) {
             double sum = 0.0;
-            for (int k = 0; k < row.count; ++k) sum += nth(slopes[i], k) * conditions[row.first + k];
+            for (std::size_t k = 0; k < Count; ++k) sum += slopes[i][k] * own[k];
             by[columns_[i]] += sum;
         }
-    }
+    });
 }
 
 Eigen::VectorXd ClosingStep::change_by(const std::vector<Slope>& slopes, const Eigen::VectorXd& by) const {
-    Eigen::VectorXd change =
-        Eigen::VectorXd::Zero(rows_.empty() ? 0 : rows_.back().first + rows_.back().count);
-    for (const LoopRow& row : rows_) {
+    Eigen::VectorXd change(rows_.empty() ? 0 : rows_.back().first + rows_.back().count);
+    each_row([&]<std::size_t Count>(const LoopRow& row) {
+        std::array<double, Count> sums{};
         for (std::size_t i = row.begin; i < row.end; ++i) {
-            for (int k = 0; k < row.count; ++k) change[row.first + k] += nth(slopes[i], k) * by[columns_[i]];
+            const double own = by[columns_[i]];
+            for (std::size_t k = 0; k < Count; ++k) sums[k] += slopes[i][k] * own;
         }
-    }
+        std::copy(sums.begin(), sums.end(), change.data() + row.first);
+    });
     return change;
 }
 
@@ -178,8 +191,7 @@ Eigen::VectorXd ClosingStep::change_by(const std::vector<Slope>& slopes, const E
 // slopes of the size of the root of the damping, 3e-7. So steps are corrected by what the slopes themselves
 // leave of the change (Björck, Numerical Methods for Least Squares Problems, 1996, 2.9), until a correction
 // is no smaller than rounding makes it.
-int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                      Eigen::VectorXd& by) const {
+int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by) {
     by.setZero(ease_.size());
     const int solutions =
         of_angles() ? find_by_angles(slopes, change, by) : find_by_conditions(slopes, change, by);
@@ -187,10 +199,11 @@ int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& c
 }
 
 int ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                    Eigen::VectorXd& by) const {
+                                    Eigen::VectorXd& by) {
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(change.size());
-    return add_corrections(by, [&](Eigen::VectorXd& correction) {
-        const Eigen::VectorXd more = solver_.solve(change - change_by(slopes, by) - damping_ * loads);
+    return add_corrections(by, rate_, [&](Eigen::VectorXd& correction) {
+        Eigen::VectorXd more = change - change_by(slopes, by) - damping_ * loads;
+        factors_.solve(more);
         loads += more;
         slope_back(slopes, more, correction);
         correction.array() *= ease_.array();
@@ -201,16 +214,16 @@ int ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eige
 // thousandth of the step stands there in the solution. The slopes give nothing back of it, so each correction
 // takes it out, but for a thousandth.
 int ClosingStep::find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                Eigen::VectorXd& by) const {
+                                Eigen::VectorXd& by) {
     const auto count = static_cast<Eigen::Index>(order_.size());
     Eigen::VectorXd ordered(count);
     Eigen::VectorXd back;
-    return add_corrections(by, [&](Eigen::VectorXd& correction) {
+    return add_corrections(by, rate_, [&](Eigen::VectorXd& correction) {
         slope_back(slopes, change - change_by(slopes, by), back);
         for (Eigen::Index i = 0; i < count; ++i)
             ordered[nth(order_, i)] = root_[i] * back[i] - damping_ * (by[i] / root_[i]);
-        const Eigen::VectorXd found = solver_.solve(ordered);
-        for (Eigen::Index i = 0; i < count; ++i) correction[i] = root_[i] * found[nth(order_, i)];
+        factors_.solve(ordered);
+        for (Eigen::Index i = 0; i < count; ++i) correction[i] = root_[i] * ordered[nth(order_, i)];
     });
 }
 

@@ -1,11 +1,13 @@
 // The smallest step of folds' angles that changes the conditions of loops as asked, to the first order.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
 #include <vector>
+
+#include "folded/corrections.h"
+#include "folded/sparse_factors.h"
 
 namespace popup::folded {
 
@@ -38,7 +40,7 @@ class ClosingStep {
     // The step for a change of the conditions, with the slopes that were factorised, right but for rounding.
     // Returns how often the factors were solved with; 0 if the step is not of finite numbers.
     [[nodiscard]] int find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                           Eigen::VectorXd& by) const;
+                           Eigen::VectorXd& by);
     // What a step adds to the conditions, to the first order.
     [[nodiscard]] Eigen::VectorXd change_by(const std::vector<Slope>& slopes,
                                             const Eigen::VectorXd& by) const;
@@ -56,6 +58,9 @@ class ClosingStep {
 
     void arrange_angles();
     void arrange_conditions();
+    // Calls visit<Count>(row) with the number of its conditions.
+    template <typename Visit>
+    void each_row(const Visit& visit) const;
     void add_angles(const std::vector<Slope>& slopes);
     void add_conditions(const std::vector<Slope>& slopes);
     // Makes the matrix of these entries, and notes its diagonal.
@@ -65,10 +70,9 @@ class ClosingStep {
     // The transposed slopes times a vector of conditions.
     void slope_back(const std::vector<Slope>& slopes, const Eigen::VectorXd& conditions,
                     Eigen::VectorXd& by) const;
-    int find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                       Eigen::VectorXd& by) const;
+    int find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by);
     int find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                           Eigen::VectorXd& by) const;
+                           Eigen::VectorXd& by);
 
     std::vector<LoopRow> rows_;
     std::vector<int> columns_;
@@ -79,8 +83,8 @@ class ClosingStep {
     Matrix normal_;                  // the upper triangle
     std::vector<int> diagonal_;      // by equation: its place among the values
     double damping_ = 0.0;
-    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
-    bool analysed_ = false;
+    SparseFactors factors_;
+    CorrectionRate rate_;  // of these factors
 };
 
 }  // namespace popup::folded

@@ -94,11 +94,13 @@ ClosingStep Closure::equations(const Sheet& sheet, const std::vector<int>& folds
     }
     residual_.resize(count);
     slopes_.resize(terms_.size());
+    turns_.resize(folds.size());
     return {std::move(rows), std::move(columns), std::move(ease), std::move(plan.angle_order)};
 }
 
 void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
     work_->spend(kTermSteps * static_cast<double>(terms_.size()));
+    for (Eigen::Index i = 0; i < angles.size(); ++i) nth(turns_, i) = sine_cosine(angles[i]);
     for (const LoopRow& row : closing_.rows()) {
         Rigid3 motion;
         for (std::size_t i = row.begin; i < row.end; ++i) {
@@ -108,9 +110,10 @@ void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
                 const Vec3 moment = cross(motion.point(term.at), dir);
                 slopes_[i] = {dir.x, dir.y, dir.z, moment.x, moment.y, moment.z};
             }
-            const double angle = term.sign * angles[closing_.angle_of(i)];
-            motion = row.count == 3 ? motion.after_turn_at_origin(term.dir, angle)
-                                    : motion.after_turn(term.at, term.dir, angle);
+            SineCosine by = nth(turns_, closing_.angle_of(i));
+            by.sine *= term.sign;
+            motion = row.count == 3 ? motion.after_turn_at_origin(term.dir, by)
+                                    : motion.after_turn(term.at, term.dir, by);
         }
         const Vec3 turn = turn_of(motion);
         residual_.segment<3>(row.first) << turn.x, turn.y, turn.z;

@@ -8,6 +8,7 @@
 
 #include "folded/closing_step.h"
 #include "folded/sheet.h"
+#include "folded/sine.h"
 #include "folded/step_plan.h"
 #include "folded/work.h"
 
@@ -68,6 +69,7 @@ class Closure {
     double factor_work_ = 0.0, solution_work_ = 0.0;  // what one takes
     std::vector<Term> terms_;
     std::vector<ClosingStep::Slope> slopes_;  // by term: of its loop's conditions by its fold's angle
+    std::vector<SineCosine> turns_;           // by angle; most are turned by in two loops
     bool bends_ = false;
     Eigen::VectorXd residual_;
     ClosingStep closing_;

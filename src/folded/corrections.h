@@ -6,17 +6,23 @@
 
 namespace popup::folded {
 
+// How large a correction is at most beside the one before it, as far as some factors have shown.
+struct CorrectionRate {
+    double most = 0.0;
+    bool known = false;
+};
+
 // Adds to `solution` what `correct` writes, which sees the solution as it is, until the next correction would
 // be of the size of rounding, or one is not half as large as that before it, which is left out then: of
 // corrections that only follow rounding there is no end. The first is added whatever it is: if it is not
-// finite, neither is the solution. Entries are of the size of 1, and what is less than rounding beside a
-// thousandth of that is not looked for. Returns how often `correct` was asked.
+// finite, neither is the solution. What solutions are added to is of the size of 1, and less than rounding
+// beside that is not looked for. `rate`: of what was solved with the same factors before; a small step near
+// the end needs no second look then. Returns how often `correct` was asked.
 template <typename Correct>
-int add_corrections(Eigen::VectorXd& solution, const Correct& correct) {
+int add_corrections(Eigen::VectorXd& solution, CorrectionRate& rate, const Correct& correct) {
     constexpr int kMost = 12;
     constexpr double kSmaller = 0.5;
     constexpr double kRounding = 1e-16;
-    constexpr double kLeast = 1e-3;
     Eigen::VectorXd correction(solution.size());
     double before = HUGE_VAL;
     for (int i = 0; i < kMost; ++i) {
@@ -24,9 +30,13 @@ int add_corrections(Eigen::VectorXd& solution, const Correct& correct) {
         const double size = correction.lpNorm<Eigen::Infinity>();
         if (i > 0 && !(size < kSmaller * before)) return i + 1;
         solution += correction;
+        if (i > 0) {
+            rate.most = std::fmax(rate.most, size / before);
+            rate.known = true;
+        }
         // Each is as small beside that before it as the next will be beside it.
-        const double next = size * (size / before);
-        if (i > 0 && next <= kRounding * std::fmax(kLeast, solution.lpNorm<Eigen::Infinity>())) return i + 1;
+        const double next = size * (i > 0 ? size / before : rate.known ? rate.most : kSmaller);
+        if (next <= kRounding * std::fmax(1.0, solution.lpNorm<Eigen::Infinity>())) return i + 1;
         before = size;
     }
     return kMost;

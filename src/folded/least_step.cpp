@@ -1,8 +1,11 @@
 #include "folded/least_step.h"
 
+#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "base/nth.h"
 #include "folded/corrections.h"
 
 namespace popup::folded {
@@ -31,20 +34,20 @@ double products_of(const Eigen::SparseMatrix<double>& columns) {
     return sum;
 }
 
+// By equation, its place in an order of least degree.
+std::vector<int> order_of(const Eigen::SparseMatrix<double>& normal) {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from;
+    Eigen::AMDOrdering<int>()(normal, from);
+    std::vector<int> order(static_cast<std::size_t>(normal.cols()));
+    for (Eigen::Index i = 0; i < normal.cols(); ++i) nth(order, from.indices()[i]) = static_cast<int>(i);
+    return order;
+}
+
 // About what factors of so many products take where it is a sheet that hangs together, as wide as long; those
 // of a band take less.
 double usual_factor_steps(double products) { return products * std::sqrt(products); }
 
 }  // namespace
-
-void LeastStep::Ldlt::analyse(const Matrix& normal) {
-    analyzePattern(normal);
-    for (Eigen::Index i = 0; i < m_nonZerosPerCol.size(); ++i) {
-        const double below = m_nonZerosPerCol[i] + 1.0;
-        entries += below;
-        steps += below * below;
-    }
-}
 
 bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
     const double of_rows = products_of(across);
@@ -52,21 +55,22 @@ bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
     const double fewer = std::min(of_rows, of_unknowns);
     if (!work.has(usual_factor_steps(fewer))) return false;
     const auto analysed = [&](bool unknowns) {
-        auto solver = std::make_unique<Ldlt>();
-        solver->analyse(unknowns ? normal_of(back, across, 1.0) : normal_of(across, back, 1.0));
-        return solver;
+        auto factors = std::make_unique<SparseFactors>();
+        const Matrix normal = unknowns ? normal_of(back, across, 1.0) : normal_of(across, back, 1.0);
+        factors->analyse(normal, order_of(normal));
+        return factors;
     };
     of_unknowns_ = of_unknowns < of_rows;
     product_work_ = kNormalSteps * fewer;
     if (!work.spend(product_work_)) return false;
-    solver_ = analysed(of_unknowns_);
+    factors_ = analysed(of_unknowns_);
     // The others' factors may be smaller, which is only looked at where it is likely.
     const double others = std::max(of_rows, of_unknowns);
-    if (usual_factor_steps(others) >= solver_->steps) return true;
+    if (usual_factor_steps(others) >= factors_->steps()) return true;
     if (!work.spend(kNormalSteps * others)) return false;
-    std::unique_ptr<Ldlt> other = analysed(!of_unknowns_);
-    if (kNormalSteps * others + other->steps >= product_work_ + solver_->steps) return true;
-    solver_ = std::move(other);
+    std::unique_ptr<SparseFactors> other = analysed(!of_unknowns_);
+    if (kNormalSteps * others + other->steps() >= product_work_ + factors_->steps()) return true;
+    factors_ = std::move(other);
     of_unknowns_ = !of_unknowns_;
     product_work_ = kNormalSteps * others;
     return true;
@@ -78,26 +82,29 @@ std::optional<Eigen::VectorXd> LeastStep::find(const std::vector<Eigen::Triplet<
     Matrix across(residual.size(), unknowns);
     across.setFromTriplets(slopes.begin(), slopes.end());
     const Matrix back = across.transpose();
-    if (solver_ == nullptr && !arrange(across, back, work)) {
-        solver_.reset();
+    if (factors_ == nullptr && !arrange(across, back, work)) {
+        factors_.reset();
         return std::nullopt;
     }
-    if (!work.spend(product_work_ + solver_->steps)) return std::nullopt;
-    solver_->factorize(of_unknowns_ ? normal_of(back, across, regular) : normal_of(across, back, regular));
-    if (solver_->info() != Eigen::Success) return std::nullopt;
+    if (!work.spend(product_work_ + factors_->steps())) return std::nullopt;
+    const Matrix normal = of_unknowns_ ? normal_of(back, across, regular) : normal_of(across, back, regular);
+    if (!factors_->factorise(normal)) return std::nullopt;
     Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns);
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(residual.size());
-    const int solutions = add_corrections(by, [&](Eigen::VectorXd& correction) {
+    CorrectionRate rate;
+    const int solutions = add_corrections(by, rate, [&](Eigen::VectorXd& correction) {
         const Eigen::VectorXd left = -residual - across * by;
         if (of_unknowns_) {
-            correction = solver_->solve(back * left - regular * by);
+            correction = back * left - regular * by;
+            factors_->solve(correction);
             return;
         }
-        const Eigen::VectorXd more = solver_->solve(left - regular * loads);
+        Eigen::VectorXd more = left - regular * loads;
+        factors_->solve(more);
         loads += more;
         correction = back * more;
     });
-    work.spend(2.0 * solutions * (solver_->entries + static_cast<double>(slopes.size())));
+    work.spend(2.0 * solutions * (factors_->entries() + static_cast<double>(slopes.size())));
     if (!by.allFinite()) return std::nullopt;
     return by;
 }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "folded/sparse_factors.h"
 #include "folded/work.h"
 
 namespace popup::folded {
@@ -30,17 +30,10 @@ class LeastStep {
 
  private:
     using Matrix = Eigen::SparseMatrix<double>;
-    // Says what its factors take, once the pattern has been analysed.
-    class Ldlt : public Eigen::SimplicialLDLT<Matrix> {
-     public:
-        void analyse(const Matrix& normal);
-        double steps = 0.0, entries = 0.0;
-    };
-
     // False if the work does not do for it.
     bool arrange(const Matrix& across, const Matrix& back, Work& work);
 
-    std::unique_ptr<Ldlt> solver_;  // none before the first question
+    std::unique_ptr<SparseFactors> factors_;  // none before the first question
     bool of_unknowns_ = false;
     double product_work_ = 0.0;  // to make the normal equations
 };

@@ -17,8 +17,7 @@ struct Rigid3 {
     [[nodiscard]] Vec3 direction(Vec3 d) const { return d.x * axes[0] + d.y * axes[1] + d.z * axes[2]; }
     [[nodiscard]] Vec3 point(Vec3 p) const { return shift + direction(p); }
     // This motion after a turn about a line in the plane of the sheet through its origin; dir.z is 0.
-    [[nodiscard]] Rigid3 after_turn_at_origin(Vec3 dir, double angle) const {
-        const SineCosine of_angle = sine_cosine(angle);
+    [[nodiscard]] Rigid3 after_turn_at_origin(Vec3 dir, SineCosine of_angle) const {
         const double s = of_angle.sine;
         const double c = of_angle.cosine;
         // Across the line and out of the sheet are turned into each other.
@@ -33,7 +32,9 @@ struct Rigid3 {
     }
     // This motion after a turn about a line.
     [[nodiscard]] Rigid3 after_turn(Vec3 at, Vec3 dir, double angle) const {
-        const SineCosine of_angle = sine_cosine(angle);
+        return after_turn(at, dir, sine_cosine(angle));
+    }
+    [[nodiscard]] Rigid3 after_turn(Vec3 at, Vec3 dir, SineCosine of_angle) const {
         const double c = of_angle.cosine;
         const double s = of_angle.sine;
         const auto turned = [&](Vec3 v) {
