@@ -50,6 +50,14 @@ constexpr std::size_t kMostBentRanges = 100;
 // Loops are closed to this at the points of a law, radians or shares of their size: far below what the law
 // is held to between them, and above what rounding and flat states leave.
 constexpr double kClosed = 5e-11;
+// Of panels that bend: of the first range, and how much wider than one the next may be. The angles at which
+// they do turn as the motion goes, and what fails costs more than one range more.
+constexpr double kFirstBentWidth = 0.15;
+constexpr double kWidestBent = 1.2;
+// Steps to a singular point halve how far it is, and leave a quarter of what is open. So many that do, each
+// to this share, lead there.
+constexpr int kHalvingSteps = 3;
+constexpr double kHalves = 0.02;
 // Steps that do not bring what is open down to this share lead nowhere.
 constexpr std::size_t kStuckSteps = 10;
 constexpr double kNotNearer = 0.5;
@@ -193,18 +201,30 @@ class Walk {
     double come_near(Angles& here, const Angles& from, double share) {
         std::array<double, kStuckSteps> open{};
         std::size_t step = 0;
+        double away = 0.0;
+        double last = 0.0;
+        int halved = 0;
         return closure_.approach(here, Closure::kRounding, [&](const Angles& there, double residual) {
             double& before = open.at(step++ % kStuckSteps);
             const bool stuck = step > kStuckSteps && residual > kNotNearer * before;
             before = residual;
-            return stuck || stays_at(from, share, there);
+            const double still = (there - from).lpNorm<Eigen::Infinity>();
+            const bool halves = std::abs(still - 0.5 * away) < kHalves * away &&
+                                std::abs(residual - 0.25 * last) < kHalves * last;
+            halved = halves ? halved + 1 : 0;
+            away = still;
+            last = residual;
+            // Where panels bend a way may part from that to the flat sheet late.
+            const bool leads_back = halved >= kHalvingSteps && !closure_.has_bends();
+            return stuck || leads_back || stays_at(from, share, there);
         });
     }
 
     // From the last angles to the goal, at the share `end`. Returns how far it gets.
     double go_on(double share, double end) {
-        double width = kFirstWidth;
-        bool straight = true;  // led on last
+        const bool bends = closure_.has_bends();
+        double width = bends ? kFirstBentWidth : kFirstWidth;
+        bool straight = !bends;  // led on last
         int failed = 0;
         Tried before;  // what was too wide from here
         while (share < end) {
@@ -239,7 +259,7 @@ class Walk {
                 share = to;
                 failed = 0;
                 before = {};
-                if (closure_.has_bends() && ranges_.size() >= kMostBentRanges) break;
+                if (bends && ranges_.size() >= kMostBentRanges) break;
             } else {
                 cluster_.worst_loop = tried.loop;
                 ++failed;
@@ -384,7 +404,8 @@ class Walk {
         }
         if (open > most_) return too_wide(open, most_open, std::move(range), 1);
         ranges_.push_back(std::move(range));
-        return {true, false, allowed_times(open, kWidest), -1, 0, {}};
+        const double widest = closure_.has_bends() ? kWidestBent : kWidest;
+        return {true, false, allowed_times(open, widest), -1, 0, {}};
     }
 
     // The width that the error allows, in whole steps; the error grows with a power of it. That is multiplied

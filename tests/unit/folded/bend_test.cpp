@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "folded/path.h"
+#include "folded/sheet.h"
+#include "folded/step_plan.h"
+#include "folded/work.h"
 #include "popup/crease_pattern.h"
 #include "popup/motion.h"
 #include "support/designs.h"
@@ -153,6 +158,22 @@ TEST(Bends, OfPleatedSquares) {
     }
     const Vec3 across = 0.5 * (corners[0] + corners[3]) - 0.5 * (corners[1] + corners[2]);
     EXPECT_GT(length(across), 20.0);
+}
+
+// Steps that lead back to the flat sheet come to it by halves: before it is known of all ways that they do,
+// no more is spent than on so many factorisations.
+TEST(Bends, AreLookedForSoonWhereNothingMovesWithout) {
+    Diagnostics diagnostics;
+    const folded::Sheet sheet = *folded::make_sheet(pleated_squares(5), {}, diagnostics);
+    folded::Work work;
+    const folded::Paths paths = folded::find_paths(sheet, {}, work);
+    ASSERT_EQ(paths.reached, 0.0);
+    std::vector<int> folds(sheet.folds.size());
+    std::vector<int> loops(sheet.loops.size());
+    std::iota(folds.begin(), folds.end(), 0);
+    std::iota(loops.begin(), loops.end(), 0);
+    const folded::StepPlan plan = folded::plan_steps(sheet, folds, loops, folded::Work());
+    EXPECT_LT(work.spent(), 60.0 * plan.work);
 }
 
 // The panels beside a fold that bends to both sides crumple, and ranges become narrower and narrower.
