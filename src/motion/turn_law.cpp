@@ -2,13 +2,24 @@
 #include "motion/turn_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace popup {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+// cos(pi i / n), once around.
+template <std::size_t Steps>
+std::array<double, 2 * Steps> cosines() {
+    std::array<double, 2 * Steps> result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result.at(i) = std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(Steps));
+    return result;
+}
 
 }  // namespace
 
@@ -21,6 +32,8 @@ TurnLaw::TurnLaw(std::span<const Vec2> law) {
         ends_ = {law[0].x, law[1].x};
         return;
     }
+    // Sheets have thousands of laws.
+    static const std::array<double, 2 * kSteps> cosine = cosines<kSteps>();
     const std::size_t count = (law.size() - 1) / kSteps;
     pieces_.reserve(count);
     ends_.reserve(count + 1);
@@ -33,9 +46,8 @@ TurnLaw::TurnLaw(std::span<const Vec2> law) {
             for (std::size_t i = 0; i <= kSteps; ++i) {
                 const double weight = i == 0 || i == kSteps ? 0.5 : 1.0;
                 // cos(k (pi - pi i / n)), from an angle within a turn.
-                const auto turns = static_cast<double>(k * (kSteps - i) % (2 * kSteps));
                 parts.at(k) +=
-                    weight * law[begin + i].y * kRadPerDeg * std::cos(std::numbers::pi * turns / n);
+                    weight * law[begin + i].y * kRadPerDeg * cosine.at(k * (kSteps - i) % (2 * kSteps));
             }
             parts.at(k) *= (k == 0 || k == kSteps ? 1.0 : 2.0) / n;
         }
