@@ -14,6 +14,7 @@
 #include "folded/codes.h"
 #include "input/assembly/codes.h"
 #include "input/codes.h"
+#include "input/cp/codes.h"
 #include "input/drawing/card/codes.h"
 #include "input/drawing/codes.h"
 #include "input/dxf/codes.h"
@@ -43,7 +44,7 @@ std::vector<CodeInfo> sorted_rows() {
           parts_codes(),    mechanism_codes(), check_codes(),       folded_codes(),  motion_codes(),
           pattern_codes(),  layout_codes(),    fabrication_codes(), output_codes(),  run_codes(),
           findings_codes(), repair_codes(),    batch_codes(),       cli_codes(),     trace_codes(),
-          edit_codes()}) {
+          edit_codes(),     cp_codes()}) {
         rows.insert(rows.end(), room.begin(), room.end());
     }
     std::ranges::sort(rows, {}, &CodeInfo::code);

@@ -359,7 +359,7 @@ Crossings crossings_in(const CreasePattern& sheet, bool whole_way, FoldOptions f
 bool is_sheet_drawing(const Source& source, const ReadOptions& options) {
     const Language* language = find_language(source, options.language);
     if (language == nullptr) return false;
-    return language->name == "fold" ||
+    return language->name == "fold" || language->name == "cp" ||
            (language->drawn && options.drawing.as.value_or(DrawnAs::folded) == DrawnAs::folded);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/assembly/read.h"
+#include "input/cp/read.h"
 #include "input/drawing/card/read.h"
 #include "input/drawing/folded/read.h"
 #include "input/drawing/read.h"
@@ -28,9 +29,10 @@ Reading assembly_of(const Source& source, const ReadOptions& options, Diagnostic
     return reading;
 }
 
-Reading fold_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
+template <std::optional<CreasePattern> (*kRead)(const Source&, const ReadOptions&, Diagnostics&)>
+Reading creases_of(const Source& source, const ReadOptions& options, Diagnostics& diagnostics) {
     Reading reading;
-    reading.creases = fold::read(source, options, diagnostics);
+    reading.creases = kRead(source, options, diagnostics);
     return reading;
 }
 
@@ -92,9 +94,15 @@ std::vector<Language> const& language_table() {
         {.name = "fold",
          .suffix = ".fold",
          .about = "crease pattern in FOLD, which is folded from its flat sheet",
-         .read = fold_of,
+         .read = creases_of<fold::read>,
          .walked = false,
          .recognises = fold::recognises},
+        {.name = "cp",
+         .suffix = ".cp",
+         .about = "crease pattern of ORIPA, Oriedita and others, which is folded from its flat sheet",
+         .read = creases_of<cp::read>,
+         .walked = false,
+         .recognises = cp::recognises},
         {.name = "flatlang",
          .suffix = ".fl",
          .about = "FlatLang program, whose turtle draws flat parts or a pop-up card",
