@@ -25,6 +25,14 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "The drawing hides parts of its shapes behind clip paths or masks. A cutter follows whole contours, "
      "so these shapes are cut as they are, hidden parts included. Intersect the shapes with what clips "
      "them, and take the clip paths out."},
+    {"color-not-read", Severity::warning, "strokes in a colour that is not understood",
+     "Colours of strokes say what lines are. Read are the names of CSS, #rrggbb and shorter, rgb(), hsl() "
+     "and "
+     "hwb(), and currentColor, which stands for the property color. A variable (var(--fold)), or a colour of "
+     "another space such as lab() or color(), is not: its lines are taken for black ones, and black lines "
+     "are "
+     "cut where nothing else, such as a class, an id or --lines, says what they are. Write the colour in one "
+     "of these ways, or let the drawing program export it with styles as attributes."},
     {"dashes-joined", Severity::remark, "dashed lines that were drawn in pieces",
      "Illustrator aligns dashes to the ends and corners of lines. In SVG the first and the last dash of such "
      "a "

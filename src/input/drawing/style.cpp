@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ constexpr std::array<std::pair<std::string_view, Property>, kProperties> kNames{
     {"stroke-dasharray", Property::dashes},
     {"opacity", Property::opacity},
     {"stroke-opacity", Property::stroke_opacity},
+    {"color", Property::color},
     {"stroke-width", Property::width},
     {"fill-rule", Property::fill_rule},
     {"clip-path", Property::clip},
@@ -112,6 +114,70 @@ std::optional<Color> parse_components(std::string_view text) {
     return Color{parts[0], parts[1], parts[2]};
 }
 
+Color of_shares(const std::array<double, 3>& shares) {
+    const auto part = [](double share) {
+        // Halves are rounded up, whatever the digits of percentages have lost.
+        constexpr double kLost = 1e-9;
+        return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0) + kLost));
+    };
+    return {part(shares[0]), part(shares[1]), part(shares[2])};
+}
+
+// Degrees, or with a unit of CSS; "none" is 0.
+std::optional<double> scan_hue(NumberScanner& scanner) {
+    const auto is_letter = [&] { return (scanner.peek() | 0x20) >= 'a' && (scanner.peek() | 0x20) <= 'z'; };
+    const auto word = [&] {
+        std::string found;
+        for (; is_letter(); scanner.skip(1)) found += static_cast<char>(scanner.peek());
+        return found;
+    };
+    const auto number = scanner.number();
+    if (!number) return word() == "none" ? std::optional(0.0) : std::nullopt;
+    const std::string unit = word();
+    if (unit.empty() || unit == "deg") return number;
+    if (unit == "grad") return 0.9 * *number;
+    if (unit == "rad") return *number * 180.0 / std::numbers::pi;
+    return unit == "turn" ? std::optional(360.0 * *number) : std::nullopt;
+}
+
+// A percentage as a share of 1; the mark may be missing.
+std::optional<double> scan_percent(NumberScanner& scanner) {
+    const auto number = scanner.number();
+    if (!number) return std::nullopt;
+    if (scanner.peek() == '%') scanner.skip(1);
+    return std::clamp(*number / 100.0, 0.0, 1.0);
+}
+
+// CSS Color Module Level 4, 7: of a hue, a saturation and a lightness.
+std::array<double, 3> from_hsl(double hue, double saturation, double lightness) {
+    const double reach = saturation * std::min(lightness, 1.0 - lightness);
+    std::array<double, 3> shares{};
+    const std::array<double, 3> begins{0.0, 8.0, 4.0};
+    const double turn = hue / 360.0 - std::floor(hue / 360.0);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double k = std::fmod(begins.at(i) + 12.0 * turn, 12.0);
+        shares.at(i) = lightness - reach * std::clamp(std::min(k - 3.0, 9.0 - k), -1.0, 1.0);
+    }
+    return shares;
+}
+
+// What stands in the brackets of hsl() and hsla(), and of hwb().
+std::optional<Color> parse_hue(std::string_view text, bool is_hwb) {
+    NumberScanner scanner(text);
+    const auto hue = scan_hue(scanner);
+    const auto second = hue ? scan_percent(scanner) : std::nullopt;
+    const auto third = second ? scan_percent(scanner) : std::nullopt;
+    if (!third || !std::isfinite(*hue)) return std::nullopt;
+    if (!is_hwb) return of_shares(from_hsl(*hue, *second, *third));
+    const double sum = *second + *third;
+    if (sum >= 1.0) return of_shares({*second / sum, *second / sum, *second / sum});
+    std::array<double, 3> shares = from_hsl(*hue, 1.0, 0.5);
+    for (double& share : shares) share = share * (1.0 - sum) + *second;
+    return of_shares(shares);
+}
+
+bool is_current_color(std::string_view text) { return lower(trimmed(text)) == "currentcolor"; }
+
 }  // namespace
 
 std::optional<Property> find_property(std::string_view name) {
@@ -191,7 +257,9 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
         }
         bool matters = false;
         for (std::size_t i = 0; i < kProperties; ++i) {
-            matters = matters || declarations.find(static_cast<Property>(i)) != nullptr;
+            // That of texts is hardly ever what strokes are drawn in.
+            const auto property = static_cast<Property>(i);
+            matters = matters || (property != Property::color && declarations.find(property) != nullptr);
         }
         if (matters) ++not_read_;
     });
@@ -218,10 +286,13 @@ Paint parse_paint(std::string_view text) {
     text = trimmed(text);
     const std::string word = lower(text);
     if (word == "none" || word == "transparent") return {};
-    if (word.starts_with("rgb")) {
-        const std::size_t open = word.find('(');
-        if (open == std::string::npos) return {Paint::Kind::other, {}};
-        const auto color = parse_components(std::string_view(word).substr(open + 1));
+    if (const std::size_t open = word.find('('); open != std::string::npos) {
+        const std::string_view name = trimmed(std::string_view(word).substr(0, open));
+        const std::string_view parts = std::string_view(word).substr(open + 1);
+        std::optional<Color> color;
+        if (name == "rgb" || name == "rgba") color = parse_components(parts);
+        if (name == "hsl" || name == "hsla") color = parse_hue(parts, false);
+        if (name == "hwb") color = parse_hue(parts, true);
         return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {}};
     }
     std::string_view plain = text;
@@ -237,11 +308,21 @@ void Style::take(const Declarations& declarations) {
         const std::string* found = declarations.find(property);
         return found != nullptr && *found != "inherit" ? found : nullptr;
     };
-    if (const auto* text = value(Property::stroke)) stroke = parse_paint(*text);
+    if (const auto* text = value(Property::color); text != nullptr && !is_current_color(*text))
+        color = parse_paint(*text);
+    if (const auto* text = value(Property::stroke)) {
+        stroke = parse_paint(*text);
+        stroke_text = *text;
+        stroke_is_color = is_current_color(*text);
+    }
     if (const auto* text = value(Property::fill)) {
         fill = parse_paint(*text);
         fill_written = true;
+        fill_is_color = is_current_color(*text);
     }
+    // It is the word that is handed down: each element has its own.
+    if (stroke_is_color) stroke = color;
+    if (fill_is_color) fill = color;
     if (const auto* text = value(Property::visibility)) visible = *text == "visible";
     if (const auto* text = value(Property::dashes)) take_dashes(*text, *this);
     if (const auto* text = value(Property::width)) {

@@ -25,9 +25,10 @@ enum class Property {
     clip,
     mask,
     opacity,
-    stroke_opacity
+    stroke_opacity,
+    color
 };
-inline constexpr std::size_t kProperties = 11;
+inline constexpr std::size_t kProperties = 12;
 // The property called `name` in CSS and as an attribute.
 std::optional<Property> find_property(std::string_view name);
 
@@ -79,11 +80,16 @@ struct Paint {
     Color color{0, 0, 0};
     friend bool operator==(const Paint&, const Paint&) = default;
 };
+// What CSS Color 4 calls a colour of sRGB: names, #rgb and its like, rgb(), hsl() and hwb(), with commas or
+// without; how transparent it is is disregarded.
 Paint parse_paint(std::string_view text);
 
 // How a shape is drawn; children of an element begin with its values.
 struct Style {
+    Paint color{Paint::Kind::color, {0, 0, 0}};  // what currentColor stands for
     Paint stroke;
+    std::string stroke_text;                              // as it was written; empty: nowhere
+    bool stroke_is_color = false, fill_is_color = false;  // currentColor
     Paint fill{Paint::Kind::color, {0, 0, 0}};
     bool fill_written = false;  // the black that is meant when nothing is said is not
     Dash dash = Dash::none;

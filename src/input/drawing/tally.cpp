@@ -28,6 +28,16 @@ void Tally::tell(bool strict, Diagnostics& diagnostics) const {
                                  is(row.count), row.count == 1 ? "it" : "they"))
             .hint("cut the shapes themselves (in Inkscape: Path > Intersection)");
     }
+    for (const auto& [text, row] : colors_) {
+        diagnostics
+            .warning("color-not-read", row.first,
+                     fmt::format("{} shape{} drawn in \"{}\", which is no colour that is read; that is taken "
+                                 "for black, in which lines are cut",
+                                 row.count, is(row.count), shown(text)))
+            .hint(
+                "write the colour as #rrggbb or rgb(), or say what lines are by their class, id or layer, "
+                "as --lines fold=NAME");
+    }
     for (const auto& [tag, row] : unknown_) {
         diagnostics.add(
             strict ? Severity::error : Severity::warning, "unknown-markup", row.first,

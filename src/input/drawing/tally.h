@@ -15,6 +15,8 @@ class Tally {
     void clipped(Place place) { count(clipped_, "", place); }  // by a clip path or mask, which is not applied
     void hidden(Place place) { count(hidden_, "", place); }
     void unknown(std::string_view tag, Place place) { count(unknown_, tag, place); }
+    // Strokes in a colour that is not read, and so taken for black.
+    void color(std::string_view text, Place place) { count(colors_, text, place); }
     // `strict`: elements that are not known are errors.
     void tell(bool strict, Diagnostics& diagnostics) const;
 
@@ -25,7 +27,7 @@ class Tally {
     };
     using Rows = std::map<std::string, Row, std::less<>>;
     static void count(Rows& rows, std::string_view kind, Place place);
-    Rows skipped_, clipped_, hidden_, unknown_;
+    Rows skipped_, clipped_, hidden_, unknown_, colors_;
 };
 
 }  // namespace popup::drawing

@@ -514,6 +514,10 @@ class Tracer {
         if (use == Use::cut && filled && style.fill_written && style.fill.kind == Paint::Kind::color)
             add_fill(lines, false, context);
         add_lines(std::move(lines), use, context);
+        // Gradients are no colours of lines that are to be folded.
+        if (style.stroke.kind == Paint::Kind::other && out_.lines.back().named == Named::nothing &&
+            !lower(style.stroke_text).starts_with("url("))
+            tally_.color(style.stroke_text, out_.elements.back().place);
     }
 
     // A text of a sheet that this program has made: set about its middle, turned about it.

@@ -519,14 +519,68 @@ TEST(DrawingStyle, SelectorsThatAreNotReadAreToldOf) {
 TEST(DrawingStyle, PaintIsReadInAllItsSpellings) {
     using drawing::Paint;
     const auto red = Paint{Paint::Kind::color, {255, 0, 0}};
-    for (const std::string text : {"red", "#f00", "#FF0000", "#f00f", "#ff000080", "rgb(255,0,0)",
-                                   "RGB( 100% 0% 0% )", "rgba(255, 0, 0, .5)", " Red "}) {
+    for (const std::string text :
+         {"red", "#f00", "#FF0000", "#f00f", "#ff000080", "rgb(255,0,0)", "RGB( 100% 0% 0% )",
+          "rgba(255, 0, 0, .5)", " Red ", "hsl(0, 100%, 50%)", "HSL(0deg 100% 50%)",
+          "hsla(360, 100%, 50%, .3)", "hsl(-1turn 100 50 / 20%)", "hsl(400grad 100% 50%)",
+          "hsl(none 100% 50%)", "hwb(0 0% 0%)", "hwb(720deg 0 0 / .5)", "hsl(6.2831853rad 100% 50%)"}) {
         EXPECT_EQ(drawing::parse_paint(text), red) << text;
     }
+    // Of CSS Color 4's own examples and tables.
+    const std::vector<std::pair<std::string, Color>> others{
+        {"hsl(120deg 100% 25%)", {0, 128, 0}}, {"hsl(240, 100%, 50%)", {0, 0, 255}},
+        {"hsl(120 75% 75%)", {143, 239, 143}}, {"hsl(210 50% 50%)", {64, 128, 191}},
+        {"hwb(150 20% 10%)", {51, 230, 140}},  {"hwb(45 40% 80%)", {85, 85, 85}},
+        {"hsl(60 100% 50%)", {255, 255, 0}},   {"hwb(300 0% 0%)", {255, 0, 255}},
+        {"hsl(39 100% 50%)", {255, 166, 0}},   {"hsl(0 0% 0%)", {0, 0, 0}}};
+    for (const auto& [text, color] : others)
+        EXPECT_EQ(drawing::parse_paint(text), (Paint{Paint::Kind::color, color})) << text;
+    for (const std::string text : {"hsl(", "hsl(red)", "hsl(1 2)", "hsl(10foo 1% 1%)", "hwb()", "var(--fold)",
+                                   "oklch(40% .2 20)", "rgb", "color(srgb 1 0 0)"})
+        EXPECT_EQ(drawing::parse_paint(text).kind, Paint::Kind::other) << text;
     EXPECT_EQ(drawing::parse_paint("none").kind, Paint::Kind::none);
     EXPECT_EQ(drawing::parse_paint("transparent").kind, Paint::Kind::none);
     EXPECT_EQ(drawing::parse_paint("url(#g) none").kind, Paint::Kind::other);
     EXPECT_EQ(drawing::parse_paint("currentColor").kind, Paint::Kind::other);
+}
+
+TEST(DrawingStyle, CurrentColourIsThatOfTheElement) {
+    const auto color_of = [](const std::string& shapes) {
+        Diagnostics diagnostics;
+        const auto tracing = drawing::read_tracing({"drawing.svg", drawing(shapes)}, {}, diagnostics);
+        return tracing && !tracing->lines.empty() ? tracing->lines.back().color : Color{1, 2, 3};
+    };
+    const std::string line = "<path fill='none' d='M0 0h5v5z'";
+    EXPECT_EQ(color_of(line + " stroke='currentColor' color='#f00'/>"), (Color{255, 0, 0}));
+    EXPECT_EQ(color_of("<g color='blue'>" + line + " style='stroke:currentcolor'/></g>"), (Color{0, 0, 255}));
+    // The word is handed down, and not what it stands for further out.
+    EXPECT_EQ(color_of("<g stroke='currentColor' color='blue'>" + line + " color='red'/></g>"),
+              (Color{255, 0, 0}));
+    EXPECT_EQ(color_of("<g stroke='currentColor' color='blue'>" + line + " stroke='#0f0' color='red'/></g>"),
+              (Color{0, 255, 0}));
+    EXPECT_EQ(color_of(line + " stroke='currentColor'/>"), (Color{0, 0, 0}));
+}
+
+// What a colour of a line says would be lost, and its line be cut.
+TEST(DrawingStyle, ColoursThatAreNotReadAreToldOfOnceEach) {
+    const auto reading =
+        read_drawing(drawing("\n<rect width='5' height='5' stroke='var(--fold)'/>"
+                             "\n<rect width='4' height='4' stroke='var(--fold)'/>"
+                             "\n<rect width='3' height='3' stroke='lab(50% 40 60)'/>"
+                             "\n<rect width='2' height='2' stroke='url(#g)'/>"
+                             "\n<rect width='1' height='1' stroke='hsl(0 100% 50%)'/>"));
+    EXPECT_EQ(reading.codes(), "3:1 color-not-read\n5:1 color-not-read\n");
+    ASSERT_EQ(reading.findings.size(), 2U);
+    EXPECT_EQ(reading.findings[0].message,
+              "2 shapes are drawn in \"var(--fold)\", which is no colour that is read; that is taken for "
+              "black, in which lines are cut");
+    // A name says what they are.
+    Diagnostics diagnostics;
+    ReadOptions options;
+    options.drawing.lines = {{"side", DrawnUse::cut}};
+    const std::string named = "<rect class='side' width='5' height='5' stroke='var(--x)'/>";
+    drawing::read_parts({"drawing.svg", drawing(named)}, options, diagnostics);
+    EXPECT_TRUE(diagnostics.sorted().empty());
 }
 
 // The writer's notation and the reader's are the same.
