@@ -293,7 +293,7 @@ Paint parse_paint(std::string_view text) {
         if (name == "rgb" || name == "rgba") color = parse_components(parts);
         if (name == "hsl" || name == "hsla") color = parse_hue(parts, false);
         if (name == "hwb") color = parse_hue(parts, true);
-        return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {}};
+        return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {0, 0, 0}};
     }
     std::string_view plain = text;
     // Transparency is disregarded: #rgba, #rrggbbaa.

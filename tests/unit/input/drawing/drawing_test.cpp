@@ -537,7 +537,7 @@ TEST(DrawingStyle, PaintIsReadInAllItsSpellings) {
         EXPECT_EQ(drawing::parse_paint(text), (Paint{Paint::Kind::color, color})) << text;
     for (const std::string text : {"hsl(", "hsl(red)", "hsl(1 2)", "hsl(10foo 1% 1%)", "hwb()", "var(--fold)",
                                    "oklch(40% .2 20)", "rgb", "color(srgb 1 0 0)"})
-        EXPECT_EQ(drawing::parse_paint(text).kind, Paint::Kind::other) << text;
+        EXPECT_EQ(drawing::parse_paint(text), (Paint{Paint::Kind::other, {0, 0, 0}})) << text;
     EXPECT_EQ(drawing::parse_paint("none").kind, Paint::Kind::none);
     EXPECT_EQ(drawing::parse_paint("transparent").kind, Paint::Kind::none);
     EXPECT_EQ(drawing::parse_paint("url(#g) none").kind, Paint::Kind::other);
