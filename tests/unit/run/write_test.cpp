@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/designs.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -121,6 +122,25 @@ TEST(BeginFiles, GivesTheSameFilesAsWithoutIt) {
             EXPECT_TRUE(beside[i].bytes == alone[i].bytes) << alone[i].path;
         }
     }
+}
+
+// What is told, too: of a FOLD file that says more than is written again, once.
+TEST(BeginFiles, TellsTheSameAsWithoutIt) {
+    const std::string path = std::string(POPUP_SOURCE_DIR) + "/tests/cases/folded/orders-joined.fold";
+    const Source source{"orders-joined.fold", test::read_file(path)};
+    const auto told_with = [&source](int threads) {
+        Diagnostics of_plan;
+        const auto plan = plan_outputs({.outputs = {"a.fold", "a.html", "a.glb", "b.fold"}}, of_plan);
+        CompileOptions options;
+        options.output.threads = threads;
+        Compilation run = compile({source}, options, {});
+        const BegunFiles begun = begin_files(*plan, options.output, run);
+        EXPECT_TRUE(make_files(*plan, options.output, run, begun));
+        return test::findings(run.run_diagnostics);
+    };
+    const std::string alone = told_with(1);
+    EXPECT_NE(alone.find("fold-left-out"), std::string::npos) << alone;
+    EXPECT_EQ(told_with(2), alone);
 }
 
 TEST(BeginFiles, MayBeForgotten) {
