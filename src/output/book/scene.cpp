@@ -37,8 +37,9 @@ constexpr Light kDotLight{0.62F, 0.02F, 0.02F};
 
 int piece_of(const Assembly& assembly, int plate) { return nth(assembly.plates, plate).piece; }
 
-// Turned so that a frame lies on the table, its front up, or its back.
-void lay_down(std::vector<Frame>& frames, const Frame& base, bool back_up) {
+// Turned so that a frame lies on the table, its front up, or its back. It may be one of them: by value, for
+// it is turned with them.
+void lay_down(std::vector<Frame>& frames, const Frame base, bool back_up) {
     const double side = back_up ? -1.0 : 1.0;
     const auto turned = [&](Vec3 v) {
         return Vec3{side * dot(v, base.axes[0]), dot(v, base.axes[1]), side * dot(v, base.axes[2])};
@@ -64,6 +65,18 @@ void unfold(const Assembly& assembly, int piece, std::vector<Frame>& frames) {
         for (Vec3& axis : frames[i].axes) axis = turned(axis);
         frames[i].origin = turned(frames[i].origin - from.origin);
     }
+}
+
+int largest_plate(const Assembly& assembly, int piece) {
+    int largest = -1;
+    double most = -1.0;
+    for (const int plate : nth(assembly.pieces, piece).plates) {
+        const double paper = std::round(area(nth(assembly.plates, plate).outline));
+        if (paper <= most) continue;
+        most = paper;
+        largest = plate;
+    }
+    return largest;
 }
 
 // The shapes of a bond's target, on the page of its mate.
@@ -286,16 +299,9 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
         unfold(assembly, *scene.on_table, stage.frames);
         lay_down(stage.frames, Frame{}, scene.back_up);
     } else if (scene.on_table) {
-        int base = -1;
-        double most = -1.0;
-        for (const int plate : nth(assembly.pieces, *scene.on_table).plates) {
-            const double paper = std::round(area(nth(assembly.plates, plate).outline));
-            if (paper > most) {
-                most = paper;
-                base = plate;
-            }
-        }
-        lay_down(stage.frames, nth(stage.frames, base), scene.back_up);
+        lay_down(stage.frames,
+                 nth(stage.frames, scene.lying.value_or(largest_plate(assembly, *scene.on_table))),
+                 scene.back_up);
     } else if (scene.back_up) {
         lay_down(stage.frames, Frame{}, true);
     } else if (scene.as_still) {

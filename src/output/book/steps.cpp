@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -470,7 +471,8 @@ class CardSteps {
         for (Scene* const one : {&before, &after}) {
             one->back_up = first.lie == Lie::turned;
             if (!on_card) one->on_table = first.ground;
-            one->unfolded = !on_card && lies_unfolded(first.ground);
+            if (!on_card) one->lying = plate_under(first);
+            one->unfolded = !on_card && lies_unfolded(first.ground, together);
             for (const int piece : with_borne(first.ground)) {
                 if (is_on(piece, first.ground)) show(*one, piece, kWashed);
             }
@@ -490,10 +492,24 @@ class CardSteps {
         step.captions = {"before", "after"};
     }
 
-    // Whether all that is glued on a piece lies flat on it: then it can be shown as it is cut.
-    [[nodiscard]] bool lies_unfolded(int ground) const {
-        return std::all_of(order_.steps.begin(), order_.steps.end(), [ground](const GluingStep& step) {
-            if (step.ground != ground) return true;
+    // What something flat comes onto is seen best where it lies itself.
+    [[nodiscard]] std::optional<int> plate_under(const GluingStep& step) const {
+        for (const Bond& bond : bonds_of(step)) {
+            if (bond.kind != Bond::Kind::tab && nth(in_.plates, bond.mate).piece == step.ground)
+                return bond.mate;
+        }
+        return std::nullopt;
+    }
+
+    // Whether all that is glued on a piece, up to these steps, lies flat on it: then it is shown as it is
+    // cut.
+    [[nodiscard]] bool lies_unfolded(int ground, std::span<const GluingStep> together) const {
+        return std::all_of(order_.steps.begin(), order_.steps.end(), [&](const GluingStep& step) {
+            const bool comes = std::any_of(together.begin(), together.end(), [&step](const GluingStep& one) {
+                return one.piece == step.piece;
+            });
+            if (step.ground != ground || (!comes && !there_.at(static_cast<std::size_t>(step.piece))))
+                return true;
             const std::vector<Bond> bonds = bonds_of(step);
             return std::all_of(bonds.begin(), bonds.end(),
                                [](const Bond& bond) { return bond.kind != Bond::Kind::tab; });

@@ -384,6 +384,62 @@ TEST(Book, PicturesShowWhatIsThere) {
     EXPECT_LT(orange(1), 20U);
 }
 
+// A v-fold with a green plane on its right half, a red one on the back of its left half, and a crest on its
+// fold.
+const char* const kBird = R"(<structure type="v-fold" id="bird"><outerpoints>
+        <point x="-30" y="5.752608"/><point x="0" y="-30"/><point x="30" y="5.752608"/>
+        <point x="-40.418891" y="23.335857"/><point x="0" y="0"/><point x="40.418891" y="23.335857"/>
+        <point x="30" y="50"/><point x="-30" y="50"/></outerpoints>
+        <leftcolor>#88aaff</leftcolor><rightcolor>#88aaff</rightcolor><parentfold on="gutter"/></structure>
+        <structure type="attached-plane" id="wing" side="front"><outerpoints>
+        <point x="-11.545912" y="-2.333964"/><point x="-11.545912" y="15.666036"/>
+        <point x="0" y="-9"/><point x="0" y="9"/></outerpoints><color>#008000</color>
+        <outline d="M -6 -6 H 6 V 6 H -6 Z"/><parentplate on="bird.right"/></structure>
+        <structure type="attached-plane" id="back" side="back"><outerpoints>
+        <point x="11.545912" y="-2.333964"/><point x="11.545912" y="15.666036"/>
+        <point x="0" y="-9"/><point x="0" y="9"/></outerpoints><color>#ff0000</color>
+        <outline d="M -6 -6 H 6 V 6 H -6 Z"/><parentplate on="bird.left"/></structure>
+        <structure type="v-fold" id="crest"><outerpoints>
+        <point x="-8" y="9.534029"/><point x="0" y="0"/><point x="8" y="9.534029"/>
+        <point x="-10.778371" y="6.222895"/><point x="0" y="0"/><point x="10.778371" y="6.222895"/>
+        <point x="8" y="14"/><point x="-8" y="14"/></outerpoints><parentfold on="bird.centre"/></structure>)";
+
+// How many pixels of a picture have more of one of red, green and blue than of the others, washed out or not.
+std::size_t coloured(const book::ShownPicture& shown, std::size_t channel) {
+    const std::vector<unsigned char>& rgb = shown.picture.pixels.rgb;
+    constexpr int kMore = 5;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+        const int own = rgb[i + channel];
+        count += own > rgb[i + (channel + 1) % 3] + kMore && own > rgb[i + (channel + 2) % 3] + kMore;
+    }
+    return count;
+}
+
+TEST(Book, PicturesOfABentSubAssemblyHaveItsFlatPiecesInTheirPlaces) {
+    const Made run = card_of(kBird);
+    const book::Book book = run.made();
+    Diagnostics diagnostics("book");
+    book::Pictures pictures(run.cards, false, diagnostics);
+    constexpr std::size_t kRed = 0;
+    constexpr std::size_t kGreen = 1;
+    const auto drawn = [&](const std::string& title) {
+        auto shown = pictures.draw(step_named(book, title).scenes, book::kStepPicture);
+        POPUP_INVARIANT(shown.has_value());
+        return std::move(*shown);
+    };
+    // While nothing stands on the piece, it lies as it is cut: turned over, and then its front up.
+    const auto back = drawn("Step 3: glue on 3. back");
+    EXPECT_GT(coloured(back[1], kRed), 2000U);
+    const auto wing = drawn("Step 4: glue on 2. wing");
+    EXPECT_GT(coloured(wing[1], kGreen), 2000U);
+    EXPECT_EQ(coloured(wing[1], kRed), 0U);
+    // The crest bends it: what is on its front stays there, and what is on its back.
+    const auto crest = drawn("Step 5: glue on 4. crest");
+    EXPECT_GT(coloured(crest[1], kGreen), 200U);
+    EXPECT_EQ(coloured(crest[1], kRed), 0U);
+}
+
 class BookOfASample : public testing::TestWithParam<std::string> {};
 
 TEST_P(BookOfASample, HasEveryPieceAndTabForReadersOfPdf) {
