@@ -18,31 +18,84 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMovesDeg = 0.02;  // from one opening looked at to the next
-constexpr int kLooks = 180;
-constexpr double kSameOpeningDeg = 1e-6;
+constexpr int kLooks = 180;         // over all of the sweep
+constexpr int kFewestLooks = 12;    // over a part of it
+constexpr double kSameDeg = 1e-6;   // of openings, and of angles on a straight way
 
 bool is_folded_sheet(const Assembly& assembly) {
     return std::any_of(assembly.joints.begin(), assembly.joints.end(),
                        [](const Joint& joint) { return std::holds_alternative<Still>(joint.how); });
 }
 
+using Law = std::vector<Vec2>;
+
+const Law* law_of(const Joint& joint) {
+    if (const auto* const folded = std::get_if<Folded>(&joint.how)) return &folded->law;
+    if (const auto* const closing = std::get_if<LoopFold>(&joint.how)) return &closing->law;
+    return nullptr;
+}
+
+// How fast the angle changes over a range of a law that begins at this point, if it goes straight there.
+std::optional<double> slope_over(const Law& law, std::size_t first) {
+    const Vec2 from = law[first];
+    const Vec2 to = law[std::min(first + Folded::kLawSteps, law.size() - 1)];
+    if (to.x - from.x < kSameDeg) return std::nullopt;
+    const double slope = (to.y - from.y) / (to.x - from.x);
+    for (std::size_t i = first; i < law.size() && law[i].x < to.x; ++i) {
+        if (std::abs(law[i].y - (from.y + slope * (law[i].x - from.x))) > kSameDeg) return std::nullopt;
+    }
+    return slope;
+}
+
+// The openings at which a step ends or begins, from the sweep's end to its begin: where a fold's law does,
+// and where a fold that goes straight turns, or waits. A law that is bent has its ranges for its accuracy.
+std::vector<double> ends_of_steps(const Assembly& assembly) {
+    const Sweep& sweep = assembly.sweep;
+    std::vector<double> ends{sweep.to_deg, sweep.from_deg};
+    const auto add = [&](double opening) {
+        if (opening > sweep.from_deg + kSameDeg && opening < sweep.to_deg - kSameDeg) ends.push_back(opening);
+    };
+    for (const Joint& joint : assembly.joints) {
+        const Law* const law = law_of(joint);
+        if (law == nullptr || law->size() < 2) continue;
+        const double still = law->front().y;
+        if (std::all_of(law->begin(), law->end(), [still](Vec2 point) { return point.y == still; })) continue;
+        add(law->front().x);
+        add(law->back().x);
+        for (std::size_t i = Folded::kLawSteps; i + 1 < law->size(); i += Folded::kLawSteps) {
+            const std::optional<double> before = slope_over(*law, i - Folded::kLawSteps);
+            const std::optional<double> after = slope_over(*law, i);
+            if (before && after && std::abs(*before - *after) > kSameDeg) add((*law)[i].x);
+        }
+    }
+    std::sort(ends.begin(), ends.end(), std::greater<>());
+    ends.erase(std::unique(ends.begin(), ends.end(), [](double a, double b) { return a - b < kSameDeg; }),
+               ends.end());
+    return ends;
+}
+
+// Openings that are looked at, from one to a lower one, both of them too.
+struct Looks {
+    double from_deg = 0.0, to_deg = 0.0;
+    int count = 0;
+    [[nodiscard]] double at(int look) const {
+        return look == count ? to_deg : from_deg + (to_deg - from_deg) * look / count;
+    }
+};
+
 // The looks between which each fold moves: from the first that it leaves to the last that it comes to.
 struct Moves {
     int hinge = 0;
     int from = -1, to = -1;
-    std::vector<char> turns = {};  // by look: whether it has turned since the one before
 };
 
-std::vector<Moves> moves_of(const Assembly& assembly) {
+std::vector<Moves> moves_of(const Assembly& assembly, const Looks& looks) {
     std::vector<Moves> moves;
-    for (std::size_t i = 0; i < assembly.hinges.size(); ++i)
-        moves.push_back({static_cast<int>(i), -1, -1, std::vector<char>(kLooks + 1, 0)});
+    for (std::size_t i = 0; i < assembly.hinges.size(); ++i) moves.push_back({static_cast<int>(i)});
     std::vector<double> last(moves.size());
     std::vector<Frame> frames(assembly.plates.size());
-    const Sweep& sweep = assembly.sweep;
-    for (int look = 0; look <= kLooks; ++look) {
-        const double opening = sweep.to_deg + (sweep.from_deg - sweep.to_deg) * look / kLooks;
-        if (!place(assembly, Angle::degrees(opening), frames)) return {};
+    for (int look = 0; look <= looks.count; ++look) {
+        if (!place(assembly, Angle::degrees(looks.at(look)), frames)) return {};
         for (std::size_t i = 0; i < moves.size(); ++i) {
             const Hinge& hinge = assembly.hinges[i];
             const double now = folded_deg(hinge, nth(frames, hinge.a), nth(frames, hinge.b));
@@ -51,7 +104,6 @@ std::vector<Moves> moves_of(const Assembly& assembly) {
             if (look > 0 && std::abs(turned) > kMovesDeg) {
                 if (moves[i].from < 0) moves[i].from = look - 1;
                 moves[i].to = look;
-                moves[i].turns[static_cast<std::size_t>(look)] = 1;
             }
             last[i] = now;
         }
@@ -61,60 +113,23 @@ std::vector<Moves> moves_of(const Assembly& assembly) {
     return moves;
 }
 
-// Where a fold goes, by openings that ascend: stretches of its law that its order of folds may have given it.
-struct Stretch {
-    double low = 0.0, high = 0.0;
-};
-
-void add_stretches(const std::vector<Vec2>& law, std::vector<Stretch>& stretches) {
-    const std::size_t step = law.size() > 2 ? Folded::kLawSteps : 1;
-    for (std::size_t i = 0; i + step < law.size(); i += step) {
-        const auto begin = law.begin() + static_cast<std::ptrdiff_t>(i);
-        const bool goes = std::any_of(begin, begin + static_cast<std::ptrdiff_t>(step) + 1,
-                                      [&](Vec2 point) { return std::abs(point.y - begin->y) > kMovesDeg; });
-        if (goes) stretches.push_back({begin->x, (begin + static_cast<std::ptrdiff_t>(step))->x});
-    }
-}
-
-// Openings at which one step of an order ends and the next begins although a fold goes on in both, as a lid
-// does that is let down before its flap is tucked in: a fold begins or ends to go there, and none goes
-// through.
-std::vector<double> step_ends(const Assembly& assembly) {
-    std::vector<Stretch> stretches;
-    for (const Joint& joint : assembly.joints) {
-        if (const auto* const folded = std::get_if<Folded>(&joint.how)) add_stretches(folded->law, stretches);
-        if (const auto* const closing = std::get_if<LoopFold>(&joint.how))
-            add_stretches(closing->law, stretches);
-    }
-    std::vector<double> ends;
-    for (const Stretch& one : stretches) {
-        for (const double at : {one.low, one.high}) {
-            const bool parts = std::none_of(stretches.begin(), stretches.end(), [at](const Stretch& other) {
-                return other.low < at - kSameOpeningDeg && other.high > at + kSameOpeningDeg;
-            });
-            if (parts) ends.push_back(at);
+// Folds that move at a time with others are in one step with them.
+void add_steps(const Assembly& assembly, const Looks& looks, std::vector<FoldingStep>& steps) {
+    std::vector<Moves> moves = moves_of(assembly, looks);
+    std::sort(moves.begin(), moves.end(), [](const Moves& a, const Moves& b) {
+        return std::pair{a.from, a.hinge} < std::pair{b.from, b.hinge};
+    });
+    // A look may lie in two steps, where one ends and the next begins.
+    const std::size_t first = steps.size();
+    int end = -1;
+    for (const Moves& one : moves) {
+        if (steps.size() == first || one.from > end - 2) {
+            steps.push_back({looks.at(one.from), looks.at(one.to), {}, {}});
+            end = one.to;
         }
-    }
-    std::sort(ends.begin(), ends.end(), std::greater<>());
-    return ends;
-}
-
-// Each fold that goes on over the end of a step goes once before it and once after it.
-void part_at_step_ends(const Assembly& assembly, std::vector<Moves>& moves) {
-    const Sweep& sweep = assembly.sweep;
-    for (const double end : step_ends(assembly)) {
-        const double share = (sweep.to_deg - end) / (sweep.to_deg - sweep.from_deg);
-        const int look = static_cast<int>(std::lround(share * kLooks));
-        const std::size_t count = moves.size();
-        for (std::size_t i = 0; i < count; ++i) {
-            if (look < moves[i].from + 2 || look > moves[i].to - 2) continue;
-            Moves later = moves[i];
-            later.from = look;
-            moves[i].to = look;
-            while (later.turns[static_cast<std::size_t>(later.from) + 1] == 0) ++later.from;
-            while (moves[i].turns[static_cast<std::size_t>(moves[i].to)] == 0) --moves[i].to;
-            moves.push_back(std::move(later));
-        }
+        end = std::max(end, one.to);
+        steps.back().to_deg = looks.at(end);
+        steps.back().hinges.push_back(one.hinge);
     }
 }
 
@@ -161,26 +176,13 @@ std::vector<PushedOut> pushed_out(const Assembly& assembly) {
 
 std::vector<FoldingStep> folding_steps(const Assembly& assembly) {
     if (!is_folded_sheet(assembly)) return {};
-    std::vector<Moves> moves = moves_of(assembly);
-    part_at_step_ends(assembly, moves);
-    std::sort(moves.begin(), moves.end(), [](const Moves& a, const Moves& b) {
-        return std::pair{a.from, a.hinge} < std::pair{b.from, b.hinge};
-    });
-    // A look may lie in two steps, where one ends and the next begins.
+    const std::vector<double> ends = ends_of_steps(assembly);
+    const double wide = assembly.sweep.to_deg - assembly.sweep.from_deg;
     std::vector<FoldingStep> steps;
-    const Sweep& sweep = assembly.sweep;
-    const auto opening = [&sweep](int look) {
-        return sweep.to_deg + (sweep.from_deg - sweep.to_deg) * look / kLooks;
-    };
-    int end = -1;
-    for (const Moves& one : moves) {
-        if (steps.empty() || one.from > end - 2) {
-            steps.push_back({opening(one.from), opening(one.to), {}, {}});
-            end = one.to;
-        }
-        end = std::max(end, one.to);
-        steps.back().to_deg = opening(end);
-        steps.back().hinges.push_back(one.hinge);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double share = (ends[i] - ends[i + 1]) / wide;
+        const int count = std::max(kFewestLooks, static_cast<int>(std::lround(share * kLooks)));
+        add_steps(assembly, {ends[i], ends[i + 1], count}, steps);
     }
     for (FoldingStep& step : steps) {
         std::sort(step.hinges.begin(), step.hinges.end());

@@ -342,6 +342,46 @@ TEST(FoldingSteps, EndWhereOneFoldStopsAndAnotherGoesOn) {
     for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_EQ(steps[i].from_deg, steps[i - 1].to_deg);
 }
 
+// A flap turns from 180° of the sweep, waits, and turns back: it is in two of three steps, and its lid in
+// two.
+TEST(FoldingSteps, EndWhereAFoldTurnsBackOrWaits) {
+    Assembly in;
+    const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    in.pieces.push_back({"sheet", {0, 1, 2}});
+    for (int i = 0; i < 3; ++i) {
+        Plate plate;
+        plate.name = fmt::format("sheet/{}", i);
+        plate.outline.outer = square;
+        for (Vec2& p : plate.outline.outer) p.y += 10.0 * i;
+        plate.parent = i - 1;
+        in.plates.push_back(std::move(plate));
+    }
+    const auto ranges = [](const std::vector<Vec2>& ends) {
+        std::vector<Vec2> law{ends.front()};
+        for (std::size_t k = 1; k < ends.size(); ++k) {
+            for (std::size_t i = 1; i < Folded::kLawSteps; ++i)
+                law.push_back(lerp(ends[k - 1], ends[k], chebyshev_share(i)));
+            law.push_back(ends[k]);
+        }
+        return law;
+    };
+    in.joints.push_back({"", {}, Still{0}});
+    // Bases lie on the right of the lines.
+    in.joints.push_back({"", {}, Folded{1, 0, {0, 10}, {1, 0}, ranges({{0, 90}, {60, 80}, {120, 0}})}});
+    in.joints.push_back(
+        {"", {}, Folded{2, 1, {0, 20}, {1, 0}, ranges({{0, 90}, {60, 100}, {120, 100}, {180, 0}})}});
+    for (int i = 0; i < 2; ++i) {
+        const Segment fold{{0, 10.0 * (i + 1)}, {10, 10.0 * (i + 1)}};
+        in.hinges.push_back({i + 1, i, fold, fold});
+    }
+    in.sweep = {0.0, 180.0, false};
+    std::vector<std::string> told;
+    for (const FoldingStep& step : folding_steps(in))
+        told.push_back(
+            fmt::format("{} to {}: {}", step.from_deg, step.to_deg, fmt::join(step.hinges, " and ")));
+    EXPECT_EQ(told, (std::vector<std::string>{"180 to 120: 1", "120 to 60: 0", "60 to 0: 0 and 1"}));
+}
+
 // The kit's flap stands a caliper in from its wall; without a caliper the smaller is the inner one.
 TEST(GlueFlaps, LieOnTheLastWall) {
     const auto told = [](const Assembly& in) {
