@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "base/nth.h"
-#include "base/text/numbers.h"
-#include "gluing/glue_flaps.h"
+#include "output/book/sheet_steps.h"
 #include "output/book/words.h"
 #include "popup/motion.h"
 
@@ -29,8 +28,7 @@ class CardSteps {
           in_(*card.assembly),
           number_(number),
           words_(card, backs_are_marked),
-          order_(gluing_order(in_)),
-          flaps_(glue_flaps(in_)) {
+          order_(gluing_order(in_)) {
         borne_.resize(in_.pieces.size());
         for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
             if (order_.bearers[i] >= 0) nth(borne_, order_.bearers[i]).push_back(static_cast<int>(i));
@@ -41,9 +39,8 @@ class CardSteps {
     }
 
     std::vector<Chapter> run() {
-        const std::vector<FoldingStep> folding = folding_steps(in_);
-        if (!folding.empty()) {
-            fold_sheet(folding);
+        if (!folding_steps(in_).empty()) {
+            chapters_ = sheet_chapters(card_, number_, steps_);
         } else if (!moves(in_) && in_.glue.empty() && in_.glued_areas.empty()) {
             fold_flat();
         } else {
@@ -186,116 +183,6 @@ class CardSteps {
                 step.captions = {"before", "after"};
             }
             chapter.steps.push_back(std::move(step));
-        }
-    }
-
-    // Panels by the numbers that the drawings of a book have.
-    [[nodiscard]] std::string panel(int plate) const {
-        const std::string& name = nth(in_.plates, plate).name;
-        const std::string start = nth(in_.pieces, nth(in_.plates, plate).piece).name + "/";
-        return name.starts_with(start) ? name.substr(start.size()) : name;
-    }
-
-    // "Valley folds by 90°: between 1 and 3, 1 and 4."
-    [[nodiscard]] std::vector<std::string> fold_words(const FoldingStep& fold,
-                                                      std::span<const double> folded) const {
-        std::vector<std::pair<std::string, std::vector<std::string>>> alike;
-        for (std::size_t i = 0; i < fold.hinges.size(); ++i) {
-            const double to = folded[i];
-            if (std::abs(to) < 0.5) continue;
-            std::string how =
-                fmt::format("{} folds, {}", to < 0.0 ? "Mountain" : "Valley",
-                            std::abs(to) > 179.5 ? std::string("right over")
-                                                 : "to " + number_text(std::round(std::abs(to)), 0) + "°");
-            const Hinge& hinge = nth(in_.hinges, fold.hinges[i]);
-            const std::string where = fmt::format("{} | {}", panel(hinge.a), panel(hinge.b));
-            const auto same = std::find_if(alike.begin(), alike.end(),
-                                           [&how](const auto& one) { return one.first == how; });
-            if (same != alike.end()) {
-                same->second.push_back(where);
-            } else {
-                alike.push_back({how, {where}});
-            }
-        }
-        std::vector<std::string> said;
-        said.reserve(alike.size());
-        for (const auto& [how, where] : alike)
-            said.push_back(fmt::format("{}: between {}.", how, listed(where, kMostNames)));
-        return said;
-    }
-
-    // The sheet with its panels' numbers, and the folds of one step.
-    void add_fold_figures(const FoldingStep& fold, std::span<const double> folded, Step& step) const {
-        for (std::size_t i = 0; i < in_.pieces.size(); ++i) {
-            const PatternPiece* const from = pattern_of(static_cast<int>(i));
-            if (from == nullptr) continue;
-            FoldedSheet sheet;
-            for (std::size_t k = 0; k < fold.hinges.size(); ++k) {
-                const Hinge& hinge = nth(in_.hinges, fold.hinges[k]);
-                if (nth(in_.plates, hinge.a).piece != static_cast<int>(i) || std::abs(folded[k]) < 0.5)
-                    continue;
-                sheet.folds.push_back({hinge.a_line, folded[k] < 0.0});
-            }
-            if (sheet.folds.empty()) continue;
-            for (const int plate : in_.pieces[i].plates)
-                sheet.panels.push_back({panel(plate), inner_point(nth(in_.plates, plate).outline, 0.5).at});
-            step.figures.push_back(fold_figure(*from, sheet));
-        }
-    }
-
-    void fold_sheet(const std::vector<FoldingStep>& folding) {
-        Chapter& chapter = chapters_.emplace_back();
-        chapter.title = "Fold";
-        if (folding.size() > 1)
-            chapter.intro =
-                "In this order nothing is in the way of anything. Let what is folded stay folded.";
-        std::vector<Frame> to(in_.plates.size());
-        int number = -1;
-        for (const FoldingStep& fold : folding) {
-            ++number;
-            Step step;
-            std::vector<std::string> moved;
-            for (const int plate : fold.plates) moved.push_back(panel(plate));
-            step.title =
-                numbered(folding.size() == 1 ? "fold the sheet" : "fold up panels " + listed(moved, 8));
-            std::vector<double> folded(fold.hinges.size(), 0.0);
-            if (place(in_, Angle::degrees(fold.to_deg), to)) {
-                for (std::size_t i = 0; i < folded.size(); ++i) {
-                    const Hinge& hinge = nth(in_.hinges, fold.hinges[i]);
-                    folded[i] = folded_deg(hinge, nth(to, hinge.a), nth(to, hinge.b));
-                }
-            }
-            step.actions = fold_words(fold, folded);
-            if (fold.hinges.size() > kMostNames)
-                step.actions.emplace_back(
-                    "Crease each fold by itself first. Then take the sheet in both hands and move all "
-                    "of them a little further, again and again, until they are where they end.");
-            glue_flaps_after(number, step);
-            add_fold_figures(fold, folded, step);
-            step.large_figures = true;
-            Scene before = scene(0.0, "Before");
-            Scene after = scene(0.0, "After");
-            before.opening_deg = fold.from_deg;
-            after.opening_deg = fold.to_deg;
-            for (Scene* const one : {&before, &after}) {
-                std::fill(one->fades.begin(), one->fades.end(), folding.size() == 1 ? 0.0F : kWashed);
-                for (const int plate : fold.plates) nth(one->fades, plate) = 0.0F;
-            }
-            step.scenes = {std::move(before), std::move(after)};
-            step.captions = {"before", "after"};
-            chapter.steps.push_back(std::move(step));
-        }
-    }
-
-    void glue_flaps_after(int number, Step& step) const {
-        for (const GlueFlap& one : flaps_) {
-            if (one.step != number) continue;
-            step.actions.push_back(
-                one.panel < 0
-                    ? fmt::format("Put glue on {}, and press it onto what it comes to lie on.",
-                                  panel(one.flap))
-                    : fmt::format("Put glue on {}, and press it onto the {} of {} until it holds.",
-                                  panel(one.flap), one.inside ? "inside" : "outside", panel(one.panel)));
         }
     }
 
@@ -530,7 +417,6 @@ class CardSteps {
     std::size_t number_;
     Words words_;
     GluingOrder order_;
-    std::vector<GlueFlap> flaps_;
     std::vector<std::vector<int>> borne_;  // of each piece those that are glued on it
     std::map<int, std::vector<PushedOut>> pushed_;
     std::map<int, std::vector<std::string>> missing_;  // of each piece the tabs that no sheet has

@@ -20,6 +20,7 @@
 #include "popup/compile.h"
 #include "popup/write.h"
 #include "support/designs.h"
+#include "support/made_book.h"
 #include "support/run_program.h"
 #include "support/viewer_page.h"
 
@@ -28,44 +29,11 @@ namespace {
 
 using Lines = std::vector<std::string>;
 using test::between;
-
-Source sample_source(const std::string& name) {
-    Diagnostics diagnostics("samples");
-    std::optional<Source> source =
-        read_source(std::string(POPUP_SOURCE_DIR) + "/samples/" + name, diagnostics);
-    POPUP_INVARIANT(source.has_value());
-    return std::move(*source);
-}
-
-Compilation compiled(std::vector<Source> sources, CompileOptions options = {}) {
-    options.read.drawing.as = DrawnAs::folded;
-    fit_layout(options);
-    return compile(std::move(sources), options, {});
-}
-
-// What a writer of pages is given.
-struct Made {
-    explicit Made(const std::vector<std::string>& samples, const CompileOptions& options = {}) {
-        std::vector<Source> sources;
-        for (const std::string& name : samples) sources.push_back(sample_source(name));
-        make(std::move(sources), options);
-    }
-    void make(std::vector<Source> sources, const CompileOptions& options) {
-        run = compiled(std::move(sources), options);
-        for (const CompiledDesign& one : run.designs) {
-            EXPECT_TRUE(one.pattern) << test::findings(one.diagnostics);
-            cards.push_back(
-                {&*one.assembly, one.motion ? &*one.motion : nullptr, "", nullptr, &*one.pattern});
-        }
-        POPUP_INVARIANT(run.layout.has_value());
-    }
-    Made() = default;
-    [[nodiscard]] RunPage page() const { return {cards, &*run.layout, {}, false}; }
-    [[nodiscard]] book::Book made() const { return book::make_book(page(), {}); }
-
-    Compilation run;
-    std::vector<SceneCard> cards;
-};
+using Made = test::MadeBook;
+using test::need;
+using test::sample_source;
+using test::step_named;
+using test::titles;
 
 // Of a document of a card of 200 × 140 mm.
 Made card_of(const std::string& structures) {
@@ -80,43 +48,12 @@ Made card_of(const std::string& structures) {
     return made;
 }
 
-std::string need(const book::Book& book, const std::string& name) {
-    for (const auto& [what, value] : book.needs) {
-        if (what == name) return value;
-    }
-    return {};
-}
-
 std::string written(const Made& run, const std::string& format, const OutputOptions& options = {}) {
     Diagnostics diagnostics("book");
     const auto write = std::get<PageWriter>(find_format("a" + format)->write);
     const auto bytes = write(run.page(), options, diagnostics);
     EXPECT_TRUE(bytes) << test::findings(diagnostics);
     return bytes.value_or("");
-}
-
-Lines titles(const book::Book& book) {
-    Lines all;
-    for (const book::CardPart& card : book.cards) {
-        for (const book::Chapter& chapter : card.chapters) {
-            all.push_back(chapter.title);
-            for (const book::Step& step : chapter.steps) all.push_back("  " + step.title);
-        }
-    }
-    return all;
-}
-
-const book::Step& step_named(const book::Book& book, const std::string& title) {
-    for (const book::CardPart& card : book.cards) {
-        for (const book::Chapter& chapter : card.chapters) {
-            for (const book::Step& step : chapter.steps) {
-                if (step.title == title) return step;
-            }
-        }
-    }
-    ADD_FAILURE() << title;
-    static const book::Step kNone;
-    return kNone;
 }
 
 std::size_t count_of(const std::string& text, const std::string& what) {
@@ -331,7 +268,7 @@ TEST(Book, CountsWhatIsNeeded) {
     options.layout.copies = 2;
     const book::Book book = Made({"house.xml"}, options).made();
     EXPECT_EQ(need(book, "To glue"), "12 tabs");
-    EXPECT_EQ(need(book, "Copies").substr(0, 34), "the sheets have 2 of each piece; t");
+    EXPECT_EQ(need(book, "Copies").substr(0, 34), "the sheets have 2 of each piece, a");
     EXPECT_EQ(need(book, "To fold"), "14 folds");
     EXPECT_NE(need(book, "Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos)
         << need(book, "Paper");

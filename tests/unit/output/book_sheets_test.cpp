@@ -1,0 +1,122 @@
+// The assembly book of folded sheets: its steps are those that were found, each of one piece, and what is on
+// their drawings can be read.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/book/book.h"
+#include "support/made_book.h"
+
+namespace popup {
+namespace {
+
+using test::MadeBook;
+
+const std::vector<book::Chapter>& chapters_of(const book::Book& book) { return book.cards.front().chapters; }
+
+std::vector<book::Step> steps_of(const book::Book& book) {
+    std::vector<book::Step> all;
+    for (const book::Chapter& chapter : chapters_of(book))
+        all.insert(all.end(), chapter.steps.begin(), chapter.steps.end());
+    return all;
+}
+
+// "they go in 5 steps"; 0: nothing was told.
+std::size_t steps_that_were_found(const MadeBook& made) {
+    for (const Diagnostic& one : made.run.designs.front().diagnostics.sorted()) {
+        std::smatch count;
+        if (one.code == "folds-in-order" &&
+            std::regex_search(one.message, count, std::regex("they go in ([0-9]+) steps")))
+            return std::stoul(count[1]);
+    }
+    return 0;
+}
+
+bool says(const book::Step& step, const std::string& text) {
+    return std::any_of(step.actions.begin(), step.actions.end(),
+                       [&text](const std::string& action) { return action.find(text) != std::string::npos; });
+}
+
+std::size_t first_that_says(const std::vector<book::Step>& steps, const std::string& text) {
+    const auto found = std::find_if(steps.begin(), steps.end(),
+                                    [&text](const book::Step& step) { return says(step, text); });
+    return static_cast<std::size_t>(found - steps.begin());
+}
+
+class BookOfATuck : public testing::TestWithParam<std::pair<std::string, std::string>> {};
+
+// A tuck turns further than it stays, its lid comes down, and both end together: these are three steps.
+TEST_P(BookOfATuck, HasTheStepsThatWereFound) {
+    const auto& [sample, lid] = GetParam();
+    const MadeBook made({sample});
+    const std::vector<book::Step> steps = steps_of(made.made());
+    ASSERT_GT(steps_that_were_found(made), 3U);
+    EXPECT_EQ(steps.size(), steps_that_were_found(made));
+    const std::size_t over =
+        first_that_says(steps, "for now further than they stay: between " + lid + " | " + lid + "-tuck");
+    const std::size_t half = first_that_says(steps, ", for now not all the way: between back | " + lid);
+    const std::size_t back = first_that_says(steps, "Mountain folds, back from 100° to 90°: between " + lid);
+    EXPECT_LT(over, half);
+    EXPECT_LT(half, back);
+    ASSERT_LT(back, steps.size());
+    EXPECT_TRUE(says(steps[back], "Mountain folds, on from 80° to 90°: between back | " + lid));
+    // Each picture begins where the one before ends.
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        ASSERT_EQ(steps[i].scenes.size(), 2U);
+        EXPECT_EQ(steps[i].scenes[0].opening_deg, steps[i - 1].scenes[1].opening_deg);
+    }
+    // A flap is glued before the lid closes over it.
+    if (test::need(made.made(), "To glue").empty()) return;
+    EXPECT_LT(first_that_says(steps, "Put glue on glue-flap, and press it onto the inside of"), half);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cartons, BookOfATuck,
+                         testing::Values(std::pair("cartons/straight-tuck-end.fl", "top"),
+                                         std::pair("cartons/fefco-0427.fl", "lid")),
+                         [](const auto& info) { return std::string(info.param.second); });
+
+TEST(BookOfASheet, HasStepsOfOnePieceEach) {
+    const MadeBook made({"cartons/tray-with-lid.fl"});
+    const book::Book book = made.made();
+    const Assembly& in = *made.cards.front().assembly;
+    ASSERT_EQ(in.pieces.size(), 2U);
+    ASSERT_EQ(chapters_of(book).size(), 2U);
+    for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+        const book::Chapter& chapter = chapters_of(book)[i];
+        EXPECT_EQ(chapter.title, "Fold " + in.pieces[i].name);
+        EXPECT_GT(chapter.steps.size(), 1U);
+        for (const book::Step& step : chapter.steps) {
+            EXPECT_NE(step.title.find(" of " + in.pieces[i].name), std::string::npos) << step.title;
+            EXPECT_EQ(step.figures.size(), 1U);
+            for (const book::Scene& scene : step.scenes) {
+                for (std::size_t k = 0; k < in.plates.size(); ++k)
+                    EXPECT_EQ(scene.fades[k] >= 0.0F, in.plates[k].piece == static_cast<int>(i)) << k;
+            }
+        }
+    }
+}
+
+// "down" goes with mountains, "up" with valleys; what crosses in the end is in the way of something.
+TEST(BookOfASheet, SaysNoMoreThanIsSo) {
+    const MadeBook clear({"cartons/straight-tuck-end.fl"});
+    const std::string nothing = "In this order nothing is in the way of anything. ";
+    const std::string stay = "Let what is folded stay folded.";
+    EXPECT_EQ(chapters_of(clear.made()).front().intro, nothing + stay);
+    EXPECT_TRUE(steps_of(clear.made()).front().title.starts_with("Step 1: fold down panels "));
+    MadeBook crossing({"cartons/straight-tuck-end.fl"});
+    Motion motion = *crossing.cards.front().motion;
+    motion.examination->contacts.push_back({});
+    crossing.cards.front().motion = &motion;
+    EXPECT_EQ(chapters_of(crossing.made()).front().intro, stay);
+    EXPECT_TRUE(
+        steps_of(MadeBook({"folded/carton.svg"}).made()).front().title.starts_with("Step 1: fold up "));
+}
+
+}  // namespace
+}  // namespace popup
