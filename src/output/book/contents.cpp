@@ -54,8 +54,7 @@ Figures figures_of(const Layout& layout) {
             all.has_inner_cuts = all.has_inner_cuts || !cut.closed || cut.depth > 0;
         }
         for (const PatternLine& line : piece.lines) {
-            const bool fold = line.kind == LineKind::mountain || line.kind == LineKind::valley;
-            if (fold && !(line.fold_angle && *line.fold_angle < 0.01)) ++all.folds;
+            if (line.kind == LineKind::mountain || line.kind == LineKind::valley) ++all.folds;
         }
     }
     return all;

@@ -108,7 +108,6 @@ Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet) {
     Figure figure;
     add_paper(piece, figure);
     for (const PatternLine& line : piece.lines) {
-        if (line.fold_angle && *line.fold_angle < 0.01) continue;
         figure.shapes.push_back({{{line.at.a, line.at.b}}, false, {}, Ink::faint});
     }
     for (const FoldedSheet::Fold& fold : sheet.folds)
@@ -135,7 +134,6 @@ Figure piece_figure(const PatternPiece& piece, const std::vector<std::string>& w
     for (const PatternLine& line : piece.lines) {
         // Places where others are glued on are shown by their targets.
         if (line.kind == LineKind::seam && line.glued_on) continue;
-        if (line.fold_angle && *line.fold_angle < 0.01) continue;
         figure.shapes.push_back({{{line.at.a, line.at.b}}, false, {}, ink_of(line.kind)});
     }
     for (const Contour& cut : piece.cuts) figure.shapes.push_back({{cut.points}, cut.closed, {}, Ink::edge});

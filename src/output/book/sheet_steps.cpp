@@ -20,6 +20,7 @@ constexpr float kWashed = 0.62F;
 constexpr std::size_t kMostNames = 12;
 constexpr std::size_t kMostTitled = 8;
 constexpr double kSameDeg = 0.5;     // angles that are told alike
+constexpr double kFlatRad = 0.01;    // creases that end flat
 constexpr double kSharpDeg = 179.5;  // "right over"
 
 std::string panel_of(const Assembly& in, int plate) {
@@ -29,6 +30,11 @@ std::string panel_of(const Assembly& in, int plate) {
 }
 
 std::string degrees_text(double deg) { return number_text(std::round(std::abs(deg)), 0) + "°"; }
+
+bool is_flat_crease(const Line& line) {
+    return (line.kind == LineKind::mountain || line.kind == LineKind::valley) && line.fold_angle &&
+           *line.fold_angle < kFlatRad;
+}
 
 // Of a fold in a step: how far it is folded before, after, and when all is folded, degrees.
 struct Turn {
@@ -131,12 +137,16 @@ class SheetSteps {
         if (own.size() > 1)
             what = title_of(fold, piece, turns) + (is_one_of_several ? " of " + name : std::string());
         step.title = fmt::format("Step {}: {}", ++steps_, what);
+        if (which == 0) {
+            if (std::string flat = flat_creases(in_, piece); !flat.empty())
+                step.actions.push_back(std::move(flat));
+        }
         add_ways(turns, step);
         if (turns.size() > kMostNames)
             step.actions.emplace_back(
                 "Crease each fold by itself first. Then take the sheet in both hands and move all "
                 "of them a little further, again and again, until they are where they end.");
-        add_figure(piece, turns, step);
+        add_figure(piece, turns, which == 0, step);
         step.large_figures = true;
         add_scenes(fold, piece, own.size() == 1, step);
         return step;
@@ -197,11 +207,15 @@ class SheetSteps {
     }
 
     // The sheet with its panels' names, and the folds of one step.
-    void add_figure(int piece, const std::vector<Turn>& turns, Step& step) const {
+    void add_figure(int piece, const std::vector<Turn>& turns, bool with_flat, Step& step) const {
         if (card_.pattern == nullptr) return;
         FoldedSheet sheet;
         for (const Turn& turn : turns)
             sheet.folds.push_back({nth(in_.hinges, turn.hinge).a_line, turn.is_mountain()});
+        for (const Line& line : in_.lines) {
+            if (with_flat && line.piece == piece && is_flat_crease(line))
+                sheet.folds.push_back({line.at, line.kind == LineKind::mountain});
+        }
         if (sheet.folds.empty()) return;
         for (const int plate : nth(in_.pieces, piece).plates)
             sheet.panels.push_back({panel(plate), inner_point(nth(in_.plates, plate).outline, 0.5).at});
@@ -250,6 +264,21 @@ class SheetSteps {
 };
 
 }  // namespace
+
+std::string flat_creases(const Assembly& assembly, int piece) {
+    std::vector<std::string> where;
+    for (const Line& line : assembly.lines) {
+        if (line.piece != piece || !is_flat_crease(line) || line.plate < 0 || line.other_plate < 0) continue;
+        std::string one =
+            fmt::format("{} | {}", panel_of(assembly, line.plate), panel_of(assembly, line.other_plate));
+        if (std::find(where.begin(), where.end(), one) == where.end()) where.push_back(std::move(one));
+    }
+    if (where.empty()) return {};
+    const bool is_one = where.size() == 1;
+    return fmt::format("Score the {} between {}, fold {} once, and open {} again: {} flat when it stands.",
+                       is_one ? "fold" : "folds", listed(where, kMostNames), is_one ? "it" : "them",
+                       is_one ? "it" : "them", is_one ? "it stays" : "they stay");
+}
 
 std::vector<Chapter> sheet_chapters(const SceneCard& card, std::size_t number, int& steps) {
     return SheetSteps(card, number, steps).run();

@@ -196,6 +196,8 @@ class CardSteps {
             const std::string folds = words_.fold_count(static_cast<int>(i));
             if (!folds.empty())
                 step.actions.push_back(fmt::format("Crease the folds of {}: {}.", in_.pieces[i].name, folds));
+            if (std::string flat = flat_creases(in_, static_cast<int>(i)); !flat.empty())
+                step.actions.push_back(std::move(flat));
             add_figure(static_cast<int>(i), {}, step);
         }
         step.large_figures = true;

@@ -171,7 +171,6 @@ std::string Words::fold_count(int piece) const {
     std::size_t valleys = 0;
     for (const Line& line : in_.lines) {
         if (line.piece != piece) continue;
-        if (line.fold_angle && *line.fold_angle < 0.01) continue;
         if (line.kind == LineKind::mountain) ++mountains;
         if (line.kind == LineKind::valley) ++valleys;
     }

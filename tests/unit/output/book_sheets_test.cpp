@@ -81,6 +81,26 @@ INSTANTIATE_TEST_SUITE_P(Cartons, BookOfATuck,
                                          std::pair("cartons/fefco-0427.fl", "lid")),
                          [](const auto& info) { return std::string(info.param.second); });
 
+TEST(BookOfASheet, SaysWhichCreasesEndFlat) {
+    const MadeBook made({"cartons/gift-bag.fl"});
+    const book::Book book = made.made();
+    EXPECT_EQ(test::need(book, "To fold"), "18 folds");
+    EXPECT_EQ(book.cards.front().parts.front().folds, "16 mountain and 2 valley");
+    const std::vector<book::Step> steps = steps_of(book);
+    EXPECT_EQ(steps.front().actions.front(),
+              "Score the folds between right-2 | right-1 and left-1 | left-2, fold them once, and open them "
+              "again: they stay flat when it stands.");
+    for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_FALSE(says(steps[i], "Score the fold"));
+    // They are on the first drawing, in their ink.
+    const auto valleys = [](const book::Step& step) {
+        const std::vector<book::Figure::Shape>& shapes = step.figures.front().shapes;
+        return std::count_if(shapes.begin(), shapes.end(),
+                             [](const book::Figure::Shape& shape) { return shape.ink == book::Ink::valley; });
+    };
+    EXPECT_EQ(valleys(steps.front()), 2);
+    EXPECT_EQ(valleys(steps.back()), 0);
+}
+
 TEST(BookOfASheet, HasStepsOfOnePieceEach) {
     const MadeBook made({"cartons/tray-with-lid.fl"});
     const book::Book book = made.made();
