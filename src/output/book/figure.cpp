@@ -54,7 +54,10 @@ void place_points(Figure& figure, const Place& place) {
     for (Figure::Shape& shape : figure.shapes) {
         for (auto& line : shape.lines) std::transform(line.begin(), line.end(), line.begin(), place);
     }
-    for (Figure::Label& label : figure.labels) label.at = place(label.at);
+    for (Figure::Label& label : figure.labels) {
+        label.at = place(label.at);
+        std::transform(label.others.begin(), label.others.end(), label.others.begin(), place);
+    }
 }
 
 }  // namespace
@@ -107,14 +110,19 @@ void settle(const PatternPiece& piece, Figure& figure) {
 Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet) {
     Figure figure;
     add_paper(piece, figure);
-    for (const PatternLine& line : piece.lines) {
+    for (const PatternLine& line : piece.lines)
         figure.shapes.push_back({{{line.at.a, line.at.b}}, false, {}, Ink::faint});
-    }
     for (const FoldedSheet::Fold& fold : sheet.folds)
         figure.shapes.push_back(
             {{{fold.at.a, fold.at.b}}, false, {}, fold.mountain ? Ink::mountain : Ink::valley});
     for (const Contour& cut : piece.cuts) figure.shapes.push_back({{cut.points}, cut.closed, {}, Ink::edge});
-    for (const auto& [name, at] : sheet.panels) figure.labels.push_back({name, at, {}, 0.0});
+    for (const auto& [name, outline] : sheet.panels) {
+        const Vec2 middle = inner_point(outline, 0.5).at;
+        Figure::Label& label = figure.labels.emplace_back(Figure::Label{name, middle, {}, 0.0});
+        for (const double share : {0.35, 0.7}) {
+            for (const Vec2 p : outline.outer) label.others.push_back(lerp(middle, p, share));
+        }
+    }
     settle(piece, figure);
     return figure;
 }

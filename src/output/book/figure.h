@@ -31,9 +31,10 @@ struct Figure {
     };
     struct Label {
         std::string text;
-        Vec2 at;               // its middle
-        std::string brief;     // in its place where it is wider than its room
-        double room_mm = 0.0;  // of the drawing; 0: as wide as it is
+        Vec2 at;                        // its middle
+        std::string brief;              // in its place where it is wider than its room
+        double room_mm = 0.0;           // of the drawing; 0: as wide as it is
+        std::vector<Vec2> others = {};  // places that would do, too
     };
     std::string alt;                         // for those who cannot see it
     double width_mm = 0.0, height_mm = 0.0;  // in true size; x to the right, y down
@@ -51,9 +52,10 @@ struct FoldedSheet {
         bool mountain = false;
     };
     std::vector<Fold> folds;
-    std::vector<std::pair<std::string, Vec2>> panels;  // names, and where they go
+    std::vector<std::pair<std::string, Polygon>> panels;  // names, and what has them
 };
-// A sheet with some of its folds; the others are faint.
+// A sheet with some of its folds; the others are faint. Labels may lie on one
+// another: settle_labels().
 Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet);
 // The outlines of the pieces on a sheet, with their names as they are printed on it.
 Figure sheet_figure(const Layout& layout, int sheet);

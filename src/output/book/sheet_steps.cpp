@@ -10,6 +10,7 @@
 #include "base/nth.h"
 #include "base/text/numbers.h"
 #include "gluing/glue_flaps.h"
+#include "output/book/panel_labels.h"
 #include "output/book/words.h"
 #include "popup/motion.h"
 
@@ -218,8 +219,10 @@ class SheetSteps {
         }
         if (sheet.folds.empty()) return;
         for (const int plate : nth(in_.pieces, piece).plates)
-            sheet.panels.push_back({panel(plate), inner_point(nth(in_.plates, plate).outline, 0.5).at});
-        step.figures.push_back(fold_figure(nth(card_.pattern->pieces, piece), sheet));
+            sheet.panels.push_back({panel(plate), nth(in_.plates, plate).outline});
+        Figure figure = fold_figure(nth(card_.pattern->pieces, piece), sheet);
+        if (std::string list = settle_labels(figure); !list.empty()) step.notes.push_back(std::move(list));
+        step.figures.push_back(std::move(figure));
     }
 
     void add_scenes(const FoldingStep& fold, int piece, bool all, Step& step) const {

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "output/book/book.h"
+#include "output/book/panel_labels.h"
 #include "support/made_book.h"
 
 namespace popup {
@@ -136,6 +139,69 @@ TEST(BookOfASheet, SaysNoMoreThanIsSo) {
     EXPECT_EQ(chapters_of(crossing.made()).front().intro, stay);
     EXPECT_TRUE(
         steps_of(MadeBook({"folded/carton.svg"}).made()).front().title.starts_with("Step 1: fold up "));
+}
+
+class BookOfNarrowPanels : public testing::TestWithParam<std::string> {};
+
+// In the drawings, or in the lists of their numbers, and none over another.
+TEST_P(BookOfNarrowPanels, NamesEachWhereItCanBeRead) {
+    const MadeBook made({GetParam()});
+    const Assembly& in = *made.cards.front().assembly;
+    for (const book::Step& step : steps_of(made.made())) {
+        const book::Figure& figure = step.figures.front();
+        // As wide as the letters of a page are at least.
+        constexpr double kLetterMm = 1.2;
+        constexpr double kHighMm = 1.9;
+        const double scale = std::min({1.0, 150.0 / figure.width_mm, 110.0 / figure.height_mm});
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+            names.insert(figure.labels[i].text);
+            for (std::size_t k = 0; k < i; ++k) {
+                const auto letters =
+                    static_cast<double>(figure.labels[i].text.size() + figure.labels[k].text.size());
+                const Vec2 apart = scale * (figure.labels[i].at - figure.labels[k].at);
+                EXPECT_TRUE(std::abs(apart.x) > 0.5 * kLetterMm * letters || std::abs(apart.y) > kHighMm)
+                    << figure.labels[i].text << ", " << figure.labels[k].text;
+            }
+        }
+        std::string listed;
+        for (const std::string& note : step.notes) listed += note + " ";
+        EXPECT_EQ(names.size(), in.plates.size());
+        for (const Plate& plate : in.plates) {
+            const std::string name = plate.name.substr(plate.name.find('/') + 1);
+            if (names.contains(name)) continue;
+            std::smatch number;
+            ASSERT_TRUE(std::regex_search(listed, number, std::regex("([0-9]+) " + name + "[,.]"))) << name;
+            EXPECT_TRUE(names.contains(number[1])) << number[1];
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cartons, BookOfNarrowPanels,
+                         testing::Values("cartons/gift-bag.fl", "cartons/fefco-0427.fl"),
+                         [](const auto& info) {
+                             return std::string(info.param == "cartons/gift-bag.fl" ? "bag" : "box");
+                         });
+
+TEST(PanelLabels, GiveWayToNumbersThatWouldHaveNoPlace) {
+    book::Figure figure;
+    figure.width_mm = 100.0;
+    figure.height_mm = 50.0;
+    // 14 mm wide as it is written; the long names are 2 mm beside it, and have no other place.
+    figure.labels = {{"panel-7", {50.0, 20.0}, {}, 0.0},
+                     {"left-lining", {52.0, 20.0}, {}, 0.0},
+                     {"right", {50.0, 40.0}, {}, 0.0}};
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 panel-7.");
+    ASSERT_EQ(figure.labels.size(), 2U);
+    EXPECT_EQ(figure.labels[0].text, "1");
+    EXPECT_EQ(figure.labels[1].text, "right");
+    // Where there is another place, both are there.
+    figure.labels = {{"panel-7", {50.0, 20.0}, {}, 0.0},
+                     {"left-lining", {52.0, 20.0}, {}, 0.0, {{52.0, 30.0}}}};
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: 1 left-lining.");
+    ASSERT_EQ(figure.labels.size(), 2U);
+    EXPECT_EQ(figure.labels[0].text, "panel-7");
+    EXPECT_EQ(figure.labels[1].at.y, 30.0);
 }
 
 }  // namespace
