@@ -110,8 +110,10 @@ void settle(const PatternPiece& piece, Figure& figure) {
 Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet) {
     Figure figure;
     add_paper(piece, figure);
+    for (const Polygon& part : sheet.marked) figure.shapes.push_back({rings_of(part), true, kWantedFill, {}});
     for (const PatternLine& line : piece.lines)
-        figure.shapes.push_back({{{line.at.a, line.at.b}}, false, {}, Ink::faint});
+        figure.shapes.push_back(
+            {{{line.at.a, line.at.b}}, false, {}, sheet.folds.empty() ? ink_of(line.kind) : Ink::faint});
     for (const FoldedSheet::Fold& fold : sheet.folds)
         figure.shapes.push_back(
             {{{fold.at.a, fold.at.b}}, false, {}, fold.mountain ? Ink::mountain : Ink::valley});

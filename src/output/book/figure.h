@@ -53,8 +53,9 @@ struct FoldedSheet {
     };
     std::vector<Fold> folds;
     std::vector<std::pair<std::string, Polygon>> panels;  // names, and what has them
+    std::vector<Polygon> marked = {};                     // that are painted
 };
-// A sheet with some of its folds; the others are faint. Labels may lie on one
+// A sheet with some of its folds, or all where none is named; the others are faint. Labels may lie on one
 // another: settle_labels().
 Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet);
 // The outlines of the pieces on a sheet, with their names as they are printed on it.

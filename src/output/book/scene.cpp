@@ -32,6 +32,7 @@ constexpr float kRestFade = 0.62F;   // of what is not marked
 constexpr double kDotShare = 0.015;  // the size of dots, of that of the model
 constexpr std::array<Light, 4> kMarkedLights{Light{0.95F, 0.36F, 0.05F}, Light{0.12F, 0.42F, 0.86F},
                                              Light{0.18F, 0.60F, 0.22F}, Light{0.55F, 0.24F, 0.72F}};
+constexpr Light kPaintedLight{1.0F, 0.58F, 0.24F};
 constexpr Light kGoneInk{0.35F, 0.37F, 0.40F};
 constexpr Light kDotLight{0.62F, 0.02F, 0.02F};
 
@@ -330,6 +331,8 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
     if (!scene.marked.empty()) look_at_marked(scene, assembly, stage);
     stage.model = modellers_[scene.card].staged(0, {stage.frames, fades});
     add_marked(scene, assembly, stage);
+    for (const int plate : scene.painted)
+        add_coat(nth(assembly.plates, plate), nth(stage.frames, plate), kPaintedLight, stage.model);
     for (const Bond& bond : scene.bonds) {
         const Frame& frame = nth(stage.placed, bond.mate);
         const bool behind = bond.on_back || bond.theirs;

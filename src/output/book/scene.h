@@ -19,14 +19,15 @@ struct Scene {
     std::optional<double> opening_deg;  // of cards that move; none: where they are seen best
     // Of each plate how far it is washed out; below 0 it is not there. Empty: all is there as it is.
     std::vector<float> fades;
-    std::vector<int> lifted;      // plates that hover above where they come to be
-    std::vector<Bond> bonds;      // whose targets are shown with their numbers
-    std::optional<int> on_table;  // the piece that lies on the table; none: the card lies there
-    std::optional<int> lying;     // of that piece the plate that lies there; none: its largest
-    bool unfolded = false;        // that piece is flat, as it is cut, and what is glued flat on it with it
-    bool back_up = false;         // what lies there is turned over
-    bool as_still = false;        // it stands as in stills
-    std::string alt;              // for those who cannot see it
+    std::vector<int> painted = {};  // plates that have a colour here, whatever is on them
+    std::vector<int> lifted;        // plates that hover above where they come to be
+    std::vector<Bond> bonds;        // whose targets are shown with their numbers
+    std::optional<int> on_table;    // the piece that lies on the table; none: the card lies there
+    std::optional<int> lying;       // of that piece the plate that lies there; none: its largest
+    bool unfolded = false;          // that piece is flat, as it is cut, and what is glued flat on it with it
+    bool back_up = false;           // what lies there is turned over
+    bool as_still = false;          // it stands as in stills
+    std::string alt;                // for those who cannot see it
     // Plates that are to be joined, with letters: all else is pale, and what hides them is drawn as lines.
     // Corners have dots, and lines to the middle of them all.
     struct Marked {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/nth.h"
+#include "output/book/panel_labels.h"
 #include "output/book/sheet_steps.h"
 #include "output/book/words.h"
 #include "popup/motion.h"
@@ -20,6 +21,8 @@ namespace {
 constexpr float kWashed = 0.62F;
 constexpr std::size_t kMostTogether = 6;  // flat pieces that are glued in one step
 constexpr std::size_t kMostNames = 12;
+constexpr double kOpensFlatDeg = 170.0;
+constexpr double kSameMm2 = 1e-6;  // the first of plates as large is named
 
 class CardSteps {
  public:
@@ -147,23 +150,72 @@ class CardSteps {
                 "flat, and its folds remember their ways.");
     }
 
+    [[nodiscard]] bool opens_flat() const { return in_.sweep.to_deg > kOpensFlatDeg; }
+
+    // The drawing says which those are, by their names.
+    void add_pushed_figure(const std::vector<const PushedOut*>& here, Step& step) const {
+        const PatternPiece* const from = pattern_of(order_.card);
+        if (from == nullptr) return;
+        FoldedSheet sheet;
+        for (const PushedOut* const one : here) {
+            const auto paper = [this](int plate) { return area(nth(in_.plates, plate).outline); };
+            for (const int plate : one->plates) sheet.marked.push_back(nth(in_.plates, plate).outline);
+            const int largest = *std::max_element(one->plates.begin(), one->plates.end(), [&](int a, int b) {
+                return paper(a) < paper(b) - kSameMm2;
+            });
+            sheet.panels.emplace_back(one->name, nth(in_.plates, largest).outline);
+        }
+        Figure figure = fold_figure(*from, sheet);
+        if (std::string list = settle_labels(figure); !list.empty()) step.notes.push_back(std::move(list));
+        step.figures.push_back(std::move(figure));
+        step.large_figures = true;
+    }
+
+    // Flat, and half open. What does not open flat is flat as it is cut, and stands when it is open.
+    void add_pushed_scenes(const std::vector<const PushedOut*>& here, Step& step) const {
+        Scene before = scene(1.0, "Before: flat, with what is pushed out in its colours");
+        Scene after =
+            scene(opens_flat() ? 0.5 : 1.0, fmt::format("After: {}, with what is pushed out in its colours",
+                                                        opens_flat() ? "half open" : "open"));
+        before.as_still = after.as_still = true;
+        if (!opens_flat()) {
+            before.on_table = order_.card;
+            before.unfolded = true;
+        }
+        for (Scene* const one : {&before, &after}) {
+            show(*one, order_.card, kWashed);
+            for (const PushedOut* const pushed : here) {
+                for (const int plate : pushed->plates) {
+                    nth(one->fades, plate) = 0.0F;
+                    const Plate& paper = nth(in_.plates, plate);
+                    // Bare paper looks the same, washed out or not.
+                    if (!paper.fill && paper.prints.empty()) one->painted.push_back(plate);
+                }
+            }
+        }
+        step.scenes = {std::move(before), std::move(after)};
+        step.captions = {"before", "after"};
+    }
+
     // A level at a time: what hangs on the card, then what hangs on that.
     void push_out(const std::vector<PushedOut>& all, Chapter& chapter) {
         const int levels = all.back().level;
         for (int level = 1; level <= levels; ++level) {
             std::vector<std::string> names;
-            std::set<int> plates;
+            std::vector<const PushedOut*> here;
             for (const PushedOut& one : all) {
                 if (one.level != level) continue;
                 names.push_back(one.name);
-                plates.insert(one.plates.begin(), one.plates.end());
+                here.push_back(&one);
             }
             Step step;
             step.title = numbered("push out " + listed(names, 4));
             if (names.size() > 5) step.actions.push_back(fmt::format("These: {}.", listed(names, 60)));
-            step.actions.push_back(level == 1 ? "Open the card about half. Put a finger behind each of these "
-                                                "and push it towards you, until "
-                                                "its middle fold stands out and its outer folds turn inwards."
+            step.actions.push_back(level == 1 ? fmt::format("{} Put a finger behind each of these "
+                                                            "and push it towards you, until its middle fold "
+                                                            "stands out and its outer folds turn inwards.",
+                                                            opens_flat() ? "Open the card about half."
+                                                                         : "Fold the sheet a little.")
                                               : "Likewise with these, which hang on what stands out already. "
                                                 "Where one sinks in instead, push "
                                                 "it away from you: its middle fold is a valley.");
@@ -171,17 +223,8 @@ class CardSteps {
                 step.actions.emplace_back(
                     "Close the card slowly, and help with a finger wherever a fold does not know its "
                     "way. Press it flat, and open it.");
-            if (shows()) {
-                Scene before = scene(1.0, "Before: flat, with what is pushed out in its colours");
-                Scene after = scene(0.5, "After: half open, with what is pushed out in its colours");
-                for (Scene* const one : {&before, &after}) {
-                    one->as_still = true;
-                    show(*one, order_.card, kWashed);
-                    for (const int plate : plates) nth(one->fades, plate) = 0.0F;
-                }
-                step.scenes = {std::move(before), std::move(after)};
-                step.captions = {"before", "after"};
-            }
+            add_pushed_figure(here, step);
+            if (shows()) add_pushed_scenes(here, step);
             chapter.steps.push_back(std::move(step));
         }
     }

@@ -204,5 +204,32 @@ TEST(PanelLabels, GiveWayToNumbersThatWouldHaveNoPlace) {
     EXPECT_EQ(figure.labels[1].at.y, 30.0);
 }
 
+// A card that opens to 90° is cut flat, and stands when it is open.
+TEST(BookOfASheet, ShowsWhatIsPushedOutOfAnUprightCard) {
+    const MadeBook made({"villa.oa"});
+    const Assembly& in = *made.cards.front().assembly;
+    const std::vector<book::Step> steps = steps_of(made.made());
+    const auto found = std::find_if(steps.begin(), steps.end(), [](const book::Step& step) {
+        return step.title.find("push out") != std::string::npos;
+    });
+    ASSERT_NE(found, steps.end());
+    ASSERT_EQ(found->scenes.size(), 2U);
+    EXPECT_TRUE(found->scenes[0].unfolded);
+    EXPECT_FALSE(found->scenes[1].unfolded);
+    EXPECT_EQ(found->scenes[1].opening_deg, in.sweep.to_deg);
+    // Bare paper is painted where it is meant.
+    EXPECT_FALSE(found->scenes[0].painted.empty());
+    EXPECT_EQ(found->scenes[0].painted, found->scenes[1].painted);
+    EXPECT_LT(found->scenes[0].painted.size(), in.plates.size());
+    EXPECT_TRUE(says(*found, "Fold the sheet a little."));
+    // The names are on the drawing, or listed.
+    ASSERT_EQ(found->figures.size(), 1U);
+    std::string shown;
+    for (const book::Figure::Label& label : found->figures.front().labels) shown += label.text + " ";
+    for (const std::string& note : found->notes) shown += note + " ";
+    for (const PushedOut& one : pushed_out(in))
+        EXPECT_NE(shown.find(one.name), std::string::npos) << one.name;
+}
+
 }  // namespace
 }  // namespace popup
