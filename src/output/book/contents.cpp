@@ -64,7 +64,14 @@ struct GlueCount {
     std::size_t tabs = 0, areas = 0, flaps = 0, rivets = 0;
 };
 
-GlueCount glue_of(std::span<const SceneCard> cards) {
+int copies_of(const Layout& layout) {
+    int copies = 1;
+    for (const Placement& placement : layout.placements) copies = std::max(copies, placement.copy + 1);
+    return copies;
+}
+
+// Of all copies, as figures_of().
+GlueCount glue_of(std::span<const SceneCard> cards, const Layout& layout) {
     GlueCount all;
     for (const SceneCard& card : cards) {
         const std::vector<bool> tabs = tabs_on_sheets(card);
@@ -73,13 +80,9 @@ GlueCount glue_of(std::span<const SceneCard> cards) {
         all.flaps += glue_flaps(*card.assembly).size();
         for (const Plate& plate : card.assembly->plates) all.rivets += plate.rivet ? 1U : 0U;
     }
+    const auto copies = static_cast<std::size_t>(copies_of(layout));
+    for (std::size_t* const count : {&all.tabs, &all.areas, &all.flaps, &all.rivets}) *count *= copies;
     return all;
-}
-
-int copies_of(const Layout& layout) {
-    int copies = 1;
-    for (const Placement& placement : layout.placements) copies = std::max(copies, placement.copy + 1);
-    return copies;
 }
 
 void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
@@ -101,7 +104,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
                                             "sheet's plan says how",
                                             mm_text(options.tile->width_mm, options.tile->height_mm)));
     const Figures figures = figures_of(layout);
-    const GlueCount glue = glue_of(page.cards);
+    const GlueCount glue = glue_of(page.cards, *page.layout);
     std::vector<std::string> tools;
     tools.emplace_back(figures.has_inner_cuts ? "a sharp knife, a cutting mat, scissors" : "scissors");
     if (figures.folds > 0) tools.emplace_back("a ruler, a blunt point to score folds");
@@ -118,14 +121,14 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
     const int copies = copies_of(layout);
     if (copies > 1)
         book.needs.emplace_back(
-            "Copies", fmt::format("the sheets have {} of each piece; the steps make one card of one "
-                                  "of each, and are done {} times",
+            "Copies", fmt::format("the sheets have {} of each piece, and the numbers above are for all of "
+                                  "them; the steps make one card of one of each, and are done {} times",
                                   copies, copies));
 }
 
 void add_first(const RunPage& page, const OutputOptions& options, Book& book) {
     const Figures figures = figures_of(*page.layout);
-    const GlueCount glue = glue_of(page.cards);
+    const GlueCount glue = glue_of(page.cards, *page.layout);
     book.first.emplace_back("Print the sheets at 100 %, without fitting them to the page.");
     if (figures.folds > 0)
         book.first.emplace_back(

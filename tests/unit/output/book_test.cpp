@@ -267,7 +267,9 @@ TEST(Book, CountsWhatIsNeeded) {
     CompileOptions options;
     options.layout.copies = 2;
     const book::Book book = Made({"house.xml"}, options).made();
-    EXPECT_EQ(need(book, "To glue"), "12 tabs");
+    EXPECT_EQ(need(book, "To glue"), "24 tabs");
+    EXPECT_NE(need(Made({"seasons.xml"}, options).made(), "Tools").find("2 brads (paper fasteners)"),
+              std::string::npos);
     EXPECT_EQ(need(book, "Copies").substr(0, 34), "the sheets have 2 of each piece, a");
     EXPECT_EQ(need(book, "To fold"), "14 folds");
     EXPECT_NE(need(book, "Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos)
