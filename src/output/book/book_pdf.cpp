@@ -25,6 +25,10 @@ constexpr double kFigureHighMm = 46.0;
 constexpr double kSheetHighMm = 104.0;
 constexpr double kLargeHighMm = 110.0;
 constexpr double kBulletMm = 5.0;
+constexpr double kBulletGapMm = 0.8;  // bullets
+constexpr double kNeedMm = 24.0;      // before what is needed
+constexpr double kChapterMm = 17.0;   // a chapter's title and what is around it
+constexpr double kLeastCover = 0.6;   // of its width; smaller it would show little
 
 class Writer {
  public:
@@ -64,7 +68,7 @@ class Writer {
     }
 
     void chapter(const std::string& title, double room, int parent) {
-        paper_.need(room + 16.0);
+        paper_.need(std::min(room + 16.0, paper_.whole()));
         if (paper_.room() < paper_.whole() - 1.0) paper_.skip(6.0);
         chapter_ = paper_.outline(title, parent);
         paper_.line_at(title, kChapterCapMm, paper_.left(), paper_.y() + kChapterCapMm, true);
@@ -73,15 +77,43 @@ class Writer {
         paper_.skip(3.5);
     }
 
+    [[nodiscard]] double height_of_bullet(const std::string& text) {
+        return lines_height(text, paper_.width() - kBulletMm) + kBulletGapMm;
+    }
+    [[nodiscard]] double height_of_bullets(const std::vector<std::string>& texts) {
+        double high = 0.0;
+        for (const std::string& text : texts) high += height_of_bullet(text);
+        return high;
+    }
+
+    // The last one is never alone on a page.
     void bullets(const std::vector<std::string>& texts, bool numbered) {
         for (std::size_t i = 0; i < texts.size(); ++i) {
-            const std::size_t lines = paper_.wrap(texts[i], kBodyCapMm, paper_.width() - kBulletMm).size();
-            paper_.need(std::min(BookPages::height(lines, kBodyCapMm), paper_.whole()));
+            double high = height_of_bullet(texts[i]) - kBulletGapMm;
+            if (i + 2 == texts.size()) high += height_of_bullet(texts[i + 1]);
+            paper_.need(std::min(high, paper_.whole()));
             paper_.line_at(numbered ? fmt::format("{}.", i + 1) : "•", kBodyCapMm, paper_.left(),
                            paper_.y() + kBodyCapMm);
             paper_.text(texts[i], kBodyCapMm, paper_.left() + kBulletMm, paper_.width() - kBulletMm);
-            paper_.skip(0.8);
+            paper_.skip(kBulletGapMm);
         }
+    }
+
+    // Of what stands below the picture on the first page.
+    [[nodiscard]] double height_below_cover() {
+        double high = kColumnGapMm + kChapterMm;
+        for (const auto& [name, value] : book_.needs)
+            high += lines_height(value, paper_.width() - kNeedMm) + kBulletGapMm;
+        if (!book_.first.empty()) high += kChapterMm + height_of_bullets(book_.first);
+        return high;
+    }
+    // One picture is as wide as the page, or a little less where all of the first page fits on it then.
+    [[nodiscard]] double cover_width() {
+        if (book_.cover.size() != 1) return picture_width();
+        const double whole = paper_.width();
+        const double room = paper_.room() - height_below_cover();
+        const double share = room / height_of(whole, kCoverPicture);
+        return share < kLeastCover ? whole : whole * std::min(1.0, share);
     }
 
     bool cover() {
@@ -95,7 +127,7 @@ class Writer {
         chapter_ = paper_.outline(book_.title, CAIRO_PDF_OUTLINE_ROOT);
         const PictureSize size = kCoverPicture;
         const std::size_t count = book_.cover.size();
-        const double wide = count == 1 ? paper_.width() : picture_width();
+        const double wide = cover_width();
         for (std::size_t i = 0; i < count; i += 2) {
             const std::size_t here = count == 1 ? 1 : std::min<std::size_t>(2, count - i);
             paper_.need(height_of(wide, size));
@@ -103,7 +135,8 @@ class Writer {
             for (std::size_t k = 0; k < here; ++k) {
                 const auto shown = pictures_.draw(std::span(book_.cover).subspan(i + k, 1), size);
                 if (!shown) return false;
-                const double x = paper_.left() + static_cast<double>(k) * (wide + kColumnGapMm);
+                const double from = count == 1 ? 0.5 * (paper_.width() - wide) : 0.0;
+                const double x = paper_.left() + from + static_cast<double>(k) * (wide + kColumnGapMm);
                 paper_.picture(shown->front().picture, shown->front().jpeg, x, y, wide);
             }
             paper_.skip(height_of(wide, size) + kColumnGapMm);
@@ -113,15 +146,15 @@ class Writer {
 
     void needs() {
         chapter(book_.needs_title, 40.0, CAIRO_PDF_OUTLINE_ROOT);
-        constexpr double kNeedMm = 24.0;
         for (const auto& [name, value] : book_.needs) {
             const std::size_t lines = paper_.wrap(value, kBodyCapMm, paper_.width() - kNeedMm).size();
             paper_.need(BookPages::height(lines, kBodyCapMm));
             paper_.line_at(name, kBodyCapMm, paper_.left(), paper_.y() + kBodyCapMm, true);
             paper_.text(value, kBodyCapMm, paper_.left() + kNeedMm, paper_.width() - kNeedMm);
-            paper_.skip(0.8);
+            paper_.skip(kBulletGapMm);
         }
-        if (!book_.first.empty()) chapter("Before you begin", 30.0, CAIRO_PDF_OUTLINE_ROOT);
+        if (!book_.first.empty())
+            chapter("Before you begin", height_of_bullets(book_.first), CAIRO_PDF_OUTLINE_ROOT);
         bullets(book_.first, false);
     }
 

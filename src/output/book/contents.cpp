@@ -109,7 +109,8 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
     tools.emplace_back(figures.has_inner_cuts ? "a sharp knife, a cutting mat, scissors" : "scissors");
     if (figures.folds > 0) tools.emplace_back("a ruler, a blunt point to score folds");
     if (glue.tabs + glue.areas + glue.flaps > 0) tools.emplace_back("glue that does not warp paper");
-    if (glue.rivets > 0) tools.push_back(counted(glue.rivets, "brad", "brads") + " (paper fasteners)");
+    if (glue.rivets > 0)
+        tools.push_back(counted(glue.rivets, "brad (a paper fastener)", "brads (paper fasteners)"));
     book.needs.emplace_back("Tools", fmt::format("{}", fmt::join(tools, ", ")));
     book.needs.emplace_back("To cut", fmt::format("{} m of lines", number_text(figures.cut_mm / 1000.0, 1)));
     if (figures.folds > 0) book.needs.emplace_back("To fold", counted(figures.folds, "fold", "folds"));

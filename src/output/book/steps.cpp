@@ -115,13 +115,15 @@ class CardSteps {
         if (all == pushed_.end()) return;
         std::map<int, std::vector<std::string>> levels;
         for (const PushedOut& one : all->second) levels[one.level].push_back(one.name);
-        std::string text = "Push out from behind ";
+        std::string text = "Push out ";
         bool first = true;
         for (const auto& [level, names] : levels) {
-            text += (first ? "" : "; then ") + listed(names, kMostNames);
+            text += (first ? "" : "; then ") + listed(names, kMostNames) + (first ? " from behind" : "");
             first = false;
         }
-        step.actions.push_back(text + ", so that their folds turn the other way than those beside them.");
+        const bool is_one = all->second.size() == 1;
+        step.actions.push_back(fmt::format("{}, so that {} folds turn the other way than those beside {}.",
+                                           text, is_one ? "its" : "their", is_one ? "it" : "them"));
     }
 
     // The card's own piece, before anything is glued on it.

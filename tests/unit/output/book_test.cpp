@@ -270,6 +270,8 @@ TEST(Book, CountsWhatIsNeeded) {
     EXPECT_EQ(need(book, "To glue"), "24 tabs");
     EXPECT_NE(need(Made({"seasons.xml"}, options).made(), "Tools").find("2 brads (paper fasteners)"),
               std::string::npos);
+    EXPECT_NE(need(Made({"seasons.xml"}).made(), "Tools").find("1 brad (a paper fastener)"),
+              std::string::npos);
     EXPECT_EQ(need(book, "Copies").substr(0, 34), "the sheets have 2 of each piece, a");
     EXPECT_EQ(need(book, "To fold"), "14 folds");
     EXPECT_NE(need(book, "Paper").find("letter (279.4 × 215.9 mm)"), std::string::npos)
@@ -410,6 +412,14 @@ TEST_P(BookOfASample, HasEveryPieceAndTabForReadersOfPdf) {
     const test::RunResult info = test::run({"pdfinfo", scratch / "a.book.pdf"});
     EXPECT_NE(info.out.find("595.276 x 841.89 pts (A4)"), std::string::npos) << info.out;
     const std::size_t pages = count_of(text.out, "\f");
+    // What is to be known before is on one page.
+    const std::size_t begin = said.find("Beforeyoubegin");
+    ASSERT_NE(begin, std::string::npos);
+    std::string last = book.first.back();
+    last.erase(std::remove(last.begin(), last.end(), ' '), last.end());
+    const std::size_t end = said.find(last, begin);
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(said.substr(begin, end - begin).find('\f'), std::string::npos);
     EXPECT_NE(info.out.find(fmt::format("Pages:           {}\n", pages)), std::string::npos) << info.out;
     // No page without anything, and two steps on most.
     EXPECT_LE(pages, steps + 6);
