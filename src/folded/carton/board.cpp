@@ -14,9 +14,10 @@
 
 #include "base/geometry/regions.h"
 #include "base/nth.h"
+#include "folded/carton/carton_size.h"
 #include "folded/carton/cut_apart.h"
-#include "folded/carton/hull3.h"
 #include "folded/carton/rough.h"
+#include "folded/lower.h"
 #include "popup/crease_pattern.h"
 
 namespace popup {
@@ -33,12 +34,22 @@ constexpr double kTuckBoards = 1.5;       // so far behind its wall a tuck flap 
 constexpr double kParallelFaces = 0.999;  // cosine of panels that lie on each other
 constexpr double kMovesIn = 0.7;          // cosine between the way of a panel and the way into the box
 constexpr double kEnoughMm = 0.02;
+constexpr double kSameMm = 1e-9;    // lengths that differ by less are one, but for rounding
+constexpr double kMendedMm = 0.02;  // as fold_sheet() has it for a sheet with moved creases
 constexpr double kLeastOverlapMm2 = 4.0;
 constexpr double kMostBoards = 6.0;  // so far is a crease moved at most
 constexpr int kRounds = 8;           // what was moved may be too near to something else then
 constexpr std::size_t kToldAtMost = 40;
 
 double plane_product(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// A cut along the line of a fold between two walls, from where that fold ends to a corner that only one of
+// them has: the creases of their flaps, which began in one corner, were moved by different lengths.
+struct Slit {
+    int fold = 0;
+    int end = 0;    // of the fold
+    int other = 0;  // where the crease of the other flap begins
+};
 
 // Two panels that lie nearer to each other than the board is thick, and which of them is to go inside.
 struct Need {
@@ -59,6 +70,7 @@ class BoardRoom {
         folded::ApartShape apart = folded::cut_apart(rough);
         corners_ = std::move(apart.corners);
         shape_ = std::move(apart.shape);
+        for (const std::string& name : shape_.names) is_tuck_.push_back(name.ends_with("-tuck") ? 1 : 0);
         moved_.assign(shape_.sheet.folds.size(), 0.0);
         goes_.assign(shape_.sheet.folds.size(), {-1, -1});
         children_.resize(shape_.sheet.panels.size());
@@ -73,7 +85,7 @@ class BoardRoom {
             for (const Need& need : needs()) {
                 if (need.fold < 0) continue;
                 const auto [at, fresh] = moves.try_emplace(need.fold, need);
-                if (!fresh && at->second.by_mm < need.by_mm) at->second = need;
+                if (!fresh && at->second.by_mm < need.by_mm - kSameMm) at->second = need;
             }
             bool any = false;
             for (const auto& [fold, need] : moves) any = move(need) || any;
@@ -114,38 +126,20 @@ class BoardRoom {
         }
     }
 
-    // The size of each piece, flat and closed.
-    void tell_sizes(Diagnostics& diagnostics) const {
-        const FoldedState state = shape_.state();
-        for (std::size_t piece = 0; piece < shape_.sheet.cuts.size(); ++piece) {
-            Box blank;
-            double paper = 0.0;
-            std::vector<Vec3> points;
-            int base = -1;
-            for (const int panel : shape_.tree.order) {
-                const Panel& one = nth(shape_.sheet.panels, panel);
-                if (one.piece != static_cast<int>(piece)) continue;
-                if (base < 0) base = panel;
-                paper += area(shape_.sheet.outline_of(one));
-                for (const int corner : one.outer) {
-                    blank.extend(shape_.sheet.at(corner));
-                    points.push_back(state.place({panel, corner}));
-                }
-            }
-            if (base < 0) continue;
-            const std::string whose =
-                shape_.sheet.cuts.size() == 1 ? std::string() : fmt::format("sheet-{}: ", piece + 1);
-            std::string text = fmt::format("{}the blank is {:.2f} × {:.2f} mm, with {:.1f} cm² of board",
-                                           whose, blank.width(), blank.height(), paper / 100.0);
-            const folded::HullSize hull = folded::hull_size(points);
-            const double inside = hull.volume - 0.5 * board_ * hull.surface;
-            if (inside > 0.0) {
-                const Vec3 size = extent(points, state.frame(base), base);
-                text +=
-                    fmt::format("; closed it is {:.2f} × {:.2f} × {:.2f} mm outside, and holds {:.1f} cm³",
-                                size.x + board_, size.y + board_, size.z + board_, inside / 1000.0);
-            }
-            diagnostics.remark("carton-size", {}, std::move(text));
+    // Names of panels are guessed by their sizes, and those have changed: what is told has the names that the
+    // moved sheet has for whoever folds it.
+    void take_names(const CreasePattern& moved) {
+        FoldOptions mended;
+        mended.snap_mm = kMendedMm;
+        Diagnostics unheard;
+        const std::optional<folded::Sheet> sheet = folded::make_sheet(moved, mended, unheard);
+        if (!sheet) return;
+        const Assembly named = folded::assembly_of_panels(moved, *sheet, folded::make_tree(*sheet));
+        for (std::size_t i = 0; i < shape_.names.size(); ++i) {
+            const Vec2 within = inner_point(shape_.sheet.outline_of(shape_.sheet.panels[i]), kEnoughMm).at;
+            const auto plate = std::find_if(named.plates.begin(), named.plates.end(),
+                                            [&](const Plate& one) { return contains(one.outline, within); });
+            if (plate != named.plates.end()) shape_.names[i] = plate->name;
         }
     }
 
@@ -160,29 +154,6 @@ class BoardRoom {
         if (number < 0) return -1;
         const Fold& fold = nth(shape_.sheet.folds, number);
         return fold.left == panel ? fold.right : fold.left;
-    }
-
-    // Along the longest edge of a panel, across it, and upright on it.
-    [[nodiscard]] Vec3 extent(const std::vector<Vec3>& points, const Rigid3& frame, int base) const {
-        const Ring ring = shape_.sheet.outline_of(nth(shape_.sheet.panels, base)).outer;
-        Vec2 along{1, 0};
-        double most = 0.0;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Vec2 edge = ring[(i + 1) % ring.size()] - ring[i];
-            if (length(edge) <= most * (1.0 + 1e-9)) continue;
-            most = length(edge);
-            along = (1.0 / most) * edge;
-        }
-        const Vec3 x = frame.direction({along.x, along.y, 0});
-        const Vec3 y = frame.direction({-along.y, along.x, 0});
-        Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-        Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-        for (const Vec3 p : points) {
-            const Vec3 at{dot(p, x), dot(p, y), dot(p, frame.axes[2])};
-            low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-            high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-        }
-        return high - low;
     }
 
     // Pairs of panels of one piece whose boxes, grown by the board, meet.
@@ -261,7 +232,7 @@ class BoardRoom {
     }
 
     [[nodiscard]] double wanted(int inner) const {
-        return (nth(shape_.names, inner).ends_with("-tuck") ? kTuckBoards : 1.0) * board_;
+        return (nth(is_tuck_, inner) != 0 ? kTuckBoards : 1.0) * board_;
     }
 
     // `inner` inside `outer`, if that can be had.
@@ -341,6 +312,7 @@ class BoardRoom {
         }
         const RoughShape before = shape_;
         const std::vector<std::vector<int>> corners_before = corners_;
+        const std::vector<Slit> slits_before = slits_;
         for (const int corner : ends_of(need.fold)) part_at(tip_from(corner, need), need, beyond, shift);
         std::set<int> moving;
         for (const int panel : beyond)
@@ -349,6 +321,7 @@ class BoardRoom {
         if (!may_move(need.fold, beyond, moving, shift)) {
             shape_ = before;
             corners_ = corners_before;
+            slits_ = slits_before;
             return false;
         }
         for (const int corner : moving) {
@@ -410,6 +383,13 @@ class BoardRoom {
     // one.
     void part_at(int corner, const Need& need, const std::set<int>& beyond, Vec2 shift) {
         const int wall = parent(need.inner);
+        for (Slit& slit : slits_) {
+            if (slit.end == corner) return;
+            if (slit.other != corner) continue;
+            if (length(shift) > distance(shape_.sheet.at(slit.end), shape_.sheet.at(corner)) + kSameMm)
+                turn_slit(slit, wall);
+            return;
+        }
         int between = -1;  // the fold that the corner goes along
         for (std::size_t i = 0; i < shape_.sheet.folds.size(); ++i) {
             const Fold& fold = shape_.sheet.folds[i];
@@ -424,7 +404,7 @@ class BoardRoom {
         folded::Sheet& sheet = shape_.sheet;
         const Fold& walls = nth(sheet.folds, between);
         const int other = walls.left == wall ? walls.right : walls.left;
-        if (goes_straight_on(other, corner, shift)) return;  // they have been parted before
+        if (goes_straight_on(other, corner, shift)) return;  // they are drawn apart
         const auto fresh = static_cast<int>(sheet.corners.size());
         sheet.corners.push_back(sheet.at(corner));
         const auto replace = [&](std::vector<int>& in) { std::replace(in.begin(), in.end(), corner, fresh); };
@@ -451,18 +431,48 @@ class BoardRoom {
             }
         }
         // The wall on the other side has both corners.
-        const std::vector<Stretch>& way = walls.stretches;
-        const Stretch& end = way.front().a == fresh ? way.front() : way.back();
-        const int far = end.a == fresh ? end.b : end.a;
-        std::vector<int>& ring = nth(sheet.panels, other).outer;
+        insert_between(other, corner, far_from(between, fresh), fresh);
+        cuts.push_back({corner, fresh});
+        slits_.push_back({between, fresh, corner});
+    }
+
+    // The corner of a fold's stretch that is not its end.
+    [[nodiscard]] int far_from(int fold, int end) const {
+        const std::vector<Stretch>& way = nth(shape_.sheet.folds, fold).stretches;
+        const Stretch& last = way.front().a == end ? way.front() : way.back();
+        return last.a == end ? last.b : last.a;
+    }
+
+    void insert_between(int panel, int a, int b, int fresh) {
+        std::vector<int>& ring = nth(shape_.sheet.panels, panel).outer;
         for (std::size_t k = 0; k < ring.size(); ++k) {
-            const std::size_t next = (k + 1) % ring.size();
-            if (std::minmax(ring[k], ring[next]) != std::minmax(corner, far)) continue;
+            if (std::minmax(ring[k], ring[(k + 1) % ring.size()]) != std::minmax(a, b)) continue;
             ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(k) + 1, fresh);
             break;
         }
-        nth(corners_, other).push_back(fresh);
-        cuts.push_back({corner, fresh});
+        nth(corners_, panel).push_back(fresh);
+    }
+
+    // The crease of this wall's flap is about to pass where the fold between the walls ends: then it ends
+    // where that crease begins, and the wall on the other side has both corners.
+    void turn_slit(Slit& slit, int wall) {
+        Fold& walls = nth(shape_.sheet.folds, slit.fold);
+        const int other = walls.left == wall ? walls.right : walls.left;
+        const int far = far_from(slit.fold, slit.end);
+        std::erase(nth(shape_.sheet.panels, wall).outer, slit.end);
+        std::erase(nth(corners_, wall), slit.end);
+        insert_between(other, slit.end, far, slit.other);
+        for (Stretch& one : walls.stretches) {
+            if (one.a == slit.end) one.a = slit.other;
+            if (one.b == slit.end) one.b = slit.other;
+        }
+        std::swap(slit.end, slit.other);
+    }
+
+    [[nodiscard]] bool is_slit(int a, int b) const {
+        return std::any_of(slits_.begin(), slits_.end(), [&](const Slit& slit) {
+            return std::minmax(a, b) == std::minmax(slit.end, slit.other);
+        });
     }
 
     // Cuts that go on from the ends of a crease in its direction move with it, so that they stay square to
@@ -483,6 +493,13 @@ class BoardRoom {
         }
         std::vector<int> open;
         for (const int corner : ends_of(number)) open.push_back(corner);
+        // Slits along it go with it, and those that are closed just now, too.
+        for (const Slit& slit : slits_) {
+            if (slit.fold != number) continue;
+            for (const int corner : {slit.end, slit.other}) {
+                if (moving.insert(corner).second) open.push_back(corner);
+            }
+        }
         while (!open.empty()) {
             const auto found = next.find(open.back());
             open.pop_back();
@@ -514,11 +531,10 @@ class BoardRoom {
             for (std::size_t k = 0; k < ring.size(); ++k) {
                 const int a = ring[k];
                 const int b = ring[(k + 1) % ring.size()];
-                if (moving.contains(a) == moving.contains(b)) continue;
+                if (moving.contains(a) == moving.contains(b) || is_slit(a, b)) continue;
                 const Vec2 edge = shape_.sheet.at(b) - shape_.sheet.at(a);
                 const Vec2 made = moving.contains(b) ? edge + shift : edge - shift;
-                // Corners that were just parted lie on each other.
-                if (length(edge) > 1e-9 && dot(edge, made) <= 0.0) return false;
+                if (dot(edge, made) <= kSameMm * length(edge)) return false;
             }
         }
         return true;
@@ -527,11 +543,13 @@ class BoardRoom {
     const CreasePattern& pattern_;
     double board_;
     std::vector<char> in_loop_;               // by fold
+    std::vector<char> is_tuck_;               // by panel, as they are drawn
     RoughShape shape_;                        // as it is moved
     std::vector<std::vector<int>> corners_;   // by panel
     std::vector<std::vector<int>> children_;  // by panel
     std::vector<double> moved_;               // by fold, mm
     std::vector<std::pair<int, int>> goes_;   // by fold: the panel that goes inside, and the other
+    std::vector<Slit> slits_;
 };
 
 }  // namespace
@@ -545,12 +563,16 @@ std::optional<BoardedSheet> allow_for_board(const CreasePattern& pattern, const 
     if (!rough) return std::nullopt;
     BoardRoom room(pattern, *rough, board_mm);
     room.run();
+    BoardedSheet boarded{pattern, room.any_moved()};
+    if (boarded.moved) {
+        boarded.pattern = folded::pattern_of(pattern, room.shape(), rough->angles);
+        room.take_names(boarded.pattern);
+    }
     room.tell(*rough, diagnostics);
-    room.tell_sizes(diagnostics);
-    if (!room.any_moved()) return BoardedSheet{pattern, false};
+    folded::tell_carton_size(room.shape(), board_mm, diagnostics);
     // The mends of the drawing are in it, and would not be found again.
-    static_cast<void>(folded::make_sheet(pattern, whole, diagnostics));
-    return BoardedSheet{folded::pattern_of(pattern, room.shape(), rough->angles), true};
+    if (boarded.moved) static_cast<void>(folded::make_sheet(pattern, whole, diagnostics));
+    return boarded;
 }
 
 }  // namespace popup

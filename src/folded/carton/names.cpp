@@ -62,6 +62,11 @@ class Namer {
         double width = 0.0;   // across the folds between the walls
         int other_half = -1;  // of a wall that a crease parts
     };
+    struct Tray {
+        int root = 0;
+        std::array<Vec2, 4> out;     // to the front, the right, the back and the left of the drawing
+        std::array<int, 4> folds{};  // there; -1: none
+    };
     struct Tube {
         std::vector<Wall> walls;  // without the glue flap
         Vec2 along;
@@ -406,41 +411,81 @@ class Namer {
         return give(next, std::move(name)) ? next : -1;
     }
 
-    // The first of the panels that has walls around it, and is large enough.
+    // The first of the panels that has walls around it, and is large enough; where its lid has walls, too,
+    // the one of the two whose walls are the larger ones, with what is rolled in.
     bool name_tray(const std::vector<int>& panels) {
         double largest = 0.0;
         for (const int panel : panels) largest = std::max(largest, area_of(panel));
-        return std::any_of(panels.begin(), panels.end(), [&](int panel) {
-            return area_of(panel) >= kBaseShare * largest && name_tray(panel);
+        std::optional<Tray> best;
+        for (const int panel : panels) {
+            if (area_of(panel) < kBaseShare * largest) continue;
+            const std::optional<Tray> tray = tray_around(panel);
+            if (!tray || (best && !is_lid_of(*tray, *best))) continue;
+            if (!best || walls_of(*tray) > walls_of(*best) * (1.0 + kAsLarge)) best = tray;
+        }
+        if (best) name_tray(*best);
+        return best.has_value();
+    }
+
+    // As large, and beyond one of its walls.
+    [[nodiscard]] bool is_lid_of(const Tray& lid, const Tray& tray) const {
+        if (area_of(lid.root) < kAsLargeAsBase * area_of(tray.root)) return false;
+        return std::any_of(lid.folds.begin(), lid.folds.end(), [&](int fold) {
+            if (fold < 0) return false;
+            const int wall = other_side(fold, lid.root);
+            return std::any_of(tray.folds.begin(), tray.folds.end(),
+                               [&](int other) { return other >= 0 && other_side(other, tray.root) == wall; });
         });
     }
 
-    bool name_tray(int root) {
-        static constexpr std::array<std::string_view, 4> kSides{"front", "right", "back", "left"};
+    // The area of what stands around the base of a tray, and is rolled over there.
+    [[nodiscard]] double walls_of(const Tray& tray) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (tray.folds[i] < 0) continue;
+            int panel = other_side(tray.folds[i], tray.root);
+            int by = tray.folds[i];
+            const Vec2 along = right_of(tray.out[i]);
+            while (by >= 0 && area_of(panel) < kAsLargeAsBase * area_of(tray.root)) {
+                sum += area_of(panel);
+                by = fold_on(panel, along, tray.out[i], 0.3 * width_of(panel, along), by);
+                if (by >= 0) panel = other_side(by, panel);
+            }
+        }
+        return sum;
+    }
+
+    [[nodiscard]] std::optional<Tray> tray_around(int root) const {
         const std::vector<Vec2> directions = directions_of(root);
-        if (directions.empty()) return false;
+        if (directions.empty()) return std::nullopt;
         // The direction that is nearest to that of the drawing's y.
         const Vec2 up = *std::max_element(directions.begin(), directions.end(), [](Vec2 a, Vec2 b) {
             return std::abs(a.y) < std::abs(b.y) - 1e-9;
         });
-        const std::array<Vec2, 4> out{-up, right_of(up), up, left_of(up)};
-        std::array<int, 4> folds{};
+        Tray tray;
+        tray.root = root;
+        tray.out = {-up, right_of(up), up, left_of(up)};
         int count = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Vec2 along = right_of(out[i]);
-            const Vec2 reach = extent(root, along);
-            folds[i] = fold_on(root, along, out[i], kAsLong * (reach.y - reach.x), -1);
-            if (folds[i] >= 0) ++count;
+            const Vec2 along = right_of(tray.out[i]);
+            tray.folds[i] = fold_on(root, along, tray.out[i], kAsLong * width_of(root, along), -1);
+            if (tray.folds[i] >= 0) ++count;
         }
-        if (count < 3) return false;
-        give(root, "base");
+        if (count < 3) return std::nullopt;
+        return tray;
+    }
+
+    void name_tray(const Tray& tray) {
+        static constexpr std::array<std::string_view, 4> kSides{"front", "right", "back", "left"};
+        give(tray.root, "base");
         for (std::size_t i = 0; i < 4; ++i) {
-            if (folds[i] >= 0) give(other_side(folds[i], root), std::string(kSides[i]));
+            if (tray.folds[i] >= 0) give(other_side(tray.folds[i], tray.root), std::string(kSides[i]));
         }
         for (std::size_t i = 0; i < 4; ++i) {
-            if (folds[i] >= 0) name_wall_of_tray(root, other_side(folds[i], root), folds[i], out[i]);
+            if (tray.folds[i] < 0) continue;
+            const int wall = other_side(tray.folds[i], tray.root);
+            name_wall_of_tray(tray.root, wall, tray.folds[i], tray.out[i]);
         }
-        return true;
     }
 
     void name_wall_of_tray(int root, int wall, int fold, Vec2 out) {

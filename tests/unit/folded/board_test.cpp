@@ -113,6 +113,51 @@ TEST(Board, WhatWasAllowedForNeedsNothingMore) {
     EXPECT_FALSE(twice->moved) << messages(second, "crease-moved").front();
 }
 
+class MailersBoard : public testing::TestWithParam<double> {};
+
+// Its ears, dust flaps and corner flaps begin two by two in one corner, and each is moved by a length of its
+// own, some past where the other begins. What is drawn alike on both sides, to the last digit, is moved
+// alike.
+TEST_P(MailersBoard, StaysOnePieceAndMirrored) {
+    const auto pattern = drawn(kSource / "tests/cases/board/mailer.svg");
+    ASSERT_TRUE(pattern);
+    Diagnostics diagnostics;
+    const auto allowed = allow_for_board(*pattern, {}, GetParam(), diagnostics);
+    ASSERT_TRUE(allowed);
+    EXPECT_TRUE(allowed->moved);
+    std::vector<Vec2> points;
+    for (const CreaseLine& line : allowed->pattern.lines)
+        points.insert(points.end(), line.points.begin(), line.points.end());
+    for (const Vec2 p : points) {
+        const Vec2 mirrored{350.0 - p.x, p.y};
+        EXPECT_TRUE(
+            std::any_of(points.begin(), points.end(), [&](Vec2 q) { return distance(q, mirrored) < 1e-6; }))
+            << p.x << ", " << p.y;
+    }
+    FoldOptions options;
+    options.board_mm = GetParam();
+    const auto folded = fold_sheet(*pattern, options, diagnostics);
+    ASSERT_TRUE(folded);
+    EXPECT_EQ(folded->pieces.size(), 1U);
+    EXPECT_EQ(folded->plates.size(), 19U);
+    // What is told of creases names the panels of the model, whichever of two equal ones is moved.
+    const std::vector<std::string> told = messages(diagnostics, "crease-moved");
+    EXPECT_FALSE(told.empty());
+    for (const std::string& message : told) {
+        const std::size_t begin = message.find("between ") + 8;
+        const std::size_t end = message.find(" and ", begin);
+        const std::size_t last = message.find(" lacks ", end);
+        for (const std::string& name :
+             {message.substr(begin, end - begin), message.substr(end + 5, last - end - 5)}) {
+            EXPECT_TRUE(std::any_of(folded->plates.begin(), folded->plates.end(), [&](const Plate& plate) {
+                return plate.name == name;
+            })) << name;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, MailersBoard, testing::Values(0.3, 0.5, 1.0, 1.5, 2.0, 3.0));
+
 TEST(Board, SheetsThatDoNotFoldAsTheyAreDrawnAreFoldedWithoutIt) {
     const auto pattern = drawn(kSource / "samples/folded/carton.svg");
     ASSERT_TRUE(pattern);

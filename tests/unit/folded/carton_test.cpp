@@ -226,6 +226,29 @@ TEST(Carton, PanelsOfATrayAreNamed) {
 }
 
 // Accordions, and what loops hold, are no boxes: their panels keep their numbers.
+// Its lid is as large as its base, has walls on four sides, too, and is drawn first.
+TEST(Carton, TheBaseOfAMailerIsWhatHasTheRolledWalls) {
+    const auto mailer =
+        drawing(std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases" / "board" / "mailer.svg");
+    ASSERT_TRUE(mailer);
+    Diagnostics diagnostics;
+    const auto folded = fold_sheet(*mailer, {}, diagnostics);
+    ASSERT_TRUE(folded);
+    const auto box_of = [&](const std::string& name) {
+        for (const Plate& plate : folded->plates) {
+            if (plate.name == "sheet/" + name) return bounds(plate.outline.outer);
+        }
+        return Box{};
+    };
+    // The drawing has y upwards here: the lid is at its top, the base below.
+    EXPECT_GT(box_of("lid").min.y, box_of("back").min.y);
+    EXPECT_GT(box_of("lid-tuck").min.y, box_of("lid").min.y);
+    EXPECT_GT(box_of("back").min.y, box_of("base").min.y);
+    EXPECT_GT(box_of("base").min.y, box_of("front").min.y);
+    EXPECT_NEAR(box_of("right-lining").width(), 2.0, 1e-6);
+    EXPECT_NEAR(box_of("left-lining").width(), 2.0, 1e-6);
+}
+
 TEST(Carton, WhatIsNoBoxKeepsItsNumbers) {
     CreasePattern accordion = strip({40, 40, 40, 40, 40}, 60);
     for (std::size_t i = 1; i < accordion.lines.size(); i += 2) accordion.lines[i].use = CreaseUse::mountain;
