@@ -159,6 +159,14 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "closed, as one line or as several whose ends meet; ends that miss by up to half a millimetre are "
      "joined. "
      "Look for a border that is drawn with a wide gap, or in a colour that means something else."},
+    {"no-rigid-way", Severity::warning, "a closed shape that folding alone does not lead to",
+     "The drawing says how far every one of these folds goes, and at these angles the panels meet around all "
+     "corners and holes: that is the closed shape, and it is shown and written. But no way was found on "
+     "which "
+     "the folds get there from the flat sheet while every panel stays plane, as with the gable of a milk "
+     "carton, whose board bends while it is pressed shut. The motion goes along the way that was found while "
+     "no fold goes beyond its angle, and at its end to the closed shape at once, which no paper does: "
+     "collisions are not looked for. Creases along which the board bends would show a way."},
     {"no-room-for-board", Severity::warning, "panels that lie nearer to each other than the board is thick",
      "In the closed carton the two panels of the message lie on each other, and their middles are nearer "
      "than "

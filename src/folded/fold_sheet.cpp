@@ -10,6 +10,7 @@
 #include "assembly/settle.h"
 #include "base/nth.h"
 #include "base/text/quoted_words.h"
+#include "folded/asked.h"
 #include "folded/bend.h"
 #include "folded/lower.h"
 #include "folded/path.h"
@@ -133,10 +134,11 @@ class Lowering {
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) add_fold(static_cast<int>(i));
         tell_other_ways();
         tell_flat_folds();
+        tell_jumps();
         out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
         out_.sweep.to_deg = kFlatDeg;
-        // What was given up is shown flat, and is not.
-        out_.sweep.bends = sheet_.bends() || paths_.any_given_up();
+        // What was given up is shown flat, and is not; what jumps is torn on the way.
+        out_.sweep.bends = sheet_.bends() || paths_.any_given_up() || paths_.any_jumps();
         out_.sweep.closed_flat = reached_ == 1.0 && folds_flat();
         settle_numbers(out_);
         return std::move(out_);
@@ -259,8 +261,47 @@ class Lowering {
                                          "at {}",
                                          degrees(std::abs(fold.target)),
                                          shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
-                    .hint("look at the corners at its ends: where four folds meet, opposite ones must agree");
+                    .hint(what_frees(number));
             }
+        }
+    }
+    [[nodiscard]] std::string what_frees(int number) const {
+        std::size_t fewest = 0;
+        for (const folded::Loop& loop : sheet_.loops) {
+            const bool has = std::any_of(loop.steps.begin(), loop.steps.end(),
+                                         [&](const folded::Step& one) { return one.fold == number; });
+            if (has && loop.corner && (fewest == 0 || loop.steps.size() < fewest)) fewest = loop.steps.size();
+        }
+        if (fewest == 4)
+            return "look at the corners at its ends: where four folds meet, opposite ones must agree";
+        if (fewest == 0)
+            return "look at the holes that it leads to: all folds around each must close together";
+        return fmt::format(
+            "look at the corners at its ends: all {} folds that meet there must close together", fewest);
+    }
+
+    // Sets of folds that get to the angles that are asked for, and not without bending.
+    void tell_jumps() {
+        std::size_t told = 0;
+        for (const folded::Cluster& cluster : paths_.clusters) {
+            if (cluster.jumps_from < 0.0) continue;
+            if (++told > kToldAtMost) return;
+            const folded::Loop& loop = nth(sheet_.loops, cluster.loops.front());
+            const std::string until = cluster.jumps_from > 0.0
+                                          ? fmt::format("the one that was found ends at {:.0f} % of it, and",
+                                                        std::floor(100.0 * cluster.jumps_from))
+                                          : std::string("none leaves the flat sheet, and");
+            diagnostics_
+                .warning("no-rigid-way", nth(pattern_.lines, loop.line).place,
+                         fmt::format(
+                             "the {} folds around {} corner{}, the first at {}, close at the angles "
+                             "that are written for them, but no way there was found on which no panel "
+                             "bends: {} from there they go to these angles at once",
+                             cluster.folds.size(), cluster.loops.size(), cluster.loops.size() == 1 ? "" : "s",
+                             shown_point(pattern_.ruler, loop.at), until))
+                .hint(
+                    "board bends a little on such a way, or creases are missing along which it could; "
+                    "collisions are not looked for");
         }
     }
 
@@ -395,6 +436,7 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
             return Lowering(pattern, bent->sheet, bent->paths, options.to, work.most(), diagnostics).run();
         }
     }
+    static_cast<void>(folded::end_as_asked(pattern, options, *sheet, paths, work));
     return Lowering(pattern, *sheet, paths, options.to, work.most(), diagnostics).run();
 }
 

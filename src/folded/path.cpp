@@ -501,6 +501,11 @@ bool Paths::any_given_up() const {
     return std::any_of(clusters.begin(), clusters.end(), [](const Cluster& one) { return one.given_up; });
 }
 
+bool Paths::any_jumps() const {
+    return std::any_of(clusters.begin(), clusters.end(),
+                       [](const Cluster& one) { return one.jumps_from >= 0.0; });
+}
+
 Paths find_paths(const Sheet& sheet, const PathOptions& options, Work& work) {
     Paths paths;
     paths.laws.resize(sheet.folds.size());

@@ -49,8 +49,11 @@ struct Cluster {
     // is open half way when each fold has its share, in radians or as a share of its size.
     double residual = 0.0;
     int worst_loop = -1;
-    bool all_fold = true;    // no fold stays flat that is to be folded; of reached > 0
-    bool given_up = false;   // the work was spent before it was known how it goes any further
+    bool all_fold = true;   // no fold stays flat that is to be folded; of reached > 0
+    bool given_up = false;  // the work was spent before it was known how it goes any further
+    // Not less than 0: it goes along the way that was found up to this share of it alone, and from there at
+    // once to the angles that are asked for, which close (folded/asked.h).
+    double jumps_from = -1.0;
     bool other_way = false;  // it only leaves the flat sheet with folds that go the other way than drawn
 };
 
@@ -63,6 +66,7 @@ struct Paths {
     // Whether a cluster does not leave the flat sheet.
     [[nodiscard]] bool any_stays() const { return reached == 0.0; }
     [[nodiscard]] bool any_given_up() const;
+    [[nodiscard]] bool any_jumps() const;
 };
 
 // The angle of a law at a share.

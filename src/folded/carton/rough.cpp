@@ -10,6 +10,7 @@
 
 #include "base/nth.h"
 #include "base/text/shown.h"
+#include "folded/asked.h"
 #include "folded/path.h"
 #include "folded/refine.h"
 #include "folded/work.h"
@@ -42,6 +43,7 @@ std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, cons
         if (refine(*sheet, paths, std::max(options.refine_mm, kMovedShare * sheet->size()), work).closes)
             paths = find_paths(*sheet, path, work);
     }
+    static_cast<void>(end_as_asked(pattern, options, *sheet, paths, work));
     if (paths.reached < kWholeWay) {
         diagnostics
             .error("not-refined", place_of_worst(pattern, *sheet, paths),
