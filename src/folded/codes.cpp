@@ -199,6 +199,14 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "do not go together are the usual reason: at each inner corner that folds flat, they differ in number "
      "by "
      "two. Else add the creases along which the paper bends."},
+    {"other-angle", Severity::warning, "folds that end at other angles than they are to",
+     "Folds around a corner or a hole go together, so that not all of their angles can be chosen. Those that "
+     "are asked for, or 90° in boxes and 180° in FOLD files where nothing is said, do not close these loops, "
+     "and the sheet was folded to angles near them that do. The message says how many folds go otherwise, "
+     "and "
+     "which by most. Write the angles of a shape that closes: data-fold-angle in SVG, edges_foldAngle in "
+     "FOLD. "
+     "A FOLD file that popupc writes has the angles at which the folds end."},
     {"ring-open", Severity::remark, "walls that would meet if their folds went to another angle",
      "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. This "
      "drawing "
@@ -215,6 +223,14 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "message says if other folds go otherwise too. The hint says how to give the angles, as options or in "
      "the "
      "drawing; other angles may be given just so."},
+    {"web-corners", Severity::remark, "corners of a tray where folded webs stand between the walls",
+     "Between two walls the sheet goes on, and a diagonal of the other kind parts it in halves. Such a web "
+     "is "
+     "folded flat when the walls stand at right angles: its diagonal goes to 180°, and the folds at its "
+     "sides "
+     "to 135° where the corner of the tray is square, so that it stands inside, half way between the walls. "
+     "The drawing says no angle of its own for them, and so they are folded so. data-fold-angle says "
+     "otherwise."},
 });
 
 }  // namespace

@@ -135,6 +135,7 @@ class Lowering {
         tell_other_ways();
         tell_flat_folds();
         tell_jumps();
+        tell_other_angles();
         out_.sweep.from_deg = kFlatDeg * (1.0 - reached_);
         out_.sweep.to_deg = kFlatDeg;
         // What was given up is shown flat, and is not; what jumps is torn on the way.
@@ -303,6 +304,44 @@ class Lowering {
                     "board bends a little on such a way, or creases are missing along which it could; "
                     "collisions are not looked for");
         }
+    }
+
+    // Folds that go the way they are drawn, and end elsewhere than they are to.
+    void tell_other_angles() {
+        if (sheet_.bends()) return;  // that is told already
+        int count = 0;
+        int worst = -1;
+        double most = folded::kOtherAngleDeg;
+        for (const folded::Cluster& cluster : paths_.clusters) {
+            if (cluster.reached < kNearlyThere || cluster.other_way) continue;
+            for (const int number : cluster.folds) {
+                const Fold& fold = nth(sheet_.folds, number);
+                const double end = nth(paths_.laws, number).back().angle;
+                // Those that stay flat or go the other way are told one by one.
+                if (fold.target == 0.0 || end / fold.target < kStaysFlat) continue;
+                const double off = degrees(std::abs(end - fold.target));
+                if (off <= folded::kOtherAngleDeg) continue;
+                ++count;
+                if (off <= most + 1e-6) continue;
+                most = off;
+                worst = number;
+            }
+        }
+        if (worst < 0) return;
+        const Fold& fold = nth(sheet_.folds, worst);
+        const Segment line = sheet_.line_of(fold);
+        diagnostics_
+            .warning(
+                "other-angle", nth(pattern_.lines, fold.line).place,
+                fmt::format(
+                    "{}, for the loops there close so: that from {} to {} at {:.1f}° instead of {:.1f}°",
+                    count == 1 ? std::string("1 fold ends at another angle than it is to")
+                               : fmt::format("{} folds end at other angles than they are to", count),
+                    shown_point(pattern_.ruler, line.a), shown_point(pattern_.ruler, line.b),
+                    degrees(std::abs(nth(paths_.laws, worst).back().angle)), degrees(std::abs(fold.target))))
+            .hint(
+                "write the angles of a shape that closes for all folds around these corners, or for none of "
+                "those that are to follow: -o NAME.fold shows those that it has now");
     }
 
     [[nodiscard]] bool folds_flat() const {

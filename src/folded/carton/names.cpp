@@ -11,6 +11,7 @@
 
 #include "base/nth.h"
 #include "folded/carton/closing_angles.h"
+#include "folded/carton/web_corners.h"
 
 namespace popup::folded {
 namespace {
@@ -45,7 +46,12 @@ class Namer {
 
     std::vector<std::string> run() {
         std::vector<char> has_loop(sheet_.cuts.size(), 0);
-        for (const Loop& loop : sheet_.loops) {
+        // Corners that are closed by webs are what trays have; other loops are of other things.
+        std::vector<char> is_web(sheet_.loops.size(), 0);
+        for (const WebCorner& web : find_web_corners(sheet_)) nth(is_web, web.loop) = 1;
+        for (std::size_t i = 0; i < sheet_.loops.size(); ++i) {
+            if (is_web[i] != 0) continue;
+            const Loop& loop = sheet_.loops[i];
             const Fold& fold = nth(sheet_.folds, loop.steps.front().fold);
             nth(has_loop, nth(sheet_.panels, fold.left).piece) = 1;
         }
