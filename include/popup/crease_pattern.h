@@ -122,8 +122,10 @@ struct FoldOptions {
 // loops do not close is told of with `not-rigid`, with the worst loop and by how much it stays open. It is
 // folded as far as it can be; where it does not leave the flat sheet, panels are divided into triangles along
 // which they bend, by as little as brings the folds near to their angles, so that it can be seen
-// (Sweep::bends). What is cut and scored stays as drawn. Cost: near linear in lines, and in panels times
-// ranges of the motion.
+// (Sweep::bends). Where written angles close and no way that folds alone leads to them, the motion jumps
+// there at its end: `no-rigid-way`. Folds that end at other angles than they are to are counted in
+// `other-angle`; the remark `web-corners` tells of webs between the walls of a tray. What is cut and scored
+// stays as drawn. Cost: near linear in lines, and in panels times ranges of the motion.
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics);
 
