@@ -26,6 +26,7 @@ constexpr double kLockShare = 0.1;      // of the panel that it hangs on: a lock
 constexpr double kAsLargeAsBase = 0.7;  // a lid
 constexpr double kUprightDeg = 170.0;   // a fold that is drawn folded by more stands on nothing
 constexpr double kGussetDeg = 10.0;     // one by less parts a wall
+constexpr double kOblique = 0.3;        // sine and cosine of what is neither along nor across
 constexpr double kAsWide = 0.08;        // walls of a ring differ by less: by boards
 constexpr double kAsHigh = 0.15;
 constexpr double kAsLarge = 0.01;   // areas that differ by less are one
@@ -400,7 +401,22 @@ class Namer {
                 give(flap.panel, one_closes && !opposite ? fmt::format("{}-dust-flap-{}", end, wall)
                                                          : fmt::format("{}-flap-{}", end, wall));
                 name_far_edge(flap.panel, flap.fold, fmt::format("{}-tuck", nth(names_, flap.panel)));
+                name_glue_corner(flap.panel, flap.fold, fmt::format("{}-glue-corner-{}", end, wall));
             }
+        }
+    }
+
+    // The corner of a flap beyond an oblique crease that lies flat in the end: only what is glued to the next
+    // flap has a use for such a crease, for by it a bottom locks when the flat tube is opened.
+    void name_glue_corner(int flap, int own, const std::string& name) {
+        const Segment line = sheet_.line_of(nth(sheet_.folds, own));
+        const Vec2 along = unit(line.b - line.a);
+        for (const int number : nth(folds_, flap)) {
+            if (number == own || drawn_deg(nth(sheet_.folds, number)) >= kGussetDeg) continue;
+            const Segment crease = sheet_.line_of(nth(sheet_.folds, number));
+            const Vec2 way = unit(crease.b - crease.a);
+            if (std::abs(cross(along, way)) < kOblique || std::abs(dot(along, way)) < kOblique) continue;
+            give(other_side(number, flap), name);
         }
     }
 

@@ -22,8 +22,9 @@ namespace popup::folded {
 //   is the `glue-flap`. A wall that a crease parts, which lies flat in the end, as the sides of bags are, is
 //   two panels, `left-1` and `left-2`. What closes an end is the `top` or the `bottom`, the narrow panel at
 //   its far edge its `top-tuck`, what hangs at the end of the other walls `top-dust-flap-left`; where nothing
-//   closes an end alone there are `top-flap-front` and the like. The top lies on the left of the walls, as
-//   they are numbered: upwards in most drawings;
+//   closes an end alone there are `top-flap-front` and the like, and what is beyond an oblique crease of
+//   theirs that is drawn to lie flat in the end is a `top-glue-corner-left`. The top lies on the left of the
+//   walls, as they are numbered: upwards in most drawings;
 // * a tray: a `base` with walls on three or four of its sides, `front` at the bottom of the drawing, `back`,
 //   `left` and `right`. What hangs at a wall's end is a `front-corner-left`, what hangs at the top of a wall
 //   a `front-lining`, or the `lid` where it is as large as the base, with its `lid-tuck`.

@@ -36,7 +36,8 @@ struct NamedCarton {
 constexpr NamedCarton kNamedCartons[]{
     {"auto-lock-bottom",
      "back right left top bottom-flap-back front top-dust-flap-right bottom-flap-right top-dust-flap-left "
-     "bottom-flap-left top-tuck glue-flap bottom-flap-front panel-14 panel-15"},
+     "bottom-flap-left top-tuck glue-flap bottom-flap-front bottom-glue-corner-right "
+     "bottom-glue-corner-left"},
     {"fefco-0201",
      "back right left bottom-flap-back top-flap-back front bottom-flap-right top-flap-right "
      "bottom-flap-left top-flap-left glue-flap bottom-flap-front top-flap-front"},

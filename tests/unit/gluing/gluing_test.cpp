@@ -382,22 +382,42 @@ TEST(FoldingSteps, EndWhereAFoldTurnsBackOrWaits) {
     EXPECT_EQ(told, (std::vector<std::string>{"180 to 120: 1", "120 to 60: 0", "60 to 0: 0 and 1"}));
 }
 
+// "sheet/flap inside sheet/wall 0": the last is the step after which it lies there.
+std::vector<std::string> told_flaps(const Assembly& in) {
+    std::vector<std::string> lines;
+    for (const GlueFlap& one : glue_flaps(in))
+        lines.push_back(fmt::format("{} {} {} {}", nth(in.plates, one.flap).name,
+                                    one.inside ? "inside" : "outside", nth(in.plates, one.panel).name,
+                                    one.step));
+    return lines;
+}
+using Lines = std::vector<std::string>;
+
 // The kit's flap stands a caliper in from its wall; without a caliper the smaller is the inner one.
 TEST(GlueFlaps, LieOnTheLastWall) {
-    const auto told = [](const Assembly& in) {
-        std::vector<std::string> lines;
-        for (const GlueFlap& one : glue_flaps(in))
-            lines.push_back(fmt::format("{} {} {} {}", nth(in.plates, one.flap).name,
-                                        one.inside ? "inside" : "outside", nth(in.plates, one.panel).name,
-                                        one.step));
-        return lines;
-    };
-    using Lines = std::vector<std::string>;
-    EXPECT_EQ(told(sample("folded/carton.svg")), Lines{"sheet/glue-flap inside sheet/left 0"});
-    EXPECT_EQ(told(sample("cartons/auto-lock-bottom.fl")), Lines{"sheet/glue-flap inside sheet/left 0"});
-    EXPECT_EQ(told(sample("cartons/hexagonal-box.fl")), Lines{"sheet/glue-flap inside sheet/wall-6 0"});
-    EXPECT_EQ(told(sample("folded/bowl.svg")), Lines{});
-    EXPECT_EQ(told(sample("castle.xml")), Lines{});
+    EXPECT_EQ(told_flaps(sample("folded/carton.svg")), Lines{"sheet/glue-flap inside sheet/left 0"});
+    EXPECT_EQ(told_flaps(sample("cartons/fefco-0201.fl")), Lines{"sheet/glue-flap inside sheet/left 0"});
+    EXPECT_EQ(told_flaps(sample("cartons/hexagonal-box.fl")), Lines{"sheet/glue-flap inside sheet/wall-6 0"});
+    EXPECT_EQ(told_flaps(sample("folded/bowl.svg")), Lines{});
+    EXPECT_EQ(told_flaps(sample("castle.xml")), Lines{});
+}
+
+TEST(GlueFlaps, AreCornersByWhichABottomLocks) {
+    EXPECT_EQ(told_flaps(sample("cartons/auto-lock-bottom.fl")),
+              (Lines{"sheet/glue-flap inside sheet/left 0",
+                     "sheet/bottom-glue-corner-right inside sheet/bottom-flap-back 3",
+                     "sheet/bottom-glue-corner-left inside sheet/bottom-flap-front 3"}));
+}
+
+// Each once, in the step that brings it onto another; its hems lie on walls, and are not known to be glued.
+TEST(GlueFlaps, AreFlapsAtTheBottomOfABag) {
+    EXPECT_EQ(told_flaps(sample("cartons/gift-bag.fl")),
+              (Lines{"sheet/bottom-flap-right-1 inside sheet/bottom-flap-back 1",
+                     "sheet/bottom-flap-left-1 inside sheet/bottom-flap-back 1",
+                     "sheet/bottom-flap-right-2 inside sheet/bottom-flap-back 1",
+                     "sheet/bottom-flap-left-2 inside sheet/bottom-flap-back 1",
+                     "sheet/glue-flap inside sheet/left-2 0",
+                     "sheet/bottom-flap-front outside sheet/bottom-flap-back 2"}));
 }
 
 // A gutter is a valley, and the middle of a step a mountain.
