@@ -10,8 +10,9 @@ namespace popup::folded {
 
 // L D Lᵀ of a matrix. Columns of L with nearly the same rows are one block, and what a block adds to those
 // after it is a small dense matrix (the multifrontal method; Duff and Reid, The multifrontal solution of
-// indefinite sparse symmetric linear equations, 1983). A third of what it takes entry by entry. Sums are in
-// one order, so that the same matrix gives the same bits on all machines.
+// indefinite sparse symmetric linear equations, 1983). A third of what Eigen's factors take, which go entry
+// by entry; factors by blocks that there are (CHOLMOD) leave sums to a BLAS, which are others on other
+// machines. Here they are in one order, and the same matrix gives the same bits on all.
 //
 //     SparseFactors factors;
 //     factors.analyse(matrix, {});
