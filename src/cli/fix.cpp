@@ -135,7 +135,7 @@ CLI::App* add_fix(CLI::App& app, Options& options) {
                    "take out elements that are too small to make, and what stands on them")
         ->group("Output");
     verb->add_flag("--collisions", fix.collisions,
-                   "move elements as little as keeps them from going through others, or lying on them")
+                   "move elements as little as parts those that collide or lie on others")
         ->group("Output");
     add_message_options(*verb, options);
     add_config_options(*verb, options);
