@@ -34,8 +34,8 @@ constexpr double kTuckBoards = 1.5;       // so far behind its wall a tuck flap 
 constexpr double kParallelFaces = 0.999;  // cosine of panels that lie on each other
 constexpr double kMovesIn = 0.7;          // cosine between the way of a panel and the way into the box
 constexpr double kEnoughMm = 0.02;
-constexpr double kSameMm = 1e-9;    // lengths that differ by less are one, but for rounding
-constexpr double kMendedMm = 0.02;  // as fold_sheet() has it for a sheet with moved creases
+constexpr double kOneLengthMm = 1e-9;  // lengths that differ by less are one, but for rounding
+constexpr double kMendedMm = 0.02;     // as fold_sheet() has it for a sheet with moved creases
 constexpr double kLeastOverlapMm2 = 4.0;
 constexpr double kMostBoards = 6.0;  // so far is a crease moved at most
 constexpr int kRounds = 8;           // what was moved may be too near to something else then
@@ -85,7 +85,7 @@ class BoardRoom {
             for (const Need& need : needs()) {
                 if (need.fold < 0) continue;
                 const auto [at, fresh] = moves.try_emplace(need.fold, need);
-                if (!fresh && at->second.by_mm < need.by_mm - kSameMm) at->second = need;
+                if (!fresh && at->second.by_mm < need.by_mm - kOneLengthMm) at->second = need;
             }
             bool any = false;
             for (const auto& [fold, need] : moves) any = move(need) || any;
@@ -386,7 +386,7 @@ class BoardRoom {
         for (Slit& slit : slits_) {
             if (slit.end == corner) return;
             if (slit.other != corner) continue;
-            if (length(shift) > distance(shape_.sheet.at(slit.end), shape_.sheet.at(corner)) + kSameMm)
+            if (length(shift) > distance(shape_.sheet.at(slit.end), shape_.sheet.at(corner)) + kOneLengthMm)
                 turn_slit(slit, wall);
             return;
         }
@@ -534,7 +534,7 @@ class BoardRoom {
                 if (moving.contains(a) == moving.contains(b) || is_slit(a, b)) continue;
                 const Vec2 edge = shape_.sheet.at(b) - shape_.sheet.at(a);
                 const Vec2 made = moving.contains(b) ? edge + shift : edge - shift;
-                if (dot(edge, made) <= kSameMm * length(edge)) return false;
+                if (dot(edge, made) <= kOneLengthMm * length(edge)) return false;
             }
         }
         return true;
