@@ -82,6 +82,7 @@ class SheetSteps {
                 folded.push_back(piece);
         }
         std::vector<Chapter> chapters;
+        chapters.reserve(folded.size());
         for (const int piece : folded) chapters.push_back(chapter_of(piece, folded.size() > 1));
         return chapters;
     }
@@ -198,7 +199,7 @@ class SheetSteps {
             const auto same = std::find_if(alike.begin(), alike.end(),
                                            [&how](const auto& one) { return one.first == how; });
             if (same == alike.end()) {
-                alike.push_back({std::move(how), {where}});
+                alike.emplace_back(std::move(how), std::vector<std::string>{where});
             } else if (std::find(same->second.begin(), same->second.end(), where) == same->second.end()) {
                 same->second.push_back(where);  // of a fold in several stretches once
             }
