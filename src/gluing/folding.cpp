@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "popup/gluing.h"
 #include "popup/motion.h"
@@ -25,14 +26,6 @@ constexpr double kSameDeg = 1e-6;   // of openings, and of angles on a straight 
 bool is_folded_sheet(const Assembly& assembly) {
     return std::any_of(assembly.joints.begin(), assembly.joints.end(),
                        [](const Joint& joint) { return std::holds_alternative<Still>(joint.how); });
-}
-
-using Law = std::vector<Vec2>;
-
-const Law* law_of(const Joint& joint) {
-    if (const auto* const folded = std::get_if<Folded>(&joint.how)) return &folded->law;
-    if (const auto* const closing = std::get_if<LoopFold>(&joint.how)) return &closing->law;
-    return nullptr;
 }
 
 // How fast the angle changes over a range of a law that begins at this point, if it goes straight there.

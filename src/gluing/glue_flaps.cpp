@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "popup/gluing.h"
 #include "popup/motion.h"
@@ -17,7 +18,7 @@
 namespace popup {
 namespace {
 
-constexpr std::array<std::string_view, 2> kNames{"glue-flap", "glue-corner"};
+constexpr std::array kNames{kGlueFlapName, kGlueCornerName};
 constexpr std::string_view kEndFlap = "-flap-";  // "sheet/bottom-flap-left"
 constexpr double kUnderPanelMm = 10.5;           // the kit's thickest board, and a little
 constexpr double kParallel = 0.995;              // cosine

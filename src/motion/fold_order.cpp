@@ -21,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "base/sets.h"
 #include "motion/examine.h"
@@ -41,17 +42,8 @@ constexpr std::size_t kMostPosesAPart = 30'000;
 constexpr std::size_t kToldAtMost = 6;  // plates of a step
 // How far a lid rises while the flap on it stays upright, degrees.
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
-constexpr double kStandingDeg = 1.0;                 // a sweep of what stands still
-constexpr double kParallelRad = 1e-6;                // folds this near to parallel are
-constexpr std::string_view kGlueFlap = "glue-flap";  // what names.cpp calls one
-
-using Law = std::vector<Vec2>;
-
-Law* law_of(Joint& joint) {
-    if (auto* const folded = std::get_if<Folded>(&joint.how)) return &folded->law;
-    if (auto* const closing = std::get_if<LoopFold>(&joint.how)) return &closing->law;
-    return nullptr;
-}
+constexpr double kStandingDeg = 1.0;   // a sweep of what stands still
+constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
 
 // Folds that only go together.
 struct Part {
@@ -368,7 +360,7 @@ class Order {
     // not glued there.
     [[nodiscard]] bool is_tucked(int part) const {
         const int flap = plate_of(part);
-        if (flap < 0 || nth(work_.plates, flap).name.find(kGlueFlap) != std::string::npos) return false;
+        if (flap < 0 || nth(work_.plates, flap).name.find(kGlueFlapName) != std::string::npos) return false;
         const std::vector<int> lids = lids_of(part);
         return std::any_of(touching_.begin(), touching_.end(), [&](const auto& known) {
             const auto& [pair, one] = known;

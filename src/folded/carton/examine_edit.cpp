@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "assembly/folded_sheets.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
 #include "folded/carton/lying_panels.h"
@@ -211,7 +212,7 @@ class Examiner {
         const FoldedState after(sheet_, shape_.tree(), angles_);
         for (const LyingFlap& one : lying) {
             const std::string& flap = shape_.name_of(one.flap);
-            if (flap.find("glue-flap") == std::string::npos) continue;
+            if (flap.find(kGlueFlapName) == std::string::npos) continue;
             const std::string& panel = shape_.name_of(one.panel);
             const LyingFlap now = lying_in(after, one.flap, one.panel);
             if (std::max(one.near - now.near, now.far - one.far) > kMeetsMm) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/closing_angles.h"
 #include "folded/carton/web_corners.h"
@@ -327,7 +328,7 @@ class Namer {
 
     void name_tube(const Tube& tube) {
         front_ = tube.front;
-        if (tube.glue_flap >= 0) give(tube.glue_flap, "glue-flap");
+        if (tube.glue_flap >= 0) give(tube.glue_flap, std::string(kGlueFlapName));
         std::size_t front = 0;
         if (tube.glue_flap >= 0) {
             front = tube.glue_first ? 0 : tube.walls.size() - 1;
@@ -401,7 +402,7 @@ class Namer {
                 give(flap.panel, one_closes && !opposite ? fmt::format("{}-dust-flap-{}", end, wall)
                                                          : fmt::format("{}-flap-{}", end, wall));
                 name_far_edge(flap.panel, flap.fold, fmt::format("{}-tuck", nth(names_, flap.panel)));
-                name_glue_corner(flap.panel, flap.fold, fmt::format("{}-glue-corner-{}", end, wall));
+                name_glue_corner(flap.panel, flap.fold, fmt::format("{}-{}-{}", end, kGlueCornerName, wall));
             }
         }
     }
@@ -551,8 +552,8 @@ std::vector<std::string> name_panels(const CreasePattern& pattern, const Sheet& 
 }
 
 bool is_of_walls(std::string_view name) {
-    constexpr std::array<std::string_view, 7> kWalls{"front", "back", "left",     "right",
-                                                     "wall",  "base", "glue-flap"};
+    constexpr std::array<std::string_view, 7> kWalls{"front", "back", "left",       "right",
+                                                     "wall",  "base", kGlueFlapName};
     name.remove_prefix(name.rfind('/') + 1);  // none: 0
     // "wall-3", "left-1"
     const std::size_t end = name.find_last_not_of("0123456789");

@@ -32,7 +32,7 @@ const std::map<std::string, std::set<std::string>>& allowed_rooms() {
         {"mechanism", {"base", "assembly"}},
         {"check", {"base", "mechanism"}},
         {"motion", {"base", "assembly"}},
-        {"gluing", {"base"}},
+        {"gluing", {"base", "assembly"}},
         {"pattern", {"base"}},
         {"nest", {"base"}},
         {"layout", {"base", "nest"}},

@@ -1,0 +1,29 @@
+// What several rooms have to know of sheets that are folded: the laws of folds, and the names of panels that
+// are glued.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "popup/assembly.h"
+#include "popup/joints.h"
+
+namespace popup {
+
+// Panels with these in their names, which name_panels() gives, are glued to what they lie on in the end.
+inline constexpr std::string_view kGlueFlapName = "glue-flap";
+inline constexpr std::string_view kGlueCornerName = "glue-corner";
+
+using Law = std::vector<Vec2>;  // as Folded has it
+
+// The law by which a joint folds. Null: it is no fold.
+inline const Law* law_of(const Joint& joint) {
+    if (const auto* const folded = std::get_if<Folded>(&joint.how)) return &folded->law;
+    if (const auto* const closing = std::get_if<LoopFold>(&joint.how)) return &closing->law;
+    return nullptr;
+}
+inline Law* law_of(Joint& joint) { return const_cast<Law*>(law_of(std::as_const(joint))); }
+
+}  // namespace popup
