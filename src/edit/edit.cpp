@@ -12,6 +12,7 @@
 
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
+#include "edit/first_edit.h"
 #include "edit/moved_places.h"
 #include "edit/quick_look.h"
 #include "edit/session.h"
@@ -329,22 +330,17 @@ bool is_among(const Diagnostics& found, const Diagnostic& error) {
     });
 }
 
-// The place of an edit that brings an error of the document that all of them make: it is not there before
-// that one, and is after it. Edits before it may come to it and mend it again.
+// The place of an edit that brings an error of the document that all of them make.
 Place place_of_error(const Source& source, std::span<const EditLine> edits, const EditOptions& options,
                      const Diagnostic& error, const DiagnosticPolicy& policy) {
     EditOptions forced = options;
     forced.force = true;
-    std::size_t before = 0;
-    std::size_t after = edits.size();
-    while (after > before + 1) {
-        const std::size_t middle = before + (after - before) / 2;
+    return place_of_first(edits, [&](std::size_t count) {
         Diagnostics unheard;
         Diagnostics found(source.name, policy);
-        edit_document(source, edits.first(middle), forced, unheard, found);
-        (is_among(found, error) ? after : before) = middle;
-    }
-    return edits.empty() ? Place{} : edits[after - 1].place;
+        edit_document(source, edits.first(count), forced, unheard, found);
+        return is_among(found, error);
+    });
 }
 
 }  // namespace

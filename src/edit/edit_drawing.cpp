@@ -13,6 +13,7 @@
 #include "base/text/numbers.h"
 #include "base/text/shown.h"
 #include "edit/denied_of_drawing.h"
+#include "edit/first_edit.h"
 #include "edit/sheet_drawing.h"
 #include "input/text.h"
 #include "input/xml/number.h"
@@ -157,18 +158,13 @@ Place place_of_denied(const Source& source, std::span<const EditLine> edits,
                       const DrawingEditOptions& options, const DiagnosticPolicy& policy) {
     DrawingEditOptions forced = options;
     forced.force = true;
-    std::size_t before = 0;
-    std::size_t after = edits.size();
-    while (after > before + 1) {
-        const std::size_t middle = before + (after - before) / 2;
+    return edit::place_of_first(edits, [&](std::size_t count) {
         DrawingEditOptions trial = forced;
         Diagnostics unheard(source.name);
         Diagnostics found(source.name, policy);
-        const auto made = edit_drawing(source, edits.first(middle), trial, unheard, unheard);
-        const bool denied = made && edit::brings_denied(source, made->text, *options.all, found);
-        (denied ? after : before) = middle;
-    }
-    return edits.empty() ? Place{} : edits[after - 1].place;
+        const auto made = edit_drawing(source, edits.first(count), trial, unheard, unheard);
+        return made && edit::brings_denied(source, made->text, *options.all, found);
+    });
 }
 
 void refuse(Edited& made, Place place, Diagnostics& of_edits) {
