@@ -19,22 +19,17 @@
 #include "popup/language.h"
 #include "popup/motion.h"
 #include "popup/refinement.h"
+#include "support/folded_ends.h"
 #include "support/random.h"
 #include "support/sanitized.h"
 
 namespace popup {
 namespace {
 
+using test::add_line;
+
 constexpr double kPi = std::numbers::pi;
 const int kPrisms = test::sanitized_count(300, 30);
-
-void add(CreasePattern& pattern, std::vector<Vec2> points, bool closed, CreaseUse use) {
-    CreaseLine line;
-    line.points = std::move(points);
-    line.closed = closed;
-    line.use = use;
-    pattern.lines.push_back(std::move(line));
-}
 
 std::vector<std::string> names_of(const CreasePattern& pattern) {
     Diagnostics diagnostics;
@@ -61,11 +56,11 @@ std::optional<CreasePattern> drawing(const std::filesystem::path& path) {
 CreasePattern strip(const std::vector<double>& widths, double height) {
     CreasePattern pattern;
     const double all = std::accumulate(widths.begin(), widths.end(), 0.0);
-    add(pattern, {{0, 0}, {all, 0}, {all, height}, {0, height}}, true, CreaseUse::cut);
+    add_line(pattern, {{0, 0}, {all, 0}, {all, height}, {0, height}}, true, CreaseUse::cut);
     double at = 0.0;
     for (std::size_t i = 0; i + 1 < widths.size(); ++i) {
         at += widths[i];
-        add(pattern, {{at, 0}, {at, height}}, false, CreaseUse::valley);
+        add_line(pattern, {{at, 0}, {at, height}}, false, CreaseUse::valley);
     }
     return pattern;
 }
@@ -125,9 +120,9 @@ CreasePattern pyramid(int sides, double radius, double slant) {
         border.push_back(base[static_cast<std::size_t>(i)]);
         border.push_back({(inner + slant) * std::cos(angle), (inner + slant) * std::sin(angle)});
     }
-    add(pattern, border, true, CreaseUse::cut);
+    add_line(pattern, border, true, CreaseUse::cut);
     for (std::size_t i = 0; i < base.size(); ++i)
-        add(pattern, {base[i], base[(i + 1) % base.size()]}, false, CreaseUse::valley);
+        add_line(pattern, {base[i], base[(i + 1) % base.size()]}, false, CreaseUse::valley);
     return pattern;
 }
 
@@ -144,8 +139,10 @@ TEST(Carton, PanelsOfATubeAreNamed) {
 // A tuck-end box: a lid with its tuck, dust flaps beside it, a window, and rounded corners on the tuck.
 TEST(Carton, TucksDustFlapsAndLocksAreNamed) {
     CreasePattern box;
-    const auto cut = [&box](std::vector<Vec2> points) { add(box, std::move(points), false, CreaseUse::cut); };
-    const auto fold = [&box](Vec2 a, Vec2 b) { add(box, {a, b}, false, CreaseUse::valley); };
+    const auto cut = [&box](std::vector<Vec2> points) {
+        add_line(box, std::move(points), false, CreaseUse::cut);
+    };
+    const auto fold = [&box](Vec2 a, Vec2 b) { add_line(box, {a, b}, false, CreaseUse::valley); };
     // Walls: 12 glue, 60, 30, 60, 30; 90 high.
     cut({{12, 0}, {0, 5}, {0, 85}, {12, 90}});
     for (const double x : {12.0, 72.0, 102.0, 162.0}) fold({x, 0}, {x, 90});
@@ -167,7 +164,7 @@ TEST(Carton, TucksDustFlapsAndLocksAreNamed) {
     cut({{102, 90}, {162, 90}});
     cut({{192, 90}, {192, 0}, {12, 0}});
     // A window, and a lock that is cut out of the back.
-    add(box, {{30, 30}, {54, 30}, {54, 60}, {30, 60}}, true, CreaseUse::cut);
+    add_line(box, {{30, 30}, {54, 30}, {54, 60}, {30, 60}}, true, CreaseUse::cut);
     cut({{125, 20}, {125, 30}, {140, 30}, {140, 20}});
     fold({125, 20}, {140, 20});
     EXPECT_EQ(names_of(box),
@@ -181,16 +178,16 @@ TEST(Carton, ATubeIsNamedByThePanelOnItsEnd) {
     CreasePattern house;
     const double roof = std::sqrt(1800.0);
     const std::vector<double> widths{60, 40, roof, roof, 40};
-    add(house, {{60, 0}, {140 + 2 * roof, 0}, {140 + 2 * roof, 80}, {60, 80}}, false, CreaseUse::cut);
-    add(house, {{60, 80}, {60, 120}, {30, 150}, {0, 120}, {0, 80}, {-10, 76}, {-10, 4}, {0, 0}, {60, 0}},
-        false, CreaseUse::cut);
+    add_line(house, {{60, 0}, {140 + 2 * roof, 0}, {140 + 2 * roof, 80}, {60, 80}}, false, CreaseUse::cut);
+    add_line(house, {{60, 80}, {60, 120}, {30, 150}, {0, 120}, {0, 80}, {-10, 76}, {-10, 4}, {0, 0}, {60, 0}},
+             false, CreaseUse::cut);
     double x = 0.0;
     for (const double width : widths) {
-        add(house, {{x, 0}, {x, 80}}, false, CreaseUse::fold);
+        add_line(house, {{x, 0}, {x, 80}}, false, CreaseUse::fold);
         x += width;
     }
-    add(house, {{140 + 2 * roof, 0}, {140 + 2 * roof, 80}}, false, CreaseUse::cut);
-    add(house, {{0, 80}, {60, 80}}, false, CreaseUse::fold);
+    add_line(house, {{140 + 2 * roof, 0}, {140 + 2 * roof, 80}}, false, CreaseUse::cut);
+    add_line(house, {{0, 80}, {60, 80}}, false, CreaseUse::fold);
     EXPECT_EQ(names_of(house),
               (std::vector<std::string>{"sheet/front", "sheet/glue-flap", "sheet/top", "sheet/wall-2",
                                         "sheet/wall-3", "sheet/wall-4", "sheet/wall-5"}));
@@ -198,28 +195,28 @@ TEST(Carton, ATubeIsNamedByThePanelOnItsEnd) {
 
 TEST(Carton, PanelsOfATrayAreNamed) {
     CreasePattern tray;
-    add(tray,
-        {{80, -20},
-         {95, -18},
-         {95, -2},
-         {80, 0},
-         {100, 0},
-         {100, 60},
-         {80, 60},
-         {80, 80},
-         {0, 80},
-         {0, 60},
-         {-20, 60},
-         {-20, 0},
-         {0, 0}},
-        false, CreaseUse::cut);
-    add(tray, {{0, 0}, {0, -20}, {80, -20}}, false, CreaseUse::cut);
+    add_line(tray,
+             {{80, -20},
+              {95, -18},
+              {95, -2},
+              {80, 0},
+              {100, 0},
+              {100, 60},
+              {80, 60},
+              {80, 80},
+              {0, 80},
+              {0, 60},
+              {-20, 60},
+              {-20, 0},
+              {0, 0}},
+             false, CreaseUse::cut);
+    add_line(tray, {{0, 0}, {0, -20}, {80, -20}}, false, CreaseUse::cut);
     for (const auto& [a, b] : {std::pair{Vec2{0, 0}, Vec2{80, 0}},
                                {Vec2{80, 0}, Vec2{80, 60}},
                                {Vec2{80, 60}, Vec2{0, 60}},
                                {Vec2{0, 60}, Vec2{0, 0}},
                                {Vec2{80, 0}, Vec2{80, -20}}})
-        add(tray, {a, b}, false, CreaseUse::valley);
+        add_line(tray, {a, b}, false, CreaseUse::valley);
     EXPECT_EQ(names_of(tray),
               (std::vector<std::string>{"sheet/back", "sheet/base", "sheet/front", "sheet/front-corner-right",
                                         "sheet/left", "sheet/right"}));
@@ -372,11 +369,11 @@ TEST(Carton, WhatIsLikeAnAcceptedMergeIsAcceptedToo) {
         border.push_back({40.0 * i + 20, 98});
     }
     border.push_back({0, 70});
-    add(pattern, border, true, CreaseUse::cut);
+    add_line(pattern, border, true, CreaseUse::cut);
     for (int i = 0; i < 4; ++i) {
-        add(pattern, {{40.0 * i, 0}, {40.0 * i + 40, 0}}, false, CreaseUse::valley);
-        add(pattern, {{40.0 * i, 70}, {40.0 * i + 40, 70}}, false, CreaseUse::valley);
-        if (i > 0) add(pattern, {{40.0 * i, 0}, {40.0 * i, 70}}, false, CreaseUse::valley);
+        add_line(pattern, {{40.0 * i, 0}, {40.0 * i + 40, 0}}, false, CreaseUse::valley);
+        add_line(pattern, {{40.0 * i, 70}, {40.0 * i + 40, 70}}, false, CreaseUse::valley);
+        if (i > 0) add_line(pattern, {{40.0 * i, 0}, {40.0 * i, 70}}, false, CreaseUse::valley);
     }
     Diagnostics diagnostics;
     SuggestOptions options;

@@ -10,52 +10,28 @@
 
 #include "popup/crease_pattern.h"
 #include "support/designs.h"
+#include "support/folded_ends.h"
 
 namespace popup {
 namespace {
 
-void add(CreasePattern& pattern, std::vector<Vec2> points, bool closed, CreaseUse use,
-         std::optional<double> deg = {}) {
-    CreaseLine line;
-    line.points = std::move(points);
-    line.closed = closed;
-    line.use = use;
-    line.fold_deg = deg;
-    pattern.lines.push_back(std::move(line));
-}
+using test::add_line;
+using test::ends_of;
+using test::told;
 
 // A base of 100 × 60 mm with walls of 30 mm, in a sheet without cuts.
 CreasePattern web_tray(std::optional<double> diagonals = {}) {
     CreasePattern tray;
-    add(tray, {{20, 20}, {180, 20}, {180, 140}, {20, 140}}, true, CreaseUse::cut);
-    add(tray, {{20, 50}, {180, 50}}, false, CreaseUse::mountain);
-    add(tray, {{20, 110}, {180, 110}}, false, CreaseUse::mountain);
-    add(tray, {{50, 20}, {50, 140}}, false, CreaseUse::mountain);
-    add(tray, {{150, 20}, {150, 140}}, false, CreaseUse::mountain);
-    add(tray, {{50, 50}, {20, 20}}, false, CreaseUse::valley, diagonals);
-    add(tray, {{150, 50}, {180, 20}}, false, CreaseUse::valley, diagonals);
-    add(tray, {{50, 110}, {20, 140}}, false, CreaseUse::valley, diagonals);
-    add(tray, {{150, 110}, {180, 140}}, false, CreaseUse::valley, diagonals);
+    add_line(tray, {{20, 20}, {180, 20}, {180, 140}, {20, 140}}, true, CreaseUse::cut);
+    add_line(tray, {{20, 50}, {180, 50}}, false, CreaseUse::mountain);
+    add_line(tray, {{20, 110}, {180, 110}}, false, CreaseUse::mountain);
+    add_line(tray, {{50, 20}, {50, 140}}, false, CreaseUse::mountain);
+    add_line(tray, {{150, 20}, {150, 140}}, false, CreaseUse::mountain);
+    add_line(tray, {{50, 50}, {20, 20}}, false, CreaseUse::valley, diagonals);
+    add_line(tray, {{150, 50}, {180, 20}}, false, CreaseUse::valley, diagonals);
+    add_line(tray, {{50, 110}, {20, 140}}, false, CreaseUse::valley, diagonals);
+    add_line(tray, {{150, 110}, {180, 140}}, false, CreaseUse::valley, diagonals);
     return tray;
-}
-
-// How many folds end at an angle, degrees, mountains below 0; to a thousandth.
-std::map<double, int> ends_of(const Assembly& assembly) {
-    std::map<double, int> ends;
-    for (const Line& line : assembly.lines) {
-        if (line.kind != LineKind::mountain && line.kind != LineKind::valley) continue;
-        const double deg = line.fold_angle.value_or(0.0) * 180.0 / 3.14159265358979;
-        ++ends[std::round((line.kind == LineKind::mountain ? -deg : deg) * 1e3) / 1e3];
-    }
-    return ends;
-}
-
-std::vector<Diagnostic> told(const Diagnostics& diagnostics, const std::string& code) {
-    std::vector<Diagnostic> found;
-    for (const Diagnostic& one : diagnostics.sorted()) {
-        if (one.code == code) found.push_back(one);
-    }
-    return found;
 }
 
 TEST(WebCorners, AreFoldedFlatBetweenWallsThatStandUpright) {
