@@ -12,6 +12,8 @@ namespace popup::folded {
 
 // Knows which points have equations in common, and finds the factors L D L' of matrices that have blocks for
 // these. Its order of elimination is that of the pattern alone, so that the same input gives the same bytes.
+// Systems of shapes are small, and blocks of three are worked out by hand: with SparseFactors, which are made
+// for large ones, suggestions for a tray of 40 panels take 1.7 times as long.
 //
 //     PointSystem system(3, {{0, 1}, {1, 2}});
 //     std::vector<double> matrix = system.nought();
