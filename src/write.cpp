@@ -11,30 +11,9 @@
 
 namespace popup {
 
-struct BegunModel {
-    BegunModel(SceneWriter with, const Compilation& run, const OutputOptions& as)
-        : write(with),
-          cards(scene_of(run)),
-          options(as),
-          policy(run.run_diagnostics.policy()),
-          making([this] { return make(); }, true) {}
-    [[nodiscard]] std::optional<std::string> make() const {
-        Diagnostics told({}, policy);
-        std::optional<std::string> bytes = write(cards, options, told);
-        return told.sorted().empty() ? std::move(bytes) : std::nullopt;
-    }
-    // nullopt: it is to be written now, for there is something to tell of it, or it has been taken.
-    std::optional<std::string> take() {
-        if (std::exchange(taken, true)) return std::nullopt;
-        return making.get();
-    }
-
-    SceneWriter write;
-    std::vector<SceneCard> cards;
-    OutputOptions options;
-    DiagnosticPolicy policy;
-    bool taken = false;
-    Beside<std::optional<std::string>> making;  // last: it refers to the others
+// The file. nullopt: there is something to tell of it, so that it is to be written in its turn.
+struct BegunModel : Beside<std::optional<std::string>> {
+    using Beside::Beside;
 };
 
 namespace {
@@ -228,6 +207,16 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
         format.write);
 }
 
+std::shared_ptr<BegunModel> begin_model(SceneWriter write, const Compilation& run, OutputOptions options) {
+    const auto work = [write, cards = scene_of(run), options = std::move(options),
+                       policy = run.run_diagnostics.policy()] {
+        Diagnostics told({}, policy);
+        std::optional<std::string> bytes = write(cards, options, told);
+        return told.sorted().empty() ? std::move(bytes) : std::nullopt;
+    };
+    return std::make_shared<BegunModel>(work, true);
+}
+
 // What the profile and the sheets have to say to each other, and to the formats of sheets, each once.
 void examine_sheets(const OutputPlan& plan, const OutputOptions& options, Compilation& run) {
     std::vector<const Format*> formats;
@@ -364,7 +353,7 @@ BegunFiles begin_files(const OutputPlan& plan, const OutputOptions& options, con
         const Format* format = output.format;
         if (const SceneWriter* write = std::get_if<SceneWriter>(&format->write)) {
             std::shared_ptr<BegunModel>& model = begun.models[format];
-            if (!model) model = std::make_shared<BegunModel>(*write, run, options);
+            if (!model) model = begin_model(*write, run, options);
         } else if (format->begin != nullptr) {
             std::shared_ptr<BegunPage>& page = begun.pages[format];
             if (!page) page = format->begin(scene_of(run), options);

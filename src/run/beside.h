@@ -4,6 +4,7 @@
 #include <atomic>
 #include <future>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -43,6 +44,11 @@ class Beside {
         shared_->run();
         return made_.get();
     }
+    // Of an optional: get() the first time, and nullopt from then on.
+    Result take() {
+        if (std::exchange(was_taken_, true)) return std::nullopt;
+        return get();
+    }
 
  private:
     struct Shared {
@@ -57,6 +63,7 @@ class Beside {
 
     std::shared_ptr<Shared> shared_;
     std::future<Result> made_ = shared_->task.get_future();
+    bool was_taken_ = false;
 };
 
 }  // namespace popup

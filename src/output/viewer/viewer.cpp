@@ -57,26 +57,17 @@ std::string with_sheets(std::string scene, const std::vector<std::string>& packe
 
 }  // namespace
 
-struct BegunPage {
-    BegunPage(std::vector<SceneCard> of, const OutputOptions& with)
-        : cards(std::move(of)), options(with), making([this] { return make(); }, true) {}
-    [[nodiscard]] std::optional<ViewerModel> make() const {
-        Diagnostics told_later;
-        return model_of(cards, options, told_later);
-    }
-    std::optional<ViewerModel> take() {
-        if (std::exchange(taken, true)) return std::nullopt;
-        return making.get();
-    }
-
-    std::vector<SceneCard> cards;
-    OutputOptions options;
-    bool taken = false;
-    Beside<std::optional<ViewerModel>> making;  // last: it refers to the others
+// What fails there is told when the page is written.
+struct BegunPage : Beside<std::optional<ViewerModel>> {
+    using Beside::Beside;
 };
 
 std::shared_ptr<BegunPage> begin_viewer(std::vector<SceneCard> cards, const OutputOptions& options) {
-    return std::make_shared<BegunPage>(std::move(cards), options);
+    const auto work = [cards = std::move(cards), options] {
+        Diagnostics told_later;
+        return model_of(cards, options, told_later);
+    };
+    return std::make_shared<BegunPage>(work, true);
 }
 
 std::optional<ViewerFiles> make_viewer(const RunPage& page, const OutputOptions& options,

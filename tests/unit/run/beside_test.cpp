@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -27,6 +28,12 @@ TEST_P(BesideThreads, DoTheWorkOnce) {
         EXPECT_EQ(work.get(), std::string(1000, 'x'));
         EXPECT_EQ(calls, 1);
     }
+}
+
+TEST_P(BesideThreads, MayBeTakenOnce) {
+    Beside<std::optional<int>> work([] { return std::optional(7); }, GetParam());
+    EXPECT_EQ(work.take(), 7);
+    EXPECT_EQ(work.take(), std::nullopt);
 }
 
 TEST_P(BesideThreads, HandOnWhatIsThrown) {
