@@ -32,6 +32,7 @@ struct Step {
     std::vector<Scene> scenes;          // before, after; may be one, or none
     std::vector<std::string> captions;  // of each scene
     std::vector<Figure> figures;
+    std::string key;             // what the numbers on them are; may be empty
     bool large_figures = false;  // there is much on them
     bool lettered = false;       // actions are what pictures show with letters: a, b, c
 };

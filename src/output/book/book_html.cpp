@@ -211,6 +211,7 @@ class Page {
             for (const Figure& figure : step.figures)
                 add("<figure>{}</figure>\n", drawing(figure, large ? 2.0 * kShownMm : kShownMm));
             add("</div>\n");
+            if (!step.key.empty()) add("<p>{}</p>\n", told_html(step.key));
         }
         if (!step.lies.empty()) add("<p class=\"lies\">{}</p>\n", told_html(step.lies));
         list(step.lettered ? "ol class=\"letters\"" : "ol", step.actions);

@@ -251,13 +251,15 @@ class Writer {
     [[nodiscard]] double scenes_height(const Step& step) const {
         return step.scenes.empty() ? 0.0 : height_of(picture_width(), kStepPicture) + 2.4 * kSmallCapMm + 1.0;
     }
-    [[nodiscard]] double rows_height(const Step& step) const {
+    [[nodiscard]] double rows_height(const Step& step) {
         if (has_beside(step) || step.figures.empty()) return 0.0;
+        const double key = step.key.empty() ? 0.0 : 1.0 + lines_height(step.key, paper_.width());
         if (is_one_large(step)) {
             const Figure& figure = step.figures.front();
-            return BookPages::figure_scale(figure, paper_.width(), kLargeHighMm) * figure.height_mm + 3.0;
+            return BookPages::figure_scale(figure, paper_.width(), kLargeHighMm) * figure.height_mm + key +
+                   3.0;
         }
-        double high = 0.0;
+        double high = key;
         for (std::size_t i = 0; i < step.figures.size(); i += 3) high += row_height(step, i) + 3.0;
         return high;
     }
@@ -304,21 +306,29 @@ class Writer {
     }
 
     void rows(const Step& step) {
-        if (has_beside(step)) return;
+        if (has_beside(step) || step.figures.empty()) return;
         if (is_one_large(step)) {
             paper_.skip(
-                paper_.figure(step.figures.front(), paper_.left(), paper_.y(), paper_.width(), kLargeHighMm) +
-                3.0);
-            return;
+                paper_.figure(step.figures.front(), paper_.left(), paper_.y(), paper_.width(), kLargeHighMm));
+        } else {
+            small_rows(step);
         }
+        if (!step.key.empty()) {
+            paper_.skip(1.0);
+            paper_.text(step.key, kBodyCapMm, paper_.left(), paper_.width(), false, 0.3);
+        }
+        paper_.skip(3.0);
+    }
+    void small_rows(const Step& step) {
         for (std::size_t i = 0; i < step.figures.size(); i += 3) {
+            if (i > 0) paper_.skip(3.0);
             const double high = row_height(step, i);
             paper_.need(high);
             for (std::size_t k = i; k < std::min(i + 3, step.figures.size()); ++k)
                 paper_.figure(step.figures[k],
                               paper_.left() + static_cast<double>(k - i) * (row_width() + kColumnGapMm),
                               paper_.y(), row_width(), kRowHighMm);
-            paper_.skip(high + 3.0);
+            paper_.skip(high);
         }
     }
 

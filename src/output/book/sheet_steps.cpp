@@ -222,7 +222,7 @@ class SheetSteps {
         for (const int plate : nth(in_.pieces, piece).plates)
             sheet.panels.push_back({panel(plate), nth(in_.plates, plate).outline});
         Figure figure = fold_figure(nth(card_.pattern->pieces, piece), sheet);
-        if (std::string list = settle_labels(figure); !list.empty()) step.notes.push_back(std::move(list));
+        step.key = settle_labels(figure);
         step.figures.push_back(std::move(figure));
     }
 

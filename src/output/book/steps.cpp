@@ -168,7 +168,7 @@ class CardSteps {
             sheet.panels.emplace_back(one->name, nth(in_.plates, largest).outline);
         }
         Figure figure = fold_figure(*from, sheet);
-        if (std::string list = settle_labels(figure); !list.empty()) step.notes.push_back(std::move(list));
+        step.key = settle_labels(figure);
         step.figures.push_back(std::move(figure));
         step.large_figures = true;
     }

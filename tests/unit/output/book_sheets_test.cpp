@@ -164,8 +164,7 @@ TEST_P(BookOfNarrowPanels, NamesEachWhereItCanBeRead) {
                     << figure.labels[i].text << ", " << figure.labels[k].text;
             }
         }
-        std::string listed;
-        for (const std::string& note : step.notes) listed += note + " ";
+        const std::string listed = step.key + " ";
         EXPECT_EQ(names.size(), in.plates.size());
         for (const Plate& plate : in.plates) {
             const std::string name = plate.name.substr(plate.name.find('/') + 1);
@@ -226,7 +225,7 @@ TEST(BookOfASheet, ShowsWhatIsPushedOutOfAnUprightCard) {
     ASSERT_EQ(found->figures.size(), 1U);
     std::string shown;
     for (const book::Figure::Label& label : found->figures.front().labels) shown += label.text + " ";
-    for (const std::string& note : found->notes) shown += note + " ";
+    shown += found->key + " ";
     for (const PushedOut& one : pushed_out(in))
         EXPECT_NE(shown.find(one.name), std::string::npos) << one.name;
 }
