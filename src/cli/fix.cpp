@@ -44,14 +44,7 @@ void check_usage(const Options& options, const InputFiles& files) {
     if (!fix.diff && files.names.size() > 1) {
         throw UsageError("several inputs make several documents", {"use --in-place or --diff"});
     }
-    if (!fix.output.empty() && fix.output != "-" && find_format(fix.output) != nullptr) {
-        const Format* format = find_format(fix.output);
-        if (!std::holds_alternative<DocumentWriter>(format->write)) {
-            throw UsageError(
-                fmt::format("{} is a {} file, and fix writes documents", fix.output, format->suffix),
-                {"popupc build writes it"});
-        }
-    }
+    check_document_name(fix.output, "fix");
 }
 
 // A drawing that is read as a card becomes a document.
