@@ -202,11 +202,9 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
     {"other-angle", Severity::warning, "folds that end at other angles than they are to",
      "Folds around a corner or a hole go together, so that not all of their angles can be chosen. Those that "
      "are asked for, or 90° in boxes and 180° in FOLD files where nothing is said, do not close these loops, "
-     "and the sheet was folded to angles near them that do. The message says how many folds go otherwise, "
-     "and "
-     "which by most. Write the angles of a shape that closes: data-fold-angle in SVG, edges_foldAngle in "
-     "FOLD. "
-     "A FOLD file that popupc writes has the angles at which the folds end."},
+     "and the sheet was folded to angles near them that do. The message says how many folds end elsewhere, "
+     "and names the one that ends furthest off. Write the angles of a shape that closes: data-fold-angle in "
+     "SVG, edges_foldAngle in FOLD. A FOLD file that popupc writes has the angles at which the folds end."},
     {"ring-open", Severity::remark, "walls that would meet if their folds went to another angle",
      "Folds of drawings that do not say how far they go are folded by 90°, as those of boxes are. This "
      "drawing "

@@ -196,7 +196,7 @@ void check_document_name(const std::string& name, std::string_view verb) {
     if (is_document) return;
     throw UsageError(fmt::format("{} is a {} file, and {} writes documents", name,
                                  format != nullptr ? format->suffix : language->suffix, verb),
-                     {format != nullptr ? "popupc build writes it" : "name it such as card.xml"});
+                     {format != nullptr ? "popupc build writes such files" : "name it such as card.xml"});
 }
 
 }  // namespace popup::cli

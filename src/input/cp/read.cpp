@@ -111,7 +111,8 @@ class Reader {
         const Row row = numbers_of(line);
         const Place place{number, static_cast<int>(row.at) + 1};
         if (!row.wrong.empty())
-            return wrong(place, "cp-value", fmt::format("\"{}\" is no number of a line", shown(row.wrong)));
+            return wrong(place, "cp-value",
+                         fmt::format("\"{}\" is not a number, or larger than 1e9", shown(row.wrong)));
         if (row.more || row.count < kNumbers) {
             return wrong(place, "cp-value",
                          row.more ? std::string("this line has more than five numbers")
@@ -122,7 +123,7 @@ class Reader {
         const auto use = use_of(row.numbers[0]);
         if (!use) {
             return wrong(begin, "cp-value",
-                         fmt::format("{:g} is no kind of line; they go from 0 to 4", row.numbers[0]));
+                         fmt::format("there is no line of kind {:g}: kinds go from 0 to 4", row.numbers[0]));
         }
         // Down the page, in those programs.
         const Vec2 a{row.numbers[1], -row.numbers[2]};

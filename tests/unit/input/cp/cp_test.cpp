@@ -78,11 +78,13 @@ TEST(Cp, SaysWhereAFileIsDamaged) {
     EXPECT_EQ(read("1 0 0 1\n").told, "error cp-value: this line has 4 numbers, and not five\n");
     EXPECT_EQ(read("1\n").told, "error cp-value: this line has 1 number, and not five\n");
     EXPECT_EQ(read("1 0 0 1 1 1\n").told, "error cp-value: this line has more than five numbers\n");
-    EXPECT_EQ(read("7 0 0 1 1\n").told, "error cp-value: 7 is no kind of line; they go from 0 to 4\n");
-    EXPECT_EQ(read("2.5 0 0 1 1\n").told, "error cp-value: 2.5 is no kind of line; they go from 0 to 4\n");
-    EXPECT_EQ(read("1 0 zero 1 1\n").told, "error cp-value: \"zero\" is no number of a line\n");
-    EXPECT_EQ(read("1 0 nan 1 1\n").told, "error cp-value: \"nan\" is no number of a line\n");
-    EXPECT_EQ(read("1 0 1e300 1 1\n").told, "error cp-value: \"1e300\" is no number of a line\n");
+    EXPECT_EQ(read("7 0 0 1 1\n").told, "error cp-value: there is no line of kind 7: kinds go from 0 to 4\n");
+    EXPECT_EQ(read("2.5 0 0 1 1\n").told,
+              "error cp-value: there is no line of kind 2.5: kinds go from 0 to 4\n");
+    EXPECT_EQ(read("1 0 zero 1 1\n").told, "error cp-value: \"zero\" is not a number, or larger than 1e9\n");
+    EXPECT_EQ(read("1 0 nan 1 1\n").told, "error cp-value: \"nan\" is not a number, or larger than 1e9\n");
+    EXPECT_EQ(read("1 0 1e300 1 1\n").told,
+              "error cp-value: \"1e300\" is not a number, or larger than 1e9\n");
     EXPECT_EQ(read("").told, "error cp-no-pattern: the file has no lines that are cut or folded\n");
     EXPECT_EQ(read("1 5 5 5 5\n").told,
               "error cp-no-pattern: the file has no lines that are cut or folded\n");
