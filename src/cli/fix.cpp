@@ -44,7 +44,6 @@ void check_usage(const Options& options, const InputFiles& files) {
     if (!fix.diff && files.names.size() > 1) {
         throw UsageError("several inputs make several documents", {"use --in-place or --diff"});
     }
-    check_document_name(fix.output, "fix");
 }
 
 // A drawing that is read as a card becomes a document.
@@ -151,6 +150,7 @@ int run_fix(const Options& options) {
     check_usage(options, files);
     spare(files_read(options, files.names, files.ignore_files), options);
     check_documents(options, files.names);
+    check_document_name(options.fix.output, "fix");
     Run run = run_inputs(options, std::move(files), Stage::motion);
     check_loaded(run, options.fix.output);
     check_loaded(run, options.messages.file);
