@@ -96,6 +96,7 @@ double signed_area(const Ring& ring);
 double area(const Polygon& polygon);
 // The sum of their areas.
 double area(const std::vector<Polygon>& polygons);
+double perimeter(const Ring& ring);
 Box bounds(const Ring& ring);
 // True inside and on the edge, by winding number; holes are outside.
 bool contains(const Polygon& polygon, Vec2 p);

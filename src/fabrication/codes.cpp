@@ -20,7 +20,9 @@ constexpr std::array kFabricationCodes = std::to_array<CodeInfo>({
      "tears, so that pieces have the size they were drawn with. A hole, a notch, or a gap between two "
      "contours that is no wider than the kerf then closes, and no path of the tool could make it; nor may "
      "pieces be laid nearer to each other than the kerf is wide, for their cuts would cross, or nearer to "
-     "the edge of the sheet than half of it. Cut without --kerf, or with a narrower one, make the design "
+     "the edge of the sheet than half of it. At sharp corners cuts run further out, up to a whole kerf, so "
+     "that a --spacing of two kerfs and a --margin of one are enough for all pieces. Cut without --kerf, or "
+     "with a narrower one, make the design "
      "larger with --scale, draw a narrow slot as an open line, which is cut as it is, or raise --spacing."},
     {"lines-left-out", Severity::warning, "a profile leaves out cuts or folds",
      "The pens of these lines have no layer, or folds are to be perforated and the pen of perforations has "

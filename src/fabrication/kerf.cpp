@@ -15,6 +15,7 @@
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "fabrication/kerf_room.h"
 #include "fabrication/parallel_ring.h"
 
 namespace popup {
@@ -33,6 +34,8 @@ constexpr double kCornerLimit = 20.0;
 // Rings whose area is less than this times their length are rounding, or too narrow to be cut.
 constexpr double kThinMm = 1e-5;
 constexpr std::size_t kMostFindings = 20;
+// What closes is called so narrow only where that is at least this share of the kerf that it takes.
+constexpr double kNarrowedTo = 0.8;
 // Curves of so many corners are moved edge by edge where they can be. The library of polygons makes a spike,
 // twice half a kerf long, at each corner where edges come together, and looks at all crossings of these.
 constexpr std::size_t kManyCorners = 1000;
@@ -70,12 +73,6 @@ Ring to_ring(const Path& path) {
     for (const IntPoint& p : path)
         ring.push_back({static_cast<double>(p.X) / kPerMm, static_cast<double>(p.Y) / kPerMm});
     return ring;
-}
-
-double perimeter(const Ring& ring) {
-    double total = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) total += distance(ring[i], ring[(i + 1) % ring.size()]);
-    return total;
 }
 
 // How edges that part at a corner are joined again.
@@ -430,7 +427,7 @@ std::string what_of(const Flaw& flaw) {
     const std::string at =
         fmt::format("at ({}, {}) mm", number_text(flaw.at.x, 2), number_text(flaw.at.y, 2));
     const std::string wide =
-        flaw.width ? fmt::format("about {} mm wide", number_text(*flaw.width, 3)) : "too narrow";
+        flaw.width ? fmt::format("about {} mm wide", number_text(*flaw.width, 3)) : "too narrow for it";
     switch (flaw.kind) {
         case Flaw::Kind::vanishes:
             return fmt::format("the hole {} is {}, and nothing is left of its cut", at, wide);
@@ -448,43 +445,34 @@ std::string what_of(const Flaw& flaw) {
     return {};
 }
 
-Diagnostic& report(const Result& result, std::string_view name, Diagnostics& diagnostics) {
-    const Flaw& flaw = *result.worst;
+// The widest kerf, in whole hundredths of a millimetre, that the piece can be cut with; 0: there is none. How
+// wide what closes is does not say so: a notch that runs to a point is narrow there however wide it begins.
+double widest_that_works(const PatternPiece& piece, const KerfWidths& kerf) {
+    int works = 0;
+    int fails = static_cast<int>(std::ceil(100.0 * std::max(kerf.inner_mm, kerf.outer_mm)));
+    while (fails - works > 1) {
+        const int middle = (works + fails) / 2;
+        const double most = middle / 100.0;
+        const KerfWidths narrower{std::min(kerf.inner_mm, most), std::min(kerf.outer_mm, most)};
+        (compensate(piece, narrower).flaws == 0 ? works : fails) = middle;
+    }
+    return works / 100.0;
+}
+
+Diagnostic& report(const Result& result, const PatternPiece& piece, const KerfWidths& kerf,
+                   std::string_view name, Diagnostics& diagnostics) {
+    Flaw flaw = *result.worst;
+    const double most = widest_that_works(piece, kerf);
+    if (flaw.width && *flaw.width < kNarrowedTo * most) flaw.width.reset();
     std::string message = fmt::format("the kerf of {} mm is too wide for piece \"{}\": {}",
                                       number_text(flaw.kerf, 3), name, what_of(flaw));
     if (result.flaws == 2) message += "; another place fails as well";
     if (result.flaws > 2) message += fmt::format("; {} more places fail as well", result.flaws - 1);
     Diagnostic& finding = diagnostics.error("kerf-too-wide", {}, std::move(message));
-    // A kerf has to be really narrower, so the numbers are rounded to the safe side.
-    const double most = flaw.width ? std::floor(*flaw.width * 100.0 - 0.5) / 100.0 : 0.0;
     if (most <= 0.0) return finding.hint("take a smaller --kerf, or make that place wider");
     return finding.hint(fmt::format(
         "take a --kerf of {} mm or less, or make the design at least {} times as large with --scale",
         number_text(most, 2), number_text(std::ceil(flaw.kerf / most * 10.0) / 10.0, 1)));
-}
-
-// How far apart pieces must be kept so that the cuts of neighbours do not cross. 0 where none has one.
-double least_spacing(const Layout& layout, const KerfWidths& kerf) {
-    std::vector<int> pieces_on(layout.sheets.size(), 0);
-    for (const Placement& placement : layout.placements) {
-        const auto sheet = static_cast<std::size_t>(placement.sheet);
-        if (sheet >= pieces_on.size()) pieces_on.resize(sheet + 1, 0);
-        ++pieces_on[sheet];
-    }
-    const double outer = active(kerf.outer_mm);
-    const double mixed = 0.5 * (outer + active(kerf.inner_mm));
-    double least = 0.0;
-    for (const Placement& placement : layout.placements) {
-        if (nth(pieces_on, placement.sheet) < 2) continue;
-        least = std::max(least, outer);
-        if (mixed <= least) continue;
-        const Pattern& pattern = layout.designs.at(static_cast<std::size_t>(placement.design)).pattern;
-        const PatternPiece& piece = pattern.pieces.at(static_cast<std::size_t>(placement.piece));
-        const bool has_hole = std::any_of(piece.cuts.begin(), piece.cuts.end(),
-                                          [](const Contour& c) { return c.closed && c.depth % 2 == 1; });
-        if (has_hole) least = mixed;
-    }
-    return least;
 }
 
 }  // namespace
@@ -493,33 +481,14 @@ std::optional<std::vector<Contour>> compensated(const PatternPiece& piece, std::
                                                 const KerfWidths& kerf, Diagnostics& diagnostics) {
     Result result = compensate(piece, kerf);
     if (result.flaws == 0) return std::move(result.cuts);
-    report(result, name, diagnostics);
+    report(result, piece, kerf, name, diagnostics);
     return std::nullopt;
 }
 
 bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagnostics& diagnostics) {
-    std::size_t findings = 0;
-    const double least = least_spacing(layout, kerf);
-    if (spacing_mm < least - kGridMm) {
-        ++findings;
-        diagnostics
-            .error("kerf-too-wide", {},
-                   fmt::format("pieces are laid as near to each other as {} mm, and the cuts of neighbours, "
-                               "moved for the kerf, need {} mm",
-                               number_text(spacing_mm, 3), number_text(least, 3)))
-            .hint(fmt::format("take a --spacing of at least {} mm",
-                              number_text(std::ceil(least * 1e3 - 1e-6) / 1e3, 3)));
-    }
-    if (!layout.placements.empty() && layout.margin_mm < 0.5 * kerf.outer_mm - kGridMm) {
-        ++findings;
-        diagnostics
-            .error("kerf-too-wide", {},
-                   fmt::format(
-                       "the margin of {} mm has no room for cuts that are moved out by half a kerf of {} mm",
-                       number_text(layout.margin_mm, 3), number_text(kerf.outer_mm, 3)))
-            .hint(fmt::format("take a --margin of at least {} mm",
-                              number_text(std::ceil(0.5 * kerf.outer_mm * 1e3 - 1e-6) / 1e3, 3)));
-    }
+    // What is narrower than anything can be moved by is not moved.
+    const KerfWidths moved{active(kerf.inner_mm), active(kerf.outer_mm)};
+    std::size_t findings = check_kerf_distances(layout, moved, spacing_mm, diagnostics);
     std::vector<std::vector<Contour>> all;
     std::size_t unnamed = 0;  // failing pieces that have no finding
     Diagnostic* last = nullptr;
@@ -536,7 +505,7 @@ bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagn
                 ++findings;
                 const std::string name =
                     layout.piece_name({static_cast<int>(d), static_cast<int>(p), 0, 0, {}, {}});
-                last = &report(result, name, diagnostics);
+                last = &report(result, piece, kerf, name, diagnostics);
                 last->about(piece.name).file = design.file;
             }
         }
@@ -545,7 +514,7 @@ bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagn
         last->message +=
             fmt::format(" ({} more {} not listed)", unnamed, unnamed == 1 ? "piece is" : "pieces are");
     }
-    if (findings > 0) return false;
+    if (findings > 0 || check_moved_cuts(layout, moved, spacing_mm, all, diagnostics) > 0) return false;
     std::size_t next = 0;
     for (DesignPattern& design : layout.designs) {
         for (PatternPiece& piece : design.pattern.pieces) piece.cuts = std::move(all[next++]);

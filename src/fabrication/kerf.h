@@ -54,12 +54,9 @@ std::optional<std::vector<Contour>> compensated(const PatternPiece& piece, std::
 
 // Does so with every piece of the layout, once a design however many copies there are. Where anything fails
 // the layout stays as it was, and the answer is false.
-// Errors: `kerf-too-wide`, at most 20 findings: for each piece as compensated() has it, and for the layout
-// where pieces that share a sheet are kept only `spacing_mm` apart, less than the kerf is wide, so that the
-// cuts of neighbours would cross, and where the margin is under half the kerf of outer cuts, which would
-// leave the sheet. (Of a piece in the hole of another, the hole's kerf counts for half. It is not known which
-// pieces lie in holes: any with a hole may have one there.) Cost: near linear in corners of all designs, and
-// in placements.
+// Errors: `kerf-too-wide`, at most 20 findings: for each piece as compensated() has it, and for the layout as
+// check_kerf_distances() and check_moved_cuts() have it (fabrication/kerf_room.h), where cuts of neighbours
+// would cross, or leave the sheet. Cost: near linear in corners of all designs, and in placements.
 bool apply_kerf(Layout& layout, const KerfWidths& kerf, double spacing_mm, Diagnostics& diagnostics);
 
 }  // namespace popup

@@ -57,6 +57,12 @@ double area(const std::vector<Polygon>& polygons) {
     return sum;
 }
 
+double perimeter(const Ring& ring) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) sum += distance(ring[i], ring[(i + 1) % ring.size()]);
+    return sum;
+}
+
 Box bounds(const Ring& ring) {
     Box box;
     for (const Vec2 p : ring) box.extend(p);

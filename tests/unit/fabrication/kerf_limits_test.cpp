@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include "fabrication/kerf.h"
@@ -171,7 +172,7 @@ Layout layout_of(std::vector<PatternPiece> pieces, int copies) {
     design.pattern.pieces = std::move(pieces);
     for (int copy = 0; copy < copies; ++copy) {
         for (int p = 0; p < static_cast<int>(design.pattern.pieces.size()); ++p)
-            layout.placements.push_back({0, p, copy, 0, {}, {}});
+            layout.placements.push_back({0, p, copy, 0, {20.0 * copy, 20.0 * p}, {}});
     }
     layout.designs.push_back(std::move(design));
     return layout;
@@ -234,6 +235,40 @@ TEST(KerfLimits, NeighboursMustBeAsFarApartAsTheKerfIsWide) {
     EXPECT_TRUE(works(plain, 2, {0.4, 0.2}, 0.2));
     EXPECT_FALSE(works(holed, 2, {0.4, 0.2}, 0.2));  // one might lie in the other's hole
     EXPECT_TRUE(works(holed, 2, {0.4, 0.2}, 0.3));
+}
+
+// Two diamonds, tip to tip, on a sheet that has just their size and the margin. A tip of 70° moves by
+// 0.5 kerf / sin 35°, which is 0.872 kerf.
+std::vector<Diagnostic> diamonds(double spacing, double margin) {
+    const double high = 20.0 * std::tan(35.0 * std::numbers::pi / 180.0);
+    const PatternPiece diamond = piece_of({closed({{-20, 0}, {0, -high}, {20, 0}, {0, high}})});
+    Layout layout = layout_of({diamond}, 2);
+    layout.margin_mm = margin;
+    layout.sheets[0].width_mm = 80.0 + spacing + 2.0 * margin;
+    layout.sheets[0].height_mm = 2.0 * high + 2.0 * margin;
+    layout.placements[0].offset = {margin + 20.0, margin + high};
+    layout.placements[1].offset = {margin + 60.0 + spacing, margin + high};
+    Diagnostics diagnostics;
+    const bool good = apply_kerf(layout, {1.0, 1.0}, spacing, diagnostics);
+    EXPECT_EQ(good, !diagnostics.has_errors());
+    return diagnostics.sorted();
+}
+
+TEST(KerfLimits, CutsOfSharpCornersNeitherCrossNorLeaveTheSheet) {
+    EXPECT_TRUE(diamonds(2.0, 1.0).empty());
+    EXPECT_TRUE(diamonds(1.745, 0.873).empty());
+    const auto crossing = diamonds(1.7, 1.0);
+    ASSERT_EQ(crossing.size(), 1U);
+    EXPECT_NE(crossing[0].message.find("lie 1.7 mm apart on sheet 1, cross"), std::string::npos)
+        << crossing[0].message;
+    EXPECT_EQ(crossing[0].hints.at(0), "take a --spacing of 2 mm, which is enough for all corners");
+    const auto beyond = diamonds(2.0, 0.6);
+    ASSERT_EQ(beyond.size(), 1U);
+    EXPECT_NE(beyond[0].message.find("runs 0.272 mm beyond the edge of sheet 1"), std::string::npos)
+        << beyond[0].message;
+    EXPECT_NE(beyond[0].message.find("so does 1 more piece"), std::string::npos) << beyond[0].message;
+    EXPECT_EQ(beyond[0].hints.at(0), "take a --margin of 1 mm, which is enough for all corners");
+    EXPECT_EQ(diamonds(1.0, 0.5).size(), 2U);
 }
 
 // ---- real designs ----

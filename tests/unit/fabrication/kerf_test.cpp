@@ -38,12 +38,6 @@ Ring move_edge(const Ring& ring, double kerf) {
 
 // ---- measures that use nothing of the code under test ----
 
-double perimeter(const Ring& ring) {
-    double total = 0.0;
-    for (const Segment& s : edges(ring)) total += distance(s.a, s.b);
-    return total;
-}
-
 double distance_to_corners(const Ring& ring, Vec2 p) {
     double best = HUGE_VAL;
     for (const Vec2 q : ring) best = std::min(best, distance(p, q));
