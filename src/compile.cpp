@@ -63,6 +63,7 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
     if (moves(*one.assembly)) {
         MotionOptions motion = options.motion;
         if (options.fitting_size) motion.fitting_size = bound(options.fitting_size);
+        if (options.move_holds) motion.move_holds = bound(options.move_holds);
         if (options.move_command) motion.move_command = bound(options.move_command);
         one.motion = one.creases ? simulate_sheet(*one.assembly, motion, one.diagnostics)
                                  : simulate(*one.assembly, motion, one.diagnostics);

@@ -58,6 +58,10 @@ struct CompileOptions {
     std::function<std::optional<std::string>(const CompiledDesign&, const CompileOptions&,
                                              const std::string& element, Vec2 by)>
         move_command = {};
+    // Asked of a move that was tried in the motion, as MotionOptions has it; move_holds() of popup/edit.h is
+    // such a function. It is given what fitting_size is given. Empty: all that were tried are told.
+    std::function<bool(const CompiledDesign&, const CompileOptions&, const std::string& element, Vec2 by)>
+        move_holds = {};
     Stage until = Stage::layout;
     int threads = 1;  // ≥ 1, of the layout too; results do not depend on it
     // Asked before a thread is started beside the caller's, when there is work for it; it answers at once.

@@ -71,6 +71,9 @@ struct MotionOptions {
     // Asked of an element that sticks out of the closed card, by so many mm: a size that was tried and keeps
     // it inside, as the words of a hint; nullopt: none does. Empty: nobody knows of sizes.
     std::function<std::optional<std::string>(const std::string& element, double by_mm)> fitting_size = {};
+    // Asked of a move of an element that was tried and would be told, likewise: whether the design, changed
+    // so, is the one that was tried. Others are not told. Empty: all are.
+    std::function<bool(const std::string& element, Vec2 by)> move_holds = {};
     // Asked of a move of an element that a hint tells, by so many mm on the page of its left driving plate:
     // what to type for it. nullopt: nothing does it. Empty: nobody knows of edits.
     std::function<std::optional<std::string>(const std::string& element, Vec2 by)> move_command = {};

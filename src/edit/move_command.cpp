@@ -37,10 +37,10 @@ std::vector<std::vector<std::string>> ways(const Design& design, std::size_t n, 
     return made;
 }
 
-// Whether the words move the element so. Where its points lie beside a named fold, they say themselves how
-// far it goes along that.
-bool moves_so(const CompiledDesign& one, const Tolerances& tolerances, std::size_t n,
-              const std::vector<std::string>& words, Vec2 by) {
+// The design with the element moved by the words; nullopt: they do not move it so. Where its points lie
+// beside a named fold, they say themselves how far it goes along that.
+std::optional<Design> moved_by_words(const CompiledDesign& one, const Tolerances& tolerances, std::size_t n,
+                                     const std::vector<std::string>& words, Vec2 by) {
     Diagnostics unheard(one.source.name);
     edit::Session session(*one.design, one.source.name, tolerances, unheard);
     edit::Command command{words[0], {words[1]}, {}};
@@ -49,18 +49,23 @@ bool moves_so(const CompiledDesign& one, const Tolerances& tolerances, std::size
         command.options.emplace_back(words[i].substr(2, equals - 2),
                                      words[i].substr(std::min(equals + 1, words[i].size())));
     }
-    if (!edit::move(session, command)) return false;
+    if (!edit::move(session, command)) return std::nullopt;
     const Structure& was = one.design->structures[n];
     const Structure& now = session.design.structures[n];
-    if (was.points.empty()) return false;
+    if (was.points.empty()) return std::nullopt;
     const Vec2 moved = now.points.front().at - was.points.front().at;
-    return was.named().given() ? std::abs(length(moved) - length(by)) <= kAsToldMm
-                               : distance(moved, by) <= kAsToldMm;
+    const bool so = was.named().given() ? std::abs(length(moved) - length(by)) <= kAsToldMm
+                                        : distance(moved, by) <= kAsToldMm;
+    if (!so) return std::nullopt;
+    return std::move(session.design);
 }
 
-}  // namespace
-
-std::optional<std::string> move_command(const CompiledDesign& design, const CompileOptions& options,
+// An edit that makes a move.
+struct MoveEdit {
+    std::vector<std::string> words;
+    Design design;  // as it is then
+};
+std::optional<MoveEdit> edit_that_moves(const CompiledDesign& design, const CompileOptions& options,
                                         const std::string& element, Vec2 by) {
     if (!edit::can_be_tried(design, options)) return std::nullopt;
     const std::vector<Structure>& all = design.design->structures;
@@ -68,11 +73,40 @@ std::optional<std::string> move_command(const CompiledDesign& design, const Comp
         std::find_if(all.begin(), all.end(), [&](const Structure& s) { return s.id == element; });
     if (found == all.end()) return std::nullopt;
     const auto n = static_cast<std::size_t>(found - all.begin());
-    for (const std::vector<std::string>& words : ways(*design.design, n, by)) {
-        if (moves_so(design, options.check.tolerances, n, words, by))
-            return fmt::format("popupc edit … {}", fmt::join(words, " "));
+    for (std::vector<std::string>& words : ways(*design.design, n, by)) {
+        if (auto moved = moved_by_words(design, options.check.tolerances, n, words, by))
+            return MoveEdit{std::move(words), std::move(*moved)};
     }
     return std::nullopt;
+}
+
+// Whether the plates have the same names, and are as large.
+bool are_alike(const Assembly& a, const Assembly& b) {
+    return std::equal(a.plates.begin(), a.plates.end(), b.plates.begin(), b.plates.end(),
+                      [](const Plate& p, const Plate& q) {
+                          return p.name == q.name &&
+                                 std::abs(perimeter(p.uncut) - perimeter(q.uncut)) <= kAsToldMm;
+                      });
+}
+
+}  // namespace
+
+std::optional<std::string> move_command(const CompiledDesign& design, const CompileOptions& options,
+                                        const std::string& element, Vec2 by) {
+    const auto edit = edit_that_moves(design, options, element, by);
+    if (!edit) return std::nullopt;
+    return fmt::format("popupc edit … {}", fmt::join(edit->words, " "));
+}
+
+bool move_holds(const CompiledDesign& design, const CompileOptions& options, const std::string& element,
+                Vec2 by) {
+    const auto edit = edit_that_moves(design, options, element, by);
+    if (!edit || !design.assembly) return true;
+    Diagnostics found(design.source.name);
+    const auto checked = check(edit->design, options.check, found);
+    if (!checked || found.has_errors()) return false;
+    const auto assembly = assemble(*checked, options.assemble, found);
+    return assembly && are_alike(*design.assembly, *assembly);
 }
 
 }  // namespace popup

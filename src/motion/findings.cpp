@@ -93,9 +93,9 @@ class Findings {
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)
                 continue;
-            if (const auto move =
-                    freeing_move(assembly_, linkage_, shapes_,
-                                 pairs_between(assembly_, joints.first, joints.second), contacts, budget_)) {
+            if (const auto move = freeing_move(assembly_, linkage_, shapes_,
+                                               pairs_between(assembly_, joints.first, joints.second),
+                                               contacts, budget_, options_.move_holds)) {
                 finding.hint(in_words(*move, "frees the two"));
                 moves.push_back(as_told(*move, joints, joint.place, linkage_.element(other).place));
             }
@@ -126,9 +126,9 @@ class Findings {
             const int other = first ? most.a : most.b;
             also(finding, first ? most.b : most.a, other);
             if (tried++ == kMostTries || assembly_.plates.size() > kMostPlates) continue;
-            const auto move =
-                freeing_move(assembly_, linkage_, shapes_,
-                             pairs_between(assembly_, joints.first, joints.second), contacts, budget_, true);
+            const auto move = freeing_move(assembly_, linkage_, shapes_,
+                                           pairs_between(assembly_, joints.first, joints.second), contacts,
+                                           budget_, options_.move_holds, true);
             if (move) {
                 finding.hint(in_words(*move, "parts the two"));
                 moves.push_back(as_told(*move, joints, joint.place, linkage_.element(other).place));
@@ -187,7 +187,8 @@ class Findings {
             std::optional<ElementMove> move;
             std::optional<std::string> size;
             if (tried++ < kMostTries && assembly_.plates.size() <= kMostPlates) {
-                move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_);
+                move = tucking_move(assembly_, linkage_, shapes_, joint, all, contacts, budget_,
+                                    options_.move_holds);
                 if (options_.fitting_size && tried <= kMostSizes)
                     size = options_.fitting_size(element.name, one->by_mm);
             }

@@ -95,14 +95,15 @@ struct Way {
 class FreeingSearch {
  public:
     FreeingSearch(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
-                  std::span<const Contact> contacts, MoveBudget& budget, bool lies_nowhere)
+                  std::span<const Contact> contacts, MoveBudget& budget, const MoveTest& holds,
+                  bool lies_nowhere)
         : assembly_(assembly),
           linkage_(linkage),
           shapes_(shapes),
           contacts_(contacts),
           budget_(budget),
           lies_nowhere_(lies_nowhere),
-          surroundings_(assembly, linkage, shapes, contacts, budget),
+          surroundings_(assembly, linkage, shapes, contacts, budget, holds),
           slide_(assembly) {}
 
     // The shortest move beyond `low` mm, and up to `high`, that frees the pairs and to which nothing objects.
@@ -183,7 +184,7 @@ std::optional<ElementMove> freeing_move(const Assembly& assembly, const Linkage&
                                         std::span<const PlateShape> shapes,
                                         std::span<const std::pair<int, int>> pairs,
                                         std::span<const Contact> contacts, MoveBudget& budget,
-                                        bool lies_nowhere) {
+                                        const MoveTest& holds, bool lies_nowhere) {
     const int first = linkage.joint_of(pairs[0].first);
     const int second = linkage.joint_of(pairs[0].second);
     std::vector<Way> ways;
@@ -193,7 +194,7 @@ std::optional<ElementMove> freeing_move(const Assembly& assembly, const Linkage&
             ways.push_back({joint, still, sense, {pairs.begin(), pairs.end()}, 0});
     }
     Trials trials(assembly, linkage, shapes, pairs, contacts, budget);
-    FreeingSearch search(assembly, linkage, shapes, contacts, budget, lies_nowhere);
+    FreeingSearch search(assembly, linkage, shapes, contacts, budget, holds, lies_nowhere);
     if (lies_nowhere) {
         std::vector<Way> good;
         std::copy_if(ways.begin(), ways.end(), std::back_inserter(good),
@@ -207,14 +208,14 @@ std::optional<ElementMove> freeing_move(const Assembly& assembly, const Linkage&
 std::optional<ElementMove> tucking_move(const Assembly& assembly, const Linkage& linkage,
                                         std::span<const PlateShape> shapes, int joint,
                                         std::span<const Protrusion> before, std::span<const Contact> contacts,
-                                        MoveBudget& budget) {
+                                        MoveBudget& budget, const MoveTest& holds) {
     if (!slid(assembly.joints[static_cast<std::size_t>(joint)], kFirstMm)) return std::nullopt;
     std::vector<int> out;  // plates that may stick out
     for (const Protrusion& one : before) {
         if (linkage.joint_of(one.plate) != joint) out.push_back(one.plate);
     }
     Slide slide(assembly);
-    Surroundings surroundings(assembly, linkage, shapes, contacts, budget);
+    Surroundings surroundings(assembly, linkage, shapes, contacts, budget, holds);
     const auto is_tucked = [&](double mm) {
         const std::vector<Protrusion> left = find_protrusions(slide.moved(joint, mm));
         return std::all_of(left.begin(), left.end(), [&](const Protrusion& one) {

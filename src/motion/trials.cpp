@@ -128,7 +128,10 @@ std::optional<Objection> Surroundings::objection(const Assembly& trial, int join
                                                  bool lies_nowhere) {
     if (!is_on_paper(joint, by) || sticks_out(trial)) return Objection{};
     if (const auto pair = lain_on(trial, joint, lies_nowhere)) return Objection{pair};
-    return met(trial, joint);
+    if (auto objection = met(trial, joint)) return objection;
+    const std::string& element = assembly_.joints[static_cast<std::size_t>(joint)].name;
+    if (holds_ && !holds_(element, by)) return Objection{};
+    return std::nullopt;
 }
 
 // Folds and seams by which the element stands on others, moved, lie on the paper of these.

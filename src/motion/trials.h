@@ -59,12 +59,17 @@ class Surroundings {
  public:
     // `contacts`: all of the card as it is.
     Surroundings(const Assembly& assembly, const Linkage& linkage, std::span<const PlateShape> shapes,
-                 std::span<const Contact> contacts, MoveBudget& budget)
-        : assembly_(assembly), linkage_(linkage), shapes_(shapes), contacts_(contacts), budget_(budget) {}
+                 std::span<const Contact> contacts, MoveBudget& budget, const MoveTest& holds)
+        : assembly_(assembly),
+          linkage_(linkage),
+          shapes_(shapes),
+          contacts_(contacts),
+          budget_(budget),
+          holds_(holds) {}
 
     // Nothing, where the trial, in which a joint is moved by so much on the page of its grounds, is no worse.
     // `lies_nowhere`: the element may not lie even on what it lies on as it is. Cost: that of examining what
-    // comes near the moved plates.
+    // comes near the moved plates, and of asking `holds` where that finds nothing.
     std::optional<Objection> objection(const Assembly& trial, int joint, Vec2 by, bool lies_nowhere);
     // Whether a joint lies on anything as it is, besides what moves with another one.
     bool lies_elsewhere(int joint, int besides);
@@ -81,6 +86,7 @@ class Surroundings {
     std::span<const PlateShape> shapes_;
     std::span<const Contact> contacts_;
     MoveBudget& budget_;
+    const MoveTest& holds_;
     std::optional<std::vector<int>> out_;                    // plates that stick out as it is
     std::map<int, std::vector<char>> moved_by_;              // by joint: whether each plate goes along
     std::map<int, std::vector<std::pair<int, int>>> lying_;  // by joint: pairs as it is, ascending

@@ -219,6 +219,7 @@ struct Options {
         compile.fitting_size = fitting_size;
         compile.clearing_move = clearing_move;
         compile.move_command = move_command;
+        compile.move_holds = move_holds;
     }
     std::vector<std::string> arguments;  // all of these come from
     std::set<std::string> given;         // keys of the options that stand on the command line itself
