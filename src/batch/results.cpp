@@ -112,7 +112,8 @@ std::optional<JobResult> result_of(std::string_view line) {
 }
 
 std::string job_key(const BatchJob& job) {
-    ordered_json words = {job.inputs, job.outputs, job.options};
+    // As an array: braces around pairs of words would make an object.
+    ordered_json words = ordered_json::array({job.inputs, job.outputs, job.options});
     words.push_back(job.copies ? ordered_json(*job.copies) : ordered_json());
     return sha256(dumped(words)).substr(0, kKeyDigits);
 }

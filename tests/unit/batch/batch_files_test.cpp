@@ -53,6 +53,18 @@ TEST(Manifest, BothFormsSayTheSame) {
     EXPECT_EQ(table->place(1).line, 4);
 }
 
+// Two inputs, two outputs and two words make three pairs, which a list of JSON could take for an object.
+TEST(Manifest, JobsWithPairsOfEverythingHaveKeysToo) {
+    BatchJob pairs;
+    pairs.inputs = {"a.xml", "b.xml"};
+    pairs.outputs = {"ab.svg", "ab.json"};
+    pairs.options = {"--sheet", "a3"};
+    BatchJob others = pairs;
+    others.options = {"--sheet", "a4"};
+    EXPECT_EQ(job_key(pairs).size(), job_key({}).size());
+    EXPECT_NE(job_key(pairs), job_key(others));
+}
+
 TEST(Manifest, AFieldMayGoOnOverLines) {
     Diagnostics diagnostics("jobs.csv");
     const auto manifest = manifest_of(
