@@ -35,6 +35,11 @@ constexpr std::array kFlatlangCodes = std::to_array<CodeInfo>({
      "was drawn after going back before is another branch, and is not looked at. There is no such mark, so "
      "the turtle stays where it is: so the language has it. Correct the name, or set the mark with mark() "
      "before."},
+    {"flatlang-not-a-list", Severity::warning, "a loop goes over what is not a list",
+     "\"for each\" takes the elements of a list, one after the other. Of anything else its block is never "
+     "run, "
+     "and the program goes on: so the language has it. Give it a list, such as [1, 2, 3], or "
+     "count with repeat (N)."},
     {"flatlang-not-loaded", Severity::warning, "a file to load was not found, or may not be read",
      "load() looks below the program's own folder, then in the folders that -I names, and for names that "
      "begin with kit/ in the kit that comes with popupc; nothing else is read, wherever links or .. lead. "

@@ -100,6 +100,8 @@ void Evaluation::for_each(const Node& at) {
         in_.print(
             fmt::format("expected list in foreach but got {}", kNames[static_cast<std::size_t>(list->type)]),
             at.place);
+        in_.warn("flatlang-not-a-list", at.place,
+                 "\"for each\" goes over the elements of a list, and this is none: its block is not run");
         return;
     }
     const int condition = at.children.size() > 1 ? at.children[1] : kMissing;

@@ -114,7 +114,11 @@ TEST(FlatLangRun, StatementsAreChosenAndRepeated) {
     EXPECT_EQ(run("n = 0 repeat (2.9) n = n + 1 done repeat (-1) n = 9 done print(n)").printed(), "2.0\n");
     EXPECT_EQ(run("n = 3 while (n > 0) n = n - 1 print(n) done").printed(), "2.0\n1.0\n0.0\n");
     EXPECT_EQ(run("for each (i : [1, 2, 3, 4]) (i % 2 == 0) print(i) done").printed(), "2.0\n4.0\n");
-    EXPECT_EQ(run("for each (i : 5) print(i) done").printed(), "expected list in foreach but got NUMBER\n");
+    const auto none = run("print(1)\nfor each (i : 5) print(i) done");
+    EXPECT_EQ(none.printed(), "1.0\nexpected list in foreach but got NUMBER\n");
+    ASSERT_EQ(none.findings.size(), 1U);
+    EXPECT_EQ(none.findings[0].code, "flatlang-not-a-list");
+    EXPECT_EQ(none.findings[0].place.line, 2);
 }
 
 TEST(FlatLangRun, NothingSeparatesStatementsSoALineGoesOn) {
