@@ -143,7 +143,7 @@ class Reader {
                          fmt::format("{} stands {:g} mm from the back, and is left out: a plate can stand up "
                                      "to {:g} mm in front of it, above the floor",
                                      path, face.depth, card_.height))
-                .hint("give it a t above 0");
+                .hint(fmt::format("give it a t above 0, and up to {:g}", card_.height));
             return;
         }
         card_.faces.push_back(std::move(face));
