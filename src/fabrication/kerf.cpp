@@ -423,11 +423,13 @@ Result compensate(const PatternPiece& piece, const KerfWidths& kerf) {
     return result;
 }
 
-std::string what_of(const Flaw& flaw) {
+// `most`: the widest kerf that works.
+std::string what_of(const Flaw& flaw, double most) {
     const std::string at =
         fmt::format("at ({}, {}) mm", number_text(flaw.at.x, 2), number_text(flaw.at.y, 2));
-    const std::string wide =
-        flaw.width ? fmt::format("about {} mm wide", number_text(*flaw.width, 3)) : "too narrow for it";
+    const std::string wide = flaw.width && *flaw.width >= kNarrowedTo * most
+                                 ? fmt::format("about {} mm wide", number_text(*flaw.width, 3))
+                                 : "too narrow for it";
     switch (flaw.kind) {
         case Flaw::Kind::vanishes:
             return fmt::format("the hole {} is {}, and nothing is left of its cut", at, wide);
@@ -461,11 +463,10 @@ double widest_that_works(const PatternPiece& piece, const KerfWidths& kerf) {
 
 Diagnostic& report(const Result& result, const PatternPiece& piece, const KerfWidths& kerf,
                    std::string_view name, Diagnostics& diagnostics) {
-    Flaw flaw = *result.worst;
+    const Flaw& flaw = *result.worst;
     const double most = widest_that_works(piece, kerf);
-    if (flaw.width && *flaw.width < kNarrowedTo * most) flaw.width.reset();
     std::string message = fmt::format("the kerf of {} mm is too wide for piece \"{}\": {}",
-                                      number_text(flaw.kerf, 3), name, what_of(flaw));
+                                      number_text(flaw.kerf, 3), name, what_of(flaw, most));
     if (result.flaws == 2) message += "; another place fails as well";
     if (result.flaws > 2) message += fmt::format("; {} more places fail as well", result.flaws - 1);
     Diagnostic& finding = diagnostics.error("kerf-too-wide", {}, std::move(message));
