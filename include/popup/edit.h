@@ -98,11 +98,11 @@ std::optional<std::string> move_command(const CompiledDesign& design, const Comp
                                         const std::string& element, Vec2 by);
 
 // Whether a move, by so many mm on the page of the left plate that drives the element, does to the design
-// what it does to the plates: the design, changed so and checked, has no error that it did not have, and all
-// plates are as large as before. It need not be so: an element that is too large for where it stands is made
-// smaller, and by how much depends on the place; and where it comes to stand the fold may have been cut away.
-// True where that cannot be known, as the design is no document or no edit moves the element so.
-// Precondition: the design has been assembled with these options. Cost: that of a check() and an assemble().
+// what it does to the plates: the design, changed so and checked, has no error, and all plates are as large
+// as before. It need not be so: an element that is too large for where it stands is made smaller, by how much
+// depends on the place; and where it comes to stand the fold may have been cut away. False where no edit
+// moves the element so; true where nothing can be edited, as the design is no document. Precondition: the
+// design has been assembled with these options. Cost: that of a check() and an assemble().
 bool move_holds(const CompiledDesign& design, const CompileOptions& options, const std::string& element,
                 Vec2 by);
 

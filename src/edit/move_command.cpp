@@ -101,7 +101,7 @@ std::optional<std::string> move_command(const CompiledDesign& design, const Comp
 bool move_holds(const CompiledDesign& design, const CompileOptions& options, const std::string& element,
                 Vec2 by) {
     const auto edit = edit_that_moves(design, options, element, by);
-    if (!edit || !design.assembly) return true;
+    if (!edit || !design.assembly) return !edit::can_be_tried(design, options);
     Diagnostics found(design.source.name);
     const auto checked = check(edit->design, options.check, found);
     if (!checked || found.has_errors()) return false;
