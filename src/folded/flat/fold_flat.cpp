@@ -68,10 +68,13 @@ class FlatCheck {
         const folded::Layers::Solution solution = layers->solve(kMostWork);
         switch (solution.kind) {
             case folded::Layers::Solution::found:
-                diagnostics_.remark("folds-flat", {},
-                                    fmt::format("the sheet folds flat: {} panels in up to {} layers, with an "
-                                                "order for all {} pairs that lie on each other",
-                                                result.panels, result.layers, result.overlaps));
+                diagnostics_.remark(
+                    "folds-flat", {},
+                    fmt::format("the sheet folds flat: {} panels in up to {} layers, with an "
+                                "order for {} that lie on each other",
+                                result.panels, result.layers,
+                                result.overlaps == 1 ? std::string("the two")
+                                                     : fmt::format("all {} pairs", result.overlaps)));
                 if (refined.closes) folded::tell(refined, pattern_, sheet_, diagnostics_);
                 result.assembly = folded::stacked(pattern_, sheet_, tree, state, *layers, solution);
                 return result;
