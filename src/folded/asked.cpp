@@ -1,5 +1,7 @@
 #include "folded/asked.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "base/nth.h"
+#include "base/text/numbers.h"
 #include "folded/closure.h"
 #include "popup/joints.h"
 
@@ -80,16 +83,36 @@ std::vector<SharePoint> jumping(const std::vector<SharePoint>& law, double kept,
     return made;
 }
 
+bool is_for(const FoldOptions::NamedAngle& angle, const CreaseLine& line) {
+    return angle.name == line.name || angle.name == kCreaseUseNames.at(static_cast<std::size_t>(line.use));
+}
+
 }  // namespace
 
 bool is_asked(const CreasePattern& pattern, const FoldOptions& options, const Fold& fold) {
     const CreaseLine& line = nth(pattern.lines, fold.line);
-    if (line.fold_deg) return true;
-    const std::string_view kind = kCreaseUseNames.at(static_cast<std::size_t>(line.use));
-    return std::any_of(options.fold_angles.begin(), options.fold_angles.end(),
-                       [&](const FoldOptions::NamedAngle& one) {
-                           return !one.name.empty() && (one.name == line.name || one.name == kind);
-                       });
+    return line.fold_deg || std::any_of(options.fold_angles.begin(), options.fold_angles.end(),
+                                        [&](const FoldOptions::NamedAngle& one) {
+                                            return !one.name.empty() && is_for(one, line);
+                                        });
+}
+
+void tell_unused_angles(const CreasePattern& pattern, const FoldOptions& options, Diagnostics& diagnostics) {
+    for (const FoldOptions::NamedAngle& one : options.fold_angles) {
+        if (one.name.empty() || one.name == kCreaseUseNames[1] || one.name == kCreaseUseNames[2]) continue;
+        const bool used =
+            std::any_of(pattern.lines.begin(), pattern.lines.end(), [&one](const CreaseLine& line) {
+                return line.use != CreaseUse::cut && line.use != CreaseUse::flat && is_for(one, line);
+            });
+        if (used) continue;
+        diagnostics
+            .remark("angle-not-found", {},
+                    fmt::format("--fold-angle {}={}: no fold of this sheet is called so", one.name,
+                                number_text(one.angle.deg, 6)))
+            .hint(
+                "folds are called by their colour, such as #ff0000, or by the number of their edge in a FOLD "
+                "file");
+    }
 }
 
 bool end_as_asked(const CreasePattern& pattern, const FoldOptions& options, const Sheet& sheet, Paths& paths,

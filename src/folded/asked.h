@@ -11,6 +11,9 @@ inline constexpr double kOtherAngleDeg = 1.0;
 // Whether the pattern or the options say how far this fold goes. Else it goes as far as all do.
 bool is_asked(const CreasePattern& pattern, const FoldOptions& options, const Fold& fold);
 
+// Adds an `angle-not-found` remark for each angle of the options that is for no fold of the pattern.
+void tell_unused_angles(const CreasePattern& pattern, const FoldOptions& options, Diagnostics& diagnostics);
+
 // Sets of folds that leave the flat sheet and end elsewhere, though every one of their angles is asked for,
 // and all loops close at these: they end as asked. There `paths` follow the way that was found for as long as
 // no fold goes beyond its angle, and in the last part of the motion, of kJump of it, each fold goes straight

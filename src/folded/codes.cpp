@@ -6,6 +6,11 @@ namespace popup {
 namespace {
 
 constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
+    {"angle-not-found", Severity::remark, "an angle for folds that are not there",
+     "--fold-angle, or fold-angle in popupc.toml, gives an angle to folds by the name of their lines. No "
+     "fold of "
+     "this sheet is called so: the name may be spelt otherwise, the colour be another shade, or the lines be "
+     "taken for cuts, which --lines says. Angles for a whole library need not fit each of its drawings."},
     {"bad-refinement", Severity::error, "a refinement file that cannot be read",
      "A refinement file says which corners and panels of a sheet are joined. It is JSON: an object with a "
      "list called joins, each of which is a merge of corners, or a paste or a coplanar of two panels. The "

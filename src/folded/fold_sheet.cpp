@@ -394,6 +394,14 @@ void tell_bends(const folded::Bent& bent, const Paths& rigid, const CreasePatter
 
 // Mostly folds that were taken for cuts.
 void tell_no_folds(const CreasePattern& pattern, Diagnostics& diagnostics) {
+    const bool any = std::any_of(pattern.lines.begin(), pattern.lines.end(), [](const CreaseLine& line) {
+        return line.use != CreaseUse::cut && line.use != CreaseUse::flat;
+    });
+    if (any) {
+        diagnostics.remark("no-folds", {}, "no fold has paper on both sides, so nothing of this sheet folds")
+            .hint("lead folds from edge to edge, and close the border around them");
+        return;
+    }
     std::vector<std::string> names;
     for (const CreaseLine& line : pattern.lines) {
         const std::string name = typed_word(line.name);
@@ -415,10 +423,8 @@ bool is_sound(const Paths& paths) {
                         [](const folded::Cluster& one) { return one.other_way || !one.all_fold; });
 }
 
-}  // namespace
-
-std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
-                                   Diagnostics& diagnostics) {
+std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const FoldOptions& options,
+                                        Diagnostics& diagnostics) {
     if (options.flat) {
         std::optional<FlatFolding> flat = fold_flat(pattern, options, diagnostics);
         if (!flat) return std::nullopt;
@@ -432,13 +438,13 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
             diagnostics.remark("board-left-out", {},
                                "allowances for the board are looked for where a sheet folds as it is drawn, "
                                "and this one does not");
-            return fold_sheet(pattern, rest, diagnostics);
+            return folded_as_asked(pattern, rest, diagnostics);
         }
         if (allowed->moved) {
             rest.fold_angles.clear();
             rest.snap_mm = kMendedMm;  // what lies beside a crease that was moved is not to snap to it
         }
-        return fold_sheet(allowed->pattern, rest, diagnostics);
+        return folded_as_asked(allowed->pattern, rest, diagnostics);
     }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;
@@ -477,6 +483,14 @@ std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptio
     }
     static_cast<void>(folded::end_as_asked(pattern, options, *sheet, paths, work));
     return Lowering(pattern, *sheet, paths, options.to, work.most(), diagnostics).run();
+}
+
+}  // namespace
+
+std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
+                                   Diagnostics& diagnostics) {
+    folded::tell_unused_angles(pattern, options, diagnostics);
+    return folded_as_asked(pattern, options, diagnostics);
 }
 
 }  // namespace popup

@@ -55,6 +55,13 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "neither is what DXF drawings have on layers that are off, frozen or not plotted, or in a layout. "
      "That is mostly what is meant. Show them in the drawing program, or take the properties out, if they "
      "are to be cut."},
+    {"lines-not-found", Severity::remark, "a rule for lines that fits none of the drawing",
+     "--lines, or lines in popupc.toml, says what lines of a colour mean, or of a layer, a class or an id "
+     "with a "
+     "word in its name; the first rule that fits a line counts. Nothing of this drawing is so, or an earlier "
+     "rule has taken it all: the word may be spelt otherwise, or the colour be another shade. The hint has "
+     "the "
+     "colours that are there. Rules for a whole library need not fit each of its drawings."},
     {"not-cut", Severity::warning, "texts, images and the like in a drawing",
      "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
      "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path; in "

@@ -154,6 +154,22 @@ Use use_of(Named named) {
     return Use::cut;
 }
 
+// The colours of lines, the most frequent first; at most eight.
+std::vector<std::string> colors_of(const std::vector<TracedLine>& lines) {
+    constexpr std::size_t kMost = 8;
+    std::map<std::string, std::size_t> counts;
+    for (const TracedLine& line : lines) {
+        if (line.use != Use::shape) ++counts[to_string(line.color)];
+    }
+    std::vector<std::string> colors;
+    for (const auto& [color, count] : counts) colors.push_back(color);
+    std::stable_sort(colors.begin(), colors.end(), [&counts](const std::string& a, const std::string& b) {
+        return counts.at(a) > counts.at(b);
+    });
+    if (colors.size() > kMost) colors.resize(kMost);
+    return colors;
+}
+
 }  // namespace
 
 LineRules::LineRules(const std::vector<LineRule>& rules) {
@@ -164,6 +180,7 @@ LineRules::LineRules(const std::vector<LineRule>& rules) {
         made.named = nth(kNamedOfUse, rule.use);
         const Paint paint = parse_paint(rule.name);
         if (paint.kind == Paint::Kind::color) made.color = paint.color;
+        made.text = fmt::format("{}={}", kDrawnUseNames.at(static_cast<std::size_t>(rule.use)), rule.name);
     }
 }
 
@@ -208,16 +225,34 @@ Said LineRules::said_by(std::string_view name) const {
     return {named, std::nullopt};
 }
 
-void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) const {
+void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) {
     line.named = names.named;
-    line.ruled = names.rule.has_value();
-    if (stroke.kind != Paint::Kind::color) return;
-    const std::size_t end = std::min(names.rule.value_or(rules_.size()), rules_.size());
-    for (std::size_t i = 0; i < end; ++i) {
+    std::optional<std::size_t> rule = names.rule;
+    const std::size_t end = std::min(rule.value_or(rules_.size()), rules_.size());
+    for (std::size_t i = 0; i < end && stroke.kind == Paint::Kind::color; ++i) {
         if (rules_[i].color != stroke.color) continue;
-        line.named = rules_[i].named;
-        line.ruled = true;
-        return;
+        rule = i;
+        break;
+    }
+    line.ruled = rule.has_value();
+    if (!rule) return;
+    line.named = rules_[*rule].named;
+    rules_[*rule].used = true;
+}
+
+void LineRules::tell_unused(const std::vector<TracedLine>& lines, Diagnostics& diagnostics) const {
+    std::vector<std::string> colors;
+    for (const Rule& rule : rules_) {
+        if (rule.used) continue;
+        if (colors.empty()) colors = colors_of(lines);
+        diagnostics
+            .remark("lines-not-found", {},
+                    fmt::format("--lines {} fits no line here: none has this colour, or this word in its "
+                                "layer, class or id, "
+                                "that no earlier rule fits",
+                                rule.text))
+            .hint(colors.empty() ? std::string("there are no lines here")
+                                 : fmt::format("lines here have the colours {}", fmt::join(colors, ", ")));
     }
 }
 

@@ -39,7 +39,10 @@ class LineRules {
     // says something counts, and above all names the first rule that fits one.
     void follow(std::initializer_list<std::string_view> names, Said& said) const;
     // What the names of a line say, or the first rule that fits its colour or a name of it.
-    void say(const Said& names, const Paint& stroke, TracedLine& line) const;
+    void say(const Said& names, const Paint& stroke, TracedLine& line);
+    // Adds a `lines-not-found` remark for each rule that has said nothing of any line, with the colours that
+    // lines have.
+    void tell_unused(const std::vector<TracedLine>& lines, Diagnostics& diagnostics) const;
 
  private:
     struct Rule {
@@ -47,6 +50,8 @@ class LineRules {
         std::string bare;  // and without accents
         std::optional<Color> color;
         Named named = Named::nothing;
+        std::string text;  // as it was given
+        bool used = false;
     };
     std::vector<Rule> rules_;
 };

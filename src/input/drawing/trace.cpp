@@ -79,6 +79,7 @@ class Tracer {
         stack_.push_back({1, located_.elements[0].after, context, 0});
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(strict_, diagnostics_);
+        rules_.tell_unused(out_.lines, diagnostics_);
         if (diagnostics_.has_errors()) return std::nullopt;
         out_.curves = CurveTable(flat_.curves);
         return std::move(out_);

@@ -105,6 +105,7 @@ class Tracer {
         stack_.push_back(frame);
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(false, diagnostics_);
+        rules_.tell_unused(out_.lines, diagnostics_);
         if (diagnostics_.has_errors()) return std::nullopt;
         tell_size();
         out_.ruler.origin = moved_;

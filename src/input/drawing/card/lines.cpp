@@ -137,6 +137,9 @@ Guess by_stroke(const TracedLine& line, bool workshop) {
     return {};
 }
 
+// For a hint: what lines are that are not what was guessed.
+std::string_view other_than(Meaning meaning) { return meaning == Meaning::cut ? "fold" : "cut"; }
+
 class Sorter {
  public:
     Sorter(const Tracing& tracing, Diagnostics& diagnostics)
@@ -199,10 +202,11 @@ class Sorter {
                         fmt::format("{} {} line{} taken for {}, {}", row.count, shown_stroke(*row.first),
                                     row.count == 1 ? " is" : "s are", nth(kMeanings, row.guess.meaning),
                                     row.guess.by))
-                .hint(
-                    row.guess.by == kByName
-                        ? std::string("--lines says otherwise: --lines cut=NAME, of a layer, class or id")
-                        : fmt::format("--lines says otherwise: --lines cut={}", to_string(row.first->color)));
+                .hint(row.guess.by == kByName
+                          ? fmt::format("--lines says otherwise: --lines {}=NAME, of a layer, class or id",
+                                        other_than(row.guess.meaning))
+                          : fmt::format("--lines says otherwise: --lines {}={}",
+                                        other_than(row.guess.meaning), to_string(row.first->color)));
         }
     }
 
