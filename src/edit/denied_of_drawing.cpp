@@ -20,6 +20,7 @@ std::vector<Diagnostic> errors_of(const Source& source, const CompileOptions& op
     plain.fitting_size = {};
     plain.clearing_move = {};
     plain.move_command = {};
+    plain.move_holds = {};
     plain.motion.memory = nullptr;
     const Compilation run = compile({source}, plain, policy);
     std::vector<Diagnostic> errors = run.designs.front().diagnostics.sorted();
@@ -40,7 +41,8 @@ bool brings_denied(const Source& before, const std::string& after, const Compile
     std::map<std::string_view, int> more;
     for (const Diagnostic& one : now) ++more[one.code];
     std::set<std::pair<std::string_view, std::string>> had;
-    for (const Diagnostic& one : errors_of(before, options, policy)) {
+    const std::vector<Diagnostic> then = errors_of(before, options, policy);
+    for (const Diagnostic& one : then) {
         --more[one.code];
         had.emplace(one.code, one.message);
     }
