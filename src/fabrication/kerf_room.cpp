@@ -16,7 +16,7 @@ namespace popup {
 namespace {
 
 // What overlaps by less has rounded corners on the grid, or is a line that two edges share.
-constexpr double kOverlapMm = 2e-3;
+constexpr double kCutsOverlapMm = 2e-3;
 
 // The next larger number with three digits, for hints: what they say must do.
 std::string at_least(double mm) { return number_text(std::ceil(mm * 1e3 - 1e-6) / 1e3, 3); }
@@ -90,7 +90,7 @@ std::vector<Laid> laid_pieces(const Layout& layout, const std::vector<std::vecto
 bool cross(const Laid& a, const Laid& b) {
     const std::vector<Polygon> shared = intersect(a.regions, b.regions);
     return std::any_of(shared.begin(), shared.end(), [](const Polygon& polygon) {
-        return 2.0 * area(polygon) > kOverlapMm * perimeter(polygon.outer);
+        return 2.0 * area(polygon) > kCutsOverlapMm * perimeter(polygon.outer);
     });
 }
 
@@ -159,7 +159,7 @@ bool tell_of_margin(const Layout& layout, double kerf, const std::vector<Laid>& 
         const LayoutSheet& sheet = nth(layout.sheets, one.placement->sheet);
         const double beyond = std::max({-one.box.min.x, -one.box.min.y, one.box.max.x - sheet.width_mm,
                                         one.box.max.y - sheet.height_mm});
-        if (beyond <= kOverlapMm) continue;
+        if (beyond <= kCutsOverlapMm) continue;
         ++count;
         if (beyond > most) {
             most = beyond;
