@@ -58,6 +58,13 @@ nlohmann::json drive(const ScratchDirectory& scratch, const std::string& page, c
     return result.exit == 0 ? nlohmann::json::parse(result.out) : nlohmann::json();
 }
 
+std::string when(const std::string& question, const std::string& then) {
+    return "new Promise((done) => { const end = performance.now() + 10000; const ask = () => { if ((" +
+           question +
+           ") || performance.now() > end) done(); else setTimeout(ask, 10); }; ask(); }).then(() => (" +
+           then + "))";
+}
+
 std::vector<std::string> messages_of(const nlohmann::json& driven) {
     std::vector<std::string> all;
     for (const std::string one : driven.at("messages")) {

@@ -30,6 +30,13 @@ nlohmann::json drive(const ScratchDirectory& scratch, const std::string& page, c
                      const std::vector<std::string>& expressions, const std::string& scheme = "light",
                      int width = 800, int height = 600);
 
+// An expression for drive() that is what `then` is when `question` is true, or after ten seconds: what a page
+// does of itself takes as long as the machine lets it.
+std::string when(const std::string& question, const std::string& then);
+// All sheets of the viewer's page are unpacked and drawn.
+inline constexpr const char* kSheetsDrawn =
+    "[...document.querySelectorAll('#sheets-panel img')].every((i) => i.complete && i.naturalWidth > 0)";
+
 // What the browser says, but for the speed of pictures that it copies where there is no graphics card.
 std::vector<std::string> messages_of(const nlohmann::json& driven);
 

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/background.h"
 #include "support/run_program.h"
 
 namespace popup {
@@ -207,8 +208,8 @@ TEST(WriteAll, ASignalLeavesTheOldFilesAndNoLitter) {
             write_all({{scratch / "old", "after"}, {pipe, "never read"}}, false, diagnostics);
             ::_exit(0);
         }
-        for (int i = 0; i < 1000 && scratch.names().size() < 3; ++i) ::usleep(5000);
-        EXPECT_EQ(scratch.names().size(), 3U) << "the temporary file was never seen";
+        EXPECT_TRUE(test::eventually([&] { return scratch.names().size() == 3; }))
+            << "the temporary file was never seen";
         ::kill(child, signal);
         int status = 0;
         ::waitpid(child, &status, 0);

@@ -443,10 +443,13 @@ TEST(Batch, KillingAnyPartAtAnyMomentLosesNothingAndLeavesNothingHalfWritten) {
         }
     }
     // Workers whose parent is gone may still be at their last job.
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl", "-j2"}).exit, 0);
-    EXPECT_EQ(differing(files_below(scratch.path()), expected), std::set<std::string>())
-        << "after " << kills << " kills of " << begun << " runs";
+    ASSERT_TRUE(eventually([&] { return batch(scratch.path(), {"jobs.jsonl", "-j2"}).exit == 0; }));
+    std::set<std::string> others;
+    eventually([&] {
+        others = differing(files_below(scratch.path()), expected);
+        return others.empty();
+    });
+    EXPECT_EQ(others, std::set<std::string>()) << "after " << kills << " kills of " << begun << " runs";
     RecordProperty("kills", kills);
     RecordProperty("runs", begun);
 }
@@ -473,8 +476,11 @@ TEST(Batch, OneRunAtATimeWritesAResultsFile) {
     Running run(scratch.path(), {"jobs.jsonl", "-j1"});
     while (!fs::exists(scratch / "out") && run.running())
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    // It does not come to its end before the other has begun, however slowly that starts.
+    run.send(SIGSTOP);
     const RunResult second = batch(scratch.path(), {"jobs.jsonl"});
     run.send(SIGTERM);
+    run.send(SIGCONT);
     run.wait();
     EXPECT_EQ(second.exit, 2);
     EXPECT_NE(second.err.find("another run is writing its results there"), std::string::npos) << second.err;

@@ -103,13 +103,13 @@ zpty -w shell 'compadd() {
 zpty -w shell 'popupc_over() { print over >> ../over }; zle -N popupc_over; bindkey "^X" popupc_over; bindkey "^I" complete-word; : > ../offered; print rea""dy'
 zpty -r shell ignored '*ready*'
 zpty -n -w shell "$1"$'\t'$'\x18'
-for i in {1..500}; do [[ -e ../over ]] && break; sleep 0.02; done
+for i in {1..3000}; do [[ -e ../over ]] && break; sleep 0.02; done
 zpty -d shell
 [[ -e ../over ]] || { print -u2 "zsh did not answer"; exit 1 }
 cat ../offered
 )");
         std::filesystem::remove(scratch / "over");
-        return run({"timeout", "20", "zsh", "-f", "../ask.zsh", line_of(words)}, options);
+        return run({"timeout", "90", "zsh", "-f", "../ask.zsh", line_of(words)}, options);
     }
 };
 

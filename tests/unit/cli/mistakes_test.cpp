@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/background.h"
 #include "support/run_program.h"
 
 namespace popup::test {
@@ -99,8 +100,7 @@ TEST_F(Mistakes, WhatAKilledRunLeft) {
         return std::count_if(names.begin(), names.end(),
                              [](const std::string& name) { return name.starts_with(".popup-"); });
     };
-    for (int i = 0; i < 1000 && litter() < 2; ++i) ::usleep(10'000);
-    EXPECT_GE(litter(), 1);
+    EXPECT_TRUE(eventually([&] { return litter() >= 2; }));
     EXPECT_EQ(popupc({"check", "bird.xml", "--diagnostics", "out"}, here).exit, 0);
     EXPECT_GE(litter(), 1) << "it is still running";
     ::kill(child, SIGKILL);

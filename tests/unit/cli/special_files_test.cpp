@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 // 124 where it had to be ended.
 RunResult in_time(std::vector<std::string> arguments, const RunOptions& options) {
-    std::vector<std::string> words{"timeout", "20", kPopupc};
+    std::vector<std::string> words{"timeout", "60", kPopupc};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return run(words, options);
 }

@@ -104,9 +104,8 @@ TEST_F(GalleryInABrowser, AddressesSayWhatIsLookedFor) {
 
 TEST_F(GalleryInABrowser, ClearShowsAllAndTilesLeadToTheirPages) {
     const json values =
-        ask({"document.querySelector('button[type=reset]').click(); new Promise((done) => "
-             "setTimeout(done, 50)).then(() => " +
-                 kShown + ")",
+        ask({"document.querySelector('button[type=reset]').click(); " +
+                 test::when(kShown + ".length > 1", kShown),
              "location.hash",
              // Those that lie further down would wait until they are looked at.
              "Promise.all([...document.images].map((one) => { one.loading = 'eager'; "

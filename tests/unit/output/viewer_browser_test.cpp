@@ -123,11 +123,12 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
                   .exit,
               0);
     const std::string press = "document.dispatchEvent(new KeyboardEvent('keydown', {key: '";
-    const std::string wait = "new Promise((done) => setTimeout(done, 400)).then(() => ";
+    const std::string named = "document.querySelector('#name').textContent === popupc.nameAt(400, 290)";
     const nlohmann::json driven =
         drive(scratch, (scratch / "a.html").string() + "#view=front&at=30", "-",
               {"popupc.opening()", press + "ArrowRight'})); popupc.opening()",
-               press + "ArrowLeft'})); popupc.opening()", press + " '})); " + wait + "popupc.opening() > 31)",
+               press + "ArrowLeft'})); popupc.opening()",
+               press + " '})); " + test::when("popupc.opening() > 31", "popupc.opening() > 31"),
                press + "r'})); popupc.opening()", "document.querySelectorAll('#marks button').length",
                "document.querySelector('#marks button').click(); popupc.names().filter((n) => "
                "popupc.collides(n)).length",
@@ -139,8 +140,8 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
                "document.querySelector('#degrees').textContent",
                "document.querySelector('#model').dispatchEvent(new PointerEvent('pointermove', {clientX: "
                "400, clientY: "
-               "290})); new Promise((done) => setTimeout(done, 200)).then(() => "
-               "document.querySelector('#name').textContent === popupc.nameAt(400, 290))"},
+               "290})); " +
+                   test::when(named, named)},
               "dark");
     ASSERT_TRUE(driven.is_object());
     EXPECT_EQ(messages_of(driven), std::vector<std::string>{});
@@ -161,8 +162,6 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
 
 // ---- what is there beside the model
 
-const char* const kWait = "new Promise((done) => setTimeout(done, 300)).then(() => ";
-
 TEST(ViewerTabs, ShowTheSheetsOfTheSvgOutputAndTheFindings) {
     if (!test::have_browser()) GTEST_SKIP() << test::kNoBrowser;
     const ScratchDirectory scratch;
@@ -177,9 +176,9 @@ TEST(ViewerTabs, ShowTheSheetsOfTheSvgOutputAndTheFindings) {
     const nlohmann::json driven =
         drive(scratch, scratch / "a.html", "-",
               {shown, "document.querySelector('#tab-model').focus(); " + press + "ArrowRight'})); " + shown,
-               std::string(kWait) +
-                   "[...document.querySelectorAll('#sheets-panel img')].map((i) => [i.naturalWidth > 100, "
-                   "decodeURIComponent(i.src.slice(i.src.indexOf(',') + 1))]))",
+               test::when(test::kSheetsDrawn,
+                          "[...document.querySelectorAll('#sheets-panel img')].map((i) => [i.naturalWidth > "
+                          "100, decodeURIComponent(i.src.slice(i.src.indexOf(',') + 1))])"),
                "popupc.opening()", press + "ArrowRight'})); " + shown, "document.activeElement.id",
                press + "ArrowRight'})); " + shown});
     ASSERT_TRUE(driven.is_object());
@@ -372,11 +371,11 @@ TEST(ViewerAccess, HasNothingThatAxeCallsSerious) {
         "axe.run().then((found) => [found.passes.length > 10, found.violations.map((one) => `${one.impact}: "
         "${one.id}: ${one.nodes.map((node) => node.html)}`)])";
     for (const char* scheme : {"light", "dark"}) {
-        const nlohmann::json driven =
-            drive(scratch, scratch / "a.html", "-",
-                  {"@" + axe.string(), look, "document.getElementById('tab-sheets').click()",
-                   std::string(kWait) + look + ")", "document.getElementById('tab-findings').click()", look},
-                  scheme);
+        const nlohmann::json driven = drive(
+            scratch, scratch / "a.html", "-",
+            {"@" + axe.string(), look, "document.getElementById('tab-sheets').click()",
+             test::when(test::kSheetsDrawn, look), "document.getElementById('tab-findings').click()", look},
+            scheme);
         ASSERT_TRUE(driven.is_object());
         for (const std::size_t i : {1U, 3U, 5U}) {
             EXPECT_EQ(driven.at("values")[i], nlohmann::json({true, nlohmann::json::array()})) << scheme;
