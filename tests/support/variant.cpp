@@ -4,7 +4,8 @@
 
 namespace popup::test {
 
-#ifdef __SANITIZE_ADDRESS__
+// POPUP_SANITIZED_PROGRAM: the tests themselves are not, but the program that they start is.
+#if defined(__SANITIZE_ADDRESS__) || defined(POPUP_SANITIZED_PROGRAM)
 const bool kSanitized = true;
 #else
 const bool kSanitized = false;
