@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/nth.h"
-#include "folded/rigid.h"
 
 namespace popup::folded {
 namespace {
@@ -100,26 +99,45 @@ ClosingStep Closure::equations(const Sheet& sheet, const std::vector<int>& folds
 
 void Closure::evaluate(const Eigen::VectorXd& angles, bool slopes) {
     work_->spend(kTermSteps * static_cast<double>(terms_.size()));
-    for (Eigen::Index i = 0; i < angles.size(); ++i) nth(turns_, i) = sine_cosine(angles[i]);
+    sines_cosines({angles.data(), static_cast<std::size_t>(angles.size())}, turns_);
     for (const LoopRow& row : closing_.rows()) {
-        Rigid3 motion;
-        for (std::size_t i = row.begin; i < row.end; ++i) {
-            const Term& term = terms_[i];
-            if (slopes) {
-                const Vec3 dir = term.sign * motion.direction(term.dir);
-                const Vec3 moment = cross(motion.point(term.at), dir);
-                slopes_[i] = {dir.x, dir.y, dir.z, moment.x, moment.y, moment.z};
-            }
-            SineCosine by = nth(turns_, closing_.angle_of(i));
-            by.sine *= term.sign;
-            motion = row.count == 3 ? motion.after_turn_at_origin(term.dir, by)
-                                    : motion.after_turn(term.at, term.dir, by);
-        }
+        const Rigid3 motion = row.count == 3 ? around_corner(row, slopes) : around(row, slopes);
         const Vec3 turn = turn_of(motion);
         residual_.segment<3>(row.first) << turn.x, turn.y, turn.z;
         if (row.count == 6)
             residual_.segment<3>(row.first + 3) << motion.shift.x, motion.shift.y, motion.shift.z;
     }
+}
+
+SineCosine Closure::turn_in(std::size_t term) const {
+    SineCosine by = nth(turns_, closing_.angle_of(term));
+    by.sine *= terms_[term].sign;
+    return by;
+}
+
+Rigid3 Closure::around_corner(const LoopRow& row, bool slopes) {
+    Rigid3 motion;
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+        const Term& term = terms_[i];
+        const Vec3 along = motion.direction_in_sheet(term.dir);
+        if (slopes) slopes_[i] = {term.sign * along.x, term.sign * along.y, term.sign * along.z};
+        motion = motion.after_turn_at_origin(term.dir, along, turn_in(i));
+    }
+    return motion;
+}
+
+Rigid3 Closure::around(const LoopRow& row, bool slopes) {
+    Rigid3 motion;
+    for (std::size_t i = row.begin; i < row.end; ++i) {
+        const Term& term = terms_[i];
+        if (slopes) {
+            const Vec3 dir = term.sign * motion.direction(term.dir);
+            const Vec3 moment = cross(motion.point(term.at), dir);
+            slopes_[i] = {dir.x, dir.y, dir.z, moment.x, moment.y, moment.z};
+        }
+        motion = motion.after_turn(term.at, term.dir, turn_in(i));
+    }
+    return motion;
 }
 
 double Closure::residual(const Eigen::VectorXd& angles, int* worst) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "folded/closing_step.h"
+#include "folded/rigid.h"
 #include "folded/sheet.h"
 #include "folded/sine.h"
 #include "folded/step_plan.h"
@@ -59,6 +60,10 @@ class Closure {
     ClosingStep equations(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan);
     // Residuals of all loops, and with `slopes` their derivatives.
     void evaluate(const Eigen::VectorXd& angles, bool slopes);
+    // Of one loop: the motion around it.
+    Rigid3 around_corner(const LoopRow& row, bool slopes);
+    Rigid3 around(const LoopRow& row, bool slopes);
+    [[nodiscard]] SineCosine turn_in(std::size_t term) const;
     // The smallest step that adds this to the residuals, to the first order.
     bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by);
     bool factorise();

@@ -16,12 +16,14 @@ struct Rigid3 {
 
     [[nodiscard]] Vec3 direction(Vec3 d) const { return d.x * axes[0] + d.y * axes[1] + d.z * axes[2]; }
     [[nodiscard]] Vec3 point(Vec3 p) const { return shift + direction(p); }
-    // This motion after a turn about a line in the plane of the sheet through its origin; dir.z is 0.
-    [[nodiscard]] Rigid3 after_turn_at_origin(Vec3 dir, SineCosine of_angle) const {
+    // Of one in the plane of the sheet: d.z is 0.
+    [[nodiscard]] Vec3 direction_in_sheet(Vec3 d) const { return d.x * axes[0] + d.y * axes[1]; }
+    // This motion after a turn about a line in the plane of the sheet through its origin; dir.z is 0, and
+    // `along` where this motion leads it.
+    [[nodiscard]] Rigid3 after_turn_at_origin(Vec3 dir, Vec3 along, SineCosine of_angle) const {
         const double s = of_angle.sine;
         const double c = of_angle.cosine;
         // Across the line and out of the sheet are turned into each other.
-        const Vec3 along = dir.x * axes[0] + dir.y * axes[1];
         const Vec3 across = dir.x * axes[1] - dir.y * axes[0];
         const Vec3 turned = c * across + s * axes[2];
         Rigid3 result;

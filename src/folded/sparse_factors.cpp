@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/nth.h"
+#include "folded/two.h"
 
 namespace popup::folded {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kNought = 0.2;
 constexpr double kNarrow = 4.0;
 // Columns that are taken from others together: more do not stay in registers.
 constexpr std::size_t kTogether = 4;
-constexpr auto kNowhere = static_cast<std::size_t>(-1);
 
 // Of a triangle's columns, each from the diagonal on and behind the one before it: how many entries those
 // before this one have.
@@ -35,6 +35,12 @@ struct Front {
     }
 };
 
+void zero(double* begin, std::size_t count) {
+    std::size_t i = 0;
+    for (; i + 2 <= count; i += 2) store(begin + i, Two{});
+    if (i < count) begin[i] = 0.0;
+}
+
 // Columns of a block that lie side by side, and what they are multiplied with before they are taken from
 // another.
 template <std::size_t Count>
@@ -52,17 +58,40 @@ struct Taken {
         for (std::size_t k = 1; k < Count; ++k) sum += columns[k * height + row] * by[k];
         return sum;
     }
+    [[nodiscard]] Two two_at(std::size_t row) const {
+        Two sum = load(columns + row) * by[0];
+        for (std::size_t k = 1; k < Count; ++k) sum += load(columns + k * height + row) * by[k];
+        return sum;
+    }
 };
 
+// From the row `from` on.
 template <std::size_t Count>
-void subtract(double* __restrict to, Taken<Count> taken, std::size_t from) {
-    for (std::size_t i = from; i < taken.height; ++i) to[i] -= taken.at(i);
+void subtract(double* to, const Taken<Count>& taken, std::size_t from) {
+    std::size_t i = from;
+    for (; i + 2 <= taken.height; i += 2) store(to + i, load(to + i) - taken.two_at(i));
+    if (i < taken.height) to[i] -= taken.at(i);
 }
 
 template <std::size_t Count>
-void subtract_two(double* __restrict one, double* __restrict two, Taken<Count> of_one, Taken<Count> of_two,
+void subtract_two(double* one, double* two, const Taken<Count>& of_one, const Taken<Count>& of_two,
                   std::size_t from) {
-    for (std::size_t i = from; i < of_one.height; ++i) {
+    const double* column[Count];
+    for (std::size_t k = 0; k < Count; ++k) column[k] = of_one.columns + k * of_one.height;
+    std::size_t i = from;
+    for (; i + 2 <= of_one.height; i += 2) {
+        const Two first = load(column[0] + i);
+        Two by_one = first * of_one.by[0];
+        Two by_two = first * of_two.by[0];
+        for (std::size_t k = 1; k < Count; ++k) {
+            const Two next = load(column[k] + i);
+            by_one += next * of_one.by[k];
+            by_two += next * of_two.by[k];
+        }
+        store(one + i, load(one + i) - by_one);
+        store(two + i, load(two + i) - by_two);
+    }
+    if (i < of_one.height) {
         one[i] -= of_one.at(i);
         two[i] -= of_two.at(i);
     }
@@ -116,25 +145,40 @@ struct Columns {
     }
     // Adds columns times what is found in them to the sums of the rows below.
     template <std::size_t Count>
-    void add(std::size_t first, const double* found, double* __restrict sums) const {
+    void add(std::size_t first, const double* found, double* sums) const {
         const double* const below = at(first) + width;
+        const std::size_t count = height - width;
         double by[Count];
         for (std::size_t k = 0; k < Count; ++k) by[k] = found[first + k];
-        for (std::size_t i = 0; i < height - width; ++i) {
+        std::size_t i = 0;
+        for (; i + 2 <= count; i += 2) {
+            Two sum = load(below + i) * by[0];
+            for (std::size_t k = 1; k < Count; ++k) sum += load(below + k * height + i) * by[k];
+            store(sums + i, load(sums + i) + sum);
+        }
+        if (i < count) {
             double sum = below[i] * by[0];
             for (std::size_t k = 1; k < Count; ++k) sum += below[k * height + i] * by[k];
             sums[i] += sum;
         }
     }
-    // Takes from columns what is found in the rows below.
+    // Takes from columns what is found in the rows below: those of even number and those of odd summed on
+    // their own.
     template <std::size_t Count>
     void take(std::size_t first, const double* found, double* from) const {
         const double* const below = at(first) + width;
-        double sums[Count] = {};
-        for (std::size_t i = 0; i < height - width; ++i) {
-            for (std::size_t k = 0; k < Count; ++k) sums[k] += below[k * height + i] * found[i];
+        const std::size_t count = height - width;
+        Two sums[Count] = {};
+        std::size_t i = 0;
+        for (; i + 2 <= count; i += 2) {
+            const Two here = load(found + i);
+            for (std::size_t k = 0; k < Count; ++k) sums[k] += load(below + k * height + i) * here;
         }
-        for (std::size_t k = 0; k < Count; ++k) from[first + k] -= sums[k];
+        for (std::size_t k = 0; k < Count; ++k) {
+            double sum = sums[k][0] + sums[k][1];
+            if (i < count) sum += below[k * height + i] * found[i];
+            from[first + k] -= sum;
+        }
     }
 };
 
@@ -246,7 +290,7 @@ void SparseFactors::find_blocks(const std::vector<std::vector<int>>& above, cons
         for (const int block : from[i]) take(nth(rows_of, block));
         std::sort(rows.begin(), rows.end());
         const auto entries = static_cast<double>(rows.size() + 1);
-        entries_ += entries;
+        entry_count_ += entries;
         steps_ += entries * entries;
         const double width = blocks_.empty() ? 0.0 : static_cast<double>(blocks_.back().width);
         const double more =
@@ -306,32 +350,47 @@ std::size_t SparseFactors::row_in(const Block& block, int row) const {
 }
 
 void SparseFactors::place_values(const Matrix& matrix) {
-    for (int j = 0; j < matrix.cols(); ++j) {
-        for (Matrix::InnerIterator at(matrix, j); at; ++at) {
-            if (at.row() > j) {
-                target_.push_back(kNowhere);
-                continue;
+    const auto each = [&](const auto& visit) {
+        std::size_t entry = 0;
+        for (int j = 0; j < matrix.cols(); ++j) {
+            for (Matrix::InnerIterator at(matrix, j); at; ++at, ++entry) {
+                if (at.row() > j) continue;
+                const int a = nth(place_, at.row());
+                const int b = nth(place_, j);
+                visit(entry, nth(blocks_, nth(block_of_, std::min(a, b))), std::min(a, b), std::max(a, b));
             }
-            const int a = nth(place_, at.row());
-            const int b = nth(place_, j);
-            const Block& block = nth(blocks_, nth(block_of_, std::min(a, b)));
-            const std::size_t column = static_cast<std::size_t>(std::min(a, b)) - block.first;
-            target_.push_back(block.values + column * block.height() + row_in(block, std::max(a, b)));
         }
+    };
+    each([](std::size_t, Block& block, int, int) { ++block.entries_end; });
+    std::size_t count = 0;
+    for (Block& block : blocks_) {
+        block.entries = count;
+        count += block.entries_end;
+        block.entries_end = block.entries;
     }
+    entries_.resize(count);
+    each([&](std::size_t entry, Block& block, int column, int row) {
+        const std::size_t at = static_cast<std::size_t>(column) - block.first;
+        entries_[block.entries_end++] = {static_cast<int>(entry),
+                                         static_cast<int>(at * block.height() + row_in(block, row))};
+    });
+}
+
+// Block by block, for what was written last is at hand.
+void SparseFactors::take_entries(const Block& block, const double* entries) {
+    double* const values = values_.data() + block.values;
+    zero(values, block.width * block.height());
+    for (std::size_t i = block.entries; i < block.entries_end; ++i)
+        values[entries_[i].target] += entries[entries_[i].entry];
 }
 
 bool SparseFactors::factorise(const Matrix& matrix) {
-    std::fill(values_.begin(), values_.end(), 0.0);
-    const double* const entries = matrix.valuePtr();
-    for (std::size_t i = 0; i < target_.size(); ++i) {
-        if (target_[i] != kNowhere) values_[target_[i]] += entries[i];
-    }
     double* top = added_.data();
     for (const Block& block : blocks_) {
+        take_entries(block, matrix.valuePtr());
         const Front front{values_.data() + block.values, top, block.width, block.height()};
         const Columns columns{front.values, front.width, front.height};
-        std::fill(top, top + packed(block.below), 0.0);
+        zero(top, packed(block.below));
         // What was added last lies on top.
         double* lowest = top;
         for (std::size_t i = block.from.size(); i-- > 0;) {

@@ -34,17 +34,23 @@ class SparseFactors {
 
     // Entries of L with its diagonal, and the sum of the squares of how many a column has, which is what the
     // factors take; without those that are nought and stand in a block.
-    [[nodiscard]] double entries() const { return entries_; }
+    [[nodiscard]] double entries() const { return entry_count_; }
     [[nodiscard]] double steps() const { return steps_; }
 
  private:
     // Columns that are eliminated together, and the rows below them, ascending.
     struct Block {
         std::size_t first = 0, width = 0;
-        std::size_t rows = 0, below = 0;  // where its rows below begin, and how many there are
-        std::size_t values = 0;           // where its columns begin, each of the height of the block
-        std::vector<std::size_t> from;    // blocks that add to it
+        std::size_t rows = 0, below = 0;           // where its rows below begin, and how many there are
+        std::size_t values = 0;                    // where its columns begin, each of the height of the block
+        std::size_t entries = 0, entries_end = 0;  // of the matrix, that it has
+        std::vector<std::size_t> from;             // blocks that add to it
         [[nodiscard]] std::size_t height() const { return width + below; }
+    };
+
+    // An entry of the matrix, by its number among them, and its place among the values of its block.
+    struct Entry {
+        int entry = 0, target = 0;
     };
 
     void find_blocks(const std::vector<std::vector<int>>& above, const std::vector<int>& parent);
@@ -52,17 +58,18 @@ class SparseFactors {
     void place_values(const Matrix& matrix);
     // Where a row stands in a block that has it.
     [[nodiscard]] std::size_t row_in(const Block& block, int row) const;
+    void take_entries(const Block& block, const double* entries);
     void solve_onwards(const Block& block);
     void solve_back(const Block& block);
 
     bool analysed_ = false;
-    double entries_ = 0.0, steps_ = 0.0;
+    double entry_count_ = 0.0, steps_ = 0.0;
     std::vector<int> place_;            // by equation: its column
     std::vector<Block> blocks_;         // each before the one that it adds to
     std::vector<int> block_of_;         // by column
     std::vector<int> rows_;             // below, of all blocks
     std::vector<std::size_t> at_next_;  // by row of a block: where it stands in the block that it adds to
-    std::vector<std::size_t> target_;   // by entry of the matrix: its value, if it is looked at
+    std::vector<Entry> entries_;        // those that are looked at, block by block
     std::vector<double> values_;        // of L; on its diagonal D
     std::vector<double> added_;         // what blocks add, one on top of the other
     std::vector<double> sums_;          // of one block

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -42,6 +43,18 @@ TEST(Sine, IsRightToThreeUnitsOfTheLastPlace) {
         worst = std::max({worst, off(sine, std::sin(exact)), off(cosine, std::cos(exact))});
     }
     EXPECT_LT(worst, 3.0L);
+}
+
+TEST(Sine, ManyAtOnceHaveTheSameBits) {
+    std::vector<double> all = angles();
+    if (all.size() % 2 == 0) all.push_back(1.0);  // the last is alone
+    std::vector<SineCosine> found(all.size());
+    sines_cosines(all, found);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto [sine, cosine] = sine_cosine(all[i]);
+        ASSERT_EQ(found[i].sine, sine) << all[i];
+        ASSERT_EQ(found[i].cosine, cosine) << all[i];
+    }
 }
 
 TEST(Sine, AnglesComeBack) {
