@@ -49,31 +49,41 @@ double usual_factor_steps(double products) { return products * std::sqrt(product
 
 }  // namespace
 
-bool LeastStep::arrange(const Matrix& across, const Matrix& back, Work& work) {
+std::optional<LeastStep::Matrix> LeastStep::arrange(const Matrix& across, const Matrix& back, double regular,
+                                                    Work& work) {
     const double of_rows = products_of(across);
     const double of_unknowns = products_of(back);
     const double fewer = std::min(of_rows, of_unknowns);
-    if (!work.has(usual_factor_steps(fewer))) return false;
-    const auto analysed = [&](bool unknowns) {
+    if (!work.has(usual_factor_steps(fewer))) return std::nullopt;
+    const auto analysed = [](const Matrix& normal) {
         auto factors = std::make_unique<SparseFactors>();
-        const Matrix normal = unknowns ? normal_of(back, across, 1.0) : normal_of(across, back, 1.0);
         factors->analyse(normal, order_of(normal));
         return factors;
     };
     of_unknowns_ = of_unknowns < of_rows;
     product_work_ = kNormalSteps * fewer;
-    if (!work.spend(product_work_)) return false;
-    factors_ = analysed(of_unknowns_);
+    if (!work.spend(product_work_)) return std::nullopt;
+    Matrix normal = normal_equations(across, back, regular);
+    factors_ = analysed(normal);
     // The others' factors may be smaller, which is only looked at where it is likely.
     const double others = std::max(of_rows, of_unknowns);
-    if (usual_factor_steps(others) >= factors_->steps()) return true;
-    if (!work.spend(kNormalSteps * others)) return false;
-    std::unique_ptr<SparseFactors> other = analysed(!of_unknowns_);
-    if (kNormalSteps * others + other->steps() >= product_work_ + factors_->steps()) return true;
-    factors_ = std::move(other);
+    if (usual_factor_steps(others) >= factors_->steps()) return normal;
+    if (!work.spend(kNormalSteps * others)) return std::nullopt;
     of_unknowns_ = !of_unknowns_;
+    Matrix other_normal = normal_equations(across, back, regular);
+    std::unique_ptr<SparseFactors> other = analysed(other_normal);
+    if (kNormalSteps * others + other->steps() >= product_work_ + factors_->steps()) {
+        of_unknowns_ = !of_unknowns_;
+        return normal;
+    }
+    factors_ = std::move(other);
     product_work_ = kNormalSteps * others;
-    return true;
+    return other_normal;
+}
+
+LeastStep::Matrix LeastStep::normal_equations(const Matrix& across, const Matrix& back,
+                                              double regular) const {
+    return of_unknowns_ ? normal_of(back, across, regular) : normal_of(across, back, regular);
 }
 
 std::optional<Eigen::VectorXd> LeastStep::find(const std::vector<Eigen::Triplet<double>>& slopes,
@@ -82,13 +92,15 @@ std::optional<Eigen::VectorXd> LeastStep::find(const std::vector<Eigen::Triplet<
     Matrix across(residual.size(), unknowns);
     across.setFromTriplets(slopes.begin(), slopes.end());
     const Matrix back = across.transpose();
-    if (factors_ == nullptr && !arrange(across, back, work)) {
-        factors_.reset();
-        return std::nullopt;
+    std::optional<Matrix> normal;
+    if (factors_ == nullptr) {
+        normal = arrange(across, back, regular, work);
+        if (!normal) factors_.reset();
+        if (!normal) return std::nullopt;
     }
     if (!work.spend(product_work_ + factors_->steps())) return std::nullopt;
-    const Matrix normal = of_unknowns_ ? normal_of(back, across, regular) : normal_of(across, back, regular);
-    if (!factors_->factorise(normal)) return std::nullopt;
+    if (!normal) normal = normal_equations(across, back, regular);
+    if (!factors_->factorise(*normal)) return std::nullopt;
     Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns);
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(residual.size());
     CorrectionRate rate;

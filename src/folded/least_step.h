@@ -30,8 +30,9 @@ class LeastStep {
 
  private:
     using Matrix = Eigen::SparseMatrix<double>;
-    // False if the work does not do for it.
-    bool arrange(const Matrix& across, const Matrix& back, Work& work);
+    // The equations, of which all but the values stay; nullopt if the work does not do for it.
+    std::optional<Matrix> arrange(const Matrix& across, const Matrix& back, double regular, Work& work);
+    [[nodiscard]] Matrix normal_equations(const Matrix& across, const Matrix& back, double regular) const;
 
     std::unique_ptr<SparseFactors> factors_;  // none before the first question
     bool of_unknowns_ = false;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -62,11 +63,25 @@ Twist carried(const Rigid3& motion, const Twist& twist) {
     return {turn, motion.direction(twist.shift) + cross(motion.shift, turn)};
 }
 
+// What does not depend on how near to closure the angles begin: equations of loops with corners as they are,
+// and of steps, by how many shares they are of.
+struct Equations {
+    std::optional<Closure> closure;
+    std::map<std::size_t, LeastStep> steps;
+};
+
 class Solver {
  public:
+    // `equations` are those of this sheet, and outlive this object.
     Solver(const Sheet& sheet, const Paths& paths, std::span<const double> shares, double near,
-           double most_mm, Work& work)
-        : sheet_(sheet), paths_(paths), shares_(shares), near_(near), most_mm_(most_mm), work_(work) {
+           double most_mm, Equations& equations, Work& work)
+        : sheet_(sheet),
+          paths_(paths),
+          shares_(shares),
+          near_(near),
+          most_mm_(most_mm),
+          equations_(equations),
+          work_(work) {
         size_ = sheet.size();
         std::vector<char> in_loop(sheet.folds.size(), 0);
         for (const Loop& loop : sheet.loops) {
@@ -138,7 +153,8 @@ class Solver {
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
             if (fold_of_[i] >= 0) folds.push_back(static_cast<int>(i));
         }
-        Closure closure(sheet_, folds, loops, work_);
+        if (!equations_.closure) equations_.closure.emplace(sheet_, folds, loops, work_);
+        Closure& closure = *equations_.closure;
         if (!closure.is_affordable()) return false;
         Eigen::VectorXd target(folds_);
         for (int i = 0; i < folds_; ++i) target[i] = nth(sheet_.folds, nth(folds, i)).target;
@@ -272,7 +288,8 @@ class Solver {
     bool step() {
         const Eigen::Map<const Eigen::VectorXd> residual(residual_.data(),
                                                          static_cast<Eigen::Index>(residual_.size()));
-        std::optional<Eigen::VectorXd> by = least_.find(entries_, unknowns_, residual, kRegular, work_);
+        std::optional<Eigen::VectorXd> by =
+            equations_.steps[shares_.size()].find(entries_, unknowns_, residual, kRegular, work_);
         if (!by) return false;
         by->head(2 * corners_) *= kCornersPerRadian;
         x_ += *by;
@@ -298,6 +315,7 @@ class Solver {
     std::span<const double> shares_;
     double near_;
     double most_mm_;
+    Equations& equations_;
     Work& work_;
     bool begins_ = false;  // there are angles to begin with
     double size_ = 1.0;
@@ -308,13 +326,13 @@ class Solver {
     Eigen::VectorXd x_;  // moves of corners as shares of the sheet, then the angles at each share
     std::vector<Eigen::Triplet<double>> entries_;
     std::vector<double> residual_;
-    LeastStep least_;
 };
 
 }  // namespace
 
 Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
     Refined best;
+    Equations equations;
     std::vector<Vec2> corners;
     std::size_t conditions = 0;
     for (const Loop& loop : sheet.loops) conditions += loop.corner ? 3 : 6;
@@ -326,10 +344,10 @@ Refined refine(Sheet& sheet, const Paths& paths, double most_mm, Work& work) {
                 (shares.size() != kShares.size() || (near != 0.0 && near != kNear.back())))
                 continue;
             if (conditions > kMostConditions) {
-                Solver first(sheet, paths, shares.first(kLookedAtFirst), near, most_mm, work);
+                Solver first(sheet, paths, shares.first(kLookedAtFirst), near, most_mm, equations, work);
                 if (!first.may_close()) continue;
             }
-            Solver solver(sheet, paths, shares, near, most_mm, work);
+            Solver solver(sheet, paths, shares, near, most_mm, equations, work);
             if (!solver.run()) continue;
             Refined result;
             result.closes = true;
