@@ -168,10 +168,16 @@ class Walk {
         goal_ = target_;
         bool found = false;
         double first = 0.0;
+        // The largest share from which steps lead back. Beside a singular point what is open is as good as
+        // quadratic, so that those from less go the same way, on a smaller scale.
+        double back = 0.0;
         Angles there;
         for (const double one : kFirstShares) {
+            if (one < back) continue;
             Angles here = from + one * (target_ - from);
-            const bool closes = come_near(here, from, one) <= kClosed;
+            bool leads_back = false;
+            const bool closes = come_near(here, from, one, leads_back) <= kClosed;
+            if (leads_back) back = one;
             // Where panels bend many ways lead on.
             if (closes && closure_.has_bends()) closure_.draw_near(here, from + one * (target_ - from));
             if (!closes || stays_at(from, one, here) || !is_paper(here)) continue;
@@ -198,7 +204,7 @@ class Walk {
 
     // Gives up what does not come nearer, and what comes to where nothing moves: a singular point, to which
     // it would be many steps yet.
-    double come_near(Angles& here, const Angles& from, double share) {
+    double come_near(Angles& here, const Angles& from, double share, bool& leads_back) {
         std::array<double, kStuckSteps> open{};
         std::size_t step = 0;
         double away = 0.0;
@@ -215,7 +221,7 @@ class Walk {
             away = still;
             last = residual;
             // Where panels bend a way may part from that to the flat sheet late.
-            const bool leads_back = halved >= kHalvingSteps && !closure_.has_bends();
+            leads_back = halved >= kHalvingSteps && !closure_.has_bends();
             return stuck || leads_back || stays_at(from, share, there);
         });
     }
