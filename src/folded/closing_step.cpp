@@ -191,17 +191,18 @@ Eigen::VectorXd ClosingStep::change_by(const std::vector<Slope>& slopes, const E
 // slopes of the size of the root of the damping, 3e-7. So steps are corrected by what the slopes themselves
 // leave of the change (Björck, Numerical Methods for Least Squares Problems, 1996, 2.9), until a correction
 // is no smaller than rounding makes it.
-int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by) {
+int ClosingStep::find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by,
+                      int most) {
     by.setZero(ease_.size());
     const int solutions =
-        of_angles() ? find_by_angles(slopes, change, by) : find_by_conditions(slopes, change, by);
+        of_angles() ? find_by_angles(slopes, change, by, most) : find_by_conditions(slopes, change, by, most);
     return by.allFinite() ? solutions : 0;
 }
 
 int ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                    Eigen::VectorXd& by) {
+                                    Eigen::VectorXd& by, int most) {
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(change.size());
-    return add_corrections(by, rate_, [&](Eigen::VectorXd& correction) {
+    return add_corrections(by, rate_, most, [&](Eigen::VectorXd& correction) {
         Eigen::VectorXd more = change - change_by(slopes, by) - damping_ * loads;
         factors_.solve(more);
         loads += more;
@@ -214,11 +215,11 @@ int ClosingStep::find_by_conditions(const std::vector<Slope>& slopes, const Eige
 // thousandth of the step stands there in the solution. The slopes give nothing back of it, so each correction
 // takes it out, but for a thousandth.
 int ClosingStep::find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                                Eigen::VectorXd& by) {
+                                Eigen::VectorXd& by, int most) {
     const auto count = static_cast<Eigen::Index>(order_.size());
     Eigen::VectorXd ordered(count);
     Eigen::VectorXd back;
-    return add_corrections(by, rate_, [&](Eigen::VectorXd& correction) {
+    return add_corrections(by, rate_, most, [&](Eigen::VectorXd& correction) {
         slope_back(slopes, change - change_by(slopes, by), back);
         for (Eigen::Index i = 0; i < count; ++i)
             ordered[nth(order_, i)] = root_[i] * back[i] - damping_ * (by[i] / root_[i]);

@@ -37,10 +37,11 @@ class ClosingStep {
 
     // Takes slopes, by term, whose entries are of the size of 1; damping > 0. False if there are no factors.
     bool factorise(const std::vector<Slope>& slopes, double damping);
-    // The step for a change of the conditions, with the slopes that were factorised, right but for rounding.
-    // Returns how often the factors were solved with; 0 if the step is not of finite numbers.
+    // The step for a change of the conditions, with the slopes that were factorised: right but for rounding,
+    // or after `most` solutions with the factors. Returns how many there were; 0 if the step is not of finite
+    // numbers.
     [[nodiscard]] int find(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                           Eigen::VectorXd& by);
+                           Eigen::VectorXd& by, int most = kUntilRounding);
     // What a step adds to the conditions, to the first order.
     [[nodiscard]] Eigen::VectorXd change_by(const std::vector<Slope>& slopes,
                                             const Eigen::VectorXd& by) const;
@@ -70,9 +71,10 @@ class ClosingStep {
     // The transposed slopes times a vector of conditions.
     void slope_back(const std::vector<Slope>& slopes, const Eigen::VectorXd& conditions,
                     Eigen::VectorXd& by) const;
-    int find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by);
+    int find_by_angles(const std::vector<Slope>& slopes, const Eigen::VectorXd& change, Eigen::VectorXd& by,
+                       int most);
     int find_by_conditions(const std::vector<Slope>& slopes, const Eigen::VectorXd& change,
-                           Eigen::VectorXd& by);
+                           Eigen::VectorXd& by, int most);
 
     std::vector<LoopRow> rows_;
     std::vector<int> columns_;

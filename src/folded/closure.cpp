@@ -27,6 +27,9 @@ constexpr int kSmoothSteps = 6;
 // what is open times how far away they are from.
 constexpr int kKeptSteps = 3;
 constexpr double kNearlyOpen = 0.1;
+// Solutions for a step with slopes that are kept, or before such: what the next one corrects, because it
+// begins with all that is open, needs no correction of its own.
+constexpr int kOnce = 1;
 constexpr double kRounded = 1e-10;  // of a residual, after which one step more is the last
 constexpr double kNotNearer = 0.5;  // of a residual
 constexpr double kSettled = 1e-11;  // below it steps need not get nearer
@@ -159,8 +162,8 @@ bool Closure::factorise() {
     return closing_.factorise(slopes_, kRegular + kDamped * mean_square);
 }
 
-bool Closure::step(const Eigen::VectorXd& change, Eigen::VectorXd& by) {
-    const int solutions = closing_.find(slopes_, change, by);
+bool Closure::step(const Eigen::VectorXd& change, Eigen::VectorXd& by, int most) {
+    const int solutions = closing_.find(slopes_, change, by, most);
     const double terms = static_cast<double>(terms_.size());
     work_->spend(solutions * (solution_work_ + kSlopeSteps * terms));
     return solutions > 0;
@@ -181,7 +184,8 @@ int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough, bo
             worst = std::max(worst, before);
             open[i] = std::max(before, kSettled);
             if (last) continue;
-            if (!factorise() || !step(-residual_, by) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
+            const int most = keeps ? kOnce : kUntilRounding;
+            if (!factorise() || !step(-residual_, by, most) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
                 return static_cast<int>(i);
             all[i] += by;
             if (keeps ? !keep_slopes(all[i]) : before > kRounded) all_there = false;
@@ -197,7 +201,7 @@ bool Closure::keep_slopes(Eigen::VectorXd& angles) {
     for (int i = 0; i < kKeptSteps; ++i) {
         evaluate(angles, false);
         const double left = residual_.lpNorm<Eigen::Infinity>();
-        if (!step(-residual_, by)) return false;
+        if (!step(-residual_, by, kOnce)) return false;
         angles += by;
         if (left <= kRounded) return true;
     }

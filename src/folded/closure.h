@@ -65,7 +65,7 @@ class Closure {
     Rigid3 around(const LoopRow& row, bool slopes);
     [[nodiscard]] SineCosine turn_in(std::size_t term) const;
     // The smallest step that adds this to the residuals, to the first order.
-    bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by);
+    bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by, int most = kUntilRounding);
     bool factorise();
     bool keep_slopes(Eigen::VectorXd& angles);
 

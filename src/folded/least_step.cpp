@@ -104,7 +104,7 @@ std::optional<Eigen::VectorXd> LeastStep::find(const std::vector<Eigen::Triplet<
     Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns);
     Eigen::VectorXd loads = Eigen::VectorXd::Zero(residual.size());
     CorrectionRate rate;
-    const int solutions = add_corrections(by, rate, [&](Eigen::VectorXd& correction) {
+    const int solutions = add_corrections(by, rate, kUntilRounding, [&](Eigen::VectorXd& correction) {
         const Eigen::VectorXd left = -residual - across * by;
         if (of_unknowns_) {
             correction = back * left - regular * by;
