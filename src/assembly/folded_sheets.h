@@ -2,6 +2,7 @@
 // are glued.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -15,6 +16,12 @@ namespace popup {
 // Panels with these in their names, which name_panels() gives, are glued to what they lie on in the end.
 inline constexpr std::string_view kGlueFlapName = "glue-flap";
 inline constexpr std::string_view kGlueCornerName = "glue-corner";
+
+// Whether an assembly is a sheet that is folded: a plate of it stays where it is.
+inline bool is_folded_sheet(const Assembly& assembly) {
+    return std::any_of(assembly.joints.begin(), assembly.joints.end(),
+                       [](const Joint& joint) { return std::holds_alternative<Still>(joint.how); });
+}
 
 using Law = std::vector<Vec2>;  // as Folded has it
 

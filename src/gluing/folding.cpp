@@ -23,11 +23,6 @@ constexpr int kLooks = 180;         // over all of the sweep
 constexpr int kFewestLooks = 12;    // over a part of it
 constexpr double kSameDeg = 1e-6;   // of openings, and of angles on a straight way
 
-bool is_folded_sheet(const Assembly& assembly) {
-    return std::any_of(assembly.joints.begin(), assembly.joints.end(),
-                       [](const Joint& joint) { return std::holds_alternative<Still>(joint.how); });
-}
-
 // How fast the angle changes over a range of a law that begins at this point, if it goes straight there.
 std::optional<double> slope_over(const Law& law, std::size_t first) {
     const Vec2 from = law[first];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "output/poses.h"
 
@@ -97,12 +98,28 @@ Stance stance_of(const Assembly& assembly) {
 }
 
 void stand(Orientation orientation, const Assembly& assembly, std::span<Frame> frames) {
-    if (orientation == Orientation::flat) return;
-    const Bearings bearings = bearings_of(orientation, assembly, frames);
-    for (Frame& frame : frames) {
-        for (Vec3& axis : frame.axes) axis = bearings.turned(axis);
-        frame.origin = bearings.turned(frame.origin);
+    if (orientation != Orientation::flat) {
+        const Bearings bearings = bearings_of(orientation, assembly, frames);
+        for (Frame& frame : frames) {
+            for (Vec3& axis : frame.axes) axis = bearings.turned(axis);
+            frame.origin = bearings.turned(frame.origin);
+        }
     }
+    settle(assembly, frames);
+}
+
+void settle(const Assembly& assembly, std::span<Frame> frames) {
+    if (!is_folded_sheet(assembly)) return;
+    std::vector<std::size_t> root(frames.size());
+    std::vector<double> low(frames.size(), HUGE_VAL);  // by root
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        root[i] = i;
+        while (assembly.plates[root[i]].parent >= 0)
+            root[i] = static_cast<std::size_t>(assembly.plates[root[i]].parent);
+        double& lowest = low[root[i]];
+        for (const Vec2 p : assembly.plates[i].outline.outer) lowest = std::min(lowest, frames[i].point(p).z);
+    }
+    for (std::size_t i = 0; i < frames.size(); ++i) frames[i].origin.z -= low[root[i]];
 }
 
 std::vector<Stance> stances_of(std::span<const SceneCard> cards) {

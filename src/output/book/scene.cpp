@@ -307,6 +307,8 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
         lay_down(stage.frames, Frame{}, true);
     } else if (scene.as_still) {
         stand(modellers_[scene.card].orientations().front(), assembly, stage.frames);
+    } else {
+        settle(assembly, stage.frames);
     }
     stage.placed = stage.frames;
 

@@ -57,6 +57,7 @@ function placeBodies(scene, degrees) {
     const bodies = scene.bodies.slice(card.first, card.end);
     if (card.upright) turnBodies(bodies, kUpright);
     if (card.ground !== null) turnBodies(bodies, stageOn(scene.bodies[card.ground].node.axes));
+    if (card.settles) settle(bodies);
     for (const { node } of bodies) node.origin = [node.origin[0] + card.shift, node.origin[1], node.origin[2]];
   }
   for (const one of scene.collisions) {
@@ -64,6 +65,16 @@ function placeBodies(scene, degrees) {
     scene.bodies[one.a].collides = true;
     scene.bodies[one.b].collides = true;
   }
+}
+
+// Moves each part that hangs together up or down until it stands on the ground, z = 0.
+function settle(bodies) {
+  const lowest = new Map();
+  for (const body of bodies) {
+    const low = bodyCorners(body).reduce((least, p) => Math.min(least, p[2]), Infinity);
+    lowest.set(body.root, Math.min(low, lowest.get(body.root) ?? Infinity));
+  }
+  for (const { node, root } of bodies) node.origin = [node.origin[0], node.origin[1], node.origin[2] - lowest.get(root)];
 }
 
 // To the right, away and up, of a card whose spine stands.

@@ -115,6 +115,7 @@ function readScene(data) {
     for (const row of card.plates || []) {
       const body = readBody(row, true, data.lists);
       if (row.parent !== undefined) body.parent = first + row.parent;
+      body.root = body.parent >= 0 ? scene.bodies[body.parent].root : scene.bodies.length;
       if (row.page !== undefined) body.lies = first + row.page;
       body.cover = card.cover === undefined ? -1 : first + card.cover;
       scene.bodies.push(body);
@@ -129,6 +130,7 @@ function readScene(data) {
       end: scene.bodies.length,
       ground: card.ground === undefined ? null : first + card.ground,
       upright: card.upright === true,
+      settles: card.settles === true,
       shift: 0,
     });
     for (const row of card.collisions || []) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/folded_sheets.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
 #include "output/examination_json.h"
@@ -108,6 +109,7 @@ class SceneText {
             const int ground = card.assembly->covers.back();
             row["ground"] = std::find(tree.order.begin(), tree.order.end(), ground) - tree.order.begin();
         }
+        if (is_folded_sheet(*card.assembly)) row["settles"] = true;
         folds_ = folds_of_plates(*card.assembly);
         if (moves(*card.assembly)) add_moving(card, tree, track, row);
         Json standing = footings_of(card);

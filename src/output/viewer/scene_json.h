@@ -21,7 +21,7 @@ class Modeller;
 //  pictures: ["data:…"], each file once;
 //  views: {name: direction to the eye};
 //  cards: [{name, ground: number of the plate on the ground, where the card is shown with a back wall;
-//    upright: its spine stands;
+//    upright: its spine stands; settles: each part of it that hangs together stands on z = 0 at all openings;
 //    plates: [{name, parent: number of a plate before it, left out of those in the world,
 //      offset: the pivot in the parent's node, pivot: of its page, turns: x y z w at each key or once,
 //      layer: mm towards the front of the plate `cover` that it is drawn from its place on the closed card;
