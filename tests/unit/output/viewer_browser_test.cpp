@@ -160,6 +160,39 @@ TEST(ViewerKeys, OpenPlayTurnAndReset) {
     EXPECT_EQ(values[11], true);
 }
 
+// Of the page in this size: whether all buttons above the model end before it begins, whether anything of the
+// model comes to the edges of where it is drawn, and whether any of it is seen.
+constexpr const char* kFreePart = R"js((() => {
+  const box = document.getElementById('model').getBoundingClientRect();
+  const above = [...document.querySelectorAll('#tools button, #tools label, #tools summary, header *')];
+  const ends = above.map((one) => one.getBoundingClientRect().bottom);
+  const meets = (x, y) => popupc.nameAt(box.left + x, box.top + y) !== null;
+  let edge = 0;
+  let seen = 0;
+  for (let x = 0; x < box.width; x += 4) edge += meets(x, 1) + meets(x, box.height - 2);
+  for (let y = 0; y < box.height; y += 4) edge += meets(1, y) + meets(box.width - 2, y);
+  for (let y = 0; y < box.height; y += 10) for (let x = 0; x < box.width; x += 10) seen += meets(x, y);
+  return [Math.max(...ends) <= box.top + 0.5, edge, seen > 20, box.bottom <= innerHeight];
+})())js";
+
+TEST(ViewerWindow, HasTheModelInTheFreePartWhateverItsSize) {
+    if (!test::have_browser()) GTEST_SKIP() << test::kNoBrowser;
+    const ScratchDirectory scratch;
+    ASSERT_EQ(
+        popupc({"build", "-q", kRoot / "samples/cartons/straight-tuck-end.fl", "-o", scratch / "a.html"})
+            .exit,
+        0);
+    const std::vector<std::pair<int, int>> sizes{{1200, 800}, {400, 700}, {800, 350}};
+    for (const auto& [width, height] : sizes) {
+        const nlohmann::json driven =
+            drive(scratch, (scratch / "a.html").string() + "#view=front&at=0", "-",
+                  {kFreePart, std::string("popupc.setOpening(180); ") + kFreePart}, "light", width, height);
+        ASSERT_TRUE(driven.is_object());
+        for (const auto& value : driven.at("values"))
+            EXPECT_EQ(value.dump(), "[true,0,true,true]") << width << " × " << height;
+    }
+}
+
 // ---- what is there beside the model
 
 TEST(ViewerTabs, ShowTheSheetsOfTheSvgOutputAndTheFindings) {
