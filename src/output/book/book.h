@@ -60,6 +60,7 @@ struct CardPart {
 struct SheetPart {
     std::string title;
     Figure figure;
+    std::string key;  // what the numbers on it are; may be empty
 };
 
 struct Book {

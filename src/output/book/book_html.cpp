@@ -167,8 +167,9 @@ class Page {
         if (book_.sheets.empty()) return;
         begin("The sheets");
         for (const SheetPart& sheet : book_.sheets)
-            add("<figure class=\"sheet\">{}<figcaption>{}</figcaption></figure>\n",
-                drawing(sheet.figure, 190.0), told_html(sheet.title));
+            add("<figure class=\"sheet\">{}<figcaption>{}{}</figcaption></figure>\n",
+                drawing(sheet.figure, 190.0), told_html(sheet.title),
+                sheet.key.empty() ? std::string() : "<br>" + told_html(sheet.key));
     }
 
     void pieces(const CardPart& part, const std::string& of) {

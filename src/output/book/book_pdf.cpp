@@ -163,11 +163,15 @@ class Writer {
         chapter("The sheets", 60.0, CAIRO_PDF_OUTLINE_ROOT);
         for (const SheetPart& sheet : book_.sheets) {
             const double scale = BookPages::figure_scale(sheet.figure, paper_.width(), kSheetHighMm);
-            paper_.need(scale * sheet.figure.height_mm + 8.0);
+            const double key = sheet.key.empty() ? 0.0 : 1.0 + lines_height(sheet.key, paper_.width());
+            paper_.need(scale * sheet.figure.height_mm + key + 8.0);
             paper_.text(sheet.title, kBodyCapMm, paper_.left(), paper_.width());
             const double high =
                 paper_.figure(sheet.figure, paper_.left(), paper_.y(), paper_.width(), kSheetHighMm);
-            paper_.skip(high + 5.0);
+            paper_.skip(high + (sheet.key.empty() ? 5.0 : 1.0));
+            if (sheet.key.empty()) continue;
+            paper_.text(sheet.key, kBodyCapMm, paper_.left(), paper_.width(), false, 0.3);
+            paper_.skip(4.0);
         }
     }
 

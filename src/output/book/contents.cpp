@@ -12,6 +12,7 @@
 #include "gluing/glue_flaps.h"
 #include "output/book/book.h"
 #include "output/book/opening.h"
+#include "output/book/panel_labels.h"
 #include "output/book/steps.h"
 #include "output/book/words.h"
 #include "output/sheet_drawing.h"
@@ -167,6 +168,7 @@ void add_sheets(const RunPage& page, Book& book) {
                                  counted(pieces, "piece", "pieces"), paper_name(layout.sheets[i]));
         part.figure = sheet_figure(layout, static_cast<int>(i));
         part.figure.alt = part.title;
+        part.key = settle_labels(part.figure);
     }
 }
 

@@ -207,8 +207,14 @@ Figure sheet_figure(const Layout& layout, int number) {
         // "2" of "2. castle".
         const std::size_t dot = name.find(". ");
         const bool is_numbered = dot != std::string::npos && name.find_first_not_of("0123456789") == dot;
-        figure.labels.push_back({name, upright(placement.apply(inner_point(largest, 0.5).at)),
-                                 is_numbered ? name.substr(0, dot) : std::string(), box.width()});
+        const Vec2 middle = inner_point(largest, 0.5).at;
+        Figure::Label& label = figure.labels.emplace_back(
+            Figure::Label{name, upright(placement.apply(middle)),
+                          is_numbered ? name.substr(0, dot) : std::string(), box.width()});
+        for (const double share : {0.35, 0.7}) {
+            for (const Vec2 p : largest.outer)
+                label.others.push_back(upright(placement.apply(lerp(middle, p, share))));
+        }
     }
     return figure;
 }

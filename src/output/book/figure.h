@@ -58,7 +58,8 @@ struct FoldedSheet {
 // A sheet with some of its folds, or all where none is named; the others are faint. Labels may lie on one
 // another: settle_labels().
 Figure fold_figure(const PatternPiece& piece, const FoldedSheet& sheet);
-// The outlines of the pieces on a sheet, with their names as they are printed on it.
+// The outlines of the pieces on a sheet, with their names as they are printed on it. Labels may lie on one
+// another: settle_labels().
 Figure sheet_figure(const Layout& layout, int sheet);
 
 }  // namespace popup::book

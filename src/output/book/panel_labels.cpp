@@ -26,6 +26,14 @@ class Settler {
 
     std::string run() {
         named_.assign(figure_.labels.size(), true);
+        for (std::size_t i = 0; i < named_.size(); ++i) {
+            Figure::Label& label = figure_.labels[i];
+            has_briefs_ = has_briefs_ || !label.brief.empty();
+            if (label.room_mm <= 0.0 || box_of(label.text, {}).width() <= scale_ * label.room_mm) continue;
+            // It would lie on what is beside, and nobody could tell which of them it names.
+            if (label.brief.empty()) named_[i] = false;
+            if (!label.brief.empty()) label.text = label.brief;
+        }
         while (!are_placed()) {
         }
         return write();
@@ -57,6 +65,17 @@ class Settler {
         return found == places.end() ? std::nullopt : std::optional(*found);
     }
 
+    // What is shown in place of a name, after so many others: its brief, or the next number of the list.
+    [[nodiscard]] std::string short_for(std::size_t label, std::size_t listed) const {
+        if (!figure_.labels[label].brief.empty()) return figure_.labels[label].brief;
+        if (!has_briefs_) return std::to_string(listed + 1);
+        std::string letters;
+        for (std::size_t rest = listed + 1; rest > 0; rest = (rest - 1) / 26)
+            letters.insert(letters.begin(), static_cast<char>('a' + (rest - 1) % 26));
+        return letters;
+    }
+    [[nodiscard]] bool is_listed(std::size_t label) const { return figure_.labels[label].brief.empty(); }
+
     [[nodiscard]] const std::string& name(std::size_t label) const { return figure_.labels[label].text; }
 
     // Names that have room stay, and the others become numbers. False: a number has none, because a name is
@@ -80,12 +99,12 @@ class Settler {
         std::size_t numbers = 0;
         for (std::size_t i = 0; i < named_.size(); ++i) {
             if (named_[i]) continue;
-            const std::string text = std::to_string(numbers + 1);
+            const std::string text = short_for(i, numbers);
             places_[i] = free_place(figure_.labels[i], text);
             if (!places_[i] && take_name_from(box_of(text, figure_.labels[i].at))) return false;
             if (!places_[i]) continue;
             taken_.push_back(box_of(text, *places_[i]));
-            ++numbers;
+            if (is_listed(i)) ++numbers;
         }
         return true;
     }
@@ -103,14 +122,21 @@ class Settler {
     std::string write() {
         std::vector<std::string> listed;
         std::vector<Figure::Label> labels;
+        std::vector<std::string> short_of(named_.size());
+        std::size_t numbers = 0;
+        for (std::size_t i = 0; i < named_.size(); ++i) {
+            if (named_[i] || !places_[i]) continue;
+            short_of[i] = short_for(i, numbers);
+            if (is_listed(i)) ++numbers;
+        }
         for (std::size_t i = 0; i < named_.size(); ++i) {
             if (!places_[i]) continue;
             Figure::Label& label = labels.emplace_back(std::move(figure_.labels[i]));
             label.at = *places_[i];
-            if (named_[i]) continue;
-            std::string text = std::to_string(listed.size() + 1);
-            listed.push_back(fmt::format("{} {}", text, label.text));
-            label.text = std::move(text);
+            const std::string text = named_[i] ? label.text : short_of[i];
+            if (!named_[i] && label.brief.empty()) listed.push_back(fmt::format("{} {}", text, label.text));
+            label.text = text;
+            label.brief.clear();
         }
         figure_.labels = std::move(labels);
         return listed.empty() ? std::string() : fmt::format("In the drawing: {}.", fmt::join(listed, ", "));
@@ -118,6 +144,7 @@ class Settler {
 
     Figure& figure_;
     double scale_;
+    bool has_briefs_ = false;
     std::vector<Box> taken_;
     std::vector<bool> named_;                  // labels that keep their names
     std::vector<std::optional<Vec2>> places_;  // none: left out

@@ -203,6 +203,25 @@ TEST(PanelLabels, GiveWayToNumbersThatWouldHaveNoPlace) {
     EXPECT_EQ(figure.labels[1].at.y, 30.0);
 }
 
+// "2. castle" is "2" where it is wider than its piece, and what has no number of its own has a letter then.
+TEST(PanelLabels, GiveWayToNumbersOfPiecesAndToLetters) {
+    book::Figure figure;
+    figure.width_mm = 150.0;
+    figure.height_mm = 100.0;
+    figure.labels = {{"1. left-strip", {20.0, 20.0}, "1", 5.0},
+                     {"2. next-strip", {26.0, 20.0}, "2", 5.0},
+                     {"3. wide-strip", {90.0, 20.0}, "3", 60.0},
+                     {"long-unnumbered", {88.0, 21.0}, {}, 0.0, {{88.0, 40.0}}},
+                     {"narrow-unnumbered", {30.0, 70.0}, {}, 9.0}};
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a long-unnumbered, b narrow-unnumbered.");
+    ASSERT_EQ(figure.labels.size(), 5U);
+    EXPECT_EQ(figure.labels[0].text, "1");
+    EXPECT_EQ(figure.labels[1].text, "2");
+    EXPECT_EQ(figure.labels[2].text, "3. wide-strip");
+    EXPECT_EQ(figure.labels[3].text, "a");
+    EXPECT_EQ(figure.labels[3].at.y, 40.0);
+}
+
 // A card that opens to 90° is cut flat, and stands when it is open.
 TEST(BookOfASheet, ShowsWhatIsPushedOutOfAnUprightCard) {
     const MadeBook made({"villa.oa"});
