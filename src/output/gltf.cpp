@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "assembly/orientation_names.h"
 #include "base/nth.h"
 #include "base/text/numbers.h"
+#include "output/apart.h"
 #include "output/examination_json.h"
 #include "output/gltf_meshes.h"
 #include "output/gltf_values.h"
@@ -26,6 +29,7 @@ namespace {
 
 constexpr double kHalfRoot = 0.7071067811865476;  // sin and cos of 45°: half of a quarter turn
 constexpr int kLengthDecimals = 6;
+constexpr double kMovedMm = 1e-6;
 constexpr int kTurnDecimals = 9;
 constexpr double kMostBytes = std::numeric_limits<std::int32_t>::max();  // what the library's numbers hold
 
@@ -74,7 +78,6 @@ class SceneBuilder {
     static std::pair<double, double> extent(const Assembly& assembly, Orientation orientation,
                                             const HingeTree& tree, const Track& track) {
         const std::size_t count = assembly.plates.size();
-        std::vector<Quaternion> turns(count);
         std::vector<Frame> frames(count);
         std::pair<double, double> result{0.0, 0.0};
         if (!moves(assembly)) result = {HUGE_VAL, -HUGE_VAL};
@@ -82,11 +85,7 @@ class SceneBuilder {
             result = {std::min(result.first, p.x), std::max(result.second, p.x)};
         };
         for (std::size_t k = 0; k < track.angles_deg.size(); ++k) {
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto& turn = track.turns[k * count + i];
-                turns[i] = {turn[0], turn[1], turn[2], turn[3]};
-            }
-            compose(assembly, tree, turns, frames);
+            frames_at_key(assembly, tree, track, k, frames);
             stand(orientation, assembly, frames);
             for (std::size_t i = 0; i < count; ++i) {
                 for (const Vec2 p : assembly.plates[i].outline.outer) take(frames[i].point(p));
@@ -238,13 +237,15 @@ class SceneBuilder {
         std::vector<std::string> pieces;
         for (const Piece& piece : assembly.pieces) pieces.push_back(valid_utf8(card.prefix + piece.name));
         const std::vector<tinygltf::Value::Array> collisions = collisions_of(card);
+        Lifted lifted = lifted_at_keys(card, tree, track);
         for (std::size_t i = 0; i < count; ++i) {
             const Plate& plate = assembly.plates[i];
             tinygltf::Node one;
             one.name = valid_utf8(card.prefix + plate.name);
             one.mesh = meshes_.add(plate, assembly.pieces.at(static_cast<std::size_t>(plate.piece)), folds[i],
                                    one.name, !collisions[i].empty());
-            if (!(tree.offset[i] == Vec3{})) one.translation = metres(tree.offset[i]);
+            if (const Vec3 at = place_of(tree, lifted, i, rest); !(at == Vec3{}))
+                one.translation = metres(at);
             const auto& turn = track.turns[rest * count + i];
             one.rotation.assign(turn.begin(), turn.end());
             tinygltf::Value::Object extras{
@@ -254,11 +255,75 @@ class SceneBuilder {
             one.extras = tinygltf::Value(std::move(extras));
             model_.nodes.push_back(std::move(one));
             add_channel(track, count, i, root + 1 + static_cast<int>(i));
+            add_places(tree, lifted, i, root + 1 + static_cast<int>(i));
         }
         for (const int i : tree.order) {
             const int parent = root + 1 + assembly.plates[static_cast<std::size_t>(i)].parent;
             model_.nodes[static_cast<std::size_t>(parent)].children.push_back(root + 1 + i);
         }
+    }
+
+    // Where plates that lie on one another are shown beside their places.
+    struct Lifted {
+        std::map<std::size_t, std::vector<Vec3>>
+            by;                         // of each plate, in its parent's directions, at such keys
+        std::vector<std::size_t> keys;  // those, the keys next to them, and the ends
+        int times = -1;                 // their accessor
+    };
+    Lifted lifted_at_keys(const SceneCard& card, const HingeTree& tree, const Track& track) {
+        const Assembly& assembly = *card.assembly;
+        Lifted lifted;
+        Apart apart(card);
+        if (apart.none_in_models()) return lifted;
+        std::vector<Frame> frames(assembly.plates.size());
+        const std::size_t last = track.angles_deg.size() - 1;
+        std::set<std::size_t> keys{0, last};
+        for (std::size_t k = 0; k <= last; ++k) {
+            frames_at_key(assembly, tree, track, k, frames);
+            std::vector<Vec3> lifts =
+                apart.lifts({.frames = frames, .opening_deg = track.angles_deg[k], .in_model = true});
+            if (std::all_of(lifts.begin(), lifts.end(), [](Vec3 lift) { return lift == Vec3{}; })) continue;
+            lifted.by.emplace(k, against_parents(assembly, frames, lifts));
+            keys.insert({k - std::min<std::size_t>(k, 1), k, std::min(k + 1, last)});
+        }
+        lifted.keys.assign(keys.begin(), keys.end());
+        return lifted;
+    }
+    // What a plate is moved by more than what it hangs on, in the directions of that.
+    static std::vector<Vec3> against_parents(const Assembly& assembly, std::span<const Frame> frames,
+                                             std::span<const Vec3> lifts) {
+        std::vector<Vec3> own(lifts.begin(), lifts.end());
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const int parent = assembly.plates[i].parent;
+            if (parent < 0) continue;
+            const Vec3 more = lifts[i] - nth(lifts, parent);
+            const auto& axes = nth(frames, parent).axes;
+            own[i] = {dot(more, axes[0]), dot(more, axes[1]), dot(more, axes[2])};
+        }
+        return own;
+    }
+    static Vec3 place_of(const HingeTree& tree, const Lifted& lifted, std::size_t plate, std::size_t key) {
+        const auto at = lifted.by.find(key);
+        if (at == lifted.by.end()) return tree.offset[plate];
+        const Vec3 place = tree.offset[plate] + at->second[plate];
+        return {rounded(place.x, kLengthDecimals), rounded(place.y, kLengthDecimals),
+                rounded(place.z, kLengthDecimals)};
+    }
+    // The places of a plate's node, where it is moved at any key.
+    void add_places(const HingeTree& tree, Lifted& lifted, std::size_t plate, int node) {
+        const auto stays = [&](const auto& at) { return length(at.second[plate]) < kMovedMm; };
+        if (std::all_of(lifted.by.begin(), lifted.by.end(), stays)) return;
+        if (lifted.times < 0) {
+            std::vector<float> times;
+            for (const std::size_t key : lifted.keys) times.push_back(times_[key]);
+            lifted.times = meshes_.add_times(times);
+        }
+        std::vector<std::array<float, 3>> places;
+        for (const std::size_t key : lifted.keys) {
+            const Vec3 at = place_of(tree, lifted, plate, key);
+            places.push_back({metres(at.x), metres(at.y), metres(at.z)});
+        }
+        add_channel(node, "translation", lifted.times, meshes_.add_places(places));
     }
 
     void add_channel(const Track& track, std::size_t plates, std::size_t plate, int node) {
@@ -272,14 +337,18 @@ class SceneBuilder {
         if (std::all_of(turns_.begin(), turns_.end(),
                         [this](const auto& turn) { return turn == turns_.front(); }))
             return;
+        const int times = time_accessor();
+        add_channel(node, "rotation", times, meshes_.add_turns(turns_));
+    }
+    void add_channel(int node, const char* path, int times, int values) {
         tinygltf::AnimationSampler sampler;
-        sampler.input = time_accessor();
+        sampler.input = times;
         sampler.interpolation = "LINEAR";
-        sampler.output = meshes_.add_turns(turns_);
+        sampler.output = values;
         tinygltf::AnimationChannel channel;
         channel.sampler = static_cast<int>(animation_.samplers.size());
         channel.target_node = node;
-        channel.target_path = "rotation";
+        channel.target_path = path;
         animation_.samplers.push_back(std::move(sampler));
         animation_.channels.push_back(std::move(channel));
     }

@@ -18,12 +18,12 @@ namespace popup {
 // documentation says. At rest the cards stand open as best_opening() has it. The animation
 // `open` runs from closed to open in options.duration_s, the angle growing evenly; its extras.angles_deg
 // lists the opening angle of every key. Keys are chosen so that between them, too, no fold opens by more
-// than 0.05 mm (see keys.h). Several cards stand side by side along +X, 20 mm apart at their widest. Drawn
-// lines are parts of a plate's mesh, 0.02 mm before its front. Paper with a fill is bare and white from
-// behind, unless options.backs; under options.edge_lines cut edges and folds are lines of the materials
-// `edge` and `fold`. Plates that cross others are of one
-// material, `collision`, whatever their paper, and their extras.collisions lists {with, from_deg, to_deg,
-// depth_mm}.
+// than 0.05 mm (see keys.h). What lies on other paper is beside its place as Apart has it (apart.h): then the
+// animation moves its node, too, at the keys at which it does. Several cards stand side by side along +X, 20
+// mm apart at their widest. Drawn lines are parts of a plate's mesh, 0.02 mm before its front. Paper with a
+// fill is bare and white from behind, unless options.backs; under options.edge_lines cut edges and folds are
+// lines of the materials `edge` and `fold`. Plates that cross others are of one material, `collision`,
+// whatever their paper, and their extras.collisions lists {with, from_deg, to_deg, depth_mm}.
 //
 // Plates that stand still are a node a piece, below the one of their source's name: as triangles, white where
 // they have no fill, and the traces they were drawn with as lines, black

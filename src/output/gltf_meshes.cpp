@@ -358,6 +358,11 @@ int GltfMeshes::add_times(const std::vector<float>& seconds) {
     return accessor;
 }
 
+int GltfMeshes::add_places(const std::vector<std::array<float, 3>>& places) {
+    return add_accessor(kMotion, views_[kMotion].append(std::span<const std::array<float, 3>>(places)),
+                        TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, places.size());
+}
+
 int GltfMeshes::add_turns(const std::vector<std::array<float, 4>>& turns) {
     return add_accessor(kMotion, views_[kMotion].append(std::span<const std::array<float, 4>>(turns)),
                         TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, turns.size());

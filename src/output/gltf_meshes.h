@@ -54,8 +54,9 @@ class GltfMeshes {
     // The lines of a trace, as primitives of the mesh: black, of the material `trail`.
     void add_trail(const Trace& trace, tinygltf::Mesh& mesh);
 
-    // The number of an accessor with the numbers of a motion: times, and turns as x, y, z, w.
+    // The number of an accessor with the numbers of a motion: times, places, and turns as x, y, z, w.
     int add_times(const std::vector<float>& seconds);
+    int add_places(const std::vector<std::array<float, 3>>& places);
     int add_turns(const std::vector<std::array<float, 4>>& turns);
 
     // Puts all numbers into the model's buffer, after which nothing may be added.

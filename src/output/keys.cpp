@@ -263,6 +263,16 @@ Track iterative_track(const Assembly& assembly, const std::vector<double>& angle
 
 }  // namespace
 
+void frames_at_key(const Assembly& assembly, const HingeTree& tree, const Track& track, std::size_t key,
+                   std::span<Frame> frames) {
+    std::vector<Quaternion> turns(frames.size());
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const auto& turn = track.turns[key * turns.size() + i];
+        turns[i] = {turn[0], turn[1], turn[2], turn[3]};
+    }
+    compose(assembly, tree, turns, frames);
+}
+
 std::optional<Keys> choose_keys(std::span<const SceneCard> cards, const OutputOptions& options,
                                 Diagnostics& diagnostics) {
     Keys keys;

@@ -21,6 +21,10 @@ struct Track {
     std::vector<std::array<float, 4>> turns;
 };
 
+// Where a viewer puts the plates at the key of this number.
+void frames_at_key(const Assembly& assembly, const HingeTree& tree, const Track& track, std::size_t key,
+                   std::span<Frame> frames);
+
 // Key angles for all cards at once, ascending and distinct in 32 bits, and each card's turns at them. The
 // angles are the ends and the middle of the sweep (0, 90 and 180), where the cards are seen best, every
 // sampled angle of every card (those nearer than 1e-4 degrees to another may be left out), with options.fps >

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/geometry/pages.h"
+#include "base/geometry/regions.h"
 #include "output/poses.h"
 
 namespace popup {
@@ -13,6 +15,7 @@ constexpr double kLyingMm = 1e-3;     // this near to a page a corner lies on it
 constexpr double kBeforeDeg = 1.0;    // where it is looked which of two plates is higher
 constexpr double kAboveMm = 0.04;     // between what lies on one another
 constexpr double kMostAboveMm = 1.0;  // all of that together
+constexpr double kLeastMm2 = 1.0;     // of paper on paper
 constexpr double kParallel = 1.0 - 1e-9;
 
 std::size_t index(int number) { return static_cast<std::size_t>(number); }
@@ -47,6 +50,42 @@ int page_under(const Assembly& assembly, int plate, std::span<const Frame> frame
     return -1;
 }
 
+// Whether two plates of one plane have paper in one place.
+bool share_paper(const Assembly& assembly, int a, int b, std::span<const Frame> frames) {
+    const Polygon& outline = assembly.plates[index(b)].outline;
+    const Polygon other =
+        on_other_page(assembly.plates[index(a)].outline, frames[index(a)], frames[index(b)]);
+    const Box one = bounds(other.outer);
+    const Box two = bounds(outline.outer);
+    if (one.max.x < two.min.x || two.max.x < one.min.x || one.max.y < two.min.y || two.max.y < one.min.y)
+        return false;
+    double paper = 0.0;
+    for (const Polygon& part : intersect({other}, {outline})) paper += area(part);
+    return paper > kLeastMm2;
+}
+
+// Takes away the pages of plates that share paper neither with their page nor with what lies there, too.
+void leave_out_alone(const Assembly& assembly, std::span<const Frame> frames, std::vector<OpenLayer>& layers,
+                     std::vector<int>& lying) {
+    std::vector<char> shares(layers.size(), 0);
+    for (std::size_t i = 0; i < lying.size(); ++i) {
+        const int plate = lying[i];
+        const int page = layers[index(plate)].page;
+        if (shares[index(plate)] == 0 && share_paper(assembly, plate, page, frames)) shares[index(plate)] = 1;
+        for (std::size_t k = 0; k < i; ++k) {
+            const int other = lying[k];
+            if (layers[index(other)].page != page || (shares[index(plate)] != 0 && shares[index(other)] != 0))
+                continue;
+            if (share_paper(assembly, plate, other, frames)) shares[index(plate)] = shares[index(other)] = 1;
+        }
+    }
+    std::erase_if(lying, [&](int plate) {
+        if (shares[index(plate)] != 0) return false;
+        layers[index(plate)].page = -1;
+        return true;
+    });
+}
+
 // How far two pages are open, degrees; pages that face the same way are 180° apart.
 double opening_of(const Assembly& assembly, std::span<const Frame> frames) {
     const Vec3 one = frames[index(assembly.covers.front())].normal();
@@ -69,6 +108,7 @@ std::vector<OpenLayer> open_layers(const Assembly& assembly) {
         layers[index(i)].page = page_under(assembly, i, frames);
         if (layers[index(i)].page >= 0) lying.push_back(i);
     }
+    leave_out_alone(assembly, frames, layers, lying);
     if (lying.empty() || !place_card(assembly, assembly.sweep.to_deg - kBeforeDeg, frames, unheard))
         return {};
     std::vector<double> height(layers.size(), 0.0);

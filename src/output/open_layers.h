@@ -20,7 +20,8 @@ struct OpenLayer {
 
 // By plate: where it lies when the card is as far open as it gets. What is higher a degree before lies on
 // what is lower then. Plates that are glued on others lie on none: they go with those. Empty: nothing lies on
-// a page. Cost: two placings, and linear in corners.
+// a page. What lies there beside all other paper, as the steps of a card of one sheet, lies on none. Cost:
+// two placings, near linear in corners, and in pairs of plates that lie on one page.
 std::vector<OpenLayer> open_layers(const Assembly& assembly);
 
 // How much of that is to be seen in this state, 0 to 1: all of it when the card is open.

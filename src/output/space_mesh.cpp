@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "output/layer_levels.h"
 #include "output/mesh.h"
 
 namespace popup {
@@ -27,39 +28,15 @@ std::vector<Vec3> layer_lifts(const Assembly& assembly) {
         return assembly.plates[static_cast<std::size_t>(plate)].stands->normal();
     };
     const Vec3 up = normal_of(assembly.layers.front().base);
-    std::vector<std::vector<std::size_t>> above(count);  // by plate: those that lie on it
-    std::vector<int> below(count, 0);                    // by plate: how many it still waits for
+    std::vector<std::pair<int, int>> over;
+    over.reserve(assembly.layers.size());
     for (const PlateOrder& order : assembly.layers) {
-        auto low = static_cast<std::size_t>(order.base);
-        auto high = static_cast<std::size_t>(order.plate);
-        if (order.on_front != (dot(normal_of(order.base), up) > 0.0)) std::swap(low, high);
-        above[low].push_back(high);
-        ++below[high];
+        over.emplace_back(order.base, order.plate);
+        if (order.on_front != (dot(normal_of(order.base), up) > 0.0))
+            std::swap(over.back().first, over.back().second);
     }
-    std::vector<int> level(count, 0);
-    std::vector<char> done(count, 0);
-    std::vector<std::size_t> ready;
-    const auto drain = [&] {
-        while (!ready.empty()) {
-            const std::size_t plate = ready.back();
-            ready.pop_back();
-            if (std::exchange(done[plate], 1) != 0) continue;
-            lifts[plate] = static_cast<double>(level[plate]) * kLayerMm * up;
-            for (const std::size_t next : above[plate]) {
-                level[next] = std::max(level[next], level[plate] + 1);
-                if (--below[next] == 0) ready.push_back(next);
-            }
-        }
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        if (below[i] == 0) ready.push_back(i);
-    }
-    drain();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (done[i] != 0) continue;
-        ready.push_back(i);
-        drain();
-    }
+    const std::vector<int> levels = layer_levels(count, over);
+    for (std::size_t i = 0; i < count; ++i) lifts[i] = static_cast<double>(levels[i]) * kLayerMm * up;
     return lifts;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 
 namespace popup::test {
@@ -120,20 +121,32 @@ void read_animation(const tinygltf::Model& model, GlbScene& scene) {
     if (model.animations.empty()) return;
     const tinygltf::Animation& animation = model.animations.front();
     expect(model.animations.size() == 1 && animation.name == "open", "there is not one animation, open");
+    int input = -1;  // of turns
     for (const auto& channel : animation.channels) {
-        expect(channel.target_path == "rotation", "a channel moves something but a rotation");
         const auto& sampler = animation.samplers.at(static_cast<std::size_t>(channel.sampler));
         expect(sampler.interpolation == "LINEAR", "a channel is not interpolated evenly");
-        expect(sampler.input == animation.samplers.front().input, "channels have different times");
-        const Values turns(model, sampler.output);
         auto& node = scene.nodes.at(static_cast<std::size_t>(channel.target_node));
+        if (channel.target_path == "translation") {
+            const Values times(model, sampler.input);
+            const Values places(model, sampler.output);
+            expect(times.count() == places.count(), "there are not as many places as times");
+            for (std::size_t i = 0; i < places.count(); ++i)
+                node.places.push_back(
+                    {times.number(i, 0), {places.number(i, 0), places.number(i, 1), places.number(i, 2)}});
+            continue;
+        }
+        expect(channel.target_path == "rotation", "a channel moves something but a place or a rotation");
+        if (input < 0) input = sampler.input;
+        expect(sampler.input == input, "turns have different times");
+        const Values turns(model, sampler.output);
         for (std::size_t i = 0; i < turns.count(); ++i) {
             node.turns.push_back(
                 {turns.number(i, 0), turns.number(i, 1), turns.number(i, 2), turns.number(i, 3)});
         }
     }
     scene.channels = static_cast<int>(animation.channels.size());
-    const Values times(model, animation.samplers.front().input);
+    expect(input >= 0, "nothing turns");
+    const Values times(model, input);
     for (std::size_t i = 0; i < times.count(); ++i) scene.times.push_back(times.number(i, 0));
     const tinygltf::Value& angles = animation.extras.Get("angles_deg");
     for (std::size_t i = 0; i < angles.ArrayLen(); ++i) {
@@ -191,15 +204,26 @@ std::array<Point3, 3> axes_of(Turn q) {
             Point3{2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
 }
 
-// All nodes, `turn` giving each its rotation.
-template <typename TurnOf>
-std::vector<GlbPose> poses(const GlbScene& scene, const TurnOf& turn_of) {
+Point3 place_at(const GlbNode& node, double seconds) {
+    const auto& places = node.places;
+    const auto next = std::find_if(places.begin(), places.end(),
+                                   [seconds](const auto& place) { return place.first > seconds; });
+    if (next == places.begin()) return next->second;
+    const auto last = std::prev(next);
+    if (next == places.end()) return last->second;
+    const double t = (seconds - last->first) / (next->first - last->first);
+    return last->second + t * (next->second - last->second);
+}
+
+// All nodes, `turn_of` giving each its rotation, and `place_of` its translation.
+template <typename TurnOf, typename PlaceOf>
+std::vector<GlbPose> poses(const GlbScene& scene, const TurnOf& turn_of, const PlaceOf& place_of) {
     std::vector<GlbPose> result(scene.nodes.size());
     for (const int i : scene.order) {
         const GlbNode& node = scene.nodes[static_cast<std::size_t>(i)];
         GlbPose& pose = result[static_cast<std::size_t>(i)];
         pose.axes = axes_of(turn_of(node));
-        pose.origin = node.translation;
+        pose.origin = place_of(node);
         if (node.parent < 0) continue;
         const GlbPose& parent = result[static_cast<std::size_t>(node.parent)];
         for (Point3& axis : pose.axes) axis = parent.direction(axis);
@@ -209,10 +233,17 @@ std::vector<GlbPose> poses(const GlbScene& scene, const TurnOf& turn_of) {
 }
 
 std::vector<GlbPose> poses_between(const GlbScene& scene, std::size_t key, double t) {
-    return poses(scene, [key, t](const GlbNode& node) {
-        if (node.turns.empty()) return node.rotation;
-        return t == 0.0 ? node.turns[key] : slerp(node.turns[key], node.turns[key + 1], t);
-    });
+    const double from = scene.times[key];
+    const double seconds = t == 0.0 ? from : from + t * (scene.times[key + 1] - from);
+    return poses(
+        scene,
+        [key, t](const GlbNode& node) {
+            if (node.turns.empty()) return node.rotation;
+            return t == 0.0 ? node.turns[key] : slerp(node.turns[key], node.turns[key + 1], t);
+        },
+        [seconds](const GlbNode& node) {
+            return node.places.empty() ? node.translation : place_at(node, seconds);
+        });
 }
 
 std::vector<GlbPose> poses_where(const GlbScene& scene, const std::vector<double>& keys, double value) {
@@ -294,7 +325,9 @@ Point3 GlbPose::direction(const Point3& local) const {
 Point3 GlbPose::point(const Point3& local) const { return origin + direction(local); }
 
 std::vector<GlbPose> rest_pose(const GlbScene& scene) {
-    return poses(scene, [](const GlbNode& node) { return node.rotation; });
+    return poses(
+        scene, [](const GlbNode& node) { return node.rotation; },
+        [](const GlbNode& node) { return node.translation; });
 }
 std::vector<GlbPose> pose_at_time(const GlbScene& scene, double seconds) {
     return poses_where(scene, scene.times, seconds);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace popup::test {
@@ -37,7 +38,9 @@ struct GlbNode {
     Point3 translation{};
     std::array<double, 4> rotation{0, 0, 0, 1};
     std::vector<GlbPart> parts;
-    std::vector<std::array<double, 4>> turns;  // at each key; empty: does not move
+    std::vector<std::array<double, 4>> turns;  // at each key; empty: does not turn
+    // Where its origin is at which seconds, in place of `translation`; empty: always there.
+    std::vector<std::pair<double, Point3>> places;
 };
 
 struct GlbScene {
@@ -52,8 +55,8 @@ struct GlbScene {
 };
 
 // Reads the first scene and the animation `open`. Nothing when the file is no GLB, or breaks a rule that all
-// other questions here rely on (a node with a matrix or a scale, channels of other kinds or with other
-// times); *error then says which.
+// other questions here rely on (a node with a matrix or a scale, channels of other kinds, turns with
+// other times); *error then says which.
 std::optional<GlbScene> read_glb(const std::string& bytes, std::string* error);
 
 // Where a node stands in the world.

@@ -288,10 +288,11 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
     const SceneCard& card = cards_[scene.card];
     const Assembly& assembly = *card.assembly;
     Stage stage;
+    std::optional<double> opening;
     stage.frames.resize(assembly.plates.size());
     if (moves(assembly)) {
-        const double opening = scene.opening_deg.value_or(modellers_[scene.card].best_deg());
-        if (!place_card(assembly, opening, stage.frames, diagnostics)) return std::nullopt;
+        opening = scene.opening_deg.value_or(modellers_[scene.card].best_deg());
+        if (!place_card(assembly, *opening, stage.frames, diagnostics)) return std::nullopt;
     } else {
         for (std::size_t i = 0; i < stage.frames.size(); ++i)
             stage.frames[i] = assembly.plates[i].stands.value_or(Frame{});
@@ -331,7 +332,7 @@ std::optional<Illustrator::Stage> Illustrator::stage(const Scene& scene, Diagnos
         frame.origin = frame.origin + Vec3{0, 0, lift};
     }
     if (!scene.marked.empty()) look_at_marked(scene, assembly, stage);
-    stage.model = modellers_[scene.card].staged(0, {stage.frames, fades});
+    stage.model = modellers_[scene.card].staged(0, {stage.frames, fades, opening});
     add_marked(scene, assembly, stage);
     for (const int plate : scene.painted)
         add_coat(nth(assembly.plates, plate), nth(stage.frames, plate), kPaintedLight, stage.model);

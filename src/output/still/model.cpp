@@ -58,32 +58,10 @@ Texture::Level halved(const Texture::Level& from) {
     return to;
 }
 
-// Where plates lie beside what they are glued flat on or, on an open card, beside their page: they, and what
-// hangs on them.
-std::vector<Vec3> lifts_of(const Assembly& assembly, const std::vector<OpenLayer>& open,
-                           std::span<const Frame> frames, double layer_mm) {
-    const double share = open.empty() ? 0.0 : share_of_open(assembly, frames);
-    std::vector<Vec3> lifts(assembly.plates.size());
-    std::vector<char> done(assembly.plates.size(), 0);
-    for (std::size_t i = 0; i < lifts.size(); ++i) {
-        std::vector<std::size_t> way;
-        for (std::size_t k = i; done[k] == 0;) {
-            done[k] = 1;
-            way.push_back(k);
-            if (assembly.plates[k].parent < 0) break;
-            k = index(assembly.plates[k].parent);
-        }
-        for (auto plate = way.rbegin(); plate != way.rend(); ++plate) {
-            const Plate& one = assembly.plates[*plate];
-            if (one.parent < 0) continue;
-            const double side = one.lying == Lying::on_front ? 1.0 : one.lying == Lying::on_back ? -1.0 : 0.0;
-            lifts[*plate] = lifts[index(one.parent)] + side * layer_mm * frames[index(one.parent)].normal();
-            if (share <= 0.0 || open[*plate].page < 0) continue;
-            const double thick = layer_mm / kLayerMm;
-            lifts[*plate] = share * thick * open[*plate].mm * frames[index(open[*plate].page)].normal();
-        }
-    }
-    return lifts;
+// Where all lies in one plane nothing can be told apart: it is shown a hair before.
+double shown_at(const Sweep& sweep, double opening_deg) {
+    const double least = sweep.closed_flat ? sweep.from_deg + kAjarDeg : sweep.from_deg;
+    return std::clamp(opening_deg, std::min(least, sweep.to_deg), sweep.to_deg);
 }
 
 template <typename Visit>
@@ -123,8 +101,7 @@ Modeller::Modeller(std::span<const SceneCard> cards, bool printed_backs, double 
     : paper_mm_(paper_mm) {
     for (const SceneCard& scene : cards) {
         const Assembly& assembly = *scene.assembly;
-        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, {}};
-        if (moves(assembly)) card.open = open_layers(assembly);
+        Card card{&scene, {}, std::vector<Frame>(assembly.plates.size()), {}, Apart(scene)};
         for (const Plate& plate : assembly.plates) {
             Plane& plane = card.plates.emplace_back();
             if (!moves(assembly) && !plate.stands) continue;
@@ -173,11 +150,10 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
     double left = 0.0;
     for (Card& card : cards_) {
         const Assembly& assembly = *card.scene->assembly;
+        std::optional<double> shown_deg;
         if (moves(assembly)) {
-            // Where all lies in one plane nothing can be told apart: it is shown a hair before.
-            const Sweep& sweep = assembly.sweep;
-            const double shown_deg = std::max(opening_deg, std::min(sweep.from_deg + kAjarDeg, sweep.to_deg));
-            if (!place_card(assembly, shown_deg, card.frames, diagnostics)) return std::nullopt;
+            shown_deg = shown_at(assembly.sweep, opening_deg);
+            if (!place_card(assembly, *shown_deg, card.frames, diagnostics)) return std::nullopt;
         } else {
             std::transform(assembly.plates.begin(), assembly.plates.end(), card.frames.begin(),
                            [](const Plate& plate) { return plate.stands.value_or(Frame{}); });
@@ -194,7 +170,7 @@ std::optional<Model> Modeller::at(double opening_deg, Diagnostics& diagnostics) 
             }
         }
         const bool several = cards_.size() > 1 && low <= high;
-        add(card, {card.frames, {}}, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
+        add(card, {card.frames, {}, shown_deg}, several ? Vec3{left - low, 0.0, 0.0} : Vec3{}, model);
         if (several) left += high - low + kCardGapMm;
     }
     return model;
@@ -222,12 +198,12 @@ void Modeller::add_part(const Plane& plane, std::size_t part, Vec2 pivot, const 
     face.indices = from.indices;
 }
 
-void Modeller::add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const {
+void Modeller::add(Card& card, const Staging& staging, Vec3 shift, Model& model) const {
     const Assembly& assembly = *card.scene->assembly;
     const double layer_mm = std::max(kLayerMm, paper_mm_ + kBetweenMm);
     const bool moving = moves(assembly);
     const std::vector<Vec3> lifts =
-        moving ? lifts_of(assembly, card.open, staging.frames, layer_mm) : card.lifts;
+        moving ? card.apart.lifts({staging.frames, staging.opening_deg, paper_mm_}) : card.lifts;
     for (std::size_t i = 0; i < card.plates.size(); ++i) {
         const Plate& plate = assembly.plates[i];
         const Plane& plane = card.plates[i];

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "output/apart.h"
 #include "output/mesh.h"
-#include "output/open_layers.h"
 #include "output/still/camera.h"
 #include "popup/image.h"
 #include "popup/output.h"
@@ -78,6 +78,7 @@ class Modeller {
     struct Staging {
         std::span<const Frame> frames;  // of each plate
         std::span<const float> fades;   // likewise: how far it is washed out; below 0: it is not there
+        std::optional<double> opening_deg = {};  // of which these are the places; none: of no opening
     };
     [[nodiscard]] Model staged(std::size_t card, const Staging& staging);
 
@@ -91,12 +92,12 @@ class Modeller {
         std::vector<Plane> plates;
         std::vector<Frame> frames;
         std::vector<Vec3> lifts;  // of what stands still
-        std::vector<OpenLayer> open;
+        Apart apart;
         Orientation orientation = Orientation::flat;
     };
     void decode_pictures();
     const Texture* texture_of(const Image& image);
-    void add(const Card& card, const Staging& staging, Vec3 shift, Model& model) const;
+    void add(Card& card, const Staging& staging, Vec3 shift, Model& model) const;
     static void add_part(const Plane& plane, std::size_t part, Vec2 pivot, const Frame& frame, Model& model);
 
     std::vector<Card> cards_;

@@ -316,6 +316,7 @@ class Painter {
     scene.bodies.forEach((body, number) => {
       const { axes, origin } = body.node;
       const by = apart(scene, body, degrees, paper);
+      body.shift = by;
       for (let row = 0; row < 3; ++row) {
         const at = 16 * number + 4 * row;
         numbers[at] = axes[row];

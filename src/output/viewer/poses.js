@@ -51,6 +51,7 @@ function placeBodies(scene, degrees) {
     body.page.axes = node.axes;
     body.page.origin = turned(node.axes, -body.pivot[0], -body.pivot[1], 0)
       .map((value, i) => value + node.origin[i]);
+    body.level = body.levels ? (1 - t) * body.levels[high - 1] + t * body.levels[high] : 0;
     body.collides = false;
   }
   for (const card of scene.cards) {
@@ -105,7 +106,8 @@ const kOneAboveMm = 0.04;  // between plates that are glued on one plate, perhap
 const kOpenedDeg = 2;
 
 // How far a body is drawn beside its place, so that what lies on one another is told apart: on a card that is as good as
-// closed its layers, what lies on the pages of an open one, and plates that are glued on the same one.
+// closed its layers, what lies on the pages of an open one, plates that are glued on the same one, and panels of folded
+// sheets.
 function apart(scene, body, degrees, paper) {
   const shift = body.above !== 0 ? apart(scene, scene.bodies[body.parent], degrees, paper) : [0, 0, 0];
   const move = (number, by) => {
@@ -115,6 +117,11 @@ function apart(scene, body, degrees, paper) {
   if (body.above !== 0) {
     const by = Math.max(kLayerMm, paper) + kOneAboveMm * (Math.abs(body.above) - 1);
     move(body.parent, Math.sign(body.above) * by);
+  }
+  if (body.level !== 0) {
+    const { axes } = body.node;
+    const by = Math.max(body.layerMm, paper) * body.level;
+    for (let i = 0; i < 3; ++i) shift[i] += by * axes[6 + i];
   }
   if (body.lies >= 0) {
     const share = 1 - (scene.opening.to_deg - degrees) / kOpenedDeg;
@@ -187,7 +194,7 @@ function pick(scene, eye, direction) {
   let best = null;
   for (const body of scene.bodies) {
     const { axes, origin } = body.node;
-    const from = [0, 1, 2].map((i) => eye[i] - origin[i]);
+    const from = [0, 1, 2].map((i) => eye[i] - origin[i] - body.shift[i]);
     const into = (v) => [0, 3, 6].map((k) => axes[k] * v[0] + axes[k + 1] * v[1] + axes[k + 2] * v[2]);
     const o = into(from);
     const d = into(direction);

@@ -85,6 +85,10 @@ function readBody(row, flat, lists) {
     pivot: row.pivot || [0, 0],
     turns: row.turns !== undefined ? summed(numbers(list(row.turns), 4), 4).map((value) => value * kTurn) : [0, 0, 0, 1],
     layer: row.layer,
+    levels: row.levels === undefined ? null : numbers(list(row.levels), 1).map((value) => value / 100),
+    level: 0,
+    shift: [0, 0, 0],  // that it is drawn beside its place
+    layerMm: 0,
     above: row.above || 0,
     lies: -1,  // on this body's front when the card is open, `open` mm above it
     open: row.open || 0,
@@ -118,6 +122,7 @@ function readScene(data) {
       body.root = body.parent >= 0 ? scene.bodies[body.parent].root : scene.bodies.length;
       if (row.page !== undefined) body.lies = first + row.page;
       body.cover = card.cover === undefined ? -1 : first + card.cover;
+      body.layerMm = card.layer_mm || 0;
       scene.bodies.push(body);
     }
     for (const row of card.standing || []) {

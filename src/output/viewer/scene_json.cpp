@@ -16,10 +16,10 @@
 #include "assembly/folded_sheets.h"
 #include "base/text/base64.h"
 #include "base/text/numbers.h"
+#include "output/apart.h"
 #include "output/examination_json.h"
 #include "output/gltf_values.h"
 #include "output/mesh.h"
-#include "output/open_layers.h"
 #include "output/plate_edges.h"
 #include "output/poses.h"
 #include "output/space_mesh.h"
@@ -37,8 +37,7 @@ constexpr int kLengthDecimals = 6;
 constexpr double kPerPointMm = 1e2;
 constexpr double kPerTurn = 2e5;
 constexpr double kPerPlace = 1e6;
-constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
-constexpr double kMostClosedMm = 3.0;   // of all of them
+constexpr double kPerLayer = 1e2;
 
 std::int64_t in_steps(double value, double per_unit) {
     // Rounded before, so that the last bit of a number does not decide where it lies in the middle.
@@ -208,8 +207,10 @@ class SceneText {
         for (std::size_t i = 0; i < count; ++i) {
             number[static_cast<std::size_t>(tree.order[i])] = static_cast<int>(i);
         }
-        const std::vector<double> layers = layers_of(card);
-        const std::vector<OpenLayer> open = open_layers(assembly);
+        Apart apart(card);
+        const std::vector<double>& layers = apart.closed();
+        const std::vector<OpenLayer>& open = apart.open();
+        const std::vector<std::vector<double>> levels = levels_of(assembly, apart.sheet(), tree, track);
         Json plates = Json::array();
         std::map<std::pair<int, Lying>, int> lying;  // how many lie on this side of a plate so far
         for (const int which : tree.order) {
@@ -226,6 +227,7 @@ class SceneText {
                 one["page"] = number[static_cast<std::size_t>(open[i].page)];
                 one["open"] = rounded(open[i].mm, 3);
             }
+            if (!levels.empty()) put_levels(levels, i, one);
             if (plate.lying != Lying::free) {
                 const int above = ++lying[{plate.parent, plate.lying}];
                 one["above"] = plate.lying == Lying::on_front ? above : -above;
@@ -239,9 +241,34 @@ class SceneText {
             plates.push_back(std::move(one));
         }
         row["plates"] = std::move(plates);
+        if (!levels.empty()) row["layer_mm"] = rounded(apart.sheet().layer_mm(), kLengthDecimals);
         if (!layers.empty()) row["cover"] = number[static_cast<std::size_t>(assembly.covers.front())];
         Json collisions = collisions_of(card, number);
         if (!collisions.empty()) row["collisions"] = std::move(collisions);
+    }
+
+    // By key: the levels of the panels of a folded sheet; empty: none ever lies on another.
+    static std::vector<std::vector<double>> levels_of(const Assembly& assembly, SheetLayers& sheet,
+                                                      const HingeTree& tree, const Track& track) {
+        std::vector<std::vector<double>> levels;
+        if (!sheet.any()) return levels;
+        bool any = false;
+        std::vector<Frame> frames(assembly.plates.size());
+        for (std::size_t k = 0; k < track.angles_deg.size(); ++k) {
+            frames_at_key(assembly, tree, track, k, frames);
+            levels.push_back(sheet.at(track.angles_deg[k], frames));
+            any = any || !levels.back().empty();
+        }
+        if (!any) levels.clear();
+        return levels;
+    }
+    void put_levels(const std::vector<std::vector<double>>& levels, std::size_t plate, Json& row) {
+        const auto level = [plate](const std::vector<double>& of) { return of.empty() ? 0.0 : of[plate]; };
+        if (std::all_of(levels.begin(), levels.end(), [&](const auto& of) { return level(of) == 0.0; }))
+            return;
+        NumberText text(1);
+        for (const std::vector<double>& of : levels) text.add(in_steps(level(of), kPerLayer));
+        put(row, "levels", text);
     }
 
     // Each turn less the one before; what moves evenly differs little from key to key in that.
@@ -273,29 +300,6 @@ class SceneText {
         };
         put_edges("cuts", edges.cuts);
         put_edges("folds", edges.folds);
-    }
-
-    // Of each plate: where it lies among the others on the closed card; empty where it is not closed flat.
-    static std::vector<double> layers_of(const SceneCard& card) {
-        const Assembly& assembly = *card.assembly;
-        const std::size_t count = assembly.plates.size();
-        if (assembly.covers.empty() || assembly.sweep.from_deg != 0.0 || !assembly.sweep.closed_flat)
-            return {};
-        const double step = std::min(kClosedLayerMm, kMostClosedMm / static_cast<double>(count));
-        const double middle = 0.5 * static_cast<double>(count - 1);
-        const auto place_of = [&](double number) { return rounded(step * (number - middle), 3); };
-        std::vector<double> layers(count, 0.0);
-        if (card.motion != nullptr && card.motion->examination && card.motion->examination->closed.order) {
-            const std::vector<int>& order = *card.motion->examination->closed.order;
-            for (std::size_t i = 0; i < order.size(); ++i) {
-                layers[static_cast<std::size_t>(order[i])] = place_of(static_cast<double>(i));
-            }
-        } else {
-            layers[static_cast<std::size_t>(assembly.covers.front())] = place_of(0.0);
-            layers[static_cast<std::size_t>(assembly.covers.back())] =
-                place_of(static_cast<double>(count - 1));
-        }
-        return layers;
     }
 
     static Json collisions_of(const SceneCard& card, const std::vector<int>& number) {

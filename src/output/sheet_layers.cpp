@@ -1,0 +1,216 @@
+#include "output/sheet_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "assembly/folded_sheets.h"
+#include "base/geometry/pages.h"
+#include "base/geometry/regions.h"
+#include "base/nth.h"
+#include "output/layer_levels.h"
+#include "output/space_mesh.h"
+#include "popup/motion.h"
+
+namespace popup {
+namespace {
+
+constexpr std::size_t kMostPlates = 1000;
+constexpr std::size_t kMostPairs = 20'000;  // that are looked at, at one opening
+constexpr double kInOnePlaneMm = 0.1;       // this near they lie on one another
+constexpr double kTellsSideMm = 0.02;       // from so far apart on it is told which is in front
+constexpr double kLeastMm2 = 1.0;           // of paper on paper
+constexpr double kParallelSine = 0.01;
+constexpr double kStepDeg = 1.0;       // back to where panels come from
+constexpr double kMostLayersMm = 3.0;  // of layers together
+constexpr double kOfSheet = 1.0 / 4000.0;
+
+struct Reach {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+Reach reach_of(const Plate& plate, const Frame& frame) {
+    Reach reach;
+    for (const Vec2 corner : plate.outline.outer) {
+        const Vec3 p = frame.point(corner);
+        reach.low = {std::min(reach.low.x, p.x), std::min(reach.low.y, p.y), std::min(reach.low.z, p.z)};
+        reach.high = {std::max(reach.high.x, p.x), std::max(reach.high.y, p.y), std::max(reach.high.z, p.z)};
+    }
+    return reach;
+}
+bool are_near(const Reach& a, const Reach& b) {
+    return a.low.x <= b.high.x + kInOnePlaneMm && b.low.x <= a.high.x + kInOnePlaneMm &&
+           a.low.y <= b.high.y + kInOnePlaneMm && b.low.y <= a.high.y + kInOnePlaneMm &&
+           a.low.z <= b.high.z + kInOnePlaneMm && b.low.z <= a.high.z + kInOnePlaneMm;
+}
+
+// The paper that panels have in common, on the page of b: the largest part of it.
+Ring common_paper(const Plate& a, const Frame& at_a, const Plate& b, const Frame& at_b) {
+    Ring largest;
+    double most = kLeastMm2;
+    for (Polygon& part : intersect({on_other_page(a.outline, at_a, at_b)}, {b.outline})) {
+        const double paper = area(part);
+        if (paper <= most) continue;
+        most = paper;
+        largest = std::move(part.outer);
+    }
+    return largest;
+}
+
+// How far points of b are before the front of a.
+struct Heights {
+    double mean = 0.0, farthest = 0.0;
+};
+Heights heights_of(const std::vector<Vec2>& on_a, const Frame& a, const std::vector<Vec2>& on_b,
+                   const Frame& b) {
+    Heights heights;
+    const Vec3 front = a.normal();
+    for (std::size_t i = 0; i < on_a.size(); ++i) {
+        const double height = dot(b.point(on_b[i]) - a.point(on_a[i]), front);
+        heights.mean += height / static_cast<double>(on_a.size());
+        heights.farthest = std::max(heights.farthest, std::abs(height));
+    }
+    return heights;
+}
+int side_of(const Heights& heights) {
+    return heights.mean > kTellsSideMm ? 1 : heights.mean < -kTellsSideMm ? -1 : 0;
+}
+
+// The first of those that hang together, for each; `bonds`: pairs of them.
+std::vector<int> groups_of(std::size_t count, std::span<const std::pair<int, int>> bonds) {
+    std::vector<int> group(count);
+    std::iota(group.begin(), group.end(), 0);
+    const auto first = [&group](int one) {
+        while (nth(group, one) != one) one = nth(group, one) = nth(group, nth(group, one));
+        return one;
+    };
+    for (const auto& [a, b] : bonds) {
+        const int one = first(a);
+        const int other = first(b);
+        nth(group, std::max(one, other)) = std::min(one, other);
+    }
+    for (std::size_t i = 0; i < count; ++i) group[i] = first(static_cast<int>(i));
+    return group;
+}
+
+}  // namespace
+
+SheetLayers::SheetLayers(const Assembly& assembly)
+    : assembly_(assembly),
+      is_sheet_(assembly.plates.size() <= kMostPlates && is_folded_sheet(assembly)),
+      layer_mm_(kLayerMm) {
+    if (!is_sheet_) return;
+    Box box;
+    for (const Plate& plate : assembly.plates) {
+        for (const Vec2 p : plate.outline.outer) box.extend(p);
+    }
+    if (!box.empty()) layer_mm_ = std::max(kLayerMm, kOfSheet * std::hypot(box.width(), box.height()));
+}
+
+void SheetLayers::look_at(int a, int b, std::span<const Frame> frames, std::vector<Lying>& lying) const {
+    const Frame& at_a = nth(frames, a);
+    const Frame& at_b = nth(frames, b);
+    if (length(cross(at_a.normal(), at_b.normal())) > kParallelSine) return;
+    Lying one{a, b, {}, common_paper(nth(assembly_.plates, a), at_a, nth(assembly_.plates, b), at_b)};
+    if (one.on_b.empty()) return;
+    for (const Vec2 p : one.on_b) {
+        const Vec3 off = at_b.point(p) - at_a.origin;
+        one.on_a.push_back({dot(off, at_a.axes[0]), dot(off, at_a.axes[1])});
+    }
+    const Heights heights = heights_of(one.on_a, at_a, one.on_b, at_b);
+    if (heights.farthest > kInOnePlaneMm) return;
+    one.side = side_of(heights);
+    lying.push_back(std::move(one));
+}
+
+std::vector<SheetLayers::Lying> SheetLayers::lying_at(std::span<const Frame> frames) const {
+    std::vector<Reach> reaches;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        reaches.push_back(reach_of(assembly_.plates[i], frames[i]));
+    std::vector<int> order(frames.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return nth(reaches, a).low.x < nth(reaches, b).low.x; });
+    std::vector<std::pair<int, int>> near;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Reach& one = nth(reaches, order[i]);
+        for (std::size_t k = i + 1; k < order.size(); ++k) {
+            const Reach& other = nth(reaches, order[k]);
+            if (other.low.x > one.high.x + kInOnePlaneMm) break;
+            if (are_near(one, other)) near.emplace_back(std::minmax(order[i], order[k]));
+            if (near.size() > kMostPairs) return {};
+        }
+    }
+    std::sort(near.begin(), near.end());
+    std::vector<Lying> lying;
+    for (const auto& [a, b] : near) look_at(a, b, frames, lying);
+    return lying;
+}
+
+const std::vector<Frame>& SheetLayers::placed(int step) {
+    if (nth(placed_, step).empty()) {
+        std::vector<Frame> frames(assembly_.plates.size());
+        const double there = assembly_.sweep.from_deg + step * kStepDeg;
+        const double opening = std::min(there, assembly_.sweep.to_deg);
+        if (place(assembly_, Angle::degrees(opening), frames)) nth(placed_, step) = std::move(frames);
+    }
+    return nth(placed_, step);
+}
+
+void SheetLayers::find_sides(double opening_deg, std::vector<Lying>& lying) {
+    const Sweep& sweep = assembly_.sweep;
+    const int steps = static_cast<int>(std::ceil((sweep.to_deg - sweep.from_deg) / kStepDeg));
+    placed_.resize(static_cast<std::size_t>(steps + 1));
+    const auto is_open = [](const Lying& one) { return one.side == 0; };
+    const double since = std::max(0.0, (opening_deg - sweep.from_deg) / kStepDeg);
+    for (int step = static_cast<int>(since) + 1; step <= steps; ++step) {
+        if (std::none_of(lying.begin(), lying.end(), is_open)) return;
+        const std::vector<Frame>& frames = placed(step);
+        if (frames.empty()) return;
+        for (Lying& one : lying) {
+            if (is_open(one))
+                one.side = side_of(heights_of(one.on_a, nth(frames, one.a), one.on_b, nth(frames, one.b)));
+        }
+    }
+}
+
+std::vector<double> SheetLayers::at(double opening_deg, std::span<const Frame> frames) {
+    if (!is_sheet_) return {};
+    std::vector<Lying> lying = lying_at(frames);
+    find_sides(opening_deg, lying);
+    std::erase_if(lying, [](const Lying& one) { return one.side == 0; });
+    if (lying.empty()) return {};
+    const std::size_t count = frames.size();
+    std::vector<std::pair<int, int>> over;
+    for (const Lying& one : lying) over.emplace_back(one.a, one.b);
+    const std::vector<int> group = groups_of(count, over);
+    // Each is seen with the front of the first of its group up.
+    const auto up = [&](int plate) {
+        return dot(nth(frames, plate).normal(), nth(frames, nth(group, plate)).normal()) > 0.0 ? 1 : -1;
+    };
+    for (std::size_t i = 0; i < lying.size(); ++i) {
+        if (lying[i].side * up(lying[i].a) < 0) std::swap(over[i].first, over[i].second);
+    }
+    const std::vector<int> levels = layer_levels(count, over);
+    // The largest of each group stays where it is.
+    std::vector<int> still(count, -1);
+    std::vector<double> most(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto of = static_cast<std::size_t>(group[i]);
+        const double paper = std::round(area(assembly_.plates[i].outline));
+        if (still[of] >= 0 && paper <= most[of]) continue;
+        still[of] = static_cast<int>(i);
+        most[of] = paper;
+    }
+    const int highest = *std::max_element(levels.begin(), levels.end());
+    const double share = std::min(1.0, kMostLayersMm / (layer_mm_ * highest));
+    std::vector<double> result(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int above = levels[i] - nth(levels, nth(still, group[i]));
+        if (above != 0) result[i] = share * up(static_cast<int>(i)) * above;
+    }
+    return result;
+}
+
+}  // namespace popup
