@@ -1,5 +1,5 @@
 // What several rooms have to know of sheets that are folded: the laws of folds, and the names of panels that
-// are glued.
+// are glued, and of lids.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +16,8 @@ namespace popup {
 // Panels with these in their names, which name_panels() gives, are glued to what they lie on in the end.
 inline constexpr std::string_view kGlueFlapName = "glue-flap";
 inline constexpr std::string_view kGlueCornerName = "glue-corner";
+// What closes a tray is called so, and begins what hangs on it is called: "lid-tuck".
+inline constexpr std::string_view kLidName = "lid";
 
 // Whether an assembly is a sheet that is folded: a plate of it stays where it is.
 inline bool is_folded_sheet(const Assembly& assembly) {

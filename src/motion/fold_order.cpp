@@ -26,6 +26,7 @@
 #include "base/sets.h"
 #include "motion/examine.h"
 #include "motion/linkage.h"
+#include "motion/opening_order.h"
 #include "motion/plate_shape.h"
 #include "motion/seen_pairs.h"
 #include "motion/touching.h"
@@ -44,12 +45,6 @@ constexpr std::size_t kToldAtMost = 6;  // plates of a step
 constexpr std::array kUprightDeg{10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 75.0};
 constexpr double kStandingDeg = 1.0;   // a sweep of what stands still
 constexpr double kParallelRad = 1e-6;  // folds this near to parallel are
-
-// Folds that only go together.
-struct Part {
-    std::vector<int> joints;  // ascending
-    double area = 0.0;        // of what it moves
-};
 
 // What a part does while something is looked at, in shares of its way: 0 where it lies flat, 1 where it is
 // folded. Other shares are of parts of one fold, whose law is straight.
@@ -106,10 +101,14 @@ class Order {
         for (const Contact& contact : found.contacts) set_aside_.insert({contact.a, contact.b});
         set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
-        std::vector<Stage> stages = unfold(First::small);
+        for (const FoldPart& part : parts_) of_lid_.push_back(of_lid(work_, part));
+        const bool has_lid = std::find(of_lid_.begin(), of_lid_.end(), OfLid::closes) != of_lid_.end();
+        std::vector<Stage> stages = unfold(has_lid ? OpenFirst::lids : OpenFirst::small);
         // What is rolled up is unrolled from where it hangs.
-        if (!all_clear_ && has_work_left()) {
-            std::vector<Stage> others = unfold(First::large);
+        for (const OpenFirst first : {OpenFirst::small, OpenFirst::large}) {
+            if (all_clear_ || !has_work_left()) break;
+            if (first == OpenFirst::small && !has_lid) continue;
+            std::vector<Stage> others = unfold(first);
             if (all_clear_) stages = std::move(others);
         }
         std::reverse(stages.begin(), stages.end());
@@ -149,7 +148,7 @@ class Order {
     [[nodiscard]] double turned_deg(int part, double share) const {
         return std::abs(angle_at(nth(laws_, nth(parts_, part).joints.front()), share));
     }
-    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+    [[nodiscard]] const std::vector<FoldPart>& parts() const { return parts_; }
     // Whether nothing passes through anything in any step, but for what crosses in the end.
     [[nodiscard]] bool is_all_clear() const { return all_clear_; }
     [[nodiscard]] const PlatePairs& crossing_in_the_end() const { return set_aside_; }
@@ -205,12 +204,12 @@ class Order {
                 of = static_cast<int>(parts_.size());
                 parts_.emplace_back();
             }
-            Part& part = nth(parts_, of);
+            FoldPart& part = nth(parts_, of);
             part.joints.push_back(static_cast<int>(i));
             if (const auto* const folded = std::get_if<Folded>(&work_.joints[i].how))
                 part.area = std::max(part.area, nth(area_of, folded->plate));
         }
-        std::erase_if(parts_, [this](const Part& part) {
+        std::erase_if(parts_, [this](const FoldPart& part) {
             return std::all_of(part.joints.begin(), part.joints.end(), [this](int joint) {
                 const Law& law = nth(laws_, joint);
                 return std::all_of(law.begin(), law.end(), [](Vec2 point) { return point.y == 0.0; });
@@ -271,19 +270,13 @@ class Order {
         return numbers;
     }
 
-    // The steps of opening it; what does not open so is the last one. Which parts are tried first: flaps
-    // before the walls that they hang on, or those that move the most.
-    enum class First { small, large };
-    std::vector<Stage> unfold(First first) {
-        std::vector<int> left(parts_.size());
-        for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
-        std::stable_sort(left.begin(), left.end(), [&](int a, int b) {
-            return first == First::small ? nth(parts_, a).area < nth(parts_, b).area
-                                         : nth(parts_, a).area > nth(parts_, b).area;
-        });
+    // The steps of opening it; what does not open so is the last one.
+    std::vector<Stage> unfold(OpenFirst first) {
+        first_ = first;
         set_all(kFolded);
         set_laws();
         const PlateFrames closed = frames_at(work_, 0.0);
+        std::vector<int> left = opening_order(work_, parts_, closed, first);
         touching_ = touching_plates(work_, shapes_, closed);
         for (const auto& pair : set_aside_) touching_.erase(pair);
         wish_sides(work_, closed, touching_);
@@ -307,6 +300,7 @@ class Order {
     // lid, or where paper would have to give way for that, by itself, before walls are tried: they could well
     // be laid on it from outside, but nobody closes a box so.
     bool open_one(std::vector<int>& left, std::vector<Stage>& stages) {
+        if (first_ == OpenFirst::lids && open_lid(left, stages)) return true;
         for (const int part : left) {
             if (go({{part, kMoves}}, stages)) {
                 std::erase(left, part);
@@ -321,6 +315,19 @@ class Order {
         }
         return std::any_of(left.begin(), left.end(),
                            [&](int part) { return !is_tucked(part) && open_upright(part, left, stages); });
+    }
+
+    // Opens what hangs on a lid, or the lid, or it with its tuck, before walls are tried: the front could
+    // well be folded up last, against the tuck, but nobody closes a box so.
+    bool open_lid(std::vector<int>& left, std::vector<Stage>& stages) {
+        for (const int part : left) {
+            if (nth(of_lid_, part) == OfLid::no || !go({{part, kMoves}}, stages)) continue;
+            std::erase(left, part);
+            return true;
+        }
+        return std::any_of(left.begin(), left.end(), [&](int part) {
+            return nth(of_lid_, part) == OfLid::hangs_on && open_upright(part, left, stages);
+        });
     }
 
     // Opens it by a step, if that is clear and leaves what touches on its sides.
@@ -451,13 +458,23 @@ class Order {
         }
     }
 
+    // Walls stand before the lid comes down on them, even where it could come down while they rise.
+    [[nodiscard]] bool closes_lid_early(const Stage& first, const Stage& second) const {
+        const auto any = [this](const Stage& stage, OfLid what) {
+            return std::any_of(stage.moves.begin(), stage.moves.end(),
+                               [&](const Move& move) { return nth(of_lid_, move.part) == what; });
+        };
+        return (any(first, OfLid::closes) || any(second, OfLid::closes)) &&
+               (any(first, OfLid::no) || any(second, OfLid::no));
+    }
+
     // Makes one of two, if that is clear, and everything comes to lie as it does one after the other.
     bool join_two(Stage& first, const Stage& second) {
         const bool once = std::none_of(first.moves.begin(), first.moves.end(), [&](const Move& a) {
             return std::any_of(second.moves.begin(), second.moves.end(),
                                [&](const Move& b) { return a.part == b.part; });
         });
-        if (!once) return false;
+        if (!once || closes_lid_early(first, second)) return false;
         Step both = first.moves;
         both.insert(both.end(), second.moves.begin(), second.moves.end());
         for (const Move& move : both) nth(doing_, move.part) = move.doing;
@@ -475,7 +492,8 @@ class Order {
     Assembly work_;
     MotionOptions options_;
     std::vector<Law> laws_;  // by joint, all at once
-    std::vector<Part> parts_;
+    std::vector<FoldPart> parts_;
+    std::vector<OfLid> of_lid_;               // by part
     std::vector<std::vector<int>> parts_at_;  // by plate: those of which a fold is at it
     std::vector<Doing> doing_;                // by part
     std::vector<PlateShape> shapes_;          // by plate; folding changes none
@@ -486,6 +504,7 @@ class Order {
     std::vector<Doing> done_;  // by the numbers that seen_ has, as the next
     std::vector<char> still_;
     std::size_t poses_ = 0;
+    OpenFirst first_ = OpenFirst::small;
     bool all_clear_ = true;
 };
 

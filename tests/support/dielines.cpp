@@ -56,7 +56,8 @@ class Dieline {
         return static_cast<int>(panels_.size()) - 1;
     }
 
-    [[nodiscard]] std::string svg() const {
+    // With `angles` folds say how far they go.
+    [[nodiscard]] std::string svg(bool angles = true) const {
         std::string lines;
         Vec2 least{HUGE_VAL, HUGE_VAL};
         Vec2 most{-HUGE_VAL, -HUGE_VAL};
@@ -65,7 +66,8 @@ class Dieline {
                 least = {std::min(least.x, p.x), std::min(least.y, p.y)};
                 most = {std::max(most.x, p.x), std::max(most.y, p.y)};
             }
-            for (int edge = i == 0 ? 0 : 1; edge < 4; ++edge) add_edge(static_cast<int>(i), edge, lines);
+            for (int edge = i == 0 ? 0 : 1; edge < 4; ++edge)
+                add_edge(static_cast<int>(i), edge, angles, lines);
         }
         const Vec2 size = most - least;
         return fmt::format(
@@ -89,7 +91,7 @@ class Dieline {
     }
 
     // Folds where something hangs, cuts elsewhere.
-    void add_edge(int panel, int edge, std::string& lines) const {
+    void add_edge(int panel, int edge, bool angles, std::string& lines) const {
         const auto [a, b] = ends(panel, edge);
         const Vec2 along = unit(b - a);
         const std::string cut = "class=\"cut\" stroke=\"#000\"";
@@ -103,8 +105,9 @@ class Dieline {
             add_line(a + done * along, a + one.from * along, cut, lines);
             const char* const way =
                 one.deg < 0.0 ? "class=\"mountain\" stroke=\"#f00\"" : "class=\"valley\" stroke=\"#00f\"";
-            add_line(a + one.from * along, a + one.to * along,
-                     fmt::format("{} data-fold-angle=\"{:g}\"", way, std::abs(one.deg)), lines);
+            const std::string deg =
+                angles ? fmt::format(" data-fold-angle=\"{:g}\"", std::abs(one.deg)) : std::string();
+            add_line(a + one.from * along, a + one.to * along, way + deg, lines);
             done = one.to;
         }
         add_line(a + done * along, b, cut, lines);
@@ -193,6 +196,42 @@ std::string locked_tray() {
     }
     for (const double at : {25.0, 82.0, 139.0}) sheet.hang(lip, 2, {10.0, 10.0, at, 194.0 - at - 30.0, 3.0});
     return sheet.svg();
+}
+
+std::string rolled_tray(double roll, bool angles) {
+    constexpr double kHigh = 40.0;
+    Dieline sheet(160.0, 120.0);
+    for (const int edge : {0, 1, 2, 3}) {
+        const int outer = sheet.hang(0, edge, {kHigh, 90.0});
+        const int top = sheet.hang(outer, 2, {roll, 90.0, roll, roll});
+        sheet.hang(top, 2, {kHigh, 90.0});
+    }
+    return sheet.svg(angles);
+}
+
+std::string tucked_mailer(bool angles, bool ears) {
+    constexpr double kWide = 180.0;
+    constexpr double kDeep = 110.0;
+    constexpr double kHigh = 45.0;
+    Dieline sheet(kWide, kDeep);
+    const int front = sheet.hang(0, 0, {kHigh, 90.0});
+    const int back = sheet.hang(0, 2, {kHigh, 90.0});
+    for (const int wall : {front, back}) {
+        for (const int side : {1, 3}) sheet.hang(wall, side, {40.0, 90.0, 1.0, 1.0, 2.0});
+    }
+    for (const int edge : {1, 3}) {
+        const int outer = sheet.hang(0, edge, {kHigh, 90.0, 0.5, 0.5});
+        const int top = sheet.hang(outer, 2, {2.0, 90.0, 0.5, 0.5});
+        sheet.hang(top, 2, {kHigh - 1.0, 90.0, 0.5, 0.5});
+    }
+    const int lid = sheet.hang(back, 2, {kDeep - 1.0, 90.0, 3.0, 3.0});
+    const int tuck = sheet.hang(lid, 2, {35.0, 90.0, 0.5, 0.5});
+    for (const int side : {1, 3}) {
+        if (!ears) continue;
+        sheet.hang(tuck, side, {22.0, 90.0, 1.0, 1.0, 5.0});
+        sheet.hang(lid, side, {30.0, 90.0, 2.0, 2.0, 6.0});
+    }
+    return sheet.svg(angles);
 }
 
 }  // namespace popup::test

@@ -1,4 +1,5 @@
-// Dielines of forty panels and more, as drawings: what is asked of a carton of that size is asked of these.
+// Dielines of cartons as drawings, most of forty panels and more: what is asked of cartons so large is asked
+// of these.
 #pragma once
 
 #include <string>
@@ -13,5 +14,12 @@ std::string pointed_tube(int sides);
 std::string locked_tube(int sides);
 // A tray with three rolled walls, a lid that is tucked in, and flaps that lock: 42 panels.
 std::string locked_tray();
+// A tray whose four walls are rolled in, with a strip so wide, mm, between the outer and the inner wall: 13
+// panels. Inner walls stand on the base and meet in its corners. Without `angles` no fold says how far it
+// goes.
+std::string rolled_tray(double roll, bool angles);
+// A mailer of one piece: rolled sides, and a lid on the back with a tuck. With `ears` two hang on either: 20
+// panels, without 16.
+std::string tucked_mailer(bool angles, bool ears);
 
 }  // namespace popup::test

@@ -25,6 +25,7 @@ constexpr double kOddNarrow = 0.9;
 constexpr double kCloses = 0.85;        // of the depth of the box: what is as deep closes it
 constexpr double kLockShare = 0.1;      // of the panel that it hangs on: a lock is smaller
 constexpr double kAsLargeAsBase = 0.7;  // a lid
+constexpr double kRim = 0.3;            // of the height of a wall: what is between it and its lining is less
 constexpr double kUprightDeg = 170.0;   // a fold that is drawn folded by more stands on nothing
 constexpr double kGussetDeg = 10.0;     // one by less parts a wall
 constexpr double kOblique = 0.3;        // sine and cosine of what is neither along nor across
@@ -96,7 +97,8 @@ class Namer {
                 for (const Vec2 dir : directions_of(panel)) consider(panel, dir, root, tube);
             }
         }
-        bool is_carton = tube && tube->is_ring;
+        if (tube) front_ = tube->front;
+        bool is_carton = tube && tube->is_ring && !is_mailer(*tube);
         for (const double front : {1.0, -1.0}) {
             front_ = front;
             is_carton = is_carton || name_tray(panels);
@@ -364,6 +366,55 @@ class Namer {
         }
     }
 
+    // Whether what goes around is a tray with its lid: bottom, back, lid and a tuck in front that is no wider
+    // than its walls, as a glue flap would be. There the sides are rolled in, a narrow strip between two
+    // walls; or they have no tucks, which lids of tubes close with, and the tuck is wider than glue flaps
+    // are.
+    [[nodiscard]] bool is_mailer(const Tube& tube) const {
+        const std::size_t count = tube.walls.size();
+        if (count != 4) return false;
+        double narrowest = HUGE_VAL;
+        for (const Wall& wall : tube.walls) narrowest = std::min(narrowest, wall.width);
+        const Vec2 across = right_of(tube.along);
+        const bool wide = tube.glue_flap >= 0 && width_of(tube.glue_flap, across) >= kNarrow * narrowest;
+        return std::any_of(tube.walls.begin(), tube.walls.end(), [&](const Wall& wall) {
+            const std::optional<Side> one = side_at(wall.panel, tube.along);
+            const std::optional<Side> other = side_at(wall.panel, -tube.along);
+            if (!one || !other) return false;
+            return (one->is_rolled && other->is_rolled) || (wide && one->is_bare && other->is_bare);
+        });
+    }
+
+    // What hangs at the far edge of a panel: the fold there, and the panel; -1: nothing.
+    struct Next {
+        int fold = -1, panel = -1;
+    };
+    [[nodiscard]] Next next_at(int panel, int own, Vec2 out) const {
+        const Vec2 along = right_of(out);
+        const int far = fold_on(panel, along, out, 0.3 * width_of(panel, along), own);
+        return far < 0 ? Next{} : Next{far, other_side(far, panel)};
+    }
+    // The wall that a strip leads to over which it is rolled in; -1: this is no such strip.
+    [[nodiscard]] int rolled_in(int fold, int wall, const Next& strip, Vec2 out) const {
+        if (strip.panel < 0 || depth_from(strip.fold, strip.panel) > kRim * depth_from(fold, wall)) return -1;
+        const Next inner = next_at(strip.panel, strip.fold, out);
+        return inner.panel >= 0 && depth_from(inner.fold, inner.panel) >= kNarrow * depth_from(fold, wall)
+                   ? inner.panel
+                   : -1;
+    }
+    struct Side {
+        bool is_rolled = false;
+        bool is_bare = false;  // nothing hangs on its far edge
+    };
+    [[nodiscard]] std::optional<Side> side_at(int panel, Vec2 out) const {
+        const Vec2 along = right_of(out);
+        const int fold = fold_on(panel, along, out, kAsLong * width_of(panel, along), -1);
+        if (fold < 0) return std::nullopt;
+        const int side = other_side(fold, panel);
+        const Next far = next_at(side, fold, out);
+        return Side{rolled_in(fold, side, far, out) >= 0, far.panel < 0};
+    }
+
     // What hangs at one end of the walls: on their side of `up`.
     void name_end(const std::vector<Wall>& walls, Vec2 up, std::string_view end) {
         const Vec2 along = right_of(up);
@@ -513,25 +564,37 @@ class Namer {
 
     void name_wall_of_tray(int root, int wall, int fold, Vec2 out) {
         const std::string name = nth(names_, wall);
-        const Vec2 along = right_of(out);
-        const int far =
-            fold_on(wall, along, out, 0.3 * (extent(wall, along).y - extent(wall, along).x), fold);
-        if (far >= 0) {
-            const int next = other_side(far, wall);
-            if (area_of(next) >= kAsLargeAsBase * area_of(root)) {
-                if (give(next, "lid")) name_far_edge(next, far, "lid-tuck");
-            } else {
-                give(next, name + "-lining");
-            }
+        const Next far = next_at(wall, fold, out);
+        const int inner = rolled_in(fold, wall, far, out);
+        if (far.panel >= 0 && area_of(far.panel) >= kAsLargeAsBase * area_of(root)) {
+            if (give(far.panel, std::string(kLidName))) name_lid(far, out);
+        } else if (inner >= 0) {
+            give(far.panel, name + "-rim");
+            give(inner, name + "-lining");
+        } else if (far.panel >= 0) {
+            give(far.panel, name + "-lining");
         }
+        name_beside(wall, fold, out, name + "-corner");
+    }
+
+    void name_lid(const Next& lid, Vec2 out) {
+        name_beside(lid.panel, lid.fold, out, fmt::format("{}-ear", kLidName));
+        const Next tuck = next_at(lid.panel, lid.fold, out);
+        if (tuck.panel < 0 || !give(tuck.panel, fmt::format("{}-tuck", kLidName))) return;
+        name_beside(tuck.panel, tuck.fold, out, fmt::format("{}-tuck-ear", kLidName));
+    }
+
+    // What hangs on the edges of a panel beside its own fold: "back-corner-left" for "back-corner".
+    void name_beside(int panel, int fold, Vec2 out, const std::string& stem) {
+        const Vec2 along = right_of(out);
         const bool upright = std::abs(along.x) < std::abs(along.y);
         for (const double side : {1.0, -1.0}) {
-            const int end = fold_on(wall, out, side * along, 0.3 * depth_from(fold, wall), fold);
+            const int end = fold_on(panel, out, side * along, 0.3 * depth_from(fold, panel), fold);
             if (end < 0) continue;
             const double way = side * (upright ? along.y : along.x);
             const std::string_view where =
                 upright ? (way < 0.0 ? "front" : "back") : (way < 0.0 ? "left" : "right");
-            give(other_side(end, wall), fmt::format("{}-corner-{}", name, where));
+            give(other_side(end, panel), fmt::format("{}-{}", stem, where));
         }
     }
 

@@ -19,6 +19,8 @@
 #include "popup/language.h"
 #include "popup/motion.h"
 #include "popup/refinement.h"
+#include "support/designs.h"
+#include "support/dielines.h"
 #include "support/folded_ends.h"
 #include "support/random.h"
 #include "support/sanitized.h"
@@ -242,8 +244,48 @@ TEST(Carton, TheBaseOfAMailerIsWhatHasTheRolledWalls) {
     EXPECT_GT(box_of("lid-tuck").min.y, box_of("lid").min.y);
     EXPECT_GT(box_of("back").min.y, box_of("base").min.y);
     EXPECT_GT(box_of("base").min.y, box_of("front").min.y);
-    EXPECT_NEAR(box_of("right-lining").width(), 2.0, 1e-6);
-    EXPECT_NEAR(box_of("left-lining").width(), 2.0, 1e-6);
+    for (const std::string side : {"left", "right"}) {
+        EXPECT_NEAR(box_of(side + "-rim").width(), 2.0, 1e-6);
+        EXPECT_NEAR(box_of(side + "-lining").width(), 36.0, 1e-6);
+        EXPECT_LT(box_of("lid-tuck-ear-" + side).width(), 40.0);
+        EXPECT_LT(box_of("lid-ear-" + side).width(), 40.0);
+    }
+}
+
+// Bottom, back, lid and tuck lie side by side as the walls of a tube and its glue flap do; of 180 × 110 × 45
+// mm.
+TEST(Carton, AMailerIsATrayWithALid) {
+    for (const bool angles : {true, false}) {
+        for (const bool ears : {true, false}) {
+            Diagnostics diagnostics("box.svg");
+            ReadOptions options;
+            options.drawing.as = DrawnAs::folded;
+            const Reading reading =
+                read_source_text({"box.svg", test::tucked_mailer(angles, ears)}, options, diagnostics);
+            ASSERT_TRUE(reading.creases) << test::findings(diagnostics);
+            std::vector<std::string> names{"back",
+                                           "back-corner-left",
+                                           "back-corner-right",
+                                           "base",
+                                           "front",
+                                           "front-corner-left",
+                                           "front-corner-right",
+                                           "left",
+                                           "left-lining",
+                                           "left-rim",
+                                           "lid",
+                                           "lid-tuck",
+                                           "right",
+                                           "right-lining",
+                                           "right-rim"};
+            if (ears)
+                names.insert(names.end(),
+                             {"lid-ear-left", "lid-ear-right", "lid-tuck-ear-left", "lid-tuck-ear-right"});
+            for (std::string& name : names) name.insert(0, "sheet/");
+            std::sort(names.begin(), names.end());
+            EXPECT_EQ(names_of(*reading.creases), names);
+        }
+    }
 }
 
 TEST(Carton, WhatIsNoBoxKeepsItsNumbers) {

@@ -46,10 +46,10 @@ constexpr NamedCarton kNamedCartons[]{
      "bottom-flap-back top-dust-flap-left bottom-flap-left top-tuck"},
     {"fefco-0421",
      "base front back left right front-corner-left front-corner-right back-corner-left back-corner-right "
-     "left-lining right-lining panel-12 panel-13"},
+     "left-rim right-rim left-lining right-lining"},
     {"fefco-0427",
      "base front back left right front-corner-left front-corner-right back-corner-left back-corner-right "
-     "lid left-lining right-lining lid-tuck panel-14 panel-15 panel-16 panel-17"},
+     "lid left-rim right-rim lid-tuck left-lining right-lining lid-tuck-ear-left lid-tuck-ear-right"},
     {"gift-bag",
      "back right-1 left-1 top-flap-back bottom-flap-back right-2 top-flap-right-1 bottom-flap-right-1 "
      "left-2 top-flap-left-1 bottom-flap-left-1 front top-flap-right-2 bottom-flap-right-2 top-flap-left-2 "

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "popup/crease_pattern.h"
+#include "popup/language.h"
 #include "popup/motion.h"
 #include "support/brute_force.h"
 #include "support/designs.h"
+#include "support/dielines.h"
 
 namespace popup {
 namespace {
@@ -270,6 +272,52 @@ TEST(FoldOrder, RollsWallsInOverCorners) {
             expect_before(box, fmt::format("{}-corner-{}", end, side), side + "-lining");
     }
     expect_clear(box);
+}
+
+// As a maker closes it: walls up, corners in, sides rolled over them, and the lid last, with its tuck.
+TEST(FoldOrder, ClosesTheLidOfAMailerLast) {
+    for (const bool ears : {true, false}) {
+        Diagnostics diagnostics("box.svg");
+        ReadOptions options;
+        options.drawing.as = DrawnAs::folded;
+        const Reading reading =
+            read_source_text({"box.svg", test::tucked_mailer(true, ears)}, options, diagnostics);
+        ASSERT_TRUE(reading.creases) << test::findings(diagnostics);
+        Assembly box = folded(*reading.creases);
+        const std::string told = ordered(box);
+        EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+        std::vector<std::string> first{"front", "back"};
+        for (const std::string side : {"left", "right"}) {
+            for (const std::string end : {"front", "back"})
+                expect_before(box, fmt::format("{}-corner-{}", end, side), side + "-lining");
+            first.insert(first.end(), {side, side + "-rim", side + "-lining"});
+            if (ears) first.insert(first.end(), {"lid-ear-" + side, "lid-tuck-ear-" + side});
+        }
+        for (const std::string& panel : first) expect_before(box, panel, "lid");
+        EXPECT_GE(turns_of(box).at("lid-tuck").end, turns_of(box).at("lid").end) << told;
+        expect_clear(box);
+    }
+}
+
+// Of a box as wide as it is long all flaps are alike: those of opposite walls go at once, and so do both
+// ends.
+TEST(FoldOrder, FoldsEqualOppositeFlapsInOneStep) {
+    for (const double height : {60.0, 45.0}) {
+        Assembly box = folded(carton(60.0, 60.0, height));
+        const std::string told = ordered(box);
+        EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+        const std::map<std::string, Turns> turns = turns_of(box);
+        for (const std::string end : {"top", "bottom"}) {
+            for (const auto& [one, other] : {std::pair{"front", "back"}, std::pair{"left", "right"}}) {
+                const Turns a = turns.at(fmt::format("{}-flap-{}", end, one));
+                const Turns b = turns.at(fmt::format("{}-flap-{}", end, other));
+                EXPECT_EQ(a.begin, b.begin) << told;
+                EXPECT_EQ(a.end, b.end) << told;
+            }
+            EXPECT_NE(turns.at(end + "-flap-front").begin, turns.at(end + "-flap-left").begin) << told;
+        }
+        expect_clear(box);
+    }
 }
 
 // Two squares lie on one another between two steps; the next would part them to the other side.
