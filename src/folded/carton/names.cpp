@@ -12,6 +12,7 @@
 #include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/closing_angles.h"
+#include "folded/carton/panel_measures.h"
 #include "folded/carton/web_corners.h"
 
 namespace popup::folded {
@@ -35,10 +36,11 @@ constexpr double kAsLarge = 0.01;   // areas that differ by less are one
 constexpr double kBaseShare = 0.5;  // of the largest panel: a base has more
 constexpr std::size_t kMostWalls = 64;
 
-class Namer {
+class Namer : private PanelMeasures {
  public:
     Namer(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree)
-        : pattern_(pattern),
+        : PanelMeasures(sheet),
+          pattern_(pattern),
           sheet_(sheet),
           tree_(tree),
           folds_(folds_by_panel(sheet)),
@@ -127,35 +129,10 @@ class Namer {
         return true;
     }
 
-    [[nodiscard]] int other_side(int fold, int panel) const {
-        const Fold& one = nth(sheet_.folds, fold);
-        return one.left == panel ? one.right : one.left;
-    }
     [[nodiscard]] int parent_of(int panel) const {
         const int fold = nth(tree_.fold_of, panel);
         return fold < 0 ? -1 : other_side(fold, panel);
     }
-    [[nodiscard]] double area_of(int panel) const {
-        return area(sheet_.outline_of(nth(sheet_.panels, panel)));
-    }
-    // From the least to the most along a direction.
-    [[nodiscard]] Vec2 extent(int panel, Vec2 dir) const {
-        Vec2 reach{HUGE_VAL, -HUGE_VAL};
-        for (const int corner : nth(sheet_.panels, panel).outer) {
-            const double at = dot(dir, sheet_.at(corner));
-            reach = {std::min(reach.x, at), std::max(reach.y, at)};
-        }
-        return reach;
-    }
-    // How far a panel reaches from the fold that it hangs on.
-    [[nodiscard]] double depth_from(int fold, int panel) const {
-        const Segment line = sheet_.line_of(nth(sheet_.folds, fold));
-        const Vec2 out = left_of(unit(line.b - line.a));
-        const Vec2 reach = extent(panel, out);
-        const double at = dot(out, line.a);
-        return std::max(reach.y - at, at - reach.x);
-    }
-
     // 1 of valleys, -1 of mountains: as they are drawn, however far they are folded.
     [[nodiscard]] double sense(const Fold& fold) const {
         const CreaseUse use = nth(pattern_.lines, fold.line).use;
@@ -197,10 +174,6 @@ class Namer {
         return best;
     }
 
-    [[nodiscard]] double width_of(int panel, Vec2 across) const {
-        const Vec2 wide = extent(panel, across);
-        return wide.y - wide.x;
-    }
     [[nodiscard]] bool is_full(int panel, Vec2 along, Vec2 across) const {
         return area_of(panel) >= kFull * width_of(panel, across) * width_of(panel, along);
     }
@@ -371,8 +344,7 @@ class Namer {
     // walls; or they have no tucks, which lids of tubes close with, and the tuck is wider than glue flaps
     // are.
     [[nodiscard]] bool is_mailer(const Tube& tube) const {
-        const std::size_t count = tube.walls.size();
-        if (count != 4) return false;
+        if (tube.walls.size() != 4) return false;
         double narrowest = HUGE_VAL;
         for (const Wall& wall : tube.walls) narrowest = std::min(narrowest, wall.width);
         const Vec2 across = right_of(tube.along);
