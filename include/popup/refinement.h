@@ -54,6 +54,19 @@ std::string shown_gap(double mm);
 // "merge sheet/front (20.00, 40.00) mm, sheet/lid (20.00, 120.00) mm".
 std::string shown_join(const Join& join, const Ruler& ruler);
 
+// How far a fold ends from where the motion of fold_sheet() leaves it, which is the angle that the drawing
+// says or that folds have which say none. Degrees, those of mountains less than 0.
+struct FoldTurn {
+    std::array<std::string, 2> panels = {};  // by their names; empty: no fold turns at all
+    double from_deg = 0.0;
+    double to_deg = 0.0;
+    [[nodiscard]] double by_deg() const { return from_deg < to_deg ? to_deg - from_deg : from_deg - to_deg; }
+};
+
+// "the fold sheet/front+sheet/lid turns by 13.9°, from 90.0° to 76.1°"; "no fold turns". Mountains are told
+// without a sign, unless the fold goes over to the other side.
+std::string shown_turn(const FoldTurn& turn);
+
 struct RefineOptions {
     FoldOptions fold = {};
     std::vector<Join> joins = {};
@@ -70,6 +83,7 @@ struct Refined {
     double residual_mm = 0.0;      // the most of these, and of what loops of folds gape
     double enough_mm = 0.0;        // kRefined of the sheet's longer side: what closes leaves no more open
     bool closes = false;           // residual_mm <= enough_mm
+    FoldTurn furthest = {};        // the fold that turns most
 };
 inline constexpr double kRefined = 1e-6;
 
@@ -98,16 +112,20 @@ struct Suggestion {
     double apart_mm = 0.0;     // now
     double residual_mm = 0.0;  // what accepting it, and what was accepted before, would leave open
     bool settled = true;       // false: or less, for the search has ended before it could tell
-    double turn_deg = 0.0;     // the most that a fold turns for it
-    bool swings = false;       // as the warning `join-swings` has it
-    bool closes = false;       // as Refined::closes, and swings nothing
+    double turn_deg = 0.0;     // the most that a fold turns for it, from what was accepted before
+    // The fold that ends furthest from where it was before all joins, when what has met stays together, too,
+    // where it can.
+    FoldTurn furthest = {};
+    bool swings = false;  // as the warning `join-swings` has it
+    bool closes = false;  // as Refined::closes, and swings nothing
     // Merges that are like this one: as many corners, with as many edges, as long (the paper's symmetric
     // groups); numbers, ascending.
     std::vector<int> like = {};
     [[nodiscard]] std::string name() const;  // "merge 3"
 };
 
-// "closes", "leaves 0.31 mm or less", "swings a fold by 27°".
+// "closes", "closes, turning a fold by 32°" (more than kMostTurnDeg), "leaves 0.31 mm or less", "swings a
+// fold by 27°".
 std::string shown_outcome(const Suggestion& suggestion);
 
 struct Suggestions {
@@ -140,19 +158,26 @@ std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const Sug
 // Pairs of panels, by their names, that pass through each other.
 using Crossings = std::set<std::pair<std::string, std::string>>;
 
+// What turns a fold further, with what has met, is accepted by its name alone: the strip of a roll that comes
+// undone turns by 90°, tabs that are drawn to one another by 47°; but the flaps of a pointed lid by 45°, too.
+inline constexpr double kMostTurnDeg = 15.0;
+
 struct AcceptOptions {
     bool alike = true;  // accepts what is like an accepted merge, too, where it closes
     // What crosses in a refined sheet, folded, and if `whole_way` while it is folded. Called a hundred times
     // at most, a few of them for the whole way. Empty: nobody looks.
     std::function<Crossings(const CreasePattern& refined, bool whole_way)> crossings = {};
+    double most_turn_deg = kMostTurnDeg;  // of "all", as below; more than 0
 };
 
 // The joins of `options`, and the suggestions that `words` name: "merge 3, paste 1", or "all": each, seams of
 // walls first, then the nearest, that leaves nothing open with those before, swings nothing, flattens no
-// corner of more than 5°, and brings no crossing that was not there. Then those of Suggestions::met that
-// leave nothing open either, so that what is joined does not part what has met. The remark `join-left` names
-// those that do not fit, of "all" and of what is alike; what is named itself is accepted whatever it leaves.
-// What was accepted before under its number is so already. Error `no-such-suggestion`: nullopt.
+// corner of more than 5°, turns no fold by more than most_turn_deg from where it was before all joins (a fold
+// that what is named turns further by itself, from there), and brings no crossing that was not there. Then
+// those of Suggestions::met that leave nothing open either, so that what is joined does not part what has
+// met. The remark `join-left` names those that do not fit, of "all" and of what is alike; what is named
+// itself is accepted whatever it leaves. What was accepted before under its number is so already. Error
+// `no-such-suggestion`: nullopt.
 std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                               const Suggestions& found, std::string_view words,
                                               const AcceptOptions& accept, Diagnostics& diagnostics);

@@ -46,8 +46,18 @@ std::string as_text(const Suggestions& found, const Ruler& ruler) {
             if (row.join.kind == JoinKind::merge) text += " " + shown_point(ruler, part.corner);
             text += "\n";
         }
+        text += "    " + shown_turn(row.furthest) + "\n";
     }
     return text;
+}
+
+double rounded_deg(double deg) { return std::round(deg * 1e2) / 1e2 + 0.0; }
+
+Json as_json(const FoldTurn& turn) {
+    if (turn.panels[0].empty()) return nullptr;
+    return {{"panels", turn.panels},
+            {"from_deg", rounded_deg(turn.from_deg)},
+            {"to_deg", rounded_deg(turn.to_deg)}};
 }
 
 Json as_json(const Suggestions& found, const Ruler& ruler) {
@@ -64,7 +74,8 @@ Json as_json(const Suggestions& found, const Ruler& ruler) {
                         {"parts", std::move(parts)},
                         {"apart_mm", rounded(row.apart_mm)},
                         {"residual_mm", row.closes ? 0.0 : std::round(row.residual_mm * 1e7) / 1e7},
-                        {"turn_deg", std::round(row.turn_deg * 1e2) / 1e2},
+                        {"turn_deg", rounded_deg(row.turn_deg)},
+                        {"furthest_fold", as_json(row.furthest)},
                         {"closes", row.closes},
                         {"like", row.like}});
     }
@@ -75,7 +86,7 @@ Json as_json(const Suggestions& found, const Ruler& ruler) {
             {"suggestions", std::move(rows)}};
 }
 
-// How each join is left by the refinement.
+// How each join is left by the refinement, and how far it turns folds.
 std::string as_text(const std::vector<Join>& joins, const Refined& refined, double enough,
                     const Ruler& ruler) {
     std::string text;
@@ -83,6 +94,7 @@ std::string as_text(const std::vector<Join>& joins, const Refined& refined, doub
         const double apart = refined.apart_mm[i];
         text += fmt::format("{}: {}\n", shown_join(joins[i], ruler), left_open(apart <= enough, apart));
     }
+    if (!joins.empty()) text += shown_turn(refined.furthest) + "\n";
     return text;
 }
 
@@ -183,7 +195,8 @@ AcceptOptions accept_options(const Options& options) {
     return {!options.suggest.alone,
             [&compile = options.compile](const CreasePattern& refined, bool whole_way) {
                 return crossings_in(refined, whole_way, compile.fold, compile.motion);
-            }};
+            },
+            options.suggest.most_turn_deg.value_or(kMostTurnDeg)};
 }
 
 // The files that -o asks for, of the refined sheet; nullopt: something is wrong with it.
@@ -302,6 +315,11 @@ CLI::App* add_suggest(CLI::App& app, Options& options) {
           })
         ->configurable(false);
     verb->add_flag("--alone", suggest.alone, "accept what is named, and not what is like it")->group(group);
+    value(*verb, "--most-turn", "ANGLE",
+          fmt::format("all accepts nothing that turns a fold further, degrees (default: {:g})", kMostTurnDeg),
+          group, [&suggest](std::string_view text) {
+              suggest.most_turn_deg = number_option("--most-turn", text, 0.01, 360.0);
+          });
     value(*verb, "--refinement", "FILE", "what was accepted before; --accept writes it anew", group,
           [&suggest](std::string_view text) { suggest.refinement = text; })
         ->configurable(false);

@@ -136,7 +136,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
     {"join-left", Severity::remark, "suggestions that were not accepted",
      "Of what was to be accepted, the named suggestions do not go together with the others: panels would "
      "have to bend, or to turn far although next to nothing is open, or would pass through others that they "
-     "do not pass through now. The rest was accepted. A suggestion that is accepted by its own name is kept "
+     "do not pass through now. Nor is of \"all\" what turns a fold by more than 15 degrees from the angle "
+     "that it "
+     "had, or by more than --most-turn says: it closes, but is hardly what was drawn, as where the narrow "
+     "strip at "
+     "the top of a rolled wall lies down. The rest was accepted. A suggestion that is accepted by its own "
+     "name is kept "
      "nevertheless, and then the shape is a compromise."},
     {"join-open", Severity::warning, "joins that cannot all close",
      "Corners are to meet, or panels to lie in one plane, and no angles of the folds bring them there while "

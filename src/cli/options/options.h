@@ -143,9 +143,10 @@ struct ShowVerbOptions {
 
 struct SuggestVerbOptions {
     std::string drawing;
-    std::string refinement;         // --refinement; empty: none
-    std::string accept;             // --accept; empty: nothing
-    std::optional<double> near_mm;  // none: as SuggestOptions has it
+    std::string refinement;               // --refinement; empty: none
+    std::string accept;                   // --accept; empty: nothing
+    std::optional<double> near_mm;        // none: as SuggestOptions has it
+    std::optional<double> most_turn_deg;  // none: as AcceptOptions has it
     bool alone = false;
     bool json = false;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <span>
 #include <utility>
@@ -15,6 +17,8 @@ namespace popup {
 namespace {
 
 using folded::PanelJoin;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -43,11 +47,21 @@ class Accepter {
 
     // Those that leave nothing open together with what is taken, and bring no crossing: seams before all that
     // closes ends, for tips that meet while the walls are open keep these apart; else the nearest first.
-    void try_all(std::vector<std::size_t> rows) {
+    // `most_turn_deg` is how far folds may turn.
+    void try_all(std::vector<std::size_t> rows, double most_turn_deg) {
+        most_turn_rad_ = most_turn_deg * kDegree;
+        begin_ = joins_.empty() ? rough_.angles : close_joins(rough_.state(), joins_, true).angles;
+        const bool begins_far = folded::furthest_turn(rough_, begin_).by_deg() > most_turn_deg;
         std::erase_if(rows, [&](std::size_t row) {
             if (taken_.contains(row)) return true;
-            if (found_.rows[row].closes && !flattens(row)) return false;
-            left_.push_back(row);
+            const Suggestion& one = found_.rows[row];
+            if (!one.closes || flattens(row)) {
+                left_.push_back(row);
+            } else if (!begins_far && one.furthest.by_deg() > most_turn_deg) {
+                turning_.push_back(row);
+            } else {
+                return false;
+            }
             return true;
         });
         if (rows.empty()) return;
@@ -71,6 +85,7 @@ class Accepter {
                 groups.emplace_back(group.begin(), middle);
             }
         }
+        leave_turning(before, fitting);
         keep_ways_clear(before, fitting);
         for (const std::size_t row : rows) {
             if (std::find(fitting.begin(), fitting.end(), row) == fitting.end()) left_.push_back(row);
@@ -89,6 +104,11 @@ class Accepter {
         std::sort(left_.begin(), left_.end());
         return left_;
     }
+    // Of what was not taken that which by itself turns a fold too far.
+    std::vector<std::size_t> turning() {
+        std::sort(turning_.begin(), turning_.end());
+        return turning_;
+    }
 
  private:
     // Whether it makes one plane of panels that are meant to stand at an angle, as walls of a tube of many
@@ -106,9 +126,20 @@ class Accepter {
     }
 
     [[nodiscard]] bool closes(const std::vector<PanelJoin>& joins) const {
-        if (joins.empty()) return true;
-        const folded::Closed closed = close_joins(rough_.state(), joins, true);
+        return joins.empty() || is_sound(close_joins(rough_.state(), joins, true));
+    }
+    [[nodiscard]] bool is_sound(const folded::Closed& closed) const {
         return closed.residual_mm <= rough_.enough_mm() && !closed.swings;
+    }
+    // Together, joins may turn a fold further than each does. One that what is named has turned too far
+    // already may turn as much again.
+    [[nodiscard]] bool turns_far(const std::vector<double>& angles) const {
+        for (std::size_t i = 0; i < angles.size() && i < begin_.size(); ++i) {
+            const bool is_far = std::abs(begin_[i] - rough_.angles[i]) > most_turn_rad_;
+            const double from = is_far ? begin_[i] : rough_.angles[i];
+            if (std::abs(angles[i] - from) > most_turn_rad_) return true;
+        }
+        return false;
     }
 
     // Those of what has met that leave nothing open with these.
@@ -150,9 +181,7 @@ class Accepter {
     [[nodiscard]] const Crossings& allowed(bool whole_way) {
         std::optional<Crossings>& now = allowed_.at(whole_way ? 1 : 0);
         if (now) return *now;
-        std::vector<double> angles = rough_.angles;
-        if (!joins_.empty()) angles = close_joins(rough_.state(), joins_, true).angles;
-        now = crossings(angles, whole_way);
+        now = crossings(begin_, whole_way);
         if (whole_way) now->insert(allowed(false).begin(), allowed(false).end());
         return *now;
     }
@@ -162,7 +191,7 @@ class Accepter {
         new_.clear();
         if (!may_look()) return false;
         const folded::Closed closed = close_joins(rough_.state(), joins, true);
-        if (closed.residual_mm > rough_.enough_mm() || closed.swings) return false;
+        if (!is_sound(closed) || turns_far(closed.angles)) return false;
         if (!options_.crossings) return true;
         for (const auto& pair : crossings(closed.angles, whole_way)) {
             if (!allowed(whole_way).contains(pair)) new_.insert(pair);
@@ -170,12 +199,24 @@ class Accepter {
         return new_.empty();
     }
 
+    // Leaves out the last ones until no fold turns too far when what has met stays together, too.
+    void leave_turning(const std::vector<PanelJoin>& before, std::vector<std::size_t>& fitting) {
+        while (!fitting.empty()) {
+            std::vector<PanelJoin> joins = with(before, fitting, {});
+            kept_ = keep(joins);
+            for (const std::size_t one : *kept_) joins.push_back(met_[one]);
+            if (!turns_far(close_joins(rough_.state(), joins, true).angles)) return;
+            fitting.pop_back();
+            kept_.reset();
+        }
+    }
+
     // Leaves out what concerns panels that cross while the sheet is folded; in the end, all of it. What has
     // met is looked at with the rest, for it is kept with that, and is the first to be left out.
     void keep_ways_clear(const std::vector<PanelJoin>& before, std::vector<std::size_t>& fitting) {
         for (int i = 0; i < kMostWaysLookedAt && !fitting.empty() && options_.crossings; ++i) {
             std::vector<PanelJoin> joins = with(before, fitting, {});
-            if (!is_met_in_the_way_) kept_ = keep(joins);
+            if (!is_met_in_the_way_ && (i > 0 || !kept_)) kept_ = keep(joins);
             for (const std::size_t one : *kept_) joins.push_back(met_[one]);
             if (fits(joins, true)) return;
             if (!kept_->empty()) {
@@ -219,7 +260,9 @@ class Accepter {
     bool is_met_in_the_way_ = false;
     std::set<std::size_t> taken_;
     std::vector<std::size_t> order_;
-    std::vector<std::size_t> left_;
+    std::vector<std::size_t> left_, turning_;
+    double most_turn_rad_ = HUGE_VAL;
+    std::vector<double> begin_;  // by fold: where what is named leaves it, radians; empty: nothing is tried
     std::array<std::optional<Crossings>, 2> allowed_;  // folded, and on the whole way; none: not asked yet
     Crossings new_;                                    // what fits() has found
     std::size_t looks_ = 0;
@@ -280,6 +323,38 @@ std::optional<std::vector<std::size_t>> rows_named(const Suggestions& found, std
     }
 }
 
+void tell_left(const Suggestions& found, const std::vector<std::size_t>& left,
+               const std::vector<std::size_t>& turning, double most_turn_deg, Diagnostics& diagnostics) {
+    if (!left.empty()) {
+        std::string names;
+        for (const std::size_t row : left) names += (names.empty() ? "" : ", ") + found.rows[row].name();
+        diagnostics
+            .remark("join-left", {},
+                    fmt::format(
+                        "not accepted, because panels would have to bend, swing far, turn too far with the "
+                        "others or cross: {}",
+                        names))
+            .hint("--accept with its name takes one nevertheless, as near as it comes");
+    }
+    if (turning.empty()) return;
+    std::string names;
+    double least = HUGE_VAL;
+    for (const std::size_t row : turning) {
+        const Suggestion& one = found.rows[row];
+        const double by = one.furthest.by_deg();
+        least = std::min(least, by);
+        names += fmt::format("{}{} by {:.1f}°", names.empty() ? "" : ", ", one.name(), by);
+    }
+    diagnostics
+        .remark("join-left", {},
+                fmt::format("not accepted, because a fold would turn by more than {:g}°: {}", most_turn_deg,
+                            names))
+        .hint(fmt::format(
+            "--accept with its name takes one nevertheless, and --most-turn {:.0f} those that turn no "
+            "fold further",
+            std::floor(least) + 1.0));
+}
+
 // Precondition: there is one.
 std::size_t merge_numbered(const Suggestions& found, int number) {
     const auto row = std::find_if(found.rows.begin(), found.rows.end(), [number](const Suggestion& one) {
@@ -318,16 +393,9 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
         }
         more.assign(alike.begin(), alike.end());
     }
-    accepter.try_all(std::move(more));
-    std::string left;
-    for (const std::size_t row : accepter.left()) left += (left.empty() ? "" : ", ") + found.rows[row].name();
-    if (!left.empty()) {
-        diagnostics
-            .remark(
-                "join-left", {},
-                fmt::format("not accepted, because panels would have to bend, swing far or cross: {}", left))
-            .hint("--accept with its name takes one nevertheless, as near as it comes");
-    }
+    // What is like a join that is named turns folds as far as that does.
+    accepter.try_all(std::move(more), all ? accept.most_turn_deg : HUGE_VAL);
+    tell_left(found, accepter.left(), accepter.turning(), accept.most_turn_deg, diagnostics);
     std::vector<Join> result = options.joins;
     // The same words make the same file again.
     if (!result.empty() && accepter.order().empty()) return result;

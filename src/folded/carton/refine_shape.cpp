@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/nth.h"
 #include "folded/carton/rough.h"
@@ -18,6 +19,7 @@ using folded::RoughShape;
 constexpr double kDegree = std::numbers::pi / 180.0;
 // A fold that the joins keep flat remains a fold.
 constexpr double kLeastDeg = 1e-6;
+constexpr double kSameTurnDeg = 1e-3;
 
 CreaseLine line_like(const CreasePattern& pattern, int line, Segment at) {
     CreaseLine made;
@@ -26,6 +28,8 @@ CreaseLine line_like(const CreasePattern& pattern, int line, Segment at) {
     made.name = nth(pattern.lines, line).name;
     return made;
 }
+
+std::string shown_deg(double deg) { return fmt::format("{:.1f}°", deg + 0.0); }
 
 void tell(const CreasePattern& pattern, const RefineOptions& options, const RoughShape& rough,
           const Closed& closed, Diagnostics& diagnostics) {
@@ -84,6 +88,28 @@ CreasePattern folded::pattern_of(const CreasePattern& from, const RoughShape& ro
     return to;
 }
 
+FoldTurn folded::furthest_turn(const RoughShape& rough, const std::vector<double>& angles) {
+    FoldTurn most;
+    for (std::size_t i = 0; i < rough.sheet.folds.size(); ++i) {
+        FoldTurn one{{}, rough.angles[i] / kDegree, angles[i] / kDegree};
+        // Mirrored folds turn alike but for the last digits: the first of them is told.
+        if (one.by_deg() <= most.by_deg() + kSameTurnDeg) continue;
+        const Fold& fold = rough.sheet.folds[i];
+        one.panels = {nth(rough.names, fold.left), nth(rough.names, fold.right)};
+        if (one.panels[1] < one.panels[0]) std::swap(one.panels[0], one.panels[1]);
+        most = std::move(one);
+    }
+    return most;
+}
+
+std::string shown_turn(const FoldTurn& turn) {
+    if (turn.panels[0].empty()) return "no fold turns";
+    const bool same_side = turn.from_deg * turn.to_deg >= 0.0;
+    const auto shown = [&](double deg) { return shown_deg(same_side ? std::abs(deg) : deg); };
+    return fmt::format("the fold {}+{} turns by {}, from {} to {}", turn.panels[0], turn.panels[1],
+                       shown_deg(turn.by_deg()), shown(turn.from_deg), shown(turn.to_deg));
+}
+
 std::string shown_gap(double mm) {
     const int digits = static_cast<int>(std::floor(std::log10(std::max(mm, 1e-9))));
     return fmt::format("{:.{}f} mm", mm, std::clamp(2 - digits, 0, 9));
@@ -119,6 +145,7 @@ std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOp
     refined.apart_mm = closed.apart_mm;
     refined.residual_mm = closed.residual_mm;
     refined.closes = closed.residual_mm <= rough->enough_mm();
+    refined.furthest = folded::furthest_turn(*rough, closed.angles);
     tell(pattern, options, *rough, closed, diagnostics);
     return refined;
 }

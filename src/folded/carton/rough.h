@@ -27,6 +27,10 @@ struct RoughShape {
 std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, const FoldOptions& options,
                                               Diagnostics& diagnostics);
 
+// The fold that is furthest from its angle in the rough shape, by its angles, radians; of folds that are as
+// far, the first.
+FoldTurn furthest_turn(const RoughShape& rough, const std::vector<double>& angles);
+
 // The sheet as cuts and folds of its own, these folded by certain angles, radians.
 CreasePattern pattern_of(const CreasePattern& from, const RoughShape& rough,
                          const std::vector<double>& angles);

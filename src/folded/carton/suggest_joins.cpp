@@ -271,12 +271,26 @@ class Finder {
         find_alike();
     }
 
+    // As it is when it is accepted, for what has met is accepted with it.
+    [[nodiscard]] FoldTurn furthest_turn(const PanelJoin& join, const Closed& alone) {
+        if (met_.empty() || alone.residual_mm > rough_.enough_mm() || moved_for_turns_ > kMostMoved / 2)
+            return folded::furthest_turn(rough_, alone.angles);
+        std::vector<PanelJoin> joins = accepted_;
+        joins.push_back(join);
+        joins.insert(joins.end(), met_.begin(), met_.end());
+        const Closed whole = close_joins(state_, joins, true);
+        moved_for_turns_ += whole.panels * static_cast<std::size_t>(std::max(whole.steps, 1));
+        return folded::furthest_turn(rough_,
+                                     whole.residual_mm <= rough_.enough_mm() ? whole.angles : alone.angles);
+    }
+
     // The nearest pairs come first: so far groups are of what has met.
     void tell_met(std::vector<std::vector<std::size_t>> groups) {
         for (std::vector<std::size_t>& group : groups) {
             if (group.size() < 2) continue;
             std::sort(group.begin(), group.end());
-            found_.met.push_back(join_of(JoinKind::merge, merge_of(group)));
+            met_.push_back(merge_of(group));
+            found_.met.push_back(join_of(JoinKind::merge, met_.back()));
         }
     }
     [[nodiscard]] Join join_of(JoinKind kind, const PanelJoin& join) const {
@@ -449,6 +463,7 @@ class Finder {
         row.residual_mm = left.residual_mm;
         row.settled = left.settled;
         row.turn_deg = left.turn * 180.0 / std::numbers::pi;
+        row.furthest = furthest_turn(join, left);
         row.swings = left.swings;
         row.closes = left.residual_mm <= rough_.enough_mm() && !left.swings;
         return true;
@@ -480,7 +495,9 @@ class Finder {
     std::vector<SpotPair> pairs_;
     std::set<std::pair<int, int>> folded_;
     std::vector<std::vector<std::size_t>> merged_;  // by row
+    std::vector<PanelJoin> met_;                    // as found_.met
     std::size_t moved_ = 0;                         // panels by a step, in all that leaves() has tried
+    std::size_t moved_for_turns_ = 0;               // and by furthest_turn(), which leaves no suggestion out
     Suggestions found_;
 };
 
@@ -492,7 +509,9 @@ std::string Suggestion::name() const {
 
 std::string shown_outcome(const Suggestion& suggestion) {
     if (suggestion.swings) return fmt::format("swings a fold by {:.0f}°", suggestion.turn_deg);
-    if (suggestion.closes) return "closes";
+    const double by = suggestion.furthest.by_deg();
+    if (suggestion.closes)
+        return by > kMostTurnDeg ? fmt::format("closes, turning a fold by {:.0f}°", by) : "closes";
     return "leaves " + shown_gap(suggestion.residual_mm) + (suggestion.settled ? "" : " or less");
 }
 

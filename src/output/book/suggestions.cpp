@@ -44,6 +44,12 @@ std::string distance_text(const Suggestion& row) {
     return fmt::format("{} apart; accepting it {}", shown_gap(row.apart_mm), shown_outcome(row));
 }
 
+std::string turn_text(const FoldTurn& turn) {
+    std::string text = shown_turn(turn) + ".";
+    text.front() = 'T';
+    return text;
+}
+
 class Maker {
  public:
     explicit Maker(const SuggestionsOf& of) : of_(of) {
@@ -121,6 +127,7 @@ class Maker {
         shown.alt = fmt::format("The folded sheet, on which {} are marked", listed(names));
         step.figures.push_back(figure(shown));
         step.scenes.push_back(std::move(shown));
+        if (!row.furthest.panels[0].empty()) step.notes.push_back(turn_text(row.furthest));
         if (!row.like.empty())
             step.notes.push_back(fmt::format("Like merge {}: accepted with it unless --alone is given.",
                                              fmt::join(row.like, ", ")));
