@@ -70,7 +70,7 @@ TEST(Suggestions, EachHasAnEntryThatSaysWhatItJoinsAndWhatItLeaves) {
     const book::Step& step = book.cards[0].chapters[0].steps[0];
     EXPECT_EQ(step.title, "merge 1");
     // Opposite tips reach 42 of 60 mm: they are 2 * 42 - 60 apart.
-    EXPECT_EQ(step.lies, "24.0 mm apart; accepting it closes");
+    EXPECT_EQ(step.lies, "24.0 mm apart; accepting it closes, turning a fold by 44°");
     ASSERT_EQ(step.actions.size(), 4U);
     EXPECT_TRUE(std::any_of(step.actions.begin(), step.actions.end(), [](const std::string& text) {
         return text.ends_with("the corner at (30.00, -102.00) mm");
