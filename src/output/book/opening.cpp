@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -139,19 +140,38 @@ class Risers {
     std::vector<std::string> stand_, rise_, free_;
 };
 
+// Whether a panel of a folded sheet hangs by one fold alone, and is neither glued nor what is glued to.
+bool has_loose_flaps(const Assembly& in, std::span<const GlueFlap> glued) {
+    std::vector<int> folds(in.plates.size(), 0);
+    for (const Hinge& hinge : in.hinges) {
+        ++nth(folds, hinge.a);
+        ++nth(folds, hinge.b);
+    }
+    for (std::size_t i = 0; i < folds.size(); ++i) {
+        const auto plate = static_cast<int>(i);
+        const bool is_held = std::any_of(glued.begin(), glued.end(), [plate](const GlueFlap& one) {
+            return one.flap == plate || one.panel == plate;
+        });
+        if (folds[i] == 1 && !is_held) return true;
+    }
+    return false;
+}
+
 // What keeps a folded sheet as it is.
 std::string how_it_holds(const Assembly& in) {
     const std::string looks = "Folded, it looks like the last picture. ";
     std::vector<std::string> flaps;
-    for (const GlueFlap& one : glue_flaps(in)) {
+    const std::vector<GlueFlap> glued = glue_flaps(in);
+    for (const GlueFlap& one : glued) {
         const std::string& name = nth(in.plates, one.flap).name;
         flaps.push_back(name.substr(name.rfind('/') + 1));
     }
     if (flaps.empty()) return looks + "Whether glue or tucked flaps keep it so, its drawing does not say.";
-    return looks + fmt::format(
-                       "{} {} it together, glued; whether its other flaps are glued or tucked, its "
-                       "drawing does not say.",
-                       listed(flaps, kMostNames), flaps.size() == 1 ? "holds" : "hold");
+    return looks + fmt::format("{} {} it together, glued{}.", listed(flaps, kMostNames),
+                               flaps.size() == 1 ? "holds" : "hold",
+                               has_loose_flaps(in, glued)
+                                   ? "; whether its other flaps are glued or tucked, its drawing does not say"
+                                   : "");
 }
 
 }  // namespace

@@ -226,6 +226,13 @@ TEST(Book, OfACartonHasItsFoldsInOrder) {
     EXPECT_TRUE(labels.contains("top-flap-left"));
 }
 
+// A sleeve has no flap but the one that is glued.
+TEST(Book, OfASleeveTellsOfNoOtherFlaps) {
+    const book::Book book = Made({"sleeve.dxf"}).made();
+    EXPECT_EQ(book.cards.front().opens,
+              Lines{"Folded, it looks like the last picture. glue-flap holds it together, glued."});
+}
+
 TEST(Book, TellsOfBacksRivetsAndWhatIsInTheWay) {
     const book::Book book = Made({"seasons.xml"}).made();
     const book::Step& first = step_named(book, "Step 3: glue on 4. leaf-3, 5. leaf-4, 6. leaf-5 and 3 more");
