@@ -1,6 +1,7 @@
 #include "output/sheet_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -22,27 +23,72 @@ constexpr double kInOnePlaneMm = 0.1;       // this near they lie on one another
 constexpr double kTellsSideMm = 0.02;       // from so far apart on it is told which is in front
 constexpr double kLeastMm2 = 1.0;           // of paper on paper
 constexpr double kParallelSine = 0.01;
+constexpr double kTouchingMm = 1e-3;
 constexpr double kStepDeg = 1.0;       // back to where panels come from
 constexpr double kMostLayersMm = 3.0;  // of layers together
 constexpr double kOfSheet = 1.0 / 4000.0;
 
-struct Reach {
-    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    Vec3 high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-};
+// How far a panel reaches along x, y and z, and which way it faces: by how much of its normal is along a
+// fixed direction, whichever of its sides is in front. Panels in one plane have ranges that meet, in all
+// four.
+using Reach = std::array<std::pair<double, double>, 4>;
+constexpr Vec3 kSkew{0.48, 0.6, 0.64};
+
 Reach reach_of(const Plate& plate, const Frame& frame) {
     Reach reach;
+    reach.fill({HUGE_VAL, -HUGE_VAL});
     for (const Vec2 corner : plate.outline.outer) {
         const Vec3 p = frame.point(corner);
-        reach.low = {std::min(reach.low.x, p.x), std::min(reach.low.y, p.y), std::min(reach.low.z, p.z)};
-        reach.high = {std::max(reach.high.x, p.x), std::max(reach.high.y, p.y), std::max(reach.high.z, p.z)};
+        const std::array<double, 3> at{p.x, p.y, p.z};
+        for (std::size_t i = 0; i < at.size(); ++i)
+            reach[i] = {std::min(reach[i].first, at[i]), std::max(reach[i].second, at[i] + kInOnePlaneMm)};
     }
+    const double facing = std::abs(dot(frame.normal(), kSkew));
+    reach[3] = {facing, facing + kParallelSine};
     return reach;
 }
-bool are_near(const Reach& a, const Reach& b) {
-    return a.low.x <= b.high.x + kInOnePlaneMm && b.low.x <= a.high.x + kInOnePlaneMm &&
-           a.low.y <= b.high.y + kInOnePlaneMm && b.low.y <= a.high.y + kInOnePlaneMm &&
-           a.low.z <= b.high.z + kInOnePlaneMm && b.low.z <= a.high.z + kInOnePlaneMm;
+
+bool meet(const Reach& a, const Reach& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].first > b[i].second || b[i].first > a[i].second) return false;
+    }
+    return true;
+}
+
+// Along which of the four the ranges overlap least.
+std::size_t sparsest(const std::vector<Reach>& reaches) {
+    std::size_t best = 0;
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < Reach{}.size(); ++i) {
+        double low = HUGE_VAL;
+        double high = -HUGE_VAL;
+        double sum = 0.0;
+        for (const Reach& one : reaches) {
+            low = std::min(low, one[i].first);
+            high = std::max(high, one[i].second);
+            sum += one[i].second - one[i].first;
+        }
+        const double overlap = sum / (high - low);
+        if (overlap >= least) continue;
+        least = overlap;
+        best = i;
+    }
+    return best;
+}
+
+// Whether a line along an edge of one, on its own page, has it on one side and the other one on the other:
+// what touches has no paper in common.
+bool is_beside(const Ring& ring, const std::vector<Vec2>& other) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i];
+        const Vec2 along = unit(ring[(i + 1) % ring.size()] - a);
+        const auto lies_left = [&](Vec2 p) { return cross(along, p - a) >= -kTouchingMm; };
+        const auto lies_right = [&](Vec2 p) { return cross(along, p - a) <= kTouchingMm; };
+        if (std::all_of(other.begin(), other.end(), lies_right) &&
+            std::all_of(ring.begin(), ring.end(), lies_left))
+            return true;
+    }
+    return false;
 }
 
 // The paper that panels have in common, on the page of b: the largest part of it.
@@ -112,6 +158,12 @@ void SheetLayers::look_at(int a, int b, std::span<const Frame> frames, std::vect
     const Frame& at_a = nth(frames, a);
     const Frame& at_b = nth(frames, b);
     if (length(cross(at_a.normal(), at_b.normal())) > kParallelSine) return;
+    std::vector<Vec2> other;
+    for (const Vec2 p : nth(assembly_.plates, b).outline.outer) {
+        const Vec3 off = at_b.point(p) - at_a.origin;
+        other.push_back({dot(off, at_a.axes[0]), dot(off, at_a.axes[1])});
+    }
+    if (is_beside(nth(assembly_.plates, a).outline.outer, other)) return;
     Lying one{a, b, {}, common_paper(nth(assembly_.plates, a), at_a, nth(assembly_.plates, b), at_b)};
     if (one.on_b.empty()) return;
     for (const Vec2 p : one.on_b) {
@@ -128,17 +180,17 @@ std::vector<SheetLayers::Lying> SheetLayers::lying_at(std::span<const Frame> fra
     std::vector<Reach> reaches;
     for (std::size_t i = 0; i < frames.size(); ++i)
         reaches.push_back(reach_of(assembly_.plates[i], frames[i]));
-    std::vector<int> order(frames.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return nth(reaches, a).low.x < nth(reaches, b).low.x; });
+    const std::size_t axis = sparsest(reaches);
+    std::vector<std::pair<double, int>> order;
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+        order.emplace_back(reaches[i].at(axis).first, static_cast<int>(i));
+    std::sort(order.begin(), order.end());
     std::vector<std::pair<int, int>> near;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const Reach& one = nth(reaches, order[i]);
-        for (std::size_t k = i + 1; k < order.size(); ++k) {
-            const Reach& other = nth(reaches, order[k]);
-            if (other.low.x > one.high.x + kInOnePlaneMm) break;
-            if (are_near(one, other)) near.emplace_back(std::minmax(order[i], order[k]));
+        const Reach& one = nth(reaches, order[i].second);
+        for (std::size_t k = i + 1; k < order.size() && order[k].first <= one.at(axis).second; ++k) {
+            if (meet(one, nth(reaches, order[k].second)))
+                near.emplace_back(std::minmax(order[i].second, order[k].second));
             if (near.size() > kMostPairs) return {};
         }
     }

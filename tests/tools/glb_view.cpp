@@ -7,8 +7,10 @@
 // --from is the direction in which the eye lies, --up what is upwards. A card drawn to stand on its right
 // half, with its left half for a back wall, is best seen with --from 0.3,-0.4,0.94 --up -1,0,1. --distance is
 // how far the eye is, as a multiple of where it sees well: with 1000, rays are as good as parallel. `measure`
-// prints the joints found and the largest opening in mm, at the keys and between them; its exit status is 1
-// when that is more than 0.001 or 0.05 mm, or when fewer than N joints were found.
+// prints the joints found and the largest opening in mm, at the keys and between them, and how far nodes are
+// moved beside their places to be told from what they lie on. Its exit status is 1 when the openings by turns
+// alone are more than 0.001 or 0.05 mm, when a node is more than 3 mm beside its place, or when fewer than N
+// joints were found.
 #include <cairo.h>
 #include <fmt/format.h>
 
@@ -34,6 +36,7 @@ using popup::test::Point3;
 
 constexpr double kMostAtKeysMm = 0.001;
 constexpr double kMostBetweenMm = 0.05;
+constexpr double kMostBesideMm = 3.0;
 
 Point3 operator+(const Point3& a, const Point3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Point3 operator-(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -408,7 +411,22 @@ class Picture {
     std::vector<Point3> colors_;
 };
 
-int measure(const GlbScene& scene, std::size_t least_joints) {
+// How far any node is beside its place, mm, to be told from what it lies on; its places are taken out, so
+// that the turns alone are left.
+double take_out_places(GlbScene& scene) {
+    double most = 0.0;
+    for (auto& node : scene.nodes) {
+        for (const auto& [seconds, place] : node.places) {
+            const Point3 off = place - node.translation;
+            most = std::max(most, 1000.0 * std::hypot(off[0], off[1], off[2]));
+        }
+        node.places.clear();
+    }
+    return most;
+}
+
+int measure(GlbScene scene, std::size_t least_joints) {
+    const double beside = take_out_places(scene);
     const auto joints = popup::test::find_joints(scene);
     const auto open = popup::test::measure_openings(scene, joints);
     fmt::print("nodes {}, moving {}, keys {}, joints {}\n", scene.nodes.size(), scene.channels,
@@ -421,9 +439,9 @@ int measure(const GlbScene& scene, std::size_t least_joints) {
                    scene.nodes[static_cast<std::size_t>(joint.a)].name,
                    scene.nodes[static_cast<std::size_t>(joint.b)].name);
     }
-    fmt::print("\n");
+    fmt::print(", at most {:.3f} mm beside their places\n", beside);
     const bool good = open.at_keys_mm <= kMostAtKeysMm && open.between_keys_mm <= kMostBetweenMm &&
-                      joints.size() >= least_joints;
+                      beside <= kMostBesideMm && joints.size() >= least_joints;
     return good ? 0 : 1;
 }
 
