@@ -38,8 +38,8 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
 
 // Of a drawing that collides as it is folded, or stays open, how far its folds may be meant to go.
 void tell_what_closes(CompiledDesign& one, const CompileOptions& options) {
-    const bool collides = one.motion->examination && !one.motion->examination->contacts.empty();
     if (!one.motion->examination || !find_language(one.source, options.read.language)->drawn) return;
+    const bool collides = !one.motion->examination->contacts.empty();
     MotionOptions motion = options.motion;
     motion.memory = nullptr;
     const auto simulated = [&](Assembly& sheet, Diagnostics& found) {
@@ -108,9 +108,9 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     run.designs.resize(sources.size());
     std::vector<std::string> stems;
     for (std::size_t i = 0; i < sources.size(); ++i) {
+        stems.push_back(sources[i].stem());
+        run.designs[i].diagnostics = Diagnostics(sources[i].name, policy);
         run.designs[i].source = std::move(sources[i]);
-        run.designs[i].diagnostics = Diagnostics(run.designs[i].source.name, policy);
-        stems.push_back(run.designs[i].source.stem());
     }
     stems = unique_stems(std::move(stems));
     for (std::size_t i = 0; i < stems.size(); ++i) run.designs[i].stem = std::move(stems[i]);
@@ -121,9 +121,8 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
 }
 
 void compile_further(CompiledDesign& one, const CompileOptions& options) {
-    const bool whole =
-        one.checked && options.until > Stage::check && run_last_stages(one, options, Draw::yes);
-    conclude(one, options, whole);
+    const bool further = one.checked && options.until > Stage::check;
+    conclude(one, options, further && run_last_stages(one, options, Draw::yes));
 }
 
 void find_further(CompiledDesign& one, const CompileOptions& options) {

@@ -101,7 +101,7 @@ class Order {
         for (const Contact& contact : found.contacts) set_aside_.insert({contact.a, contact.b});
         set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
-        for (const FoldPart& part : parts_) of_lid_.push_back(of_lid(work_, part));
+        for (const OrderedPart& part : parts_) of_lid_.push_back(of_lid(work_, part));
         const bool has_lid = std::find(of_lid_.begin(), of_lid_.end(), OfLid::closes) != of_lid_.end();
         std::vector<Stage> stages = unfold(has_lid ? OpenFirst::lids : OpenFirst::small);
         // What is rolled up is unrolled from where it hangs.
@@ -148,7 +148,7 @@ class Order {
     [[nodiscard]] double turned_deg(int part, double share) const {
         return std::abs(angle_at(nth(laws_, nth(parts_, part).joints.front()), share));
     }
-    [[nodiscard]] const std::vector<FoldPart>& parts() const { return parts_; }
+    [[nodiscard]] const std::vector<OrderedPart>& parts() const { return parts_; }
     // Whether nothing passes through anything in any step, but for what crosses in the end.
     [[nodiscard]] bool is_all_clear() const { return all_clear_; }
     [[nodiscard]] const PlatePairs& crossing_in_the_end() const { return set_aside_; }
@@ -204,12 +204,12 @@ class Order {
                 of = static_cast<int>(parts_.size());
                 parts_.emplace_back();
             }
-            FoldPart& part = nth(parts_, of);
+            OrderedPart& part = nth(parts_, of);
             part.joints.push_back(static_cast<int>(i));
             if (const auto* const folded = std::get_if<Folded>(&work_.joints[i].how))
                 part.area = std::max(part.area, nth(area_of, folded->plate));
         }
-        std::erase_if(parts_, [this](const FoldPart& part) {
+        std::erase_if(parts_, [this](const OrderedPart& part) {
             return std::all_of(part.joints.begin(), part.joints.end(), [this](int joint) {
                 const Law& law = nth(laws_, joint);
                 return std::all_of(law.begin(), law.end(), [](Vec2 point) { return point.y == 0.0; });
@@ -492,7 +492,7 @@ class Order {
     Assembly work_;
     MotionOptions options_;
     std::vector<Law> laws_;  // by joint, all at once
-    std::vector<FoldPart> parts_;
+    std::vector<OrderedPart> parts_;
     std::vector<OfLid> of_lid_;               // by part
     std::vector<std::vector<int>> parts_at_;  // by plate: those of which a fold is at it
     std::vector<Doing> doing_;                // by part

@@ -23,14 +23,14 @@ bool is_of_lid(std::string_view name) {
     return name == kLidName || (name.starts_with(kLidName) && name.substr(kLidName.size()).starts_with('-'));
 }
 
-const Folded* single_fold(const Assembly& assembly, const FoldPart& part) {
+const Folded* single_fold(const Assembly& assembly, const OrderedPart& part) {
     return part.joints.size() == 1 ? std::get_if<Folded>(&nth(assembly.joints, part.joints.front()).how)
                                    : nullptr;
 }
 
 // By the line that each of some parts turns about: of parallel ones the number of the first. What turns about
 // several has a number of its own.
-std::vector<std::size_t> ways_of(const Assembly& assembly, std::span<const FoldPart> parts,
+std::vector<std::size_t> ways_of(const Assembly& assembly, std::span<const OrderedPart> parts,
                                  std::span<const Frame> closed, std::span<const int> group) {
     std::vector<std::optional<Vec3>> lines;
     std::vector<std::size_t> ways(parts.size(), 0);
@@ -54,7 +54,7 @@ std::vector<std::size_t> ways_of(const Assembly& assembly, std::span<const FoldP
 
 }  // namespace
 
-OfLid of_lid(const Assembly& assembly, const FoldPart& part) {
+OfLid of_lid(const Assembly& assembly, const OrderedPart& part) {
     OfLid found = OfLid::no;
     for (const int joint : part.joints) {
         const auto* const fold = std::get_if<Folded>(&nth(assembly.joints, joint).how);
@@ -68,7 +68,7 @@ OfLid of_lid(const Assembly& assembly, const FoldPart& part) {
     return found;
 }
 
-std::vector<int> opening_order(const Assembly& assembly, std::span<const FoldPart> parts,
+std::vector<int> opening_order(const Assembly& assembly, std::span<const OrderedPart> parts,
                                std::span<const Frame> closed, OpenFirst first) {
     std::vector<int> order(parts.size());
     std::iota(order.begin(), order.end(), 0);

@@ -9,7 +9,7 @@
 namespace popup {
 
 // Folds that only go together.
-struct FoldPart {
+struct OrderedPart {
     std::vector<int> joints;  // ascending
     double area = 0.0;        // of what it moves, mm²
 };
@@ -22,13 +22,13 @@ enum class OpenFirst {
 
 // What a part does to the lid of a tray, which name_panels() calls so.
 enum class OfLid { no, hangs_on, closes };
-OfLid of_lid(const Assembly& assembly, const FoldPart& part);
+OfLid of_lid(const Assembly& assembly, const OrderedPart& part);
 
 // The numbers of the parts, those that are tried first in front. Of parts that move as much, as the flaps of
 // a square box do, those about parallel lines come together, for the flaps of opposite walls go in one step;
 // first those about the lines of the first of them, which hangs nearest to the panel that stays. Then as they
 // are numbered. `closed` are the frames of the plates where all is folded.
-std::vector<int> opening_order(const Assembly& assembly, std::span<const FoldPart> parts,
+std::vector<int> opening_order(const Assembly& assembly, std::span<const OrderedPart> parts,
                                std::span<const Frame> closed, OpenFirst first);
 
 }  // namespace popup

@@ -213,7 +213,7 @@ const std::vector<Frame>& SheetLayers::placed(int step) {
 void SheetLayers::find_sides(double opening_deg, std::vector<Lying>& lying) {
     const Sweep& sweep = assembly_.sweep;
     const int steps = static_cast<int>(std::ceil((sweep.to_deg - sweep.from_deg) / kStepDeg));
-    placed_.resize(static_cast<std::size_t>(steps + 1));
+    placed_.resize(static_cast<std::size_t>(steps) + 1);
     const auto is_open = [](const Lying& one) { return one.side == 0; };
     const double since = std::max(0.0, (opening_deg - sweep.from_deg) / kStepDeg);
     for (int step = static_cast<int>(since) + 1; step <= steps; ++step) {
@@ -235,6 +235,7 @@ std::vector<double> SheetLayers::at(double opening_deg, std::span<const Frame> f
     if (lying.empty()) return {};
     const std::size_t count = frames.size();
     std::vector<std::pair<int, int>> over;
+    over.reserve(lying.size());
     for (const Lying& one : lying) over.emplace_back(one.a, one.b);
     const std::vector<int> group = groups_of(count, over);
     // Each is seen with the front of the first of its group up.

@@ -162,6 +162,7 @@ std::vector<std::string> colors_of(const std::vector<TracedLine>& lines) {
         if (line.use != Use::shape) ++counts[to_string(line.color)];
     }
     std::vector<std::string> colors;
+    colors.reserve(counts.size());
     for (const auto& [color, count] : counts) colors.push_back(color);
     std::stable_sort(colors.begin(), colors.end(), [&counts](const std::string& a, const std::string& b) {
         return counts.at(a) > counts.at(b);

@@ -28,6 +28,7 @@ std::vector<Diagnostic> findings_of(const Source& source) {
     options.fitting_size = fitting_size;
     options.clearing_move = clearing_move;
     options.move_command = move_command;
+    options.move_holds = move_holds;
     const Compilation run = compile({source}, options, {});
     std::vector<Diagnostic> found;
     for (const Diagnostic& one : run.designs.front().diagnostics.sorted()) {

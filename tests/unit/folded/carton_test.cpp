@@ -376,7 +376,9 @@ TEST(Carton, TheMotionEndsInTheRefinedShape) {
     options.near_mm = 80.0;
     const auto found = suggest_joins(pattern, options, diagnostics);
     ASSERT_TRUE(found);
-    const auto joins = accept_joins(pattern, options, *found, "all", {}, diagnostics);
+    AcceptOptions far;
+    far.most_turn_deg = 180.0;
+    const auto joins = accept_joins(pattern, options, *found, "all", far, diagnostics);
     ASSERT_TRUE(joins);
     const auto refined = refine_shape(pattern, {{}, *joins}, diagnostics);
     ASSERT_TRUE(refined);

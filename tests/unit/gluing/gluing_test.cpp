@@ -336,9 +336,9 @@ TEST(FoldingSteps, EndWhereOneFoldStopsAndAnotherGoesOn) {
         return std::any_of(steps[step].plates.begin(), steps[step].plates.end(),
                            [&](int plate) { return nth(in.plates, plate).name == "sheet/" + panel; });
     };
-    EXPECT_TRUE(moves(2, "top-dust-flap-left") && moves(2, "top-tuck") && !moves(2, "top"));
-    EXPECT_TRUE(moves(3, "top") && !moves(3, "top-tuck"));
-    EXPECT_TRUE(moves(4, "top") && moves(4, "top-tuck"));
+    EXPECT_TRUE(moves(0, "top-dust-flap-left") && moves(0, "top-tuck") && !moves(0, "top"));
+    EXPECT_TRUE(moves(1, "top") && !moves(1, "top-tuck"));
+    EXPECT_TRUE(moves(2, "top") && moves(2, "top-tuck"));
     for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_EQ(steps[i].from_deg, steps[i - 1].to_deg);
 }
 

@@ -377,8 +377,12 @@ TEST(ViewerTouch, TurnsAndZooms) {
          "popupc.look('front'); test.seen()",
          "test.touch('down', 1, 400, 300); test.touch('move', 1, 570, 300); test.touch('up', 1, 570, 300); "
          "test.seen()",
-         "test.touch('down', 1, 400, 200); document.getElementById('name').textContent === "
-         "popupc.nameAt(400, 200)"});
+         "popupc.look('front'); (() => { const all = [...Array(1200).keys()].map((i) => [20 * (i % 40), 50 + "
+         "15 * "
+         "Math.floor(i / 40)]).filter(([x, y]) => popupc.nameAt(x, y) !== null); const at = all[all.length "
+         ">> 1]; "
+         "test.touch('down', 1, ...at); return document.getElementById('name').textContent === "
+         "popupc.nameAt(...at); })()"});
     ASSERT_TRUE(driven.is_object());
     EXPECT_EQ(messages_of(driven), std::vector<std::string>{});
     const auto& values = driven.at("values");
