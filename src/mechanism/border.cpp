@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/near_boxes.h"
 #include "base/geometry/regions.h"
 
 namespace popup {
@@ -144,10 +145,7 @@ void near_pairs(const Border& border, const Visit& visit) {
         boxes[i].min = boxes[i].min - Vec2{kContactMm, kContactMm};
         boxes[i].max = boxes[i].max + Vec2{kContactMm, kContactMm};
     }
-    const auto apart = [&](std::size_t i, std::size_t j) {
-        return boxes[i].max.x < boxes[j].min.x || boxes[j].max.x < boxes[i].min.x ||
-               boxes[i].max.y < boxes[j].min.y || boxes[j].max.y < boxes[i].min.y;
-    };
+    const auto apart = [&](std::size_t i, std::size_t j) { return !touch(boxes[i], boxes[j]); };
     if (n <= kFewEdges) {
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = i + 2; j < n; ++j) {

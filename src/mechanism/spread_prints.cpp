@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/near_boxes.h"
 #include "base/geometry/regions.h"
 #include "base/text/letters.h"
 #include "base/text/utf8.h"
@@ -134,8 +135,7 @@ struct Teller {
         const auto span = [&](double from, double to) {
             return fmt::format("{} to {}", written(from, design.unit), written(to, design.unit));
         };
-        const bool beside = drawn.min.x > reach.max.x || drawn.max.x < reach.min.x ||
-                            drawn.min.y > reach.max.y || drawn.max.y < reach.min.y;
+        const bool beside = !touch(drawn, reach);
         diagnostics.warning(
             "drawn-off-page", place,
             fmt::format("the {} lies at x {}, y {}, wholly {} page {}, {}; nothing of it is printed", what,
@@ -335,8 +335,7 @@ void tell_ends(const DrawnPrint& print, const Letters& letters, const Pages& pag
 void tell_text(const DrawnPrint& print, const DrawnText& drawn, const Pages& pages, const Teller& tell) {
     const Box box = box_of(print, drawn, kWidestLetter);
     const Box reach = pages.reach(print.page);
-    if (box.min.x <= reach.max.x && box.max.x >= reach.min.x && box.min.y <= reach.max.y &&
-        box.max.y >= reach.min.y) {
+    if (touch(box, reach)) {
         const bool inside = box.min.x >= reach.min.x && box.max.x <= reach.max.x &&
                             box.min.y >= reach.min.y && box.max.y <= reach.max.y;
         if (inside && is_plain(drawn.text)) return;

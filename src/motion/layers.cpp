@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/near_boxes.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "motion/nearness.h"
@@ -21,10 +22,6 @@ constexpr double kCountStepsPerMm = 1e3;  // to which points are rounded where l
 constexpr double kCountStepMm = 1e-3;
 constexpr std::size_t kMostWork = 100'000'000;  // triangles seen over one another
 constexpr double kRoundMm = 0.05;               // so far round what has changed all is looked at
-
-bool touch(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
 
 Box grown(const Box& box, double mm) { return {box.min - Vec2{mm, mm}, box.max + Vec2{mm, mm}}; }
 

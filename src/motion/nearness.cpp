@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/geometry/near_boxes.h"
+
 namespace popup {
 namespace {
 
@@ -142,11 +144,7 @@ Sides sides_of(const PairPose& pose) {
         reached.extend({p.x - reach, p.y - reach});
         reached.extend({p.x + reach, p.y + reach});
     }
-    const Box& box = pose.a->box;
-    if (reached.min.x > box.max.x || reached.max.x < box.min.x || reached.min.y > box.max.y ||
-        reached.max.y < box.min.y) {
-        return Sides::one;
-    }
+    if (!touch(reached, pose.a->box)) return Sides::one;
     const Sides b = side_from(lowest, highest);
     if (b == Sides::one) return b;
     const Ring& of_a = pose.a->hull;

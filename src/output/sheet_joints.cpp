@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/geometry/edge_index.h"
+#include "base/geometry/near_boxes.h"
 #include "base/nth.h"
 #include "fabrication/joints.h"
 #include "output/sheet_carrier.h"
@@ -44,9 +45,7 @@ EdgeIndex torn_round_hole(const PatternPiece& piece, const Carrier& carrier, con
         Box box;
         box.extend(a);
         box.extend(b);
-        if (box.min.x <= near.max.x && box.max.x >= near.min.x && box.min.y <= near.max.y &&
-            box.max.y >= near.min.y)
-            lines.push_back({a, b});
+        if (touch(box, near)) lines.push_back({a, b});
     };
     for (const PatternLine& line : piece.lines) {
         if (is_fold(operation_of(line, profile))) add(carrier.at(line.at.a), carrier.at(line.at.b));

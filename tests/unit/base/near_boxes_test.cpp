@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/cells.h"
+#include "base/geometry/near_boxes.h"
 #include "support/proposals.h"
 
 namespace popup {
