@@ -17,9 +17,6 @@ constexpr double kOneAboveMm = 0.04;  // between plates that are glued on one pl
 constexpr double kClosedDeg = 2.0;    // less is as good as closed
 constexpr double kClosedLayerMm = 0.2;  // between plates on the closed card
 constexpr double kMostClosedMm = 3.0;   // of all of them
-// In larger models nothing on the pages of an open card is told apart: what lies on what takes time that
-// grows with the square of the plates.
-constexpr std::size_t kMostPlatesApart = 1000;
 
 // Of each plate where it lies among the others on the closed card.
 std::vector<double> closed_layers(const SceneCard& card) {
@@ -61,7 +58,7 @@ std::vector<int> parents_first(const Assembly& assembly) {
 Apart::Apart(const SceneCard& card)
     : assembly_(*card.assembly), sheet_(*card.assembly), order_(parents_first(assembly_)) {
     if (!moves(assembly_)) return;
-    if (assembly_.plates.size() <= kMostPlatesApart) open_ = open_layers(assembly_);
+    open_ = open_layers(assembly_);
     closed_ = closed_layers(card);
     std::map<std::pair<int, Lying>, int> lying;  // how many lie on this side of a plate so far
     glued_.assign(assembly_.plates.size(), 0);

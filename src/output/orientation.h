@@ -30,12 +30,12 @@ std::vector<Stance> stances_of(std::span<const SceneCard> cards);
 // Turns all plates of a card to where whoever looks at the scene finds them: x to the right, y away, z up. A
 // stage turns with its ground, the last of the covers; the others turn alike at all openings. A folded sheet
 // settles.
-//
-// settle() moves each part of a folded sheet that hangs together up or down until it stands on the ground,
-// z = 0. So what is half folded floats at no opening, and as it moves the ground stays where it is. Nothing
-// else is moved. Cost: linear in corners.
-void settle(const Assembly& assembly, std::span<Frame> frames);
 void stand(Orientation orientation, const Assembly& assembly, std::span<Frame> frames);
+
+// Moves each part of a folded sheet that hangs together up or down until it stands on the ground, z = 0. So
+// what is half folded floats at no opening, and as it moves the ground stays where it is. Nothing else is
+// moved. Cost: linear in corners.
+void settle(const Assembly& assembly, std::span<Frame> frames);
 
 // At which opening the cards are seen best, in pictures, in the viewer, and where models rest: as rest_of()
 // has it, and 130° open, or as far as they get, where all cards lie flat.

@@ -10,6 +10,7 @@
 #include "base/geometry/pages.h"
 #include "base/geometry/regions.h"
 #include "base/nth.h"
+#include "output/common_paper.h"
 #include "output/layer_levels.h"
 #include "output/space_mesh.h"
 #include "popup/motion.h"
@@ -21,9 +22,7 @@ constexpr std::size_t kMostPlates = 1000;
 constexpr std::size_t kMostPairs = 20'000;  // that are looked at, at one opening
 constexpr double kInOnePlaneMm = 0.1;       // this near they lie on one another
 constexpr double kTellsSideMm = 0.02;       // from so far apart on it is told which is in front
-constexpr double kLeastMm2 = 1.0;           // of paper on paper
 constexpr double kParallelSine = 0.01;
-constexpr double kTouchingMm = 1e-3;
 constexpr double kStepDeg = 1.0;       // back to where panels come from
 constexpr double kMostLayersMm = 3.0;  // of layers together
 constexpr double kOfSheet = 1.0 / 4000.0;
@@ -74,34 +73,6 @@ std::size_t sparsest(const std::vector<Reach>& reaches) {
         best = i;
     }
     return best;
-}
-
-// Whether a line along an edge of one, on its own page, has it on one side and the other one on the other:
-// what touches has no paper in common.
-bool is_beside(const Ring& ring, const std::vector<Vec2>& other) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec2 a = ring[i];
-        const Vec2 along = unit(ring[(i + 1) % ring.size()] - a);
-        const auto lies_left = [&](Vec2 p) { return cross(along, p - a) >= -kTouchingMm; };
-        const auto lies_right = [&](Vec2 p) { return cross(along, p - a) <= kTouchingMm; };
-        if (std::all_of(other.begin(), other.end(), lies_right) &&
-            std::all_of(ring.begin(), ring.end(), lies_left))
-            return true;
-    }
-    return false;
-}
-
-// The paper that panels have in common, on the page of b: the largest part of it.
-Ring common_paper(const Plate& a, const Frame& at_a, const Plate& b, const Frame& at_b) {
-    Ring largest;
-    double most = kLeastMm2;
-    for (Polygon& part : intersect({on_other_page(a.outline, at_a, at_b)}, {b.outline})) {
-        const double paper = area(part);
-        if (paper <= most) continue;
-        most = paper;
-        largest = std::move(part.outer);
-    }
-    return largest;
 }
 
 // How far points of b are before the front of a.
@@ -158,13 +129,11 @@ void SheetLayers::look_at(int a, int b, std::span<const Frame> frames, std::vect
     const Frame& at_a = nth(frames, a);
     const Frame& at_b = nth(frames, b);
     if (length(cross(at_a.normal(), at_b.normal())) > kParallelSine) return;
-    std::vector<Vec2> other;
-    for (const Vec2 p : nth(assembly_.plates, b).outline.outer) {
-        const Vec3 off = at_b.point(p) - at_a.origin;
-        other.push_back({dot(off, at_a.axes[0]), dot(off, at_a.axes[1])});
-    }
-    if (is_beside(nth(assembly_.plates, a).outline.outer, other)) return;
-    Lying one{a, b, {}, common_paper(nth(assembly_.plates, a), at_a, nth(assembly_.plates, b), at_b)};
+    Lying one{a,
+              b,
+              {},
+              common_paper(on_other_page(nth(assembly_.plates, a).outline, at_a, at_b),
+                           nth(assembly_.plates, b).outline)};
     if (one.on_b.empty()) return;
     for (const Vec2 p : one.on_b) {
         const Vec3 off = at_b.point(p) - at_a.origin;
