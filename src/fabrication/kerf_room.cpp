@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
+#include "base/geometry/near_boxes.h"
 #include "base/geometry/regions.h"
 #include "base/geometry/tolerances.h"
 #include "base/nth.h"
@@ -101,27 +103,18 @@ struct Crossings {
 };
 
 Crossings find_crossings(const std::vector<Laid>& laid) {
-    std::vector<const Laid*> order;
-    order.reserve(laid.size());
+    std::vector<const Laid*> drawn;
+    std::vector<SpaceBox> boxes;  // one sheet over the other
     for (const Laid& one : laid) {
-        if (!one.box.empty()) order.push_back(&one);
+        if (one.box.empty()) continue;
+        const double sheet = one.placement->sheet;
+        drawn.push_back(&one);
+        boxes.push_back({{one.box.min.x, one.box.min.y, sheet}, {one.box.max.x, one.box.max.y, sheet}});
     }
-    // Sheet by sheet, a line sweeps over the boxes.
-    std::stable_sort(order.begin(), order.end(), [](const Laid* a, const Laid* b) {
-        return std::pair(a->placement->sheet, a->box.min.x) < std::pair(b->placement->sheet, b->box.min.x);
-    });
     Crossings found;
-    std::vector<const Laid*> open;
-    for (const Laid* one : order) {
-        std::erase_if(open, [one](const Laid* other) {
-            return other->placement->sheet != one->placement->sheet || other->box.max.x <= one->box.min.x;
-        });
-        for (const Laid* other : open) {
-            if (other->box.max.y <= one->box.min.y || one->box.max.y <= other->box.min.y) continue;
-            if (!cross(*other, *one)) continue;
-            if (found.count++ == 0) found.first = {other->placement, one->placement};
-        }
-        open.push_back(one);
+    for (const auto& [a, b] : near_pairs(boxes, SIZE_MAX)) {
+        if (!cross(*nth(drawn, a), *nth(drawn, b))) continue;
+        if (found.count++ == 0) found.first = {nth(drawn, a)->placement, nth(drawn, b)->placement};
     }
     return found;
 }
