@@ -39,6 +39,8 @@ constexpr double kNarrowedTo = 0.8;
 // Curves of so many corners are moved edge by edge where they can be. The library of polygons makes a spike,
 // twice half a kerf long, at each corner where edges come together, and looks at all crossings of these.
 constexpr std::size_t kManyCorners = 1000;
+// Of a piece for which it is tried how wide a kerf may be: each try takes as long as the kerf itself.
+constexpr std::size_t kMostCornersTried = 20'000;
 
 double active(double kerf) { return kerf < kLeastKerfMm ? 0.0 : kerf; }
 
@@ -447,9 +449,13 @@ std::string what_of(const Flaw& flaw, double most) {
     return {};
 }
 
-// The widest kerf, in whole hundredths of a millimetre, that the piece can be cut with; 0: there is none. How
-// wide what closes is does not say so: a notch that runs to a point is narrow there however wide it begins.
+// The widest kerf, in whole hundredths of a millimetre, that the piece can be cut with; 0: there is none, or
+// the piece has too many corners to try. How wide what closes is does not say so: a notch that runs to a
+// point is narrow there however wide it begins.
 double widest_that_works(const PatternPiece& piece, const KerfWidths& kerf) {
+    std::size_t corners = 0;
+    for (const Contour& cut : piece.cuts) corners += cut.points.size();
+    if (corners > kMostCornersTried) return 0.0;
     int works = 0;
     int fails = static_cast<int>(std::ceil(100.0 * std::max(kerf.inner_mm, kerf.outer_mm)));
     while (fails - works > 1) {
