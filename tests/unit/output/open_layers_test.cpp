@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "output/still/model.h"
@@ -12,10 +13,12 @@
 namespace popup {
 namespace {
 
-// A layer over the gutter whose seams are `seam` left and right of it.
-std::vector<Vec2> layer(double seam, double high) {
-    return {{-seam, -high}, {-seam, high}, {seam, -high}, {seam, high},
-            {-seam, -high}, {-seam, high}, {seam, -high}, {seam, high}};
+// A layer over the gutter whose seams are `seam` left and right of it, `along` from the middle.
+std::vector<Vec2> layer(double seam, double high, double along = 0.0) {
+    const double low = along - high;
+    const double top = along + high;
+    return {{-seam, low}, {-seam, top}, {seam, low}, {seam, top},
+            {-seam, low}, {-seam, top}, {seam, low}, {seam, top}};
 }
 // A layer within a wider one: both come to lie on the pages.
 Design two_layers() {
@@ -44,6 +47,22 @@ TEST(OpenLayers, AreDrawnAboveTheirPages) {
         EXPECT_TRUE(heights.insert(layers[i].mm).second) << "two in one plane";
     }
     EXPECT_EQ(heights.size(), 4U);
+}
+
+TEST(OpenLayers, AreToldApartOnLargeCardsAsOnSmallOnes) {
+    constexpr int kPairs = 300;
+    constexpr double kEachMm = 70.0;
+    Design design = test::card(200.0, kPairs * kEachMm);
+    for (int i = 0; i < kPairs; ++i) {
+        const double along = kEachMm * (i - 0.5 * (kPairs - 1));
+        test::add(design, "layer", layer(20, 20, along));
+        test::add(design, "layer", layer(40, 30, along));
+    }
+    const test::Built card = test::build(design);
+    ASSERT_TRUE(card.assembly) << test::findings(card.diagnostics);
+    const std::vector<OpenLayer> layers = open_layers(*card.assembly);
+    ASSERT_EQ(layers.size(), card.assembly->plates.size());
+    EXPECT_EQ(std::ranges::count_if(layers, [](const OpenLayer& one) { return one.page >= 0; }), 4 * kPairs);
 }
 
 TEST(OpenLayers, AreInTheModelAboveThePagesOnlyWhenTheCardIsOpen) {
