@@ -28,11 +28,11 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
     {"color-not-read", Severity::warning, "strokes in a colour that is not understood",
      "Colours of strokes say what lines are. Read are the names of CSS, #rrggbb and shorter, rgb(), hsl() "
      "and "
-     "hwb(), and currentColor, which stands for the property color. A variable (var(--fold)), or a colour of "
+     "hwb(), currentColor, which stands for the property color, and variables (var(--fold)) that the drawing "
+     "sets. A variable that nothing sets, as it may be where a page around the drawing does, or a colour of "
      "another space such as lab() or color(), is not: its lines are taken for black ones, and black lines "
-     "are "
-     "cut where nothing else, such as a class, an id or --lines, says what they are. Write the colour in one "
-     "of these ways, or let the drawing program export it with styles as attributes."},
+     "are cut where nothing else, such as a class, an id or --lines, says what they are. Write the colour in "
+     "one of these ways, or let the drawing program export it with styles as attributes."},
     {"dashes-joined", Severity::remark, "dashed lines that were drawn in pieces",
      "Illustrator aligns dashes to the ends and corners of lines. In SVG the first and the last dash of such "
      "a "
@@ -78,10 +78,11 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "the inch. Look at the size in the message. Write width and height with mm, export the drawing with "
      "its size, or use --scale."},
     {"style-ignored", Severity::warning, "style rules that are not understood",
-     "Rules of style elements are read when they are for a tag, a class, an id, or a class of a tag. "
+     "Rules of style elements are read when they are for a tag, a class, an id, a class of a tag, or :root. "
      "Others, such as those for elements inside of others, and conditions such as @media, are not. What "
      "they say of strokes, fills and hidden shapes may be missed. Let the drawing program write styles as "
-     "attributes, or inline."},
+     "attributes, or inline. A value with a variable (var(--dashes)) that nothing sets, and that has no "
+     "fallback, is left out, too, as browsers do."},
 });
 
 }  // namespace

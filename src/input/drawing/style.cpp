@@ -39,9 +39,12 @@ bool is_word(std::string_view text) {
     });
 }
 
+constexpr std::string_view kRoot = ":root";
+
 // How much a selector of one element weighs; -1 when it is none.
 int weight_of(std::string_view selector) {
     if (selector == "*") return Declarations::kAny;
+    if (selector == kRoot) return Declarations::kClass;
     if (selector.starts_with('#')) return is_word(selector.substr(1)) ? Declarations::kId : -1;
     const std::size_t dot = selector.find('.');
     const std::string_view tag = selector.substr(0, dot);
@@ -75,6 +78,32 @@ void split(std::string_view text, std::string_view separators, Use use) {
     }
 }
 
+// Calls `use` with the declarations of a list. Semicolons within brackets and strings are none of its own, as
+// in "--mark: url('data:image/png;base64,…')".
+template <typename Use>
+void each_declaration(std::string_view list, Use use) {
+    int depth = 0;
+    char quote = '\0';
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ';';
+        const bool ends = i == list.size() || (c == ';' && depth == 0 && quote == '\0');
+        if (ends) {
+            use(trimmed(list.substr(begin, i - begin)));
+            begin = i + 1;
+        } else if (quote != '\0') {
+            if (c == '\\') ++i;
+            if (c == quote) quote = '\0';
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '(' || c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ')' || c == ']' || c == '}') {
+            depth = std::max(depth - 1, 0);
+        }
+    }
+}
+
 // Lengths of dashes and gaps in turn; of an odd number twice.
 void take_dashes(std::string_view text, Style& style) {
     style.dash = Dash::none;
@@ -98,12 +127,27 @@ void take_dashes(std::string_view text, Style& style) {
     }
 }
 
-// "255, 0, 0" or "100% 0% 0%", what follows a third value disregarded.
+std::string scan_word(NumberScanner& scanner) {
+    if (scanner.peek() == '\0') return {};
+    const std::string_view rest = scanner.rest();
+    const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+    const auto end = std::find_if_not(rest.begin(), rest.end(), is_letter);
+    scanner.skip(static_cast<std::size_t>(end - rest.begin()));
+    return std::string(rest.begin(), end);
+}
+
+// A number; "none" is 0 (CSS Color Module Level 4, 4.4).
+std::optional<double> scan_number(NumberScanner& scanner) {
+    if (const auto number = scanner.number()) return number;
+    return scan_word(scanner) == "none" ? std::optional(0.0) : std::nullopt;
+}
+
+// "255, 0, 0" or "100% 0% 0%" or "none 0 0", what follows a third value disregarded.
 std::optional<Color> parse_components(std::string_view text) {
     NumberScanner scanner(text);
     std::array<std::uint8_t, 3> parts{};
     for (std::uint8_t& part : parts) {
-        auto value = scanner.number();
+        auto value = scan_number(scanner);
         if (!value) return std::nullopt;
         if (scanner.peek() == '%') {
             scanner.skip(1);
@@ -125,16 +169,9 @@ Color of_shares(const std::array<double, 3>& shares) {
 
 // Degrees, or with a unit of CSS; "none" is 0.
 std::optional<double> scan_hue(NumberScanner& scanner) {
-    const auto is_letter = [&] { return (scanner.peek() | 0x20) >= 'a' && (scanner.peek() | 0x20) <= 'z'; };
-    const auto word = [&] {
-        std::string found;
-        for (; is_letter(); scanner.skip(1)) found += static_cast<char>(scanner.peek());
-        return found;
-    };
-    const auto number = scanner.number();
-    if (!number) return word() == "none" ? std::optional(0.0) : std::nullopt;
-    const std::string unit = word();
-    if (unit.empty() || unit == "deg") return number;
+    const auto number = scan_number(scanner);
+    const std::string unit = scan_word(scanner);
+    if (!number || unit.empty() || unit == "deg") return number;
     if (unit == "grad") return 0.9 * *number;
     if (unit == "rad") return *number * 180.0 / std::numbers::pi;
     return unit == "turn" ? std::optional(360.0 * *number) : std::nullopt;
@@ -142,7 +179,7 @@ std::optional<double> scan_hue(NumberScanner& scanner) {
 
 // A percentage as a share of 1; the mark may be missing.
 std::optional<double> scan_percent(NumberScanner& scanner) {
-    const auto number = scanner.number();
+    const auto number = scan_number(scanner);
     if (!number) return std::nullopt;
     if (scanner.peek() == '%') scanner.skip(1);
     return std::clamp(*number / 100.0, 0.0, 1.0);
@@ -176,6 +213,14 @@ std::optional<Color> parse_hue(std::string_view text, bool is_hwb) {
     return of_shares(shares);
 }
 
+// Words that mean the same for every property: its inherited value, if it is inherited at all, or its
+// kInitial.
+bool says_inherit(std::string_view text) {
+    const std::string word = lower(text);
+    return word == "inherit" || word == "unset" || word == "revert" || word == "revert-layer";
+}
+bool says_initial(std::string_view text) { return lower(text) == "initial"; }
+
 bool is_current_color(std::string_view text) { return lower(trimmed(text)) == "currentcolor"; }
 
 }  // namespace
@@ -191,21 +236,35 @@ void Declarations::set(Property property, const Value& value) {
     if (!mine || std::pair(value.weight, value.order) >= std::pair(mine->weight, mine->order)) mine = value;
 }
 
+void Declarations::set_variable(std::string_view name, const Value& value) {
+    const auto [mine, fresh] = variables_.try_emplace(std::string(name), value);
+    if (!fresh && std::pair(value.weight, value.order) >= std::pair(mine->second.weight, mine->second.order))
+        mine->second = value;
+}
+
 void Declarations::set(Property property, std::string_view value, int weight, std::uint32_t order) {
+    const Value one = weighed(value, weight, order);
+    if (!one.text.empty()) set(property, one);
+}
+
+Declarations::Value Declarations::weighed(std::string_view value, int weight, std::uint32_t order) {
     value = trimmed(value);
-    if (const std::size_t mark = value.find('!'); mark != std::string_view::npos) {
-        if (trimmed(value.substr(mark + 1)) == "important") weight += kImportant;
+    const std::size_t mark = value.rfind('!');
+    if (mark != std::string_view::npos && is_word(trimmed(value.substr(mark + 1)))) {
+        if (lower(trimmed(value.substr(mark + 1))) == "important") weight += kImportant;
         value = trimmed(value.substr(0, mark));
     }
-    if (!value.empty()) set(property, Value{std::string(value), weight, order});
+    return {std::string(value), weight, order};
 }
 
 void Declarations::set_all(std::string_view list, int weight, std::uint32_t order) {
-    split(list, ";", [&](std::string_view one) {
+    each_declaration(list, [&](std::string_view one) {
         const std::size_t colon = one.find(':');
         if (colon == std::string_view::npos) return;
-        const auto property = find_property(lower(trimmed(one.substr(0, colon))));
-        if (property) set(*property, one.substr(colon + 1), weight, order);
+        const std::string_view name = trimmed(one.substr(0, colon));
+        const std::string_view value = one.substr(colon + 1);
+        if (name.starts_with("--")) return set_variable(name, weighed(value, weight, order));
+        if (const auto property = find_property(lower(name))) set(*property, value, weight, order);
     });
 }
 
@@ -213,11 +272,34 @@ void Declarations::add(const Declarations& other) {
     for (std::size_t i = 0; i < kProperties; ++i) {
         if (other.values_.at(i)) set(static_cast<Property>(i), *other.values_.at(i));
     }
+    for (const auto& [name, value] : other.variables_) set_variable(name, value);
 }
 
 const std::string* Declarations::find(Property property) const {
     const std::optional<Value>& value = values_.at(static_cast<std::size_t>(property));
     return value ? &value->text : nullptr;
+}
+
+VariableTexts Declarations::variables() const {
+    VariableTexts texts;
+    for (const auto& [name, value] : variables_) texts.emplace_hint(texts.end(), name, value.text);
+    return texts;
+}
+
+std::vector<std::string> Declarations::put_in(const Variables& variables) {
+    std::vector<std::string> not_set;
+    for (std::size_t i = 0; i < kProperties; ++i) {
+        std::optional<Value>& value = values_.at(i);
+        if (!value || !has_variable(value->text)) continue;
+        std::string missing;
+        if (std::optional<std::string> text = variables.put_into(value->text, &missing)) {
+            value->text = *std::move(text);
+        } else if (static_cast<Property>(i) != Property::stroke) {
+            value.reset();
+            if (!missing.empty()) not_set.push_back(std::move(missing));
+        }
+    }
+    return not_set;
 }
 
 void StyleSheet::add(std::string_view css) {
@@ -265,7 +347,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
     });
 }
 
-void StyleSheet::apply(std::string_view tag, std::string_view id, std::string_view classes,
+void StyleSheet::apply(std::string_view tag, std::string_view id, std::string_view classes, bool is_root,
                        Declarations& declarations) const {
     if (rules_.empty()) return;
     const auto take = [&](std::string_view selector) {
@@ -274,6 +356,7 @@ void StyleSheet::apply(std::string_view tag, std::string_view id, std::string_vi
     };
     take("*");
     take(tag);
+    if (is_root) take(kRoot);
     split(classes, " \t\r\n", [&](std::string_view name) {
         const std::string selector = "." + std::string(name);
         take(selector);
@@ -303,35 +386,44 @@ Paint parse_paint(std::string_view text) {
     return color ? Paint{Paint::Kind::color, *color} : Paint{Paint::Kind::other, {0, 0, 0}};
 }
 
-void Style::take(const Declarations& declarations) {
+std::vector<std::string> Style::take(Declarations& declarations) {
+    static const Style kInitial;  // the initial value of each property
+    variables = variables.within(declarations.variables());
+    std::vector<std::string> not_set = declarations.put_in(variables);
     const auto value = [&](Property property) -> const std::string* {
         const std::string* found = declarations.find(property);
-        return found != nullptr && *found != "inherit" ? found : nullptr;
+        return found != nullptr && !says_inherit(*found) ? found : nullptr;
     };
     if (const auto* text = value(Property::color); text != nullptr && !is_current_color(*text))
-        color = parse_paint(*text);
-    if (const auto* text = value(Property::stroke)) {
-        stroke = parse_paint(*text);
+        color = says_initial(*text) ? kInitial.color : parse_paint(*text);
+    const auto* text_of_stroke = value(Property::stroke);
+    if (text_of_stroke != nullptr && has_variable(*text_of_stroke) && stroke.kind != Paint::Kind::none) {
+        std::string missing;
+        if (!variables.put_into(*text_of_stroke, &missing) && !missing.empty()) not_set.push_back(missing);
+    } else if (const auto* text = text_of_stroke) {
+        stroke = says_initial(*text) ? kInitial.stroke : parse_paint(*text);
         stroke_text = *text;
         stroke_is_color = is_current_color(*text);
     }
     if (const auto* text = value(Property::fill)) {
-        fill = parse_paint(*text);
-        fill_written = true;
+        fill_written = !says_initial(*text);
+        fill = fill_written ? parse_paint(*text) : kInitial.fill;
         fill_is_color = is_current_color(*text);
     }
     // It is the word that is handed down: each element has its own.
     if (stroke_is_color) stroke = color;
     if (fill_is_color) fill = color;
-    if (const auto* text = value(Property::visibility)) visible = *text == "visible";
+    if (const auto* text = value(Property::visibility)) visible = *text == "visible" || says_initial(*text);
     if (const auto* text = value(Property::dashes)) take_dashes(*text, *this);
     if (const auto* text = value(Property::width)) {
-        if (const auto length = parse_length(*text, 1.0); length && *length >= 0.0) width = *length;
+        const std::optional<double> length = says_initial(*text) ? kInitial.width : parse_length(*text, 1.0);
+        if (length && *length >= 0.0) width = *length;
     }
     if (const auto* text = value(Property::fill_rule)) even_odd = *text == "evenodd";
     const auto share = [&](Property property) -> std::optional<double> {
         const auto* text = value(property);
-        const auto length = text == nullptr ? std::nullopt : parse_length(*text, 1.0);
+        if (text == nullptr) return std::nullopt;
+        const std::optional<double> length = says_initial(*text) ? 1.0 : parse_length(*text, 1.0);
         return length ? std::optional(std::clamp(*length, 0.0, 1.0)) : std::nullopt;
     };
     if (const auto own = share(Property::stroke_opacity)) stroke_opacity = *own;
@@ -340,6 +432,7 @@ void Style::take(const Declarations& declarations) {
     // Not inherited: an element that is not displayed is not looked into.
     const std::string* display = declarations.find(Property::display);
     displayed = display == nullptr || *display != "none";
+    return not_set;
 }
 
 }  // namespace popup::drawing

@@ -8,7 +8,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "input/drawing/variables.h"
 #include "parts/tracing.h"
 #include "popup/print.h"
 
@@ -41,11 +43,19 @@ class Declarations {
     // Takes `value` where no heavier one is there; of equal ones the later counts (by `order`). A value that
     // ends in "!important" outweighs all without it.
     void set(Property property, std::string_view value, int weight, std::uint32_t order);
-    // "stroke: red; fill: none"; what is not a property of ours is disregarded.
+    // "stroke: red; fill: none; --fold: blue"; what is neither a property of ours nor a variable is
+    // disregarded.
     void set_all(std::string_view list, int weight, std::uint32_t order);
     // Those of `other` are taken in the same way.
     void add(const Declarations& other);
     [[nodiscard]] const std::string* find(Property property) const;
+    // Custom properties, as they are written.
+    [[nodiscard]] VariableTexts variables() const;
+    [[nodiscard]] std::size_t variable_count() const { return variables_.size(); }
+    // Puts variables into all values. A value that nothing can be put into is as if it were not there, but
+    // for that of strokes, which stays as it is written. Returns the variables that are not set, which these
+    // would have needed.
+    std::vector<std::string> put_in(const Variables& variables);
 
  private:
     struct Value {
@@ -53,17 +63,20 @@ class Declarations {
         int weight = 0;
         std::uint32_t order = 0;
     };
+    static Value weighed(std::string_view value, int weight, std::uint32_t order);
     void set(Property property, const Value& value);
+    void set_variable(std::string_view name, const Value& value);
     std::array<std::optional<Value>, kProperties> values_;
+    std::map<std::string, Value, std::less<>> variables_;
 };
 
-// The rules of all style elements. Read are selectors of one element (*, tag, .class, #id, tag.class);
+// The rules of all style elements. Read are selectors of one element (*, tag, .class, #id, tag.class, :root);
 // others, such as "g > path", are counted.
 class StyleSheet {
  public:
     void add(std::string_view css);
-    // Adds what the rules say of an element.
-    void apply(std::string_view tag, std::string_view id, std::string_view classes,
+    // Adds what the rules say of an element. `is_root`: of the drawing.
+    void apply(std::string_view tag, std::string_view id, std::string_view classes, bool is_root,
                Declarations& declarations) const;
     [[nodiscard]] int not_read() const { return not_read_; }
 
@@ -100,8 +113,12 @@ struct Style {
     double width = 1.0;  // of the stroke, in user units
     // Of the stroke, 0 to 1: stroke-opacity, and opacity of the element and of all groups around it.
     double stroke_opacity = 1.0, opacity = 1.0;
+    Variables variables;
 
-    void take(const Declarations& declarations);
+    // Takes what is declared for an element, after its variables were put in there. Returns those that would
+    // have been needed, and are not set. A stroke of such is one that is not understood, unless one is
+    // inherited.
+    std::vector<std::string> take(Declarations& declarations);
 };
 
 }  // namespace popup::drawing

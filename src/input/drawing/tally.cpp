@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "input/drawing/variables.h"
 #include "input/text.h"
 
 namespace popup::drawing {
@@ -29,14 +30,29 @@ void Tally::tell(bool strict, Diagnostics& diagnostics) const {
             .hint("cut the shapes themselves (in Inkscape: Path > Intersection)");
     }
     for (const auto& [text, row] : colors_) {
+        // A variable that is set has its value here.
+        const bool is_variable = has_variable(text);
         diagnostics
             .warning("color-not-read", row.first,
-                     fmt::format("{} shape{} drawn in \"{}\", which is no colour that is read; that is taken "
-                                 "for black, in which lines are cut",
-                                 row.count, is(row.count), shown(text)))
+                     fmt::format("{} shape{} drawn in \"{}\", which is {}; that is taken for black, in which "
+                                 "lines are cut",
+                                 row.count, is(row.count), shown(text),
+                                 is_variable ? "not set in this drawing" : "no colour that is read"))
+            .hint(is_variable
+                      ? "set it, as <style>:root { --fold: #0000ff }</style>, or say what lines are by "
+                        "their class, id or layer, as --lines fold=NAME"
+                      : "write the colour as #rrggbb or rgb(), or say what lines are by their class, "
+                        "id or layer, as --lines fold=NAME");
+    }
+    for (const auto& [name, row] : variables_) {
+        diagnostics
+            .warning("style-ignored", row.first,
+                     fmt::format("the variable {} is not set where {} value{} it, so {} left out",
+                                 shown(name), row.count, row.count == 1 ? " needs" : "s need",
+                                 row.count == 1 ? "that is" : "these are"))
             .hint(
-                "write the colour as #rrggbb or rgb(), or say what lines are by their class, id or layer, "
-                "as --lines fold=NAME");
+                "set it, as <style>:root { --dashes: 3 1 }</style>, or give it a fallback: var(--dashes, 3 "
+                "1)");
     }
     for (const auto& [tag, row] : unknown_) {
         diagnostics.add(

@@ -17,6 +17,8 @@ class Tally {
     void unknown(std::string_view tag, Place place) { count(unknown_, tag, place); }
     // Strokes in a colour that is not read, and so taken for black.
     void color(std::string_view text, Place place) { count(colors_, text, place); }
+    // Variables that a value needs, and that no element around sets.
+    void not_set(std::string_view name, Place place) { count(variables_, name, place); }
     // `strict`: elements that are not known are errors.
     void tell(bool strict, Diagnostics& diagnostics) const;
 
@@ -27,7 +29,7 @@ class Tally {
     };
     using Rows = std::map<std::string, Row, std::less<>>;
     static void count(Rows& rows, std::string_view kind, Place place);
-    Rows skipped_, clipped_, hidden_, unknown_, colors_;
+    Rows skipped_, clipped_, hidden_, unknown_, colors_, variables_;
 };
 
 }  // namespace popup::drawing

@@ -193,8 +193,8 @@ class Tracer {
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
         if (box) context.to_mm = context.to_mm.after(fitted(*box, width, height, preserve));
         context.view = box ? Vec2{box->width, box->height} : Vec2{width, height};
-        context.style.take(declarations("svg", attributes));
-        return true;
+        Declarations declared = declarations("svg", attributes, true);
+        return take_style(declared, place, context);
     }
 
     // --- the walk
@@ -232,8 +232,8 @@ class Tracer {
         }
         const Attributes attributes(tree->root().attributes());
         Context context = around;
-        const Declarations declared = declarations(tag, attributes);
-        context.style.take(declared);
+        Declarations declared = declarations(tag, attributes, false);
+        if (!take_style(declared, at.place, context)) return;
         rules_.follow({attributes.value("inkscape:label"), attributes.value("class"), attributes.value("id")},
                       context.said);
         if (!context.style.displayed) return tally_.hidden(at.place);
@@ -260,7 +260,21 @@ class Tracer {
         }
     }
 
-    Declarations declarations(std::string_view tag, const Attributes& attributes) const {
+    // Of an element; what is declared gets its variables put in. False: of too many.
+    bool take_style(Declarations& declared, Place place, Context& context) {
+        declared_variables_ += declared.variable_count();
+        if (declared_variables_ > kDeclaredVariablesLimit) {
+            diagnostics_.error("document-too-large", place,
+                               fmt::format("the elements of this drawing set more than {} variables",
+                                           kDeclaredVariablesLimit));
+            stopped_ = true;
+            return false;
+        }
+        for (const std::string& name : context.style.take(declared)) tally_.not_set(name, place);
+        return true;
+    }
+
+    Declarations declarations(std::string_view tag, const Attributes& attributes, bool is_root) const {
         Declarations all;
         for (const xml::Attribute& attribute : attributes.all()) {
             if (const auto property = find_property(attribute.name)) {
@@ -269,7 +283,7 @@ class Tracer {
                 all.set_all(attribute.value.decoded, Declarations::kElement, 0);
             }
         }
-        sheet_.apply(tag, attributes.value("id"), attributes.value("class"), all);
+        sheet_.apply(tag, attributes.value("id"), attributes.value("class"), is_root, all);
         return all;
     }
 
@@ -566,6 +580,7 @@ class Tracer {
     std::vector<char> active_;  // elements that a use now stands for
     std::size_t uses_ = 0;      // of these, how many there are
     std::size_t used_elements_ = 0, used_bytes_ = 0;
+    std::size_t declared_variables_ = 0;  // by all elements
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
     Tally tally_;

@@ -14,6 +14,9 @@ namespace popup::drawing {
 // another can stand for any number.
 inline constexpr std::size_t kUsedElementsLimit = 1'000'000;
 inline constexpr std::size_t kUsedBytesLimit = std::size_t{256} << 20U;
+// More variables than this, set by all elements, are refused: a rule with many of them can be for any number
+// of elements.
+inline constexpr std::size_t kDeclaredVariablesLimit = 1'000'000;
 
 // Walks the whole document; y points up in what it gives. What is not drawn (hidden, texts, images) is told
 // of once a kind. Nullopt after an error. No recursion.

@@ -61,6 +61,8 @@ TEST(DrawingStyle, PaintIsReadInAllItsSpellings) {
           "hsl(none 100% 50%)", "hwb(0 0% 0%)", "hwb(720deg 0 0 / .5)", "hsl(6.2831853rad 100% 50%)"}) {
         EXPECT_EQ(drawing::parse_paint(text), red) << text;
     }
+    for (const std::string text : {"rgb(255 0 0)", "rgb(100% 0% 0% / 50%)", "rgb(255 none none)"})
+        EXPECT_EQ(drawing::parse_paint(text), red) << text;
     // Of CSS Color 4's own examples and tables.
     const std::vector<std::pair<std::string, Color>> others{
         {"hsl(120deg 100% 25%)", {0, 128, 0}}, {"hsl(240, 100%, 50%)", {0, 0, 255}},
@@ -99,21 +101,21 @@ TEST(DrawingStyle, CurrentColourIsThatOfTheElement) {
 // What a colour of a line says would be lost, and its line be cut.
 TEST(DrawingStyle, ColoursThatAreNotReadAreToldOfOnceEach) {
     const auto reading =
-        read_drawing(drawing("\n<rect width='5' height='5' stroke='var(--fold)'/>"
-                             "\n<rect width='4' height='4' stroke='var(--fold)'/>"
+        read_drawing(drawing("\n<rect width='5' height='5' stroke='color(srgb 1 0 0)'/>"
+                             "\n<rect width='4' height='4' stroke='color(srgb 1 0 0)'/>"
                              "\n<rect width='3' height='3' stroke='lab(50% 40 60)'/>"
                              "\n<rect width='2' height='2' stroke='url(#g)'/>"
                              "\n<rect width='1' height='1' stroke='hsl(0 100% 50%)'/>"));
     EXPECT_EQ(reading.codes(), "3:1 color-not-read\n5:1 color-not-read\n");
     ASSERT_EQ(reading.findings.size(), 2U);
     EXPECT_EQ(reading.findings[0].message,
-              "2 shapes are drawn in \"var(--fold)\", which is no colour that is read; that is taken for "
-              "black, in which lines are cut");
+              "2 shapes are drawn in \"color(srgb 1 0 0)\", which is no colour that is read; that is taken "
+              "for black, in which lines are cut");
     // A name says what they are.
     Diagnostics diagnostics;
     ReadOptions options;
     options.drawing.lines = {{"side", DrawnUse::cut}};
-    const std::string named = "<rect class='side' width='5' height='5' stroke='var(--x)'/>";
+    const std::string named = "<rect class='side' width='5' height='5' stroke='lab(50% 40 60)'/>";
     drawing::read_parts({"drawing.svg", drawing(named)}, options, diagnostics);
     EXPECT_TRUE(diagnostics.sorted().empty());
 }
