@@ -29,8 +29,7 @@ namespace {
 using xml::Offset;
 
 constexpr std::string_view kNamespace = "http://www.w3.org/2000/svg";
-// Height of DejaVu Sans' capitals as a part of its font size.
-constexpr double kCapHeight = 1493.0 / 2048.0;
+constexpr double kCapHeight = 1493.0 / 2048.0;  // of DejaVu Sans' capitals, of its font size
 
 // At most 80 bytes of a name, whole characters.
 std::string short_name(std::string_view name) {
@@ -262,16 +261,14 @@ class Tracer {
 
     // Of an element; what is declared gets its variables put in. False: of too many.
     bool take_style(Declarations& declared, Place place, Context& context) {
-        declared_variables_ += declared.variable_count();
-        if (declared_variables_ > kDeclaredVariablesLimit) {
-            diagnostics_.error("document-too-large", place,
-                               fmt::format("the elements of this drawing set more than {} variables",
-                                           kDeclaredVariablesLimit));
-            stopped_ = true;
-            return false;
-        }
         for (const std::string& name : context.style.take(declared)) tally_.not_set(name, place);
-        return true;
+        declared_variables_ += declared.variable_count();
+        if (declared_variables_ <= kDeclaredVariablesLimit) return true;
+        diagnostics_.error(
+            "document-too-large", place,
+            fmt::format("the elements of this drawing set more than {} variables", kDeclaredVariablesLimit));
+        stopped_ = true;
+        return false;
     }
 
     Declarations declarations(std::string_view tag, const Attributes& attributes, bool is_root) const {
