@@ -15,6 +15,7 @@
 #include "folded/lower.h"
 #include "folded/path.h"
 #include "folded/refine.h"
+#include "folded/sharing.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
 #include "folded/work.h"
@@ -109,15 +110,16 @@ void tell_given_up(const Paths& paths, double most, const CreasePattern& pattern
 
 class Lowering {
  public:
-    Lowering(const CreasePattern& pattern, const Sheet& sheet, const Paths& paths, double to,
+    Lowering(const CreasePattern& pattern, const FoldOptions& options, const Sheet& sheet, const Paths& paths,
              double most_work, Diagnostics& diagnostics)
         : pattern_(pattern),
+          options_(options),
           sheet_(sheet),
           paths_(paths),
           most_work_(most_work),
           diagnostics_(diagnostics),
           tree_(folded::make_tree(sheet)),
-          reached_(to),
+          reached_(options.to),
           out_(folded::assembly_of_panels(pattern, sheet, tree_)) {}
 
     Assembly run() {
@@ -353,6 +355,7 @@ class Lowering {
     }
 
     const CreasePattern& pattern_;
+    const FoldOptions& options_;
     const Sheet& sheet_;
     const Paths& paths_;
     double most_work_;
@@ -424,7 +427,7 @@ bool is_sound(const Paths& paths) {
 }
 
 std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const FoldOptions& options,
-                                        Diagnostics& diagnostics) {
+                                        const folded::Sharing& sharing, Diagnostics& diagnostics) {
     if (options.flat) {
         std::optional<FlatFolding> flat = fold_flat(pattern, options, diagnostics);
         if (!flat) return std::nullopt;
@@ -438,20 +441,20 @@ std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const Fold
             diagnostics.remark("board-left-out", {},
                                "allowances for the board are looked for where a sheet folds as it is drawn, "
                                "and this one does not");
-            return folded_as_asked(pattern, rest, diagnostics);
+            return folded_as_asked(pattern, rest, sharing, diagnostics);
         }
         if (allowed->moved) {
             rest.fold_angles.clear();
             rest.snap_mm = kMendedMm;  // what lies beside a crease that was moved is not to snap to it
         }
-        return folded_as_asked(allowed->pattern, rest, diagnostics);
+        return folded_as_asked(allowed->pattern, rest, sharing, diagnostics);
     }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;
     if (drawn->folds.empty()) tell_no_folds(pattern, diagnostics);
     std::optional<Sheet> sheet = drawn;
     const bool has_bent_folds = folded::has_bent_folds(*sheet);
-    const folded::PathOptions path{options.closure_mm};
+    const folded::PathOptions path{options.closure_mm, sharing};
     folded::Work work;
     Paths paths = folded::find_paths(*sheet, path, work);
     const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
@@ -476,21 +479,27 @@ std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const Fold
         refine_whole();
     }
     if (paths.any_stays()) {
-        if (const std::optional<folded::Bent> bent = bend_panels(pattern, options, *drawn, paths, work)) {
+        if (const std::optional<folded::Bent> bent =
+                bend_panels(pattern, options, *drawn, paths, path, work)) {
             tell_bends(*bent, paths, pattern, *drawn, diagnostics);
-            return Lowering(pattern, bent->sheet, bent->paths, options.to, work.most(), diagnostics).run();
+            return Lowering(pattern, options, bent->sheet, bent->paths, work.most(), diagnostics).run();
         }
     }
     static_cast<void>(folded::end_as_asked(pattern, options, *sheet, paths, work));
-    return Lowering(pattern, *sheet, paths, options.to, work.most(), diagnostics).run();
+    return Lowering(pattern, options, *sheet, paths, work.most(), diagnostics).run();
 }
 
 }  // namespace
 
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics) {
-    folded::tell_unused_angles(pattern, options, diagnostics);
-    return folded_as_asked(pattern, options, diagnostics);
+    return folded::fold_sheet(pattern, options, {}, diagnostics);
+}
+
+std::optional<Assembly> folded::fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
+                                           const Sharing& sharing, Diagnostics& diagnostics) {
+    tell_unused_angles(pattern, options, diagnostics);
+    return folded_as_asked(pattern, options, sharing, diagnostics);
 }
 
 }  // namespace popup
