@@ -162,7 +162,8 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
     {"no-border", Severity::warning, "a sheet whose edge is drawn as folds",
      "The outermost lines of a sheet are where its paper ends, so they must be cuts. Here folds lie at the "
      "outside, with paper on one side only; they are taken for cuts. Or there are no cuts, and the folds "
-     "enclose nothing: then the sheet is the rectangle around them. A pattern whose border is missing folds "
+     "enclose nothing: then the sheet ends at the outermost lines that are drawn as flat, or else is the "
+     "rectangle around the folds. A pattern whose border is missing folds "
      "into something else, or into nothing, and so this is said. Draw the outline of the sheet as a cut."},
     {"no-sheet", Severity::error, "a crease pattern that encloses no paper",
      "The lines of the pattern make no closed outline: there is no sheet to be folded. The border must be "

@@ -36,6 +36,7 @@ constexpr double kFoldedRad = 1e-6;  // so near to 0 or half a turn a panel lies
 // A fold that goes the other way by less than this is hardly folded, degrees.
 constexpr double kOtherWayDeg = 0.1;
 constexpr std::size_t kToldAtMost = 10;
+constexpr double kBoxDeg = 90.0;  // CreasePattern::fold_deg where nothing says how far folds go
 // A fold that gets no further than this share of its way stays flat.
 constexpr double kStaysFlat = 0.01;
 // What is folded flat comes as near to it as the square root of what its corners are rounded to: a share of
@@ -314,10 +315,12 @@ class Lowering {
         int count = 0;
         int worst = -1;
         double most = folded::kOtherAngleDeg;
+        bool any_asked = !options_.fold_angles.empty();
         for (const folded::Cluster& cluster : paths_.clusters) {
             if (cluster.reached < kNearlyThere || cluster.other_way) continue;
             for (const int number : cluster.folds) {
                 const Fold& fold = nth(sheet_.folds, number);
+                any_asked = any_asked || folded::is_asked(pattern_, options_, fold);
                 const double end = nth(paths_.laws, number).back().angle;
                 // Those that stay flat or go the other way are told one by one.
                 if (fold.target == 0.0 || end / fold.target < kStaysFlat) continue;
@@ -341,9 +344,11 @@ class Lowering {
                                : fmt::format("{} folds end at other angles than they are to", count),
                     shown_point(pattern_.ruler, line.a), shown_point(pattern_.ruler, line.b),
                     degrees(std::abs(nth(paths_.laws, worst).back().angle)), degrees(std::abs(fold.target))))
-            .hint(
-                "write the angles of a shape that closes for all folds around these corners, or for none of "
-                "those that are to follow: -o NAME.fold shows those that it has now");
+            .hint(any_asked || pattern_.fold_deg != kBoxDeg
+                      ? "write the angles of a shape that closes for all folds around these corners, or for "
+                        "none of those that are to follow: -o NAME.fold shows those that it has now"
+                      : "nothing says how far these folds go, so they were to go to 90° as those of boxes; "
+                        "where they are those of origami, --fold-angle 180 says so");
     }
 
     [[nodiscard]] bool folds_flat() const {

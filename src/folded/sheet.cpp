@@ -27,9 +27,9 @@ constexpr double kMergeMm = 0.002;
 // What tolerances are of large sheets.
 constexpr double kMergeShare = 2e-6;
 constexpr double kSnapShare = 1.0 / 400.0;
-// What more panels take, until they are outlines on sheets, grows faster than their number.
 // A border that is not drawn is no strip narrower than this share of its length.
 constexpr double kLeastOfBox = 0.01;
+// What more panels take, until they are outlines on sheets, grows faster than their number.
 constexpr int kMostPanels = 50'000;
 // Between two panels so many folds are looked at for one that a stretch goes on in.
 constexpr std::size_t kMostBetween = 500;
@@ -85,6 +85,35 @@ class Maker {
                 .hint("draw the border of the sheet as cuts");
         }
         return run(bends);
+    }
+
+    // The pattern with the flat lines at its outside as cuts; nullopt if there are none.
+    std::optional<CreasePattern> with_flat_border() {
+        for (std::size_t i = 0; i < pattern_.lines.size(); ++i) {
+            const CreaseLine& line = pattern_.lines[i];
+            lines_.push_back({line.points, line.closed, ink_of(line.use), static_cast<int>(i)});
+        }
+        set_tolerances();
+        std::vector<MovedEnd> moved;
+        const std::optional<SheetGraph> graph = mend_ends(lines_, {snap_mm_, merge_mm_}, moved);
+        if (!graph) return std::nullopt;
+        CreasePattern bordered = pattern_;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < graph->edges.size(); ++i) {
+            const int half = static_cast<int>(2 * i);
+            const int element = graph->edges[i].element;
+            // Of a line that leads nowhere both sides are outside.
+            if ((graph->face_of(half) == 0) == (graph->face_of(half + 1) == 0)) continue;
+            if (nth(pattern_.lines, element).use != CreaseUse::flat) continue;
+            if (std::exchange(nth(bordered.lines, element).use, CreaseUse::cut) != CreaseUse::cut) ++count;
+        }
+        if (count == 0) return std::nullopt;
+        diagnostics_
+            .warning("no-border", {},
+                     fmt::format("the pattern has no border; {} flat line{} at its outside {} taken for it",
+                                 count, count == 1 ? "" : "s", count == 1 ? "was" : "were"))
+            .hint("draw the border of the sheet as cuts (in FOLD files: \"B\")");
+        return bordered;
     }
 
     std::optional<Sheet> run(std::span<const Stretch> bends) {
@@ -559,8 +588,11 @@ std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions&
     if (!has_cuts) {
         Diagnostics untold;
         Maker without(pattern, options, untold);
-        if (!without.run(bends) && without.is_without_paper())
+        if (!without.run(bends) && without.is_without_paper()) {
+            if (const auto bordered = Maker(pattern, options, diagnostics).with_flat_border())
+                return Maker(*bordered, options, diagnostics).run(bends);
             return Maker(pattern, options, diagnostics).run_in_box(bends);
+        }
     }
     return Maker(pattern, options, diagnostics).run(bends);
 }

@@ -384,6 +384,49 @@ TEST(FoldSheet, CutsHolesAndSlits) {
     EXPECT_TRUE(card.sweep.closed_flat);
 }
 
+// Programs for origami write the edge of the paper as lines that are not folded, and two sheets side by side.
+TEST(FoldSheet, EndsAtFlatLinesWhereNothingIsCut) {
+    CreasePattern pattern;
+    for (const double x : {0.0, 200.0}) {
+        const Ring ring = rectangle(x, 0, x + 100, 60);
+        for (std::size_t i = 0; i < 4; ++i)
+            pattern.lines.push_back({{ring[i], ring[(i + 1) % 4]}, false, CreaseUse::flat});
+        pattern.lines.push_back({{{x + 50, 0}, {x + 50, 60}}, false, CreaseUse::valley});
+        // Within the paper a flat line is nothing.
+        pattern.lines.push_back({{{x, 0}, {x + 50, 60}}, false, CreaseUse::flat});
+    }
+    Diagnostics diagnostics("flat");
+    const Assembly made = folded(pattern, diagnostics);
+    EXPECT_EQ(made.pieces.size(), 2U);
+    ASSERT_EQ(made.plates.size(), 4U);
+    for (const Plate& plate : made.plates) EXPECT_NEAR(area(plate.outline), 50.0 * 60.0, 1e-6);
+    ASSERT_EQ(diagnostics.sorted().size(), 1U) << test::findings(diagnostics);
+    EXPECT_EQ(diagnostics.sorted()[0].message,
+              "the pattern has no border; 8 flat lines at its outside were taken for it");
+}
+
+// A corner of a waterbomb closes where its folds go to 180°, and nobody has said that they do not.
+TEST(FoldSheet, TellsHowFoldsOfOrigamiAreSaidToGo) {
+    CreasePattern pattern = sheet({{rectangle(0, 0, 100, 100), true, CreaseUse::cut},
+                                   {{{0, 50}, {100, 50}}, false, CreaseUse::mountain},
+                                   {{{0, 0}, {100, 100}}, false, CreaseUse::valley},
+                                   {{{0, 100}, {100, 0}}, false, CreaseUse::valley}});
+    const auto hint_of = [&pattern] {
+        Diagnostics diagnostics("waterbomb");
+        folded(pattern, diagnostics);
+        for (const Diagnostic& one : diagnostics.sorted()) {
+            if (one.code == "other-angle") return one.hints.front();
+        }
+        return std::string("none");
+    };
+    EXPECT_NE(hint_of().find("--fold-angle 180"), std::string::npos) << hint_of();
+    for (CreaseLine& line : pattern.lines) line.fold_deg = 80.0;
+    EXPECT_EQ(hint_of().find("--fold-angle 180"), std::string::npos) << hint_of();
+    pattern.fold_deg = 180.0;
+    for (CreaseLine& line : pattern.lines) line.fold_deg.reset();
+    EXPECT_EQ(hint_of(), "none");
+}
+
 TEST(FoldSheet, MendsWhatIsNotClean) {
     const auto told = [](std::vector<CreaseLine> lines) {
         Diagnostics diagnostics("untidy");
