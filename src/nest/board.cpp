@@ -6,8 +6,8 @@
 namespace popup {
 namespace {
 
-// Of the ends of chords on a line so many are looked at: those that the least weight covers.
-constexpr std::size_t kMostEnds = 96;
+// Of more chords on a line only the ends of those stretches are looked at that they make up.
+constexpr std::size_t kFewChords = 47;
 // What it costs to put a chord in order, in looks.
 constexpr double kSorting = 6.0;
 // What it costs to make a no-fit part and look at it, in looks.
@@ -101,17 +101,23 @@ void Board::reset_weights() {
 
 namespace {
 
+// Depth of (x, y) in a part of a no-fit polygon; any value up to kTouch where it is less than that.
+double depth_in(const NoFit& fit, const NoFitPart& part, double x, double y) {
+    double depth = HUGE_VAL;
+    const HalfPlane* plane = fit.planes.data() + part.first;
+    for (const HalfPlane* end = plane + part.count(); plane != end; ++plane) {
+        depth = std::min(depth, plane->c - plane->nx * x - plane->ny * y);
+        if (depth <= kTouch) break;
+    }
+    return depth;
+}
+
 // Depth of (x, y) in all parts of a no-fit polygon.
 double total_depth(const NoFit& fit, double x, double y) {
     double sum = 0.0;
     for (const NoFitPart& part : fit.parts) {
         if (x <= part.x0 || x >= part.x1 || y <= part.y0 || y >= part.y1) continue;
-        double depth = HUGE_VAL;
-        const HalfPlane* plane = fit.planes.data() + part.first;
-        for (const HalfPlane* end = plane + part.count; plane != end; ++plane) {
-            depth = std::min(depth, plane->c - plane->nx * x - plane->ny * y);
-            if (depth <= kTouch) break;
-        }
+        const double depth = depth_in(fit, part, x, y);
         if (depth > kTouch) sum += depth;
     }
     return sum;
@@ -119,24 +125,29 @@ double total_depth(const NoFit& fit, double x, double y) {
 
 }  // namespace
 
-const NoFit& Board::no_fit(int a, int b) {
+const NoFit& Board::no_fit_looked_at(int a, int b, double looks) {
     if (table_->keeps()) {
-        const NoFit& fit = table_->of(a, b);
-        work += static_cast<double>(fit.parts.size());
-        return fit;
+        work += looks;
+        return table_->of(a, b);
     }
     // The same pairs are looked at again and again before the next item has its turn.
     if (cache_.empty()) cache_.resize(kCached);
     Cached& entry = cache_[(index(a) * 2654435761U + index(b) * 40503U) % kCached];
-    const bool known = entry.table == table_ && entry.a == a && entry.b == b;
-    if (!known) {
+    if (entry.table != table_ || entry.a != a || entry.b != b) {
         table_->make(a, b, entry.fit);
         entry.table = table_;
         entry.a = a;
         entry.b = b;
+        looks += kMaking * static_cast<double>(entry.fit.parts.size());
     }
-    work += static_cast<double>(entry.fit.parts.size()) * (known ? 1.0 : kMaking);
+    work += looks;
     return entry.fit;
+}
+
+const NoFit& Board::no_fit(int a, int b) {
+    const NoFit& fit = no_fit_looked_at(a, b, 0.0);
+    work += static_cast<double>(fit.parts.size());
+    return fit;
 }
 
 double Board::cost(int item, const Stand& stand, double bound) {
@@ -173,65 +184,54 @@ double Board::overlap(int a, int b) {
     return total_depth(fit, x, y);
 }
 
-double Board::depth_on(const Chord& chord, double t) const {
-    double depth = HUGE_VAL;
-    const Slope* slope = slopes_.data() + chord.first;
-    for (const Slope* end = slope + chord.count; slope != end; ++slope) {
-        depth = std::min(depth, slope->level - slope->rate * t);
-    }
-    return depth;
-}
-
-// The ends of chords within the range, and those of the range: of many the ones that are covered least.
-void Board::find_ends(double low, double high) {
-    if (2 * chords_.size() + 2 <= kMostEnds) {
-        ends_.clear();
-        ends_.push_back({low, 0.0});
-        ends_.push_back({high, 0.0});
-        for (const Chord& chord : chords_) {
-            if (chord.from > low) ends_.push_back({std::round(chord.from), 0.0});
-            if (chord.to < high) ends_.push_back({std::round(chord.to), 0.0});
+// The stretches on which the item overlaps `other`, of its chords from the first on.
+void Board::add_spans(int other, std::size_t first) {
+    const auto begin = chords_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, chords_.end(), [](const Chord& a, const Chord& b) { return a.from < b.from; });
+    for (std::size_t i = first; i < chords_.size(); ++i) {
+        const Chord& chord = chords_[i];
+        // Between two chords that meet, rounded to the grid, the item touches the other and no more.
+        if (i == first || chord.from >= spans_.back().to - 0.5) {
+            spans_.push_back({chord.from, chord.to, other, static_cast<std::uint32_t>(i), 1});
+        } else {
+            spans_.back().to = std::max(spans_.back().to, chord.to);
+            ++spans_.back().count;
         }
-        return;
-    }
-    events_.clear();
-    for (const Chord& chord : chords_) {
-        events_.push_back({chord.from, chord.weight});
-        events_.push_back({chord.to, -chord.weight});
-    }
-    // What ends at a point no longer covers it, and what begins there does not yet.
-    std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-        return a.at != b.at ? a.at < b.at : a.change < b.change;
-    });
-    ends_.clear();
-    double covered = 0.0;
-    bool low_done = false;
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-        const Event& event = events_[i];
-        if (!low_done && event.at > low) {
-            ends_.push_back({low, covered});
-            low_done = true;
-        }
-        if (event.at >= high) break;
-        if (event.change < 0.0) covered += event.change;
-        if (event.at > low) ends_.push_back({std::round(event.at), covered});
-        if (event.change > 0.0) covered += event.change;
-    }
-    if (!low_done) ends_.push_back({low, covered});
-    ends_.push_back({high, covered});
-    if (ends_.size() > kMostEnds) {
-        std::nth_element(ends_.begin(), ends_.begin() + kMostEnds, ends_.end(),
-                         [](const End& a, const End& b) {
-                             return a.covered != b.covered ? a.covered < b.covered : a.at < b.at;
-                         });
-        ends_.resize(kMostEnds);
     }
 }
 
-// The chords of the line's stretch from `low` to `high` in the no-fit parts of all others on the sheet.
-// Slopes say how deep they are: who looks for a gap does not ask.
-template <bool level, bool with_slopes>
-void Board::gather_chords(int item, const Stand& stand, double low, double high) {
+// Where a level (or upright) line runs inside a part, seen from where the other stands: from the last of the
+// planes that it comes in through to the first of those that it leaves by. Empty: nowhere. Planes come in
+// the order of their directions, so that none is asked which it is.
+template <bool level>
+std::pair<double, double> chord_of(const NoFit& fit, const NoFitPart& part, double across) {
+    const HalfPlane* planes = fit.planes.data() + part.first;
+    const auto at = [across](const HalfPlane& plane) {
+        return level ? (plane.c - plane.ny * across) / plane.nx : (plane.c - plane.nx * across) / plane.ny;
+    };
+    const auto beside = [&](int eighth) {
+        for (std::uint32_t i = part.begins[index(eighth)]; i < part.begins[index(eighth) + 1]; ++i) {
+            const HalfPlane& plane = planes[i];
+            if (plane.c - (level ? plane.ny : plane.nx) * across <= kTouch) return true;
+        }
+        return false;
+    };
+    if (beside(level ? 0 : 2) || beside(level ? 4 : 6)) return {0.0, 0.0};
+    double from = -HUGE_VAL;
+    double to = HUGE_VAL;
+    for (std::uint32_t i = part.begins[level ? 1 : 3]; i < part.begins[level ? 4 : 6]; ++i)
+        to = std::min(to, at(planes[i]));
+    for (std::uint32_t i = part.begins[level ? 5 : 7]; i < part.begins[8]; ++i)
+        from = std::max(from, at(planes[i]));
+    if constexpr (!level) {
+        for (std::uint32_t i = 0; i < part.begins[2]; ++i) from = std::max(from, at(planes[i]));
+    }
+    return {from, to};
+}
+
+// Where on the line's stretch from `low` to `high` the item overlaps others, by where that begins.
+template <bool level>
+void Board::gather_spans(int item, const Stand& stand, double low, double high, bool keep_chords) {
     const Reach& reach = reaches_[index(stand.shape)];
     const double fixed = level ? stand.y : stand.x;
     // What the item sweeps, across the line and along it.
@@ -239,9 +239,8 @@ void Board::gather_chords(int item, const Stand& stand, double low, double high)
     const double across1 = fixed + (level ? reach.y1 : reach.x1);
     const double along0 = low + (level ? reach.x0 : reach.y0);
     const double along1 = high + (level ? reach.x1 : reach.y1);
-    const float* weights = weights_of(item);
     chords_.clear();
-    slopes_.clear();
+    spans_.clear();
     for (const int other : on_sheet_[index(stand.sheet)]) {
         if (other == item) continue;
         const Stand& there = stands_[index(other)];
@@ -254,39 +253,27 @@ void Board::gather_chords(int item, const Stand& stand, double low, double high)
             along1 <= there_along + (level ? box.x0 : box.y0)) {
             continue;
         }
+        if (!keep_chords) chords_.clear();
+        const std::size_t first = chords_.size();
         const NoFit& fit = no_fit(stand.shape, there.shape);
         const double rest = fixed - there_across;
         for (const NoFitPart& part : fit.parts) {
             if (rest <= (level ? part.y0 : part.x0) || rest >= (level ? part.y1 : part.x1)) continue;
-            double from = -HUGE_VAL;
-            double to = HUGE_VAL;
-            const auto first = static_cast<std::uint32_t>(slopes_.size());
-            const HalfPlane* plane = fit.planes.data() + part.first;
-            for (const HalfPlane* end = plane + part.count; plane != end && from < to; ++plane) {
-                const double rate = level ? plane->nx : plane->ny;
-                const double value = plane->c - (level ? plane->ny : plane->nx) * rest + rate * there_along;
-                if (rate > 0.0) {
-                    to = std::min(to, value / rate);
-                } else if (rate < 0.0) {
-                    from = std::max(from, value / rate);
-                } else if (value <= kTouch) {
-                    to = from;
-                }
-                if constexpr (with_slopes) slopes_.push_back({value, rate});
-            }
-            if (from >= to || to <= low || from >= high) {
-                if constexpr (with_slopes) slopes_.resize(first);
-                continue;
-            }
-            chords_.push_back({from, to, static_cast<double>(weights[other]), first,
-                               static_cast<std::uint32_t>(slopes_.size()) - first});
+            const auto [begin, end] = chord_of<level>(fit, part, rest);
+            const double from = there_along + begin;
+            const double to = there_along + end;
+            if (from >= to || to <= low || from >= high) continue;
+            chords_.push_back({from, to, static_cast<std::uint32_t>(&part - fit.parts.data())});
         }
+        work += kSorting * static_cast<double>(chords_.size() - first);
+        add_spans(other, first);
     }
-    work += kSorting * static_cast<double>(chords_.size());
-    std::sort(chords_.begin(), chords_.end(), [](const Chord& a, const Chord& b) { return a.from < b.from; });
+    std::sort(spans_.begin(), spans_.end(), [](const Span& a, const Span& b) {
+        return a.from != b.from ? a.from < b.from : a.other < b.other;
+    });
 }
 
-// The place that no chord covers: the first, or that nearest to `own`.
+// The place that no span covers: the first, or that nearest to `own`.
 std::optional<double> Board::find_gap(double low, double high, double own, Among among) const {
     std::optional<double> best;
     // Rounded to the grid, an end may be inside by half a step, which is touching.
@@ -298,50 +285,94 @@ std::optional<double> Board::find_gap(double low, double high, double own, Among
         if (!best || std::abs(at - own) < std::abs(*best - own)) best = at;
     };
     double covered = low;
-    for (const Chord& chord : chords_) {
-        if (chord.from >= covered - 0.5) {
-            offer(covered, chord.from);
+    for (const Span& span : spans_) {
+        if (span.from >= covered - 0.5) {
+            offer(covered, span.from);
             if (best && among == Among::first) return best;
         }
-        covered = std::max(covered, chord.to);
+        covered = std::max(covered, span.to);
     }
     if (covered <= high + 0.5) offer(covered, high);
     return best;
 }
 
-double Board::best_on_line(int item, Stand& stand, Along along, double low, double high, Among among) {
-    const bool level = along == Along::x;
-    if (among == Among::first) {
-        level ? gather_chords<true, false>(item, stand, low, high)
-              : gather_chords<false, false>(item, stand, low, high);
-    } else {
-        level ? gather_chords<true, true>(item, stand, low, high)
-              : gather_chords<false, true>(item, stand, low, high);
+// The ends of spans within the range, and those of the range; of few chords also where the item is in fewer
+// parts of one other than on either side: in a notch of it, perhaps, that it fits into.
+void Board::find_ends(double low, double high) {
+    ends_.clear();
+    ends_.push_back(low);
+    ends_.push_back(high);
+    const auto add = [&](double at) {
+        if (at > low && at < high) ends_.push_back(std::round(at));
+    };
+    for (const Span& span : spans_) {
+        add(span.from);
+        add(span.to);
+        if (span.count == 1 || chords_.size() > kFewChords) continue;
+        const auto first = chords_.begin() + static_cast<std::ptrdiff_t>(span.first);
+        const auto last = first + static_cast<std::ptrdiff_t>(span.count);
+        left_.clear();
+        for (auto chord = first; chord != last; ++chord) left_.push_back(chord->to);
+        std::sort(left_.begin(), left_.end());
+        auto next = first;
+        for (std::size_t i = 0; i + 1 < left_.size(); ++i) {
+            // Rounded to the grid, what begins there begins no earlier.
+            while (next != last && next->from < left_[i] - 0.5) ++next;
+            if (next == last) break;
+            if (next->from > left_[i + 1]) continue;
+            add(left_[i]);
+            add(next->from);
+        }
     }
+}
+
+// Weighted overlap of the item where the line is at `at`; any value above `bound` once it is above.
+double Board::cost_on(int item, const Stand& stand, Along along, double at, double bound) {
+    const float* weights = weights_of(item);
+    double sum = 0.0;
+    for (const Span& span : spans_) {
+        if (span.from >= at) break;
+        work += 1.0;
+        if (span.to <= at) continue;
+        const Stand& there = stands_[index(span.other)];
+        const NoFit& fit = no_fit_looked_at(stand.shape, there.shape, static_cast<double>(span.count));
+        const double x = (along == Along::x ? at : stand.x) - there.x;
+        const double y = (along == Along::y ? at : stand.y) - there.y;
+        double depths = 0.0;
+        for (std::uint32_t i = span.first; i < span.first + span.count; ++i) {
+            const Chord& chord = chords_[i];
+            if (chord.from >= at) break;
+            if (chord.to <= at) continue;
+            const double depth = depth_in(fit, fit.parts[chord.part], x, y);
+            if (depth > kTouch) depths += depth;
+        }
+        sum += static_cast<double>(weights[span.other]) * depths;
+        if (sum > bound) return sum;
+    }
+    return sum;
+}
+
+double Board::best_on_line(int item, Stand& stand, Along along, double low, double high, Among among,
+                           double bound) {
+    const bool level = along == Along::x;
+    const bool nearest = among == Among::nearest;
+    level ? gather_spans<true>(item, stand, low, high, nearest)
+          : gather_spans<false>(item, stand, low, high, nearest);
     double& moving = level ? stand.x : stand.y;
     const double own = moving;
     if (const auto gap = find_gap(low, high, own, among)) {
         moving = *gap;
         return 0.0;
     }
-    if (among == Among::first) return HUGE_VAL;
+    if (!nearest) return HUGE_VAL;
     find_ends(low, high);
-    double best = HUGE_VAL;
-    double looked = 0.0;
-    for (const End& end : ends_) {
-        double sum = 0.0;
-        for (const Chord& chord : chords_) {
-            if (chord.from >= end.at || sum > best) break;
-            looked += 1.0;
-            if (chord.to <= end.at) continue;
-            const double depth = depth_on(chord, end.at);
-            if (depth > kTouch) sum += chord.weight * depth;
-        }
-        if (sum > best || (sum == best && std::abs(end.at - own) >= std::abs(moving - own))) continue;
+    double best = bound;
+    for (const double end : ends_) {
+        const double sum = cost_on(item, stand, along, end, best);
+        if (sum > best || (sum == best && std::abs(end - own) >= std::abs(moving - own))) continue;
         best = sum;
-        moving = end.at;
+        moving = end;
     }
-    work += looked;
     return best;
 }
 

@@ -68,12 +68,15 @@ class Board {
     // The best place on the level (or upright) line through `stand`, between `low` and `high`: the one of
     // least weighted overlap, and among those without any, the nearest to the stand, or the first. Who wants
     // the first wants none with overlap: then HUGE_VAL, and the stand as it was.
-    // Moves the stand there and returns the cost. Along a line the sum is concave between the ends of the
-    // chords, so that its least value is at such an end. A place without overlap is always found; of other
-    // ends only those that are covered least are looked at.
+    // Moves the stand there and returns the cost; where none is less than `bound`, gives that and leaves the
+    // stand as it was. A place without overlap is always found. Along a line the sum is concave between the
+    // ends of the chords, so that its least value is at such an end. Of those the two ends of the line are
+    // looked at, those where the item begins or ceases to overlap another, and, where there are few, those
+    // between which it overlaps less of one.
     enum class Along { x, y };
     enum class Among { nearest, first };
-    double best_on_line(int item, Stand& stand, Along along, double low, double high, Among among);
+    double best_on_line(int item, Stand& stand, Along along, double low, double high, Among among,
+                        double bound = HUGE_VAL);
 
     // Weights of pairs, from 1. Of more than some thousand items all pairs weigh the same.
     [[nodiscard]] float weight(int a, int b) const { return weights_of(a)[b]; }
@@ -93,22 +96,16 @@ class Board {
     // A stretch of a line inside one no-fit part.
     struct Chord {
         double from, to;
-        double weight;
-        std::uint32_t first, count;  // into slopes_
+        std::uint32_t part;
     };
-    // Depth along the line: level - rate t.
-    struct Slope {
-        double level, rate;
-    };
-    // Where on a line the weight that covers it changes.
-    struct Event {
-        double at, change;
-    };
-    // A place on a line that may be the best.
-    struct End {
-        double at, covered;
+    // A stretch of a line on which the item overlaps one other all the way: chords that overlap.
+    struct Span {
+        double from, to;
+        int other;
+        std::uint32_t first, count;  // into chords_, by where they begin
     };
     const NoFit& no_fit(int a, int b);
+    const NoFit& no_fit_looked_at(int a, int b, double looks);
     struct Cached {
         const NoFitTable* table = nullptr;
         int a = -1, b = -1;
@@ -118,11 +115,12 @@ class Board {
     struct Reach {
         double x0, y0, x1, y1;
     };
-    template <bool level, bool with_slopes>
-    void gather_chords(int item, const Stand& stand, double low, double high);
+    template <bool level>
+    void gather_spans(int item, const Stand& stand, double low, double high, bool keep_chords);
+    void add_spans(int other, std::size_t first);
     [[nodiscard]] std::optional<double> find_gap(double low, double high, double own, Among among) const;
     void find_ends(double low, double high);
-    [[nodiscard]] double depth_on(const Chord& chord, double t) const;
+    double cost_on(int item, const Stand& stand, Along along, double at, double bound);
 
     const ShapeSet& set_;
     NoFitTable* table_;
@@ -135,9 +133,8 @@ class Board {
     std::vector<float> weights_;
     // Kept between calls so that no call allocates.
     std::vector<Chord> chords_;
-    std::vector<Slope> slopes_;
-    std::vector<Event> events_;
-    std::vector<End> ends_;
+    std::vector<Span> spans_;
+    std::vector<double> ends_, left_;
     std::vector<Cached> cache_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/nth.h"
 
@@ -19,12 +20,13 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
             // one the other stands where its own next edge begins.
             const std::vector<PartEdge>& one = part_a.mirrored;
             const std::vector<PartEdge>& other = part_b.plain;
-            NoFitPart part{HUGE_VAL,
-                           HUGE_VAL,
-                           -HUGE_VAL,
-                           -HUGE_VAL,
-                           static_cast<std::uint32_t>(result.planes.size()),
-                           static_cast<std::uint32_t>(one.size() + other.size())};
+            NoFitPart part{
+                HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, static_cast<std::uint32_t>(result.planes.size()),
+                {}};
+            for (const std::vector<PartEdge>* edges : {&one, &other}) {
+                for (const PartEdge& edge : *edges) ++part.begins.at(index(edge.eighth) + 1);
+            }
+            std::partial_sum(part.begins.begin(), part.begins.end(), part.begins.begin());
             std::size_t i = 0;
             std::size_t j = 0;
             while (i < one.size() || j < other.size()) {
@@ -64,7 +66,7 @@ bool covers(const NoFit& fit, const NoFitBox& box, int cuts) {
     constexpr int kMostCuts = 10;
     const auto has = [&](const NoFitPart& part, const NoFitBox& all) {
         const HalfPlane* plane = fit.planes.data() + part.first;
-        return std::all_of(plane, plane + part.count, [&](const HalfPlane& p) {
+        return std::all_of(plane, plane + part.count(), [&](const HalfPlane& p) {
             return p.nx * (p.nx > 0.0 ? all.x1 : all.x0) + p.ny * (p.ny > 0.0 ? all.y1 : all.y0) < p.c;
         });
     };

@@ -7,6 +7,7 @@
 // fits exactly stays a line between parts, which the union of the parts would lose.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -23,7 +24,11 @@ struct HalfPlane {
 
 struct NoFitPart {
     double x0, y0, x1, y1;  // its box
-    std::uint32_t first, count;
+    std::uint32_t first;
+    // Its planes from `first` on, by the direction of the edges that they stand for: those of edges of one of
+    // the eighths of PartEdge begin where `begins` says, and end where the next begins.
+    std::array<std::uint32_t, 9> begins;
+    [[nodiscard]] std::uint32_t count() const { return begins[8]; }
 };
 
 struct NoFit {

@@ -134,10 +134,10 @@ double Separator::settle(int item, Stand& stand, double cost) {
     int idle = 0;
     for (int i = 0; i < 12 && idle < 2; ++i, level = !level) {
         Stand next = stand;
-        const double found =
-            level
-                ? board_.best_on_line(item, next, Board::Along::x, range.x0, range.x1, Board::Among::nearest)
-                : board_.best_on_line(item, next, Board::Along::y, range.y0, range.y1, Board::Among::nearest);
+        const double found = level ? board_.best_on_line(item, next, Board::Along::x, range.x0, range.x1,
+                                                         Board::Among::nearest, cost)
+                                   : board_.best_on_line(item, next, Board::Along::y, range.y0, range.y1,
+                                                         Board::Among::nearest, cost);
         if (found < cost) {
             cost = found;
             stand = next;

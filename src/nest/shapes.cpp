@@ -131,6 +131,12 @@ double direction_of(double dx, double dy) {
     return dy < 0.0 ? 4.0 + part : part;
 }
 
+int eighth_of(double dx, double dy) {
+    if (dy == 0.0) return dx > 0.0 ? 0 : 4;
+    if (dx == 0.0) return dy > 0.0 ? 2 : 6;
+    return dy > 0.0 ? (dx > 0.0 ? 1 : 3) : (dx < 0.0 ? 5 : 7);
+}
+
 std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
     std::vector<PartEdge> edges;
     edges.reserve(part.size());
@@ -142,7 +148,7 @@ std::vector<PartEdge> edges_of(const GridRing& part, double sign) {
         const bool slanted = along.x != 0 && along.y != 0;
         const double length = slanted ? std::sqrt(dx * dx + dy * dy) : std::abs(dx) + std::abs(dy);
         edges.push_back({sign * static_cast<double>(p.x), sign * static_cast<double>(p.y), dy / length,
-                         -dx / length, direction_of(dx, dy), slanted});
+                         -dx / length, direction_of(dx, dy), slanted, eighth_of(dx, dy)});
     }
     std::stable_sort(edges.begin(), edges.end(),
                      [](const PartEdge& a, const PartEdge& b) { return a.direction < b.direction; });

@@ -16,6 +16,7 @@ struct PartEdge {
     double nx, ny;
     double direction;
     bool slanted;  // neither upright nor level
+    int eighth;    // 0, 2, 4, 6: right, up, left, down; 1, 3, 5, 7: between them, from right to up on
 };
 
 // A convex part's edges by their direction, as it is and mirrored at the origin.

@@ -101,13 +101,40 @@ double way_of(const std::vector<Line>& lines) {
     return sum;
 }
 
+bool lies_in(Vec2 p, const std::vector<Vec2>& ring) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i];
+        const Vec2 b = ring[(i + 1) % ring.size()];
+        if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+// A piece that lies in a hole of another is cut out before the hole is: in machine order its outer cut is an
+// inner one.
+std::vector<Line> sunk(std::vector<Line> lines) {
+    const std::vector<Line> all = lines;
+    for (Line& line : lines) {
+        const auto holds = [&line](const Line& other) {
+            return other.operation == Operation::inner_cut && other.closed &&
+                   lies_in(line.points.front(), other.points);
+        };
+        if (line.operation == Operation::outer_cut && std::any_of(all.begin(), all.end(), holds))
+            line.operation = Operation::inner_cut;
+    }
+    return lines;
+}
+
 TEST(MachineOrderOfSamples, HasTheSameLinesAsThePatternOfEverySample) {
     ASSERT_GE(sample_layouts().size(), 13U);
     for (const Profile& profile : machine_profiles()) {
         for (const auto& [name, layout] : sample_layouts()) {
             for (int sheet = 0; sheet < static_cast<int>(layout.sheets.size()); ++sheet) {
                 SCOPED_TRACE(profile.name + " " + name + " sheet " + std::to_string(sheet + 1));
-                const std::vector<Line> expected = expected_lines(layout, profile, sheet);
+                std::vector<Line> expected = expected_lines(layout, profile, sheet);
+                if (profile.machine_order) expected = sunk(std::move(expected));
                 const std::vector<Line> found = lines_of(drawn(layout, profile, sheet));
                 const auto wanted = lengths_of(expected);
                 const auto lengths = lengths_of(found);
@@ -210,6 +237,8 @@ double way_by_nearest(std::vector<Whole> left, Vec2 from) {
 // Each stretch of lines that may change places, from where the one before it ends.
 TEST(MachineOrderOfSamples, GoesNoFurtherBetweenLinesThanByNearestNeighbours) {
     std::size_t compared = 0;
+    double all = 0.0;
+    double all_by_nearest = 0.0;
     for (const char* name : {"lightburn", "silhouette"}) {
         for (const auto& [sample, layout] : sample_layouts()) {
             SCOPED_TRACE(name + (" " + sample));
@@ -221,8 +250,11 @@ TEST(MachineOrderOfSamples, GoesNoFurtherBetweenLinesThanByNearestNeighbours) {
                 // Of very fine contours not all corners are looked at.
                 if (std::all_of(stretch.begin(), stretch.end(),
                                 [](const Whole& line) { return line.points.size() <= 64; })) {
-                    // Equally near ones may be taken in another order.
-                    EXPECT_LE(way, 1.02 * way_by_nearest(stretch, begin) + 1e-6);
+                    // Equally near ones may be taken in another order, which of few lines makes a difference.
+                    const double by_nearest = way_by_nearest(stretch, begin);
+                    EXPECT_LE(way, 1.1 * by_nearest + 1e-6);
+                    all += way;
+                    all_by_nearest += by_nearest;
                     ++compared;
                 }
                 stretch.clear();
@@ -239,6 +271,7 @@ TEST(MachineOrderOfSamples, GoesNoFurtherBetweenLinesThanByNearestNeighbours) {
         }
     }
     EXPECT_GE(compared, 60U);
+    EXPECT_LE(all, all_by_nearest);
 }
 
 // A perforated line stays one shape, its cuts in their order from either end.

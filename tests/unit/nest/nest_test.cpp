@@ -552,7 +552,7 @@ TEST(NestParts, NoFitPartsTellOverlapAsTheIntegerTestDoes) {
         double deepest = -HUGE_VAL;
         for (const NoFitPart& part : fit.parts) {
             double depth = HUGE_VAL;
-            for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
+            for (std::uint32_t i = part.first; i < part.first + part.count(); ++i) {
                 const HalfPlane& plane = fit.planes[i];
                 depth = std::min(depth, plane.c - plane.nx * static_cast<double>(at.x) -
                                             plane.ny * static_cast<double>(at.y));
