@@ -31,6 +31,9 @@ constexpr std::size_t kFewToPart = 200;
 // How often in a stage the lanes are compared.
 constexpr double kMeetings = 24.0;
 constexpr double kLeastSlice = 2e4;
+// In haste, a stage ends when it has gained nothing for so much work, and for as much as it took to gain what
+// it did.
+constexpr double kIdle = 4e5;
 // With a clock, work between two looks at it.
 constexpr double kClockSlice = 1e6;
 // Lines looked at for a piece of the first layout, and how the orders of the lanes differ.
@@ -318,11 +321,16 @@ class Nester {
         const double slice = effort_.seconds
                                  ? kClockSlice
                                  : std::max(kLeastSlice, (until - spent()) * total_ / (kLanes * kMeetings));
+        const double begun = work_;
+        double gained = work_;
         while (!stopped() && spent() < until) {
+            if (shortens_hastily_ && work_ - gained > std::max(kIdle, gained - begun)) break;
+            const double before = last_length();
             run_lanes(slice);
             work_ = 0.0;
             for (const auto& lane : lanes_) work_ += lane->work();
             const bool found = compare(aim);
+            if (last_length() < before) gained = work_;
             tell();
             if (found && (aim == Aim::fit || aim == Aim::fewer)) return true;
             // The shortest there can be.
@@ -341,6 +349,10 @@ class Nester {
             }
         }
         return false;
+    }
+
+    [[nodiscard]] double last_length() const {
+        return best_.length(task_, static_cast<int>(best_.rows.size()) - 1);
     }
 
     // Takes the best layout of the lanes, if it is proved. True when one of them is done.
