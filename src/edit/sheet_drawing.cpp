@@ -141,7 +141,9 @@ class Writer {
             if (page.y == 0.0) page.y = page.x / box_->width * box_->height;
         }
         page_ = page;
-        constexpr double k = drawing::kMmPerPixel;
+        const bool has_unit =
+            drawing::has_real_unit(root.value("width")) || drawing::has_real_unit(root.value("height"));
+        const double k = mm_per_unit_ = drawing::mm_per_unit(located_.text, has_unit);
         to_mm_ = {k, 0.0, 0.0, -k, 0.0, k * page.y};
         if (box_)
             to_mm_ = to_mm_.after(drawing::fitted(*box_, page.x, page.y, root.value("preserveAspectRatio")));
@@ -151,8 +153,7 @@ class Writer {
 
     // A drawing that was within its page stays so, as far from its edges as it was.
     void grow_page() {
-        constexpr double k = drawing::kMmPerPixel;
-        const Vec2 page = k * page_;
+        const Vec2 page = mm_per_unit_ * page_;
         const auto over = [](double was, double is) {
             return was >= -kSameShapeMm && is < was - kSameShapeMm && is < 0.0 ? was - is : 0.0;
         };
@@ -166,8 +167,9 @@ class Writer {
         const Attributes root(tree->root().attributes());
         const double per_x = box_ ? box_->width / page.x : 0.0;
         const double per_y = box_ ? box_->height / page.y : 0.0;
-        const bool can = box_ && std::abs(per_x - per_y) < 1e-6 * per_x && root.find("width") != nullptr &&
-                         root.find("height") != nullptr;
+        const bool has_width = root.find("width") != nullptr;
+        const bool can =
+            box_ && std::abs(per_x - per_y) < 1e-6 * per_x && has_width == (root.find("height") != nullptr);
         if (!can) {
             diagnostics_
                 .remark("page-outgrown", located_.elements.front().place,
@@ -181,6 +183,7 @@ class Writer {
                                                    shown_number(box_->corner.y - top * per_y),
                                                    shown_number(box_->width + (left + right) * per_x),
                                                    shown_number(box_->height + (top + bottom) * per_y)));
+        if (!has_width) return;
         grow(*root.find("width"), (page.x + left + right) / page.x);
         grow(*root.find("height"), (page.y + top + bottom) / page.y);
     }
@@ -502,6 +505,7 @@ class Writer {
     Box before_, after_;                                 // of all lines
     std::optional<drawing::ViewBox> box_;
     Vec2 page_, view_;
+    double mm_per_unit_ = drawing::kMmPerPixel;
     Affine to_mm_;
     std::vector<xml::Tree> trees_;  // attributes live in them
     std::vector<xml::PatchEdit> changes_;

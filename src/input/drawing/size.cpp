@@ -51,10 +51,23 @@ bool has_real_unit(std::string_view text) {
     return unit != nullptr && !unit->first.empty() && unit->first != "px" && unit->first != "%";
 }
 
-void tell_size(Place place, Vec2 mm, bool sized, bool has_unit, Diagnostics& diagnostics) {
+double mm_per_unit(std::string_view text, bool has_unit) {
+    const std::string_view before = text.substr(0, text.find("<svg"));
+    const bool in_points = !has_unit && before.find("Generator: Adobe Illustrator") != std::string_view::npos;
+    return in_points ? kMmPerPoint : kMmPerPixel;
+}
+
+void tell_size(Place place, Vec2 mm, const SizeSaid& said, Diagnostics& diagnostics) {
     constexpr const char* kPoints =
         "if the program that made it counts 72 to the inch, --scale 1.333333 is right";
-    if (!sized) {
+    if (said.in_points) {
+        diagnostics
+            .remark("size-in-pixels", place,
+                    fmt::format("the drawing's size is in points, 72 to the inch, as Adobe Illustrator has "
+                                "them: {:.2f} × {:.2f} mm",
+                                mm.x, mm.y))
+            .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be");
+    } else if (!said.sized) {
         diagnostics
             .warning("size-missing", place,
                      mm.x > 0.0
@@ -65,7 +78,7 @@ void tell_size(Place place, Vec2 mm, bool sized, bool has_unit, Diagnostics& dia
                                        "96th of an inch"))
             .hint("write its width and height with their unit, such as width=\"210mm\"")
             .hint(kPoints);
-    } else if (!has_unit) {
+    } else if (!said.has_unit) {
         diagnostics
             .remark(
                 "size-in-pixels", place,

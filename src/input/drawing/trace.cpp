@@ -184,9 +184,9 @@ class Tracer {
         }
         const bool has_unit =
             has_real_unit(attributes.value("width")) || has_real_unit(attributes.value("height"));
-        constexpr double k = kMmPerPixel;
+        const double k = mm_per_unit(located_.text, has_unit);
         out_.page = {k * width, k * height};
-        tell_size(place, out_.page, sized, has_unit, diagnostics_);
+        tell_size(place, out_.page, {sized, has_unit, k == kMmPerPoint}, diagnostics_);
         out_.ruler = {{0.0, out_.page.y}, 1.0, true};
         const std::string_view preserve = attributes.value("preserveAspectRatio");
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};
@@ -252,6 +252,8 @@ class Tracer {
                 if (context.owner > 0 && context.layer == Layer::label && tag == "text") {
                     return label(element, attributes, context);
                 }
+                // Notes on a layer of notes are no letters that somebody wants cut.
+                if (context.said.named == Named::ignore) return;
                 return tally_.skipped(tag, at.place);
             case Role::silent:
             case Role::unknown:

@@ -241,6 +241,37 @@ TEST(Drawing, WithoutASizeUnitsArePixelsAndThatIsSaid) {
     expect_box(bounds(bare.part()), 25.4, -50.8, 50.8, -25.4);
 }
 
+// Illustrator names itself, and counts in points, whether it calls them pixels or nothing at all.
+TEST(Drawing, IllustratorsUnitsArePoints) {
+    const std::string by =
+        "<!-- Generator: Adobe Illustrator 27.0.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->\n";
+    for (const std::string size : {"", "width='720px' height='360px'", "x='0px' y='0px'"}) {
+        const auto reading =
+            read_drawing(by + "<svg " + size +
+                         " viewBox='0 0 720 360'><rect stroke='red' width='720' height='360'/></svg>");
+        EXPECT_EQ(reading.codes(), "2:1 size-in-pixels\n");
+        ASSERT_TRUE(reading.list);
+        expect_box(bounds(reading.part()), 0, 0, 254, 127);
+    }
+    const auto real = read_drawing(by +
+                                   "<svg width='254mm' height='127mm' viewBox='0 0 720 360'>"
+                                   "<rect stroke='red' width='720' height='360'/></svg>");
+    EXPECT_EQ(real.codes(), "");
+    ASSERT_TRUE(real.list);
+    expect_box(bounds(real.part()), 0, 0, 254, 127);
+}
+
+TEST(Drawing, TextsOnALayerOfNotesAreNoLettersToCut) {
+    for (const auto& [layer, codes] : {std::pair("Notes", ""), std::pair("Front", "1:99 not-cut\n")}) {
+        const auto reading = read_drawing(
+            std::string(
+                "<svg width='99mm' height='99mm'><rect stroke='red' width='9' height='9'/><g   id='") +
+            layer + "'><text>30 mm</text></g></svg>");
+        ASSERT_TRUE(reading.list);
+        EXPECT_EQ(reading.codes(), codes) << layer;
+    }
+}
+
 TEST(Drawing, PreserveAspectRatioSaysHowABoxIsFitted) {
     // A box of 10 × 10 in 100 × 50 mm.
     const std::map<std::string, Box> expected{
