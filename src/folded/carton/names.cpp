@@ -71,6 +71,7 @@ class Namer : private PanelMeasures {
     struct Wall {
         int panel = 0;
         double width = 0.0;   // across the folds between the walls
+        double height = 0.0;  // of these folds: one wall may reach further, as a header does
         int other_half = -1;  // of a wall that a crease parts
     };
     struct Tray {
@@ -180,8 +181,7 @@ class Namer : private PanelMeasures {
 
     // Walls side by side from one on, itself left out.
     [[nodiscard]] std::vector<Wall> walls_from(int first, Vec2 along, Vec2 across) const {
-        const Vec2 reach = extent(first, along);
-        const double least = kAsLong * (reach.y - reach.x);
+        const double least = kAsLong * width_of(first, along);
         std::vector<Wall> walls;
         int panel = first;
         int came_by = -1;
@@ -192,7 +192,7 @@ class Namer : private PanelMeasures {
             came_by = by;
             // What tapers is a lid or a tip, and no wall.
             if (!is_full(panel, along, across)) break;
-            walls.push_back({panel, width_of(panel, across)});
+            walls.push_back({panel, width_of(panel, across), length_of(by)});
             const int crease = fold_on(panel, along, across, least, came_by, Folded::gusset);
             if (crease < 0) continue;
             const int half = other_side(crease, panel);
@@ -209,9 +209,10 @@ class Namer : private PanelMeasures {
         const Vec2 across = right_of(along);
         std::vector<Wall> walls = walls_from(root, along, -across);
         std::reverse(walls.begin(), walls.end());
-        const Vec2 own = extent(root, across);
-        walls.push_back({root, own.y - own.x});
-        for (const Wall& wall : walls_from(root, along, across)) walls.push_back(wall);
+        const std::vector<Wall> after = walls_from(root, along, across);
+        walls.push_back({root, width_of(root, across), walls.empty() ? 0.0 : walls.back().height});
+        if (!after.empty()) walls.back().height = std::max(walls.back().height, after.front().height);
+        walls.insert(walls.end(), after.begin(), after.end());
         return walls;
     }
 
@@ -291,10 +292,10 @@ class Namer : private PanelMeasures {
         const auto like = [](double a, double b, double share) {
             return std::abs(a - b) <= share * std::max(a, b);
         };
-        const double height = width_of(tube.walls.front().panel, tube.along);
+        const double height = tube.walls.front().height;
         bool opposite_alike = true;
         for (std::size_t i = 0; i < count; ++i) {
-            if (!like(width_of(tube.walls[i].panel, tube.along), height, kAsHigh)) return false;
+            if (!like(tube.walls[i].height, height, kAsHigh)) return false;
             const Wall& other = tube.walls[count % 2 == 0 ? (i + count / 2) % count : 0];
             opposite_alike = opposite_alike && like(tube.walls[i].width, other.width, kAsWide);
         }

@@ -41,6 +41,10 @@ class PanelMeasures {
         const double at = dot(out, line.a);
         return std::max(reach.y - at, at - reach.x);
     }
+    [[nodiscard]] double length_of(int fold) const {
+        const Segment line = sheet_.line_of(nth(sheet_.folds, fold));
+        return distance(line.a, line.b);
+    }
     [[nodiscard]] double width_of(int panel, Vec2 across) const {
         const Vec2 wide = extent(panel, across);
         return wide.y - wide.x;

@@ -175,6 +175,38 @@ TEST(Carton, TucksDustFlapsAndLocksAreNamed) {
                                         "sheet/top-dust-flap-right", "sheet/top-tuck"}));
 }
 
+// A box to hang up: the back goes on above the box as a header, which is no reason to take it for a tray.
+TEST(Carton, AHeaderMakesNoWallHigher) {
+    CreasePattern box;
+    const auto cut = [&box](std::vector<Vec2> points) {
+        add_line(box, std::move(points), false, CreaseUse::cut);
+    };
+    const auto fold = [&box](Vec2 a, Vec2 b) { add_line(box, {a, b}, false, CreaseUse::valley); };
+    cut({{0, 0}, {-14, 4}, {-14, 136}, {0, 140}});
+    for (const double x : {0.0, 90.0, 130.0, 220.0}) fold({x, 0}, {x, 140});
+    cut({{260, 0}, {260, 140}});
+    // The header, and the lids: the top on the front, the bottom on the back.
+    cut({{0, 140}, {0, 175}, {3, 208}, {87, 208}, {90, 175}, {90, 140}});
+    fold({0, 175}, {90, 175});
+    cut({{130, 140}, {130, 195}, {220, 195}, {220, 140}});
+    fold({130, 140}, {220, 140});
+    fold({130, 180}, {220, 180});
+    cut({{0, 0}, {0, -55}, {90, -55}, {90, 0}});
+    fold({0, 0}, {90, 0});
+    fold({0, -40}, {90, -40});
+    cut({{130, 0}, {220, 0}});
+    for (const double x : {90.0, 220.0}) {
+        cut({{x, 140}, {x + 6, 165}, {x + 34, 165}, {x + 40, 140}});
+        fold({x, 140}, {x + 40, 140});
+        cut({{x, 0}, {x + 6, -25}, {x + 34, -25}, {x + 40, 0}});
+        fold({x, 0}, {x + 40, 0});
+    }
+    const std::vector<std::string> names = names_of(box);
+    for (const std::string name : {"sheet/top", "sheet/top-tuck", "sheet/bottom", "sheet/bottom-tuck",
+                                   "sheet/glue-flap", "sheet/top-dust-flap-left"})
+        EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+}
+
 // Walls of three widths, which the house on the end of the first says are a tube.
 TEST(Carton, ATubeIsNamedByThePanelOnItsEnd) {
     CreasePattern house;
