@@ -16,8 +16,27 @@ namespace popup {
 // Panels with these in their names, which name_panels() gives, are glued to what they lie on in the end.
 inline constexpr std::string_view kGlueFlapName = "glue-flap";
 inline constexpr std::string_view kGlueCornerName = "glue-corner";
-// What closes a tray is called so, and begins what hangs on it is called: "lid-tuck".
+// What the walls of a tray stand on.
+inline constexpr std::string_view kBaseName = "base";
+// What closes a tray, or an end of a tube, is called so, and so begins what hangs on it or closes with it:
+// "lid-tuck", "top-dust-flap-left".
 inline constexpr std::string_view kLidName = "lid";
+inline constexpr std::string_view kTopName = "top";
+inline constexpr std::string_view kBottomName = "bottom";
+
+// Whether a wall is rolled in over a corner: "sheet/right-lining" over "sheet/front-corner-right". The corner
+// is folded in first, and lies between the wall and its lining, however near to either it is drawn.
+inline bool is_rolled_over(std::string_view corner, std::string_view lining) {
+    constexpr std::string_view kLining = "-lining";
+    constexpr std::string_view kCorner = "-corner-";
+    const std::string_view piece = lining.substr(0, lining.rfind('/') + 1);
+    if (!corner.starts_with(piece) || !lining.ends_with(kLining)) return false;
+    const std::string_view wall = lining.substr(piece.size(), lining.size() - piece.size() - kLining.size());
+    const std::size_t at = corner.find(kCorner, piece.size());
+    return at != std::string_view::npos && corner.substr(at + kCorner.size()) == wall;
+}
+// The strip between the two is called so: a lining stands as far from its wall as this is wide.
+inline bool is_rim(std::string_view name) { return name.ends_with("-rim"); }
 
 // Whether an assembly is a sheet that is folded: a plate of it stays where it is.
 inline bool is_folded_sheet(const Assembly& assembly) {

@@ -119,7 +119,7 @@ class Lowering {
           paths_(paths),
           most_work_(most_work),
           diagnostics_(diagnostics),
-          tree_(folded::make_tree(sheet)),
+          tree_(folded::make_tree(pattern, sheet)),
           reached_(options.to),
           out_(folded::assembly_of_panels(pattern, sheet, tree_)) {}
 

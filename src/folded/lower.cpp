@@ -5,37 +5,56 @@
 #include <string>
 #include <utility>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/names.h"
 
 namespace popup::folded {
+namespace {
 
-std::vector<std::vector<int>> folds_by_panel(const Sheet& sheet) {
-    std::vector<std::vector<int>> folds(sheet.panels.size());
-    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
-        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
-        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
-    }
-    return folds;
-}
+constexpr double kAsLarge = 0.01;  // areas that differ by less are one
 
-Tree make_tree(const Sheet& sheet) {
-    const std::size_t count = sheet.panels.size();
-    const std::vector<std::vector<int>> folds = folds_by_panel(sheet);
-    std::vector<int> root(sheet.cuts.size(), -1);
+// By piece; of areas that are equal but for rounding the first counts.
+std::vector<int> largest_panels(const Sheet& sheet) {
+    std::vector<int> found(sheet.cuts.size(), -1);
     std::vector<double> largest(sheet.cuts.size(), 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
         const double own = area(sheet.outline_of(sheet.panels[i]));
         const int piece = sheet.panels[i].piece;
-        // Areas that are equal but for rounding: the first counts.
-        if (nth(root, piece) >= 0 && own <= nth(largest, piece) * (1.0 + 1e-9)) continue;
-        nth(root, piece) = static_cast<int>(i);
+        if (nth(found, piece) >= 0 && own <= nth(largest, piece) * (1.0 + 1e-9)) continue;
+        nth(found, piece) = static_cast<int>(i);
         nth(largest, piece) = own;
     }
+    return found;
+}
+
+// By piece: what a carton stands on, by the names of its panels; of others the largest.
+std::vector<int> grounds(const Sheet& sheet, const std::vector<std::string>& names,
+                         const std::vector<int>& largest) {
+    const std::vector<std::vector<int>> folds = folds_by_panel(sheet);
+    // Nothing stands on its top that has a bottom.
+    const auto rank = [&](int panel) {
+        return std::pair{nth(names, panel) != kTopName, nth(folds, panel).size()};
+    };
+    std::vector<int> found = largest;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto panel = static_cast<int>(i);
+        const int piece = sheet.panels[i].piece;
+        int& best = nth(found, piece);
+        if (names[i].empty() || best < 0 || nth(names, best) == kBaseName) continue;
+        const auto own = [&](int one) { return area(sheet.outline_of(nth(sheet.panels, one))); };
+        const bool as_large = own(panel) >= own(nth(largest, piece)) * (1.0 - kAsLarge);
+        if (names[i] == kBaseName || (as_large && rank(panel) > rank(best))) best = panel;
+    }
+    return found;
+}
+
+Tree tree_from(const std::vector<int>& roots, const Sheet& sheet) {
+    const std::vector<std::vector<int>> folds = folds_by_panel(sheet);
     Tree tree;
-    tree.fold_of.assign(count, -1);
-    tree.plate_of.assign(count, -1);
-    for (const int first : root) {
+    tree.fold_of.assign(sheet.panels.size(), -1);
+    tree.plate_of.assign(sheet.panels.size(), -1);
+    for (const int first : roots) {
         if (first < 0) continue;
         std::size_t done = tree.order.size();
         nth(tree.plate_of, first) = static_cast<int>(tree.order.size());
@@ -53,6 +72,24 @@ Tree make_tree(const Sheet& sheet) {
         }
     }
     return tree;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> folds_by_panel(const Sheet& sheet) {
+    std::vector<std::vector<int>> folds(sheet.panels.size());
+    for (std::size_t i = 0; i < sheet.folds.size(); ++i) {
+        nth(folds, sheet.folds[i].left).push_back(static_cast<int>(i));
+        nth(folds, sheet.folds[i].right).push_back(static_cast<int>(i));
+    }
+    return folds;
+}
+
+Tree make_tree(const CreasePattern& pattern, const Sheet& sheet) {
+    const std::vector<int> largest = largest_panels(sheet);
+    const Tree tree = tree_from(largest, sheet);
+    const std::vector<int> roots = grounds(sheet, name_panels(pattern, sheet, tree), largest);
+    return roots == largest ? tree : tree_from(roots, sheet);
 }
 
 Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, const Tree& tree) {

@@ -134,7 +134,7 @@ class BoardRoom {
         Diagnostics unheard;
         const std::optional<folded::Sheet> sheet = folded::make_sheet(moved, mended, unheard);
         if (!sheet) return;
-        const Assembly named = folded::assembly_of_panels(moved, *sheet, folded::make_tree(*sheet));
+        const Assembly named = folded::assembly_of_panels(moved, *sheet, folded::make_tree(moved, *sheet));
         for (std::size_t i = 0; i < shape_.names.size(); ++i) {
             const Vec2 within = inner_point(shape_.sheet.outline_of(shape_.sheet.panels[i]), kEnoughMm).at;
             const auto plate = std::find_if(named.plates.begin(), named.plates.end(),

@@ -315,8 +315,8 @@ class Namer : private PanelMeasures {
             }
         }
         name_walls(front, tube.walls);
-        name_end(tube.walls, tube.along, "top");
-        name_end(tube.walls, -tube.along, "bottom");
+        name_end(tube.walls, tube.along, kTopName);
+        name_end(tube.walls, -tube.along, kBottomName);
     }
 
     void name_walls(std::size_t front, const std::vector<Wall>& walls) {
@@ -524,7 +524,7 @@ class Namer : private PanelMeasures {
 
     void name_tray(const Tray& tray) {
         static constexpr std::array<std::string_view, 4> kSides{"front", "right", "back", "left"};
-        give(tray.root, "base");
+        give(tray.root, std::string(kBaseName));
         for (std::size_t i = 0; i < 4; ++i) {
             if (tray.folds[i] >= 0) give(other_side(tray.folds[i], tray.root), std::string(kSides[i]));
         }
@@ -588,11 +588,10 @@ std::vector<std::string> name_panels(const CreasePattern& pattern, const Sheet& 
 }
 
 bool is_of_walls(std::string_view name) {
-    constexpr std::array<std::string_view, 7> kWalls{"front", "back", "left",       "right",
-                                                     "wall",  "base", kGlueFlapName};
-    name.remove_prefix(name.rfind('/') + 1);  // none: 0
-    // "wall-3", "left-1"
-    const std::size_t end = name.find_last_not_of("0123456789");
+    constexpr std::array<std::string_view, 7> kWalls{"front", "back",    "left",       "right",
+                                                     "wall",  kBaseName, kGlueFlapName};
+    name.remove_prefix(name.rfind('/') + 1);                      // none: 0
+    const std::size_t end = name.find_last_not_of("0123456789");  // "wall-3", "left-1"
     if (end != std::string_view::npos && end + 1 < name.size() && name[end] == '-')
         name = name.substr(0, end);
     return std::find(kWalls.begin(), kWalls.end(), name) != kWalls.end();

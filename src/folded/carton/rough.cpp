@@ -53,7 +53,7 @@ std::unique_ptr<const RoughShape> rough_shape(const CreasePattern& pattern, cons
     }
     auto rough = std::make_unique<RoughShape>();
     rough->sheet = std::move(*sheet);
-    rough->tree = make_tree(rough->sheet);
+    rough->tree = make_tree(pattern, rough->sheet);
     for (const std::vector<SharePoint>& law : paths.laws) rough->angles.push_back(angle_at(law, options.to));
     rough->names.resize(rough->sheet.panels.size());
     const Assembly named = assembly_of_panels(pattern, rough->sheet, rough->tree);

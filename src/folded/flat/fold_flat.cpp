@@ -45,7 +45,7 @@ class FlatCheck {
         if (wrong_ > 0) return std::nullopt;
         const double straighten_mm = std::max(kStraightenMm, kStraightenShare * size);
         const folded::Refined refined = folded::straighten(sheet_, straighten_mm, work_);
-        const folded::Tree tree = folded::make_tree(sheet_);
+        const folded::Tree tree = folded::make_tree(pattern_, sheet_);
         const folded::FlatState state = folded::lay_flat(sheet_, tree);
         const double near = std::max({kOnePlaceMm, kNearShare * size, 2.0 * state.off_mm});
         if (state.off_mm > std::max(kOnePlaceMm, kOffShare * size)) {

@@ -42,8 +42,8 @@ constexpr NamedCarton kNamedCartons[]{
      "back right left bottom-flap-back top-flap-back front bottom-flap-right top-flap-right "
      "bottom-flap-left top-flap-left glue-flap bottom-flap-front top-flap-front"},
     {"fefco-0215",
-     "front right glue-flap bottom-flap-front back top-dust-flap-right bottom-flap-right left top "
-     "bottom-flap-back top-dust-flap-left bottom-flap-left top-tuck"},
+     "back right left top bottom-flap-back front top-dust-flap-right bottom-flap-right top-dust-flap-left "
+     "bottom-flap-left top-tuck glue-flap bottom-flap-front"},
     {"fefco-0421",
      "base front back left right front-corner-left front-corner-right back-corner-left back-corner-right "
      "left-rim right-rim left-lining right-lining"},
