@@ -48,7 +48,8 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "the message says which panels move in each step, by the names that they have in the model. The motion "
      "shows the steps one after another, and each is certified to be free of collisions as any motion is. "
      "Of panels that lie on one another in the end the smaller is taken to be the inner one, and goes first. "
-     "The lid of a tray comes last, when its walls stand, and flaps that are alike go with those opposite. "
+     "Cartons are folded as packers do it: walls first, then the bottom, and the top or the lid of a tray "
+     "last. Flaps that are alike go with those opposite. "
      "What is cut does not change."},
     {"jumps", Severity::error, "an element jumps while the card opens",
      "At some opening angle a plate would have to turn through a large angle at once. Real paper cannot: "

@@ -101,8 +101,12 @@ class Order {
         for (const Contact& contact : found.contacts) set_aside_.insert({contact.a, contact.b});
         set_all(kMoves);
         if (!set_aside_.empty() && is_clear()) return {};
-        for (const OrderedPart& part : parts_) of_lid_.push_back(of_lid(work_, part));
-        const bool has_lid = std::find(of_lid_.begin(), of_lid_.end(), OfLid::closes) != of_lid_.end();
+        set_all(kMoves);
+        set_laws();
+        for (const OrderedPart& part : parts_) of_box_.push_back(of_box(work_, part));
+        over_ = rolled_over_by(work_, parts_);
+        const bool has_lid =
+            std::any_of(of_box_.begin(), of_box_.end(), [](const OfBox& one) { return one.closes; });
         std::vector<Stage> stages = unfold(has_lid ? OpenFirst::lids : OpenFirst::small);
         // What is rolled up is unrolled from where it hangs.
         for (const OpenFirst first : {OpenFirst::small, OpenFirst::large}) {
@@ -296,39 +300,44 @@ class Order {
         return stages;
     }
 
-    // Opens a part, or a lid with its flap: the first that opens by itself. A tucked flap leaves with its
-    // lid, or where paper would have to give way for that, by itself, before walls are tried: they could well
-    // be laid on it from outside, but nobody closes a box so.
+    // Opens a part, or a lid with its flap: the first that opens by itself, of the lid before the bottom, and
+    // of both before walls.
     bool open_one(std::vector<int>& left, std::vector<Stage>& stages) {
-        if (first_ == OpenFirst::lids && open_lid(left, stages)) return true;
-        for (const int part : left) {
+        if (!ranked()) return open_one_of(std::vector<int>(left), left, stages);
+        for (const BoxPart of : {BoxPart::lid, BoxPart::bottom, BoxPart::walls}) {
+            std::vector<int> group = left;
+            std::erase_if(group, [&](int part) { return nth(of_box_, part).part != of; });
+            if (open_one_of(group, left, stages)) return true;
+        }
+        return false;
+    }
+
+    // A tucked flap leaves with its lid, or where paper would have to give way for that, by itself, before
+    // walls are tried: they could well be laid on it from outside.
+    bool open_one_of(const std::vector<int>& group, std::vector<int>& left, std::vector<Stage>& stages) {
+        for (const int part : group) {
+            if (heeds_wishes_ && is_under(part)) continue;
             if (go({{part, kMoves}}, stages)) {
                 std::erase(left, part);
                 return true;
             }
             if (!is_tucked(part)) continue;
-            if (open_upright(part, left, stages)) return true;
+            if (goes_upright(part) && open_upright(part, left, stages)) return true;
             if (go({{part, kMoves}}, stages, Wishes::of_others)) {
                 std::erase(left, part);
                 return true;
             }
         }
-        return std::any_of(left.begin(), left.end(),
-                           [&](int part) { return !is_tucked(part) && open_upright(part, left, stages); });
-    }
-
-    // Opens what hangs on a lid, or the lid, or it with its tuck, before walls are tried: the front could
-    // well be folded up last, against the tuck, but nobody closes a box so.
-    bool open_lid(std::vector<int>& left, std::vector<Stage>& stages) {
-        for (const int part : left) {
-            if (nth(of_lid_, part) == OfLid::no || !go({{part, kMoves}}, stages)) continue;
-            std::erase(left, part);
-            return true;
-        }
-        return std::any_of(left.begin(), left.end(), [&](int part) {
-            return nth(of_lid_, part) == OfLid::hangs_on && open_upright(part, left, stages);
+        return std::any_of(group.begin(), group.end(), [&](int part) {
+            return !is_tucked(part) && goes_upright(part) && open_upright(part, left, stages);
         });
     }
+    [[nodiscard]] bool is_under(int part) const {
+        return std::any_of(nth(over_, part).begin(), nth(over_, part).end(),
+                           [&](int lining) { return nth(doing_, lining) == kFolded; });
+    }
+    [[nodiscard]] bool goes_upright(int part) const { return !ranked() || !nth(of_box_, part).closes; }
+    [[nodiscard]] bool ranked() const { return first_ == OpenFirst::lids; }
 
     // Opens it by a step, if that is clear and leaves what touches on its sides.
     bool go(Step step, std::vector<Stage>& stages, Wishes wishes = Wishes::all) {
@@ -458,14 +467,20 @@ class Order {
         }
     }
 
-    // Walls stand before the lid comes down on them, even where it could come down while they rise.
-    [[nodiscard]] bool closes_lid_early(const Stage& first, const Stage& second) const {
-        const auto any = [this](const Stage& stage, OfLid what) {
-            return std::any_of(stage.moves.begin(), stage.moves.end(),
-                               [&](const Move& move) { return nth(of_lid_, move.part) == what; });
+    // Walls stand before the bottom is closed, it is closed before the lid comes down, and corners are in
+    // before a wall is rolled over them, even where they could go at once.
+    [[nodiscard]] bool goes_early(const Stage& first, const Stage& second) const {
+        const auto before = [this](int a, int b) {
+            const OfBox& lid = nth(of_box_, b);
+            const std::vector<int>& over = nth(over_, a);
+            return (lid.closes && nth(of_box_, a).part < lid.part) ||
+                   std::find(over.begin(), over.end(), b) != over.end();
         };
-        return (any(first, OfLid::closes) || any(second, OfLid::closes)) &&
-               (any(first, OfLid::no) || any(second, OfLid::no));
+        return std::any_of(first.moves.begin(), first.moves.end(), [&](const Move& a) {
+            return std::any_of(second.moves.begin(), second.moves.end(), [&](const Move& b) {
+                return before(a.part, b.part) || before(b.part, a.part);
+            });
+        });
     }
 
     // Makes one of two, if that is clear, and everything comes to lie as it does one after the other.
@@ -474,7 +489,7 @@ class Order {
             return std::any_of(second.moves.begin(), second.moves.end(),
                                [&](const Move& b) { return a.part == b.part; });
         });
-        if (!once || closes_lid_early(first, second)) return false;
+        if (!once || goes_early(first, second)) return false;
         Step both = first.moves;
         both.insert(both.end(), second.moves.begin(), second.moves.end());
         for (const Move& move : both) nth(doing_, move.part) = move.doing;
@@ -493,7 +508,8 @@ class Order {
     MotionOptions options_;
     std::vector<Law> laws_;  // by joint, all at once
     std::vector<OrderedPart> parts_;
-    std::vector<OfLid> of_lid_;               // by part
+    std::vector<OfBox> of_box_;               // by part
+    std::vector<std::vector<int>> over_;      // by part, as rolled_over_by()
     std::vector<std::vector<int>> parts_at_;  // by plate: those of which a fold is at it
     std::vector<Doing> doing_;                // by part
     std::vector<PlateShape> shapes_;          // by plate; folding changes none

@@ -16,11 +16,15 @@ namespace popup {
 namespace {
 
 constexpr double kAsMuch = 1e-6;    // of the area: parts that differ by less move as much
+constexpr double kHemDeg = 170.0;   // what is folded further closes nothing
 constexpr double kParallel = 1e-3;  // sine of the angle between lines that are called parallel
 
-bool is_of_lid(std::string_view name) {
+BoxPart part_called(std::string_view name) {
     name.remove_prefix(name.rfind('/') + 1);  // none: 0
-    return name == kLidName || (name.starts_with(kLidName) && name.substr(kLidName.size()).starts_with('-'));
+    name = name.substr(0, name.find('-'));
+    return name == kLidName || name == kTopName ? BoxPart::lid
+           : name == kBottomName                ? BoxPart::bottom
+                                                : BoxPart::walls;
 }
 
 const Folded* single_fold(const Assembly& assembly, const OrderedPart& part) {
@@ -54,18 +58,34 @@ std::vector<std::size_t> ways_of(const Assembly& assembly, std::span<const Order
 
 }  // namespace
 
-OfLid of_lid(const Assembly& assembly, const OrderedPart& part) {
-    OfLid found = OfLid::no;
+OfBox of_box(const Assembly& assembly, const OrderedPart& part) {
+    OfBox found;
     for (const int joint : part.joints) {
         const auto* const fold = std::get_if<Folded>(&nth(assembly.joints, joint).how);
-        if (fold == nullptr) continue;
+        if (fold == nullptr || std::abs(fold->law.front().y) > kHemDeg) continue;
         // The lid may be the panel that stays, on which all the others hang.
-        const bool plate = is_of_lid(nth(assembly.plates, fold->plate).name);
-        const bool base = is_of_lid(nth(assembly.plates, fold->base).name);
-        if (plate != base) return OfLid::closes;
-        if (plate) found = OfLid::hangs_on;
+        const BoxPart plate = part_called(nth(assembly.plates, fold->plate).name);
+        const BoxPart base = part_called(nth(assembly.plates, fold->base).name);
+        const OfBox one{std::max(plate, base), plate != base};
+        if (one.part > found.part) found = one;
+        if (one.part == found.part) found.closes = found.closes || one.closes;
     }
     return found;
+}
+
+std::vector<std::vector<int>> rolled_over_by(const Assembly& assembly, std::span<const OrderedPart> parts) {
+    std::vector<std::vector<int>> over(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Folded* const corner = single_fold(assembly, parts[i]);
+        if (corner == nullptr) continue;
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const Folded* const lining = single_fold(assembly, parts[k]);
+            if (lining != nullptr && is_rolled_over(nth(assembly.plates, corner->plate).name,
+                                                    nth(assembly.plates, lining->plate).name))
+                over[i].push_back(static_cast<int>(k));
+        }
+    }
+    return over;
 }
 
 std::vector<int> opening_order(const Assembly& assembly, std::span<const OrderedPart> parts,
@@ -89,8 +109,9 @@ std::vector<int> opening_order(const Assembly& assembly, std::span<const Ordered
         begin = end;
     }
     if (first == OpenFirst::lids) {
-        std::stable_partition(order.begin(), order.end(),
-                              [&](int part) { return of_lid(assembly, nth(parts, part)) != OfLid::no; });
+        std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+            return of_box(assembly, nth(parts, a)).part > of_box(assembly, nth(parts, b)).part;
+        });
     }
     return order;
 }

@@ -299,6 +299,30 @@ TEST(FoldOrder, ClosesTheLidOfAMailerLast) {
     }
 }
 
+// 0 walls, 1 bottom, 2 top.
+int part_called(const std::string& name) {
+    return name.starts_with("top") ? 2 : name.starts_with("bottom") ? 1 : 0;
+}
+
+// As packers do: the box stands, its bottom is closed, it is filled, its top is closed. A tuck alone may be
+// bent before, for it hangs on its lid.
+TEST(FoldOrder, ClosesTheBottomBeforeTheTop) {
+    for (const CreasePattern& pattern : {carton(60.0, 40.0, 50.0), carton(60.0, 60.0, 60.0),
+                                         tuck_end(60.0, 30.0, 90.0, 1.0), tuck_end(60.0, 30.0, 90.0, 0.0)}) {
+        Assembly box = folded(pattern);
+        const std::string told = ordered(box);
+        EXPECT_NE(told.find("fold it in that order, too"), std::string::npos) << told;
+        const std::map<std::string, Turns> turns = turns_of(box);
+        for (const auto& [first, one] : turns) {
+            for (const auto& [second, other] : turns) {
+                if (part_called(first) >= part_called(second) || second.ends_with("-tuck")) continue;
+                EXPECT_LE(one.end, other.begin + 1e-9) << first << ", " << second << ": " << told;
+            }
+        }
+        expect_clear(box);
+    }
+}
+
 // Of a box as wide as it is long all flaps are alike: those of opposite walls go at once, and so do both
 // ends.
 TEST(FoldOrder, FoldsEqualOppositeFlapsInOneStep) {
