@@ -133,6 +133,12 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "lies, "
      "and into FOLD files the order, as faceOrders. Whether the sheet gets there without bending is another "
      "question, and answered without --flat."},
+    {"glue-corners", Severity::remark, "flaps with an oblique crease that lies flat when the box stands",
+     "From where the fold of a flap and that of the wall beside it meet, an oblique crease leads across the "
+     "flap, and what is beyond it hangs on nothing else. So crash-lock bottoms are made, and trays that are "
+     "sold glued and flat: the corner is glued to the panel beside the flap, and the crease folds it over "
+     "only while the box is flat. In the box that stands it lies flat. The drawing says no angle for it, and "
+     "so it is folded so. data-fold-angle says otherwise."},
     {"join-left", Severity::remark, "suggestions that were not accepted",
      "Of what was to be accepted, the named suggestions do not go together with the others: panels would "
      "have to bend, or to turn far although next to nothing is open, or would pass through others that they "

@@ -13,6 +13,7 @@
 #include "base/geometry/mend_ends.h"
 #include "base/nth.h"
 #include "base/sets.h"
+#include "folded/carton/glue_corners.h"
 #include "folded/carton/web_corners.h"
 #include "folded/loops.h"
 
@@ -148,6 +149,7 @@ class Maker {
         out_.loops = find_loops(graph_, halves_, out_.folds, out_.panels);
         fold_free();
         fold_web_corners(pattern_, options_, out_, diagnostics_);
+        lay_glue_corners(pattern_, options_, out_, diagnostics_);
         return std::move(out_);
     }
 

@@ -142,7 +142,7 @@ class Namer : private PanelMeasures {
         return fold.target < 0.0 ? -1.0 : fold.target > 0.0 ? 1.0 : 0.0;
     }
     [[nodiscard]] double drawn_deg(const Fold& fold) const {
-        return nth(pattern_.lines, fold.line).fold_deg.value_or(90.0);
+        return nth(pattern_.lines, fold.line).fold_deg.value_or(fold.target == 0.0 ? 0.0 : 90.0);
     }
     enum class Folded {
         up,      // to the front, and not flat: a box's walls are
