@@ -31,8 +31,11 @@ enum class JoinKind {
     merge,     // corners are in one place
     paste,     // a panel lies on another
     coplanar,  // two panels lie in one plane, beside each other
+    glue,      // a panel is glued to another, on which it lies already: nothing moves for it
 };
-inline constexpr std::array<std::string_view, 3> kJoinKindNames{"merge", "paste", "coplanar"};
+inline constexpr std::array<std::string_view, 4> kJoinKindNames{"merge", "paste", "coplanar", "glue"};
+// So far may a panel be from what it is glued to: boards have a thickness, and drawings allow for it.
+inline constexpr double kMostGlueGapMm = 4.2;
 
 // A panel by its name ("sheet/glue-flap", as findings call it), and where a corner of it is drawn: mm, y up.
 struct JoinPart {
@@ -79,6 +82,9 @@ struct Refined {
     // fold_sheet() mends them. fold_sheet() folds it so that its motion ends in the refined shape; its
     // FoldOptions must not name angles, nor a share of them.
     CreasePattern pattern;
+    // By join that pastes or glues: a point of the sheet within the panel that has the glue on it, which is
+    // the smaller of the two.
+    std::vector<Vec2> glued;
     std::vector<double> apart_mm;  // by join: what it is left open by, while all panels are rigid
     double residual_mm = 0.0;      // the most of these, and of what loops of folds gape
     double enough_mm = 0.0;        // kRefined of the sheet's longer side: what closes leaves no more open
@@ -86,6 +92,11 @@ struct Refined {
     FoldTurn furthest = {};        // the fold that turns most
 };
 inline constexpr double kRefined = 1e-6;
+
+// Calls the panels that the joins paste or glue so that whoever makes something of the folded sheet knows
+// that they are glued: "sheet/8" is "sheet/8-glue-flap" then, unless it is a glue flap or glue corner by name
+// already. `assembly` is what fold_sheet() made of the refined pattern.
+void name_glue_flaps(const Refined& refined, Assembly& assembly);
 
 // Refines the shape in which the motion of fold_sheet() ends. All panels stay rigid: only angles of folds
 // change, each as little as the joins let it. Joins that cannot all close are left open by a compromise, and
@@ -118,19 +129,22 @@ struct Suggestion {
     FoldTurn furthest = {};
     bool swings = false;  // as the warning `join-swings` has it
     bool closes = false;  // as Refined::closes, and swings nothing
+    // What is to be glued lies there already, and nothing is to be moved for it.
+    [[nodiscard]] bool lies() const { return join.kind == JoinKind::glue; }
     // Merges that are like this one: as many corners, with as many edges, as long (the paper's symmetric
     // groups); numbers, ascending.
     std::vector<int> like = {};
     [[nodiscard]] std::string name() const;  // "merge 3"
 };
 
-// "closes", "closes, turning a fold by 32°" (more than kMostTurnDeg), "leaves 0.31 mm or less", "swings a
-// fold by 27°".
+// "lies there already", "closes", "closes, turning a fold by 32°" (more than kMostTurnDeg), "leaves 0.31 mm
+// or less", "swings a fold by 27°".
 std::string shown_outcome(const Suggestion& suggestion);
 
 struct Suggestions {
     double near_mm = 0.0;
-    std::vector<Suggestion> rows;  // merges, then pastes, then coplanar ones; in the order of the drawing
+    // Merges, then pastes, coplanar ones, and what may be glued; each in the order of the drawing.
+    std::vector<Suggestion> rows;
     // Merges of corners that go together as above and are in one place already, to 0.01 mm. Accepting keeps
     // them there.
     std::vector<Join> met;
@@ -145,13 +159,17 @@ inline constexpr std::size_t kMostSuggestions = 200;
 // * paste: a panel whose middle lies over a larger one, no corner further from its plane than near_mm, their
 //   fronts the same way (their normals' product is more than 0.5);
 // * coplanar: panels with corners as near to each other, neither over the other, no corner of the smaller
-//   further from the larger's plane, their fronts nearly the same way (0.85).
+//   further from the larger's plane, their fronts nearly the same way (0.85);
+// * glue: a panel that lies on a larger one, parallel to it and kMostGlueGapMm from it at most, the nearest
+// of
+//   these. Whether glue holds it there, or it is tucked in or folded under, no drawing says, so that "all"
+//   does not accept it. Panels that are called glue flaps and glue corners are known to be glued.
 //
 // What two corners, or two panels, would leave open by more than a twentieth of near_mm is not suggested, nor
 // what can come hardly nearer than it is, as panels that are a board apart, nor what is joined already, by a
-// fold or because it is in place to 0.01 mm. The same drawing has the same
-// numbers. nullopt as refine_shape(). Cost: near linear in corners, as long as few are near one
-// another, and a refinement of the panels in between for each suggestion.
+// fold or because it is in place to 0.01 mm; but for glue. The same drawing has the same numbers. nullopt as
+// refine_shape(). Cost: near linear in corners, as long as few are near one another, and a refinement of the
+// panels in between for each suggestion.
 std::optional<Suggestions> suggest_joins(const CreasePattern& pattern, const SuggestOptions& options,
                                          Diagnostics& diagnostics);
 

@@ -46,7 +46,8 @@ std::string as_text(const Suggestions& found, const Ruler& ruler) {
             if (row.join.kind == JoinKind::merge) text += " " + shown_point(ruler, part.corner);
             text += "\n";
         }
-        text += "    " + shown_turn(row.furthest) + "\n";
+        text += row.lies() ? "    accept it where glue holds it there\n"
+                           : "    " + shown_turn(row.furthest) + "\n";
     }
     return text;
 }
@@ -90,11 +91,15 @@ Json as_json(const Suggestions& found, const Ruler& ruler) {
 std::string as_text(const std::vector<Join>& joins, const Refined& refined, double enough,
                     const Ruler& ruler) {
     std::string text;
+    bool all_lie = true;
     for (std::size_t i = 0; i < joins.size(); ++i) {
         const double apart = refined.apart_mm[i];
-        text += fmt::format("{}: {}\n", shown_join(joins[i], ruler), left_open(apart <= enough, apart));
+        const bool lies = joins[i].kind == JoinKind::glue && apart <= enough;
+        text += fmt::format("{}: {}\n", shown_join(joins[i], ruler),
+                            lies ? "lies there already" : left_open(apart <= enough, apart));
+        all_lie = all_lie && lies;
     }
-    if (!joins.empty()) text += shown_turn(refined.furthest) + "\n";
+    if (!all_lie) text += shown_turn(refined.furthest) + "\n";
     return text;
 }
 
@@ -201,7 +206,7 @@ AcceptOptions accept_options(const Options& options) {
 
 // The files that -o asks for, of the refined sheet; nullopt: something is wrong with it.
 std::optional<std::vector<PendingFile>> make_outputs(const Options& options, const OutputPlan& plan,
-                                                     Inputs& in, CreasePattern pattern, Compilation& run) {
+                                                     Inputs& in, const Refined& refined, Compilation& run) {
     CompileOptions compile = options.compile;
     compile.fold.fold_angles.clear();  // the pattern says them all, and their share
     compile.fold.to = 1.0;
@@ -209,9 +214,10 @@ std::optional<std::vector<PendingFile>> make_outputs(const Options& options, con
     one.source = *in.drawing;
     one.stem = one.source.stem();
     one.diagnostics = Diagnostics(one.source.name, options.policy);
-    one.creases = std::move(pattern);
+    one.creases = refined.pattern;
     one.assembly = fold_sheet(*one.creases, compile.fold, one.diagnostics);
     if (one.assembly) one.assembly->stem = one.stem;
+    if (one.assembly) name_glue_flaps(refined, *one.assembly);
     if (one.assembly && moves(*one.assembly)) {
         one.motion = simulate_sheet(*one.assembly, compile.motion, one.diagnostics);
         if (!one.motion) return std::nullopt;
@@ -288,7 +294,7 @@ bool work(const Options& options, const OutputPlan& plan, Inputs& in, Compilatio
     if (heard && !verb.refinement.empty())
         files.push_back({verb.refinement, write_refinement(in.joins, in.pattern.ruler)});
     if (plan.outputs.empty()) return true;
-    auto made = make_outputs(options, plan, in, std::move(refined->pattern), run);
+    auto made = make_outputs(options, plan, in, *refined, run);
     if (!made) return false;
     files.insert(files.end(), std::make_move_iterator(made->begin()), std::make_move_iterator(made->end()));
     return true;

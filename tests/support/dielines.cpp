@@ -234,4 +234,14 @@ std::string tucked_mailer(bool angles, bool ears) {
     return sheet.svg(angles);
 }
 
+std::string tray_with_corners() {
+    Dieline sheet(120.0, 80.0);
+    for (const int edge : {0, 2}) {
+        const int wall = sheet.hang(0, edge, {30.0, 90.0});
+        for (const int side : {1, 3}) sheet.hang(wall, side, {18.0, 90.0, 0.0, 0.0, 3.0});
+    }
+    for (const int edge : {1, 3}) sheet.hang(0, edge, {30.0, 90.0});
+    return sheet.svg();
+}
+
 }  // namespace popup::test

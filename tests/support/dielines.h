@@ -22,4 +22,7 @@ std::string rolled_tray(double roll, bool angles);
 // panels, without 16.
 std::string tucked_mailer(bool angles, bool ears);
 
+// A tray with corners on its front and its back that lie on the side walls: 9 panels.
+std::string tray_with_corners();
+
 }  // namespace popup::test

@@ -385,7 +385,9 @@ std::optional<std::vector<Join>> accept_joins(const CreasePattern& pattern, cons
     for (const std::size_t row : *named) accepter.take(row);
     std::vector<std::size_t> more;
     if (all) {
-        for (std::size_t i = 0; i < found.rows.size(); ++i) more.push_back(i);
+        for (std::size_t i = 0; i < found.rows.size(); ++i) {
+            if (!found.rows[i].lies()) more.push_back(i);
+        }
     } else if (accept.alike) {
         std::set<std::size_t> alike;
         for (const std::size_t row : *named) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/nth.h"
+#include "popup/refinement.h"
 
 namespace popup::folded {
 namespace {
@@ -130,6 +131,7 @@ std::vector<int> panels_between(const FoldedState& state, std::span<const PanelJ
     };
     std::vector<int> found;
     for (const PanelJoin& join : joins) {
+        if (join.stays) continue;
         std::vector<int> ends;
         ends.reserve(join.merged.size());
         for (const CornerOf& one : join.merged) ends.push_back(one.panel);
@@ -219,7 +221,7 @@ double FoldedState::apart(const PanelJoin& join) const {
         for (const int corner : nth(sheet_->panels, one).outer)
             most = std::max(most, std::abs(dot(normal(other), place({one, corner}) - at)));
     }
-    return most;
+    return join.stays && most <= kMostGlueGapMm ? 0.0 : most;
 }
 
 double FoldedState::gape() const {
@@ -234,8 +236,33 @@ double FoldedState::gape() const {
     return most;
 }
 
+namespace {
+
+// What the joins are left open by at the angles that were found.
+void measure(const FoldedState& state, std::span<const PanelJoin> joins, Closed& closed) {
+    const FoldedState after(state.sheet(), state.tree(), closed.angles);
+    closed.residual_mm = after.gape();
+    double most = -1.0;
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+        closed.apart_mm.push_back(after.apart(joins[i]));
+        if (closed.apart_mm.back() > most) {
+            most = closed.apart_mm.back();
+            closed.worst = static_cast<int>(i);
+        }
+    }
+    closed.residual_mm = std::max(closed.residual_mm, most);
+}
+
+}  // namespace
+
 Closed close_joins(const FoldedState& state, std::span<const PanelJoin> joins, bool all) {
     const Sheet& sheet = state.sheet();
+    if (std::all_of(joins.begin(), joins.end(), [](const PanelJoin& join) { return join.stays; })) {
+        Closed closed;
+        closed.angles = state.angles();
+        measure(state, joins, closed);
+        return closed;
+    }
     std::vector<int> panels;
     if (all || !sheet.loops.empty()) {
         panels.resize(sheet.panels.size());
@@ -251,6 +278,7 @@ Closed close_joins(const FoldedState& state, std::span<const PanelJoin> joins, b
     const Shape shape = maker.run();
     ShapeJoins wanted;
     for (const PanelJoin& join : joins) {
+        if (join.stays) continue;
         if (join.merged.empty()) {
             wanted.in_a_plane.emplace_back(maker.number(join.a), maker.number(join.b));
             continue;
@@ -288,17 +316,7 @@ Closed close_joins(const FoldedState& state, std::span<const PanelJoin> joins, b
     // Through half a turn a panel goes through the one that it hangs on.
     closed.swings =
         closed.turn > kPi || (closed.turn > kMostTurnRad && moved > kMostWay * closed.were_apart_mm);
-    const FoldedState after(sheet, state.tree(), closed.angles);
-    closed.residual_mm = after.gape();
-    double most = -1.0;
-    for (std::size_t i = 0; i < joins.size(); ++i) {
-        closed.apart_mm.push_back(after.apart(joins[i]));
-        if (closed.apart_mm.back() > most) {
-            most = closed.apart_mm.back();
-            closed.worst = static_cast<int>(i);
-        }
-    }
-    closed.residual_mm = std::max(closed.residual_mm, most);
+    measure(state, joins, closed);
     return closed;
 }
 

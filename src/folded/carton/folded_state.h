@@ -24,6 +24,7 @@ struct CornerOf {
 struct PanelJoin {
     std::vector<CornerOf> merged;  // empty: it is a pair of panels
     int a = -1, b = -1;            // panels
+    bool stays = false;            // they are where they should be: no angle changes for it
 };
 
 class FoldedState {
@@ -39,7 +40,7 @@ class FoldedState {
     [[nodiscard]] const Rigid3& frame(int panel) const { return frames_[static_cast<std::size_t>(panel)]; }
 
     // mm: of merged corners how far the two furthest are apart; of two panels how far a corner of the one is
-    // from the plane of the other, whichever is more.
+    // from the plane of the other, whichever is more; 0 of such as stay, up to kMostGlueGapMm.
     [[nodiscard]] double apart(const PanelJoin& join) const;
     // How far the folds gape that close loops, mm.
     [[nodiscard]] double gape() const;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/rough.h"
 #include "popup/refinement.h"
@@ -20,6 +21,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // A fold that the joins keep flat remains a fold.
 constexpr double kLeastDeg = 1e-6;
 constexpr double kSameTurnDeg = 1e-3;
+constexpr double kAsLarge = 0.01;   // areas that differ by less are one
+constexpr double kWithinMm = 0.02;  // precision of points within panels
 
 CreaseLine line_like(const CreasePattern& pattern, int line, Segment at) {
     CreaseLine made;
@@ -30,6 +33,18 @@ CreaseLine line_like(const CreasePattern& pattern, int line, Segment at) {
 }
 
 std::string shown_deg(double deg) { return fmt::format("{:.1f}°", deg + 0.0); }
+
+std::vector<Vec2> glued_panels(const RoughShape& rough, const std::vector<folded::PanelJoin>& joins,
+                               const std::vector<Join>& asked) {
+    std::vector<Vec2> found;
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+        if (asked[i].kind != JoinKind::paste && asked[i].kind != JoinKind::glue) continue;
+        const Polygon a = rough.sheet.outline_of(nth(rough.sheet.panels, joins[i].a));
+        const Polygon b = rough.sheet.outline_of(nth(rough.sheet.panels, joins[i].b));
+        found.push_back(inner_point(area(b) < area(a) * (1.0 - kAsLarge) ? b : a, kWithinMm).at);
+    }
+    return found;
+}
 
 void tell(const CreasePattern& pattern, const RefineOptions& options, const RoughShape& rough,
           const Closed& closed, Diagnostics& diagnostics) {
@@ -63,6 +78,18 @@ void tell(const CreasePattern& pattern, const RefineOptions& options, const Roug
 }
 
 }  // namespace
+
+void name_glue_flaps(const Refined& refined, Assembly& assembly) {
+    for (const Vec2 at : refined.glued) {
+        for (Plate& plate : assembly.plates) {
+            if (!contains(plate.outline, at)) continue;
+            if (plate.name.find(kGlueFlapName) == std::string::npos &&
+                plate.name.find(kGlueCornerName) == std::string::npos)
+                plate.name += fmt::format("-{}", kGlueFlapName);
+            break;
+        }
+    }
+}
 
 CreasePattern folded::pattern_of(const CreasePattern& from, const RoughShape& rough,
                                  const std::vector<double>& angles) {
@@ -142,6 +169,7 @@ std::optional<Refined> refine_shape(const CreasePattern& pattern, const RefineOp
     }
     const Closed closed = folded::close_joins(rough->state(), *joins, true);
     refined.pattern = pattern_of(pattern, *rough, closed.angles);
+    refined.glued = glued_panels(*rough, *joins, options.joins);
     refined.apart_mm = closed.apart_mm;
     refined.residual_mm = closed.residual_mm;
     refined.closes = closed.residual_mm <= rough->enough_mm();

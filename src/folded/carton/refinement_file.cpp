@@ -21,7 +21,8 @@ constexpr double kLargestNumber = 1e6;  // of a suggestion
 constexpr std::string_view kNumber = "number";
 constexpr std::string_view kWhatJoinsAre =
     R"(joins are {"merge": [{"panel": "sheet/front", "corner": [20, 40]}, …]} or )"
-    R"({"paste": ["sheet/glue-flap", "sheet/front"]}, and may have a "number")";
+    R"({"paste": ["sheet/glue-flap", "sheet/front"]}, or "coplanar" or "glue" in place of "paste", and )"
+    R"(may have a "number")";
 
 std::optional<JoinKind> kind_named(std::string_view name) {
     const auto* const found = std::find(kJoinKindNames.begin(), kJoinKindNames.end(), name);

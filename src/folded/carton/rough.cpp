@@ -113,6 +113,7 @@ class Resolver {
             to.merged.push_back({found->second, corner});
         }
         if (!merges) {
+            to.stays = join.kind == JoinKind::glue;
             to.a = panels[0];
             to.b = panels[1];
         }

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "assembly/folded_sheets.h"
 #include "base/nth.h"
 #include "folded/carton/rough.h"
 #include "popup/refinement.h"
@@ -35,6 +36,7 @@ constexpr double kLeftShare = 0.05;    // of what is near: what leaves more open
 constexpr double kHardlyNearer = 0.9;  // of what is apart: what leaves more is not suggested
 constexpr double kFrontsAlike = 0.5;   // the paper's
 constexpr double kFrontsNearlyOne = 0.85;
+constexpr double kParallelFaces = 0.999;    // cosine of panels that lie on each other
 constexpr std::size_t kMostPairs = 20'000;  // the nearest ones are looked at
 // So often may a panel be moved a step to find out what joins leave, all panels and joins together: of what
 // stands in long rows, near one another, and of nets that fold as one there is no end else.
@@ -211,6 +213,7 @@ class Finder {
         pairs_ = near_pairs(spots_, near_);
         find_merges();
         find_planes();
+        find_glue();
         number_rows();
         return std::move(found_);
     }
@@ -447,6 +450,52 @@ class Finder {
         }
     }
 
+    // Of each panel the nearest of those on which it lies.
+    void find_glue() {
+        std::map<int, std::pair<double, int>> nearest;  // by place in the tree: how far off, and the panel
+        for (auto [small, large] : pairs_of_panels()) {
+            if (std::abs(dot(state_.normal(small), state_.normal(large))) < kParallelFaces) continue;
+            const auto size = [&](int panel) {
+                return area(rough_.sheet.outline_of(nth(rough_.sheet.panels, panel)));
+            };
+            if (size(small) > size(large) * (1.0 + 1e-9)) std::swap(small, large);
+            const Over lies = over(small, large);
+            if (!lies.is_over || lies.off > kMostGlueGapMm || is_glued(small, large)) continue;
+            const std::pair<double, int> one{std::round(lies.off * 1e6) / 1e6,
+                                             nth(rough_.tree.plate_of, large)};
+            const auto [at, fresh] = nearest.try_emplace(nth(rough_.tree.plate_of, small), one);
+            if (!fresh && one < at->second) at->second = one;
+        }
+        for (const auto& [small, one] : nearest) {
+            if (found_.rows.size() >= kMostSuggestions) {
+                ++found_.left_out;
+                continue;
+            }
+            PanelJoin join;
+            join.a = nth(rough_.tree.order, small);
+            join.b = nth(rough_.tree.order, one.second);
+            Suggestion& row = found_.rows.emplace_back();
+            row.join = join_of(JoinKind::glue, join);
+            row.apart_mm = state_.apart(join);
+            row.closes = true;
+        }
+    }
+    // By its name, by a join, or by a suggestion that brings it nearer.
+    [[nodiscard]] bool is_glued(int flap, int panel) const {
+        const std::string& name = nth(rough_.names, flap);
+        if (name.find(kGlueFlapName) != std::string::npos || name.find(kGlueCornerName) != std::string::npos)
+            return true;
+        const auto is_it = [&](const Join& join) {
+            return (join.kind == JoinKind::paste || join.kind == JoinKind::glue) &&
+                   std::all_of(join.parts.begin(), join.parts.end(), [&](const JoinPart& part) {
+                       return part.panel == name || part.panel == nth(rough_.names, panel);
+                   });
+        };
+        return std::any_of(named_.begin(), named_.end(), is_it) ||
+               std::any_of(found_.rows.begin(), found_.rows.end(),
+                           [&](const Suggestion& row) { return is_it(row.join); });
+    }
+
     bool add(JoinKind kind, const PanelJoin& join) {
         // Beyond what is listed, they are counted, and nobody looks whether they close.
         const std::optional<Closed> looked =
@@ -508,6 +557,7 @@ std::string Suggestion::name() const {
 }
 
 std::string shown_outcome(const Suggestion& suggestion) {
+    if (suggestion.lies()) return "lies there already";
     if (suggestion.swings) return fmt::format("swings a fold by {:.0f}°", suggestion.turn_deg);
     const double by = suggestion.furthest.by_deg();
     if (suggestion.closes)

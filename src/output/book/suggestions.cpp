@@ -19,6 +19,7 @@
 namespace popup::book {
 namespace {
 
+constexpr double kTouchesMm = 0.005;
 constexpr double kRimMm = 1.0;  // around the drawing of the sheet
 // Panels in the order of their letters: pale tints of the colours that they have in pictures.
 constexpr std::array<Color, 4> kTints{Color{255, 205, 170}, Color{187, 214, 250}, Color{190, 230, 190},
@@ -34,13 +35,19 @@ constexpr std::array<Kind, kJoinKindNames.size()> kKinds{
       "Corners of different panels that are near each other. Each has a dot, and lines lead to their "
       "middle."},
      {JoinKind::paste, "Panels to paste", "The first panel is to lie on the second."},
-     {JoinKind::coplanar, "Panels to lay in one plane", "The panels are to lie beside each other."}}};
+     {JoinKind::coplanar, "Panels to lay in one plane", "The panels are to lie beside each other."},
+     {JoinKind::glue, "Panels to glue",
+      "The first panel lies on the second. Accept it where glue holds it there, so that the assembly book "
+      "tells of it."}}};
 
 std::string letter_of(std::size_t number) {
     return {static_cast<char>('a' + static_cast<char>(number % 26))};
 }
 
 std::string distance_text(const Suggestion& row) {
+    if (row.lies())
+        return row.apart_mm < kTouchesMm ? std::string("lies on it")
+                                         : fmt::format("lies {} from it", shown_gap(row.apart_mm));
     return fmt::format("{} apart; accepting it {}", shown_gap(row.apart_mm), shown_outcome(row));
 }
 

@@ -50,7 +50,7 @@ TEST(RefinementFile, IsRefusedWithItsPlace) {
               "a refinement file has \"joins\" and nothing else, but this has \"near\"");
     EXPECT_EQ(told(R"({"joins": [3]})"), "join 1 is no object");
     EXPECT_EQ(told(R"({"joins": [{}]})"), "join 1 does not say what it joins");
-    EXPECT_EQ(told(R"({"joins": [{"glue": []}]})"), "join 1 is a \"glue\", which is no way to join");
+    EXPECT_EQ(told(R"({"joins": [{"weld": []}]})"), "join 1 is a \"weld\", which is no way to join");
     EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"]}, {"paste": ["a"]}]})"),
               "join 2 is a paste of 1 panels instead of two");
     EXPECT_EQ(told(R"({"joins": [{"paste": ["a", "b"], "number": 1.5}]})"),

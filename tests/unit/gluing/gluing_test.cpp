@@ -15,8 +15,11 @@
 #include "gluing/circles.h"
 #include "gluing/glue_flaps.h"
 #include "popup/compile.h"
+#include "popup/language.h"
 #include "popup/motion.h"
+#include "popup/refinement.h"
 #include "support/designs.h"
+#include "support/dielines.h"
 #include "support/sanitized.h"
 #include "unit/gluing/gluing_look.h"
 
@@ -420,6 +423,45 @@ TEST(GlueFlaps, AreFlapsAtTheBottomOfABag) {
                      "sheet/bottom-flap-left-2 inside sheet/bottom-flap-back 3",
                      "sheet/glue-flap inside sheet/left-2 0",
                      "sheet/bottom-flap-front outside sheet/bottom-flap-back 4"}));
+}
+
+// The corners of a tray that are folded in, two of them glued: a refinement says which.
+std::optional<Refined> glued_tray(std::vector<Join> joins) {
+    Diagnostics diagnostics("tray.svg");
+    ReadOptions options;
+    options.drawing.as = DrawnAs::folded;
+    const Reading reading = read_source_text({"tray.svg", test::tray_with_corners()}, options, diagnostics);
+    EXPECT_TRUE(reading.creases) << test::findings(diagnostics);
+    if (!reading.creases) return std::nullopt;
+    auto refined = refine_shape(*reading.creases, {{}, std::move(joins), nullptr}, diagnostics);
+    EXPECT_TRUE(refined) << test::findings(diagnostics);
+    return refined;
+}
+Assembly folded(const Refined& refined) {
+    Diagnostics diagnostics("tray.svg");
+    auto assembly = fold_sheet(refined.pattern, {}, diagnostics);
+    EXPECT_TRUE(assembly) << test::findings(diagnostics);
+    if (!assembly) return {};
+    name_glue_flaps(refined, *assembly);
+    static_cast<void>(simulate_sheet(*assembly, {}, diagnostics));
+    return std::move(*assembly);
+}
+Join joined(JoinKind kind, const std::string& flap, const std::string& panel) {
+    return {kind, {{"sheet/" + flap, {}}, {"sheet/" + panel, {}}}};
+}
+
+// Whichever of the two is named first, the smaller one has the glue, and what is told twice is glued once.
+TEST(GlueFlaps, AreWhatARefinementPastesOrGlues) {
+    const auto tray = glued_tray({joined(JoinKind::paste, "front-corner-left", "left"),
+                                  joined(JoinKind::glue, "right", "back-corner-right"),
+                                  joined(JoinKind::paste, "front-corner-left", "left")});
+    ASSERT_TRUE(tray);
+    EXPECT_TRUE(tray->closes);
+    EXPECT_EQ(told_flaps(folded(*tray)), (Lines{"sheet/front-corner-left-glue-flap inside sheet/left 1",
+                                                "sheet/back-corner-right-glue-flap inside sheet/right 2"}));
+    const auto unglued = glued_tray({});
+    ASSERT_TRUE(unglued);
+    EXPECT_EQ(told_flaps(folded(*unglued)), Lines{});
 }
 
 // A gutter is a valley, and the middle of a step a mountain.

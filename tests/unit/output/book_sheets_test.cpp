@@ -14,6 +14,11 @@
 
 #include "output/book/book.h"
 #include "output/book/panel_labels.h"
+#include "output/emit.h"
+#include "popup/crease_pattern.h"
+#include "popup/language.h"
+#include "popup/refinement.h"
+#include "support/dielines.h"
 #include "support/made_book.h"
 
 namespace popup {
@@ -139,6 +144,40 @@ TEST(BookOfASheet, SaysNoMoreThanIsSo) {
     EXPECT_EQ(chapters_of(crossing.made()).front().intro, stay);
     EXPECT_TRUE(
         steps_of(MadeBook({"folded/carton.svg"}).made()).front().title.starts_with("Step 1: fold up "));
+}
+
+// Which corners of a tray are glued only its refinement says; the names of the panels say it to whoever makes
+// a book of the assembly, or of its text.
+TEST(BookOfASheet, TellsWhatARefinementPastes) {
+    Diagnostics diagnostics("tray.svg");
+    ReadOptions options;
+    options.drawing.as = DrawnAs::folded;
+    const Reading reading = read_source_text({"tray.svg", test::tray_with_corners()}, options, diagnostics);
+    ASSERT_TRUE(reading.creases) << test::findings(diagnostics);
+    const std::vector<Join> joins{
+        {JoinKind::paste, {{"sheet/front-corner-left", {}}, {"sheet/left", {}}}},
+        {JoinKind::paste, {{"sheet/back-corner-left", {}}, {"sheet/left", {}}}},
+    };
+    for (const bool refined : {true, false}) {
+        const auto shape =
+            refine_shape(*reading.creases, {{}, refined ? joins : std::vector<Join>{}, nullptr}, diagnostics);
+        ASSERT_TRUE(shape) << test::findings(diagnostics);
+        auto tray = fold_sheet(shape->pattern, {}, diagnostics);
+        ASSERT_TRUE(tray) << test::findings(diagnostics);
+        name_glue_flaps(*shape, *tray);
+        MadeBook made;
+        made.make({{"tray.assembly.json", emit_assembly(*tray)}}, {});
+        const book::Book book = made.made();
+        EXPECT_EQ(test::need(book, "To glue"), refined ? "2 flaps" : "");
+        const std::vector<book::Step> steps = steps_of(book);
+        for (const std::string corner : {"front-corner-left", "back-corner-left"}) {
+            const std::size_t step = first_that_says(
+                steps,
+                "Put glue on " + corner + "-glue-flap, and press it onto the inside of left until it holds.");
+            EXPECT_EQ(step < steps.size(), refined) << corner;
+        }
+        EXPECT_EQ(first_that_says(steps, "Put glue on front-corner-right"), steps.size());
+    }
 }
 
 class BookOfNarrowPanels : public testing::TestWithParam<std::string> {};
