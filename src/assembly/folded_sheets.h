@@ -24,8 +24,8 @@ inline constexpr std::string_view kLidName = "lid";
 inline constexpr std::string_view kTopName = "top";
 inline constexpr std::string_view kBottomName = "bottom";
 
-// Whether a wall is rolled in over a corner: "sheet/right-lining" over "sheet/front-corner-right". The corner
-// is folded in first, and lies between the wall and its lining, however near to either it is drawn.
+// Whether a wall is rolled in over a corner, which is folded in first: "sheet/right-lining" over
+// "sheet/front-corner-right".
 inline bool is_rolled_over(std::string_view corner, std::string_view lining) {
     constexpr std::string_view kLining = "-lining";
     constexpr std::string_view kCorner = "-corner-";
@@ -35,8 +35,6 @@ inline bool is_rolled_over(std::string_view corner, std::string_view lining) {
     const std::size_t at = corner.find(kCorner, piece.size());
     return at != std::string_view::npos && corner.substr(at + kCorner.size()) == wall;
 }
-// The strip between the two is called so: a lining stands as far from its wall as this is wide.
-inline bool is_rim(std::string_view name) { return name.ends_with("-rim"); }
 
 // Whether an assembly is a sheet that is folded: a plate of it stays where it is.
 inline bool is_folded_sheet(const Assembly& assembly) {
