@@ -30,6 +30,15 @@ bool finite(const FoldLines& lines) {
 
 }  // namespace
 
+// The middle of what an element covers of a fold that it is placed on, mm along it: there it has to be.
+double Checker::middle_on(const Placing& placing, const Fold& fold) {
+    const auto [lo, hi] = element_row(*placing.element.info).stands_on(placing.element);
+    const double from = std::max(0.0, std::min(lo, hi));
+    const double to = std::min(fold.length(), std::max(lo, hi));
+    const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
+    return placing.element.site.reversed ? fold.length() - middle : middle;
+}
+
 // Looks along a fold, and says whether the element lies beside an end of it, by more than `slack` mm.
 Checker::Foothold Checker::look(Placing& placing, const FoldMatch& match, double slack) const {
     const Fold& fold = fold_of(match);
@@ -39,8 +48,7 @@ Checker::Foothold Checker::look(Placing& placing, const FoldMatch& match, double
     const double to = std::min(fold.length(), std::max(lo, hi));
     if (!(from <= to + slack)) return Foothold::beside;  // or not a number
     if (match.ghost) return Foothold::stands;
-    const double middle = std::clamp(0.5 * (from + to), 0.0, fold.length());
-    const auto alive = fold.alive_around(placing.element.site.reversed ? fold.length() - middle : middle);
+    const auto alive = fold.alive_around(middle_on(placing, fold));
     if (!alive) return Foothold::cut_away;
     placing.stand_between(*alive, fold.length());
     return Foothold::stands;

@@ -89,6 +89,7 @@ struct Checker {
     std::string owner_of(int plate) const;
     enum class Foothold { beside, cut_away, stands };
     Foothold look(Placing& placing, const FoldMatch& match, double slack) const;
+    static double middle_on(const Placing& placing, const Fold& fold);
     void follow(const Placing& placing, int page, std::vector<FoldMatch>& matches) const;
     std::optional<FoldMatch> find_fold(const Structure& structure, Placing& placing);
     bool beyond_its_fold(const Structure& structure, const Placing& placing);

@@ -61,9 +61,7 @@ void Checker::no_fold(const Structure& structure, const Placing& placing, const 
         const Fold& fold = fold_of(*dead);
         Placing there = placing;
         there.look_along(*dead, fold);
-        const auto [lo, hi] = element_row(*placing.element.info).stands_on(there.element);
-        double middle = std::clamp(0.5 * (lo + hi), 0.0, fold.length());
-        if (there.element.site.reversed) middle = fold.length() - middle;
+        const double middle = middle_on(there, fold);
         const CutSpan* cut = fold.cut_within(middle - 1e-6, middle + 1e-6);
         const std::string& by = cut != nullptr ? cut->by : fold.owner;
         diagnostics
