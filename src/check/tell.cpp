@@ -276,7 +276,9 @@ std::string Checker::page_word(int page) const {
 // Other pages that have exactly this fold, on which it would keep its form; none where there are many.
 std::vector<int> Checker::pages_with_its_fold(const Structure& structure, const Placing& placing) {
     std::vector<int> found;
-    if (structure.plate || structure.finds_ground || structure.named().given()) return found;
+    // Only who writes a document writes pages: programs and drawings have folds.
+    const bool writes_page = structure.start_tag.present() && !structure.named().given();
+    if (structure.plate || structure.finds_ground || !writes_page) return found;
     const ElementInfo& info = *placing.element.info;
     for (int page = 0; page < pages - (info.glued ? 1 : 0); ++page) {
         if (page == structure.fold.page) continue;
