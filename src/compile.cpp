@@ -82,7 +82,7 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
 void conclude(CompiledDesign& one, const CompileOptions& options, bool whole) {
     one.diagnostics.apply_allowances();
     // What has not been looked for cannot be missed.
-    if (!whole || (one.motion && !one.motion->examination) || one.diagnostics.has_errors()) return;
+    if (!whole || (one.motion && !one.motion->examination) || one.diagnostics.has_errors_as_given()) return;
     std::set<std::string_view> unasked;
     if (!options.motion.clearance_mm) unasked.insert("clearance-low");
     tell_unused_allowances(one.diagnostics, unasked);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
@@ -94,6 +95,9 @@ class Diagnostics {
     Diagnostic& remark(std::string_view code, Place place, std::string message);
 
     [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+    // Whether a finding was added as an error, and not made one by the policy. Then a stage must not go on;
+    // what the policy alone denies fails the run, and leaves the stages as they are without it.
+    [[nodiscard]] bool has_errors_as_given() const { return given_errors_ > 0; }
     [[nodiscard]] bool has_findings() const { return findings_ > 0; }  // warnings or errors
     [[nodiscard]] const std::string& file() const { return file_; }
     // From now on, places are those of `file`, from which file() was made. Findings still name file(); a hint
@@ -132,7 +136,8 @@ class Diagnostics {
     std::map<std::pair<std::string, Severity>, std::size_t> counts_;
     std::vector<Allowance> allowances_;
     std::map<std::string, std::size_t, std::less<>> for_all_;  // code → the allowance for the whole file
-    std::size_t errors_ = 0;
+    std::uint32_t errors_ = 0;
+    std::uint32_t given_errors_ = 0;  // of these, those that the policy has not made
     std::size_t findings_ = 0;
 };
 

@@ -467,7 +467,7 @@ std::optional<CheckedDesign> Checker::run() {
     }
     if (names != nullptr) note_folds();
     if (options.drop) close_up_pages(design);
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors_as_given()) return std::nullopt;
     return CheckedDesign(std::move(design), std::move(skeleton));
 }
 

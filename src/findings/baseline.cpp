@@ -204,7 +204,13 @@ std::size_t accept(Findings& findings, const Baseline& baseline, const BaselineP
     for (ToldFile& file : findings.files) divide(file.told, file.accepted);
     divide(findings.run, findings.run_accepted);
     findings.compared = true;
-    const std::set<std::string> names = looked_at(findings, places);
+    std::set<std::string> names = looked_at(findings, places);
+    // An error may have kept other findings from being looked for: they are not gone.
+    for (const ToldFile& file : findings.files) {
+        const bool fails = std::any_of(file.told.begin(), file.told.end(),
+                                       [](const Diagnostic& one) { return one.severity == Severity::error; });
+        if (fails) names.erase(name_of(file.name, places));
+    }
     std::size_t outdated = 0;
     for (const auto& [entry, count] : left) {
         if (names.contains(entry.file)) outdated += count;

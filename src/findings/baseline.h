@@ -54,7 +54,7 @@ std::string write_baseline(const Baseline& baseline);
 
 // Moves the warnings and errors that the baseline accepts to those that are accepted; of more than it
 // accepts, the first ones. What keeps a file from being read is never accepted. Returns how many accepted
-// findings did not occur in files that were looked at.
+// findings did not occur in files that were looked at and have no error that is not accepted.
 std::size_t accept(Findings& findings, const Baseline& baseline, const BaselinePlaces& places);
 
 // All findings of a run, accepted or not, as a baseline. What `old` has of files that the run did not look at

@@ -162,7 +162,7 @@ std::optional<Design> read_design(const Source& source, const ReadOptions& optio
                                                : "this describes flat parts");
     }
     if (reading.creases) return refuse("this is a crease pattern");
-    if (!reading.design && !diagnostics.has_errors()) return refuse("this only defines functions");
+    if (!reading.design && !diagnostics.has_errors_as_given()) return refuse("this only defines functions");
     return std::move(reading.design);
 }
 

@@ -103,7 +103,7 @@ std::optional<FlatParts> make_parts(const Tracing& tracing, Diagnostics& diagnos
         list.parts.insert(list.parts.end(), std::make_move_iterator(parts.begin()),
                           std::make_move_iterator(parts.end()));
     }
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors_as_given()) return std::nullopt;
     if (list.parts.empty()) {
         tell_empty(tracing, diagnostics);
         return std::nullopt;

@@ -80,6 +80,7 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
                      code.data());
         broken_invariant("every diagnostic code has a row in code_table()", __FILE__, __LINE__);
     }
+    if (severity == Severity::error) ++given_errors_;
     // Allowing a code hides what it says of doubtful things; it never turns an error into silence.
     const bool may_go = severity != Severity::error && !policy_->deny.contains(code);
     Allowance* for_all = severity != Severity::error ? allowance_for_all(code) : nullptr;
@@ -102,7 +103,7 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
 }
 
 void Diagnostics::count(Severity severity, int step) {
-    if (severity == Severity::error) errors_ += static_cast<std::size_t>(step);
+    if (severity == Severity::error) errors_ += static_cast<std::uint32_t>(step);
     if (severity != Severity::remark) findings_ += static_cast<std::size_t>(step);
 }
 

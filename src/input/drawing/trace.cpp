@@ -73,13 +73,13 @@ class Tracer {
         if (!find_prefix()) return std::nullopt;
         collect();
         Context context;
-        if (diagnostics_.has_errors() || !root(context)) return std::nullopt;
+        if (diagnostics_.has_errors_as_given() || !root(context)) return std::nullopt;
         active_.assign(located_.elements.size(), 0);
         stack_.push_back({1, located_.elements[0].after, context, 0});
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(strict_, diagnostics_);
         rules_.tell_unused(out_.lines, diagnostics_);
-        if (diagnostics_.has_errors()) return std::nullopt;
+        if (diagnostics_.has_errors_as_given()) return std::nullopt;
         out_.curves = CurveTable(flat_.curves);
         return std::move(out_);
     }
@@ -176,7 +176,7 @@ class Tracer {
                     .hint("it is four numbers: left, top, width, height, the last two above zero");
             }
         }
-        if (diagnostics_.has_errors()) return false;
+        if (diagnostics_.has_errors_as_given()) return false;
         if (box) {
             if (!sized) width = box->width;
             if (width == 0.0) width = height / box->height * box->width;

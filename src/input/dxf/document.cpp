@@ -63,7 +63,7 @@ class DocumentReader {
                          "the file ends without 0 and EOF, so something may be missing")
                 .hint("export it anew, or copy it again");
         }
-        if (diagnostics_.has_errors()) return std::nullopt;
+        if (diagnostics_.has_errors_as_given()) return std::nullopt;
         return std::move(out_);
     }
 

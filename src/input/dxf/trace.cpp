@@ -106,7 +106,7 @@ class Tracer {
         while (!stack_.empty() && !stopped_) step();
         tally_.tell(false, diagnostics_);
         rules_.tell_unused(out_.lines, diagnostics_);
-        if (diagnostics_.has_errors()) return std::nullopt;
+        if (diagnostics_.has_errors_as_given()) return std::nullopt;
         tell_size();
         out_.ruler.origin = moved_;
         out_.ruler.per_mm = 1.0 / unit_mm_;

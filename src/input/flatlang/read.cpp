@@ -65,7 +65,7 @@ Reading read(const Source& source, const ReadOptions& options, Diagnostics& diag
     reading.printed = std::move(run.printed);
     reading.files = std::move(run.files);
     reading.missing.assign(run.missing.begin(), run.missing.end());
-    if (diagnostics.has_errors() || run.status == RunStatus::runtime_fail ||
+    if (diagnostics.has_errors_as_given() || run.status == RunStatus::runtime_fail ||
         run.status == RunStatus::timeout) {
         return reading;
     }

@@ -444,7 +444,7 @@ std::optional<CreasePattern> read(const Source& source, const ReadOptions& optio
     const std::optional<JsonValue> tree = read_json(source.text, "fold-syntax", diagnostics);
     if (!tree) return std::nullopt;
     std::optional<CreasePattern> pattern = Reader(source, options, diagnostics).run(*tree);
-    if (!pattern || diagnostics.has_errors()) return std::nullopt;
+    if (!pattern || diagnostics.has_errors_as_given()) return std::nullopt;
     pattern->stem = source.stem();
     return pattern;
 }

@@ -582,7 +582,7 @@ Reading read_document(const Source& source, const ReadOptions& options, Diagnost
     reading.missing.assign(reader.pictures().missing().begin(), reader.pictures().missing().end());
     allow_for_elements(std::move(for_elements), design.structures, diagnostics);
     diagnostics.apply_allowances();
-    if (!diagnostics.has_errors()) reading.design = std::move(design);
+    if (!diagnostics.has_errors_as_given()) reading.design = std::move(design);
     return reading;
 }
 

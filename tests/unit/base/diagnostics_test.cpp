@@ -43,6 +43,22 @@ TEST(Diagnostics, ARemarkIsNoFinding) {
     EXPECT_FALSE(diagnostics.has_findings());
 }
 
+TEST(Diagnostics, WhatThePolicyDeniesFailsTheRunAndStopsNoStage) {
+    DiagnosticPolicy policy;
+    policy.deny.insert(kCode);
+    policy.warnings_are_errors = true;
+    Diagnostics diagnostics("f", policy);
+    diagnostics.remark(kCode, {}, "denied");
+    diagnostics.warning(kOther, {}, "an error, as all warnings are");
+    EXPECT_TRUE(diagnostics.has_errors());
+    EXPECT_FALSE(diagnostics.has_errors_as_given());
+    // Also behind those that are only counted.
+    for (int i = 0; i < 200; ++i) diagnostics.warning(kOther, {}, "one of many");
+    EXPECT_FALSE(diagnostics.has_errors_as_given());
+    diagnostics.error(kOther, {}, "an error");
+    EXPECT_TRUE(diagnostics.has_errors_as_given());
+}
+
 TEST(Diagnostics, PolicyRaisesAndDrops) {
     DiagnosticPolicy policy;
     policy.deny.insert(kCode);

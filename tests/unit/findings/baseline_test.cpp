@@ -108,6 +108,14 @@ TEST_F(BaselineFiles, TouchingAnElementMakesItsFindingsNew) {
     EXPECT_EQ(check({"designs/a.xml"}).exit, 1);
 }
 
+TEST_F(BaselineFiles, OfAFileWithANewErrorNothingIsSaidToBeGone) {
+    accept_all();
+    write_file(scratch / "designs/a.xml", "<popup><structurelist>");
+    const RunResult result = check({"designs/a.xml"});
+    EXPECT_EQ(result.exit, 1);
+    EXPECT_EQ(result.err.find("baseline-outdated"), std::string::npos) << result.err;
+}
+
 TEST_F(BaselineFiles, WhatIsMendedIsRemarkedOnAndTakenOutByWriting) {
     accept_all();
     write_file(scratch / "designs/a.xml", card(tent("left", -90, 30) + tent("right", 20, 21)));

@@ -113,7 +113,7 @@ std::optional<Design> read(const Tracing& tracing, const Source& source, Diagnos
     Teller(tracing, *graph, diagnostics).tell(features, left);
     Design design = make_design(tracing, *graph, *page, features, left.holes, drawn.printed, std::move(moves),
                                 diagnostics);
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors_as_given()) return std::nullopt;
     design.file = source.name;
     design.stem = source.stem();
     return design;

@@ -49,7 +49,7 @@ void fold(CreaseLine& crease, const TracedLine& line, bool own_sheet) {
 
 std::optional<CreasePattern> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
     card::CardLines drawn = card::card_lines(tracing, diagnostics);
-    if (diagnostics.has_errors()) return std::nullopt;
+    if (diagnostics.has_errors_as_given()) return std::nullopt;
     CreasePattern pattern;
     pattern.file = source.name;
     pattern.stem = source.stem();
