@@ -78,12 +78,27 @@ class TreeMaker {
                 what.remove_prefix(at + before.size());
         }
         const std::size_t at = here() > 0 && here() < text_.size() ? here() - 1 : here();
+        if (ends_early(what)) return refuse(text_.size(), "this is not JSON: " + where_it_ends());
+        // What editors of scripts allow, and JSON does not.
+        const std::size_t before = at == 0 ? at : text_.find_last_not_of(" \t\r\n", at - 1);
+        const bool closes = at < text_.size() && (text_[at] == ']' || text_[at] == '}');
+        if (closes && before < at && text_[before] == ',')
+            return refuse(before, fmt::format("this is not JSON: a comma stands before '{}'", text_[at]));
         return refuse(at, fmt::format("this is not JSON: {}", one_line(what)));
     }
 
     [[nodiscard]] JsonValue& root() { return root_; }
 
  private:
+    [[nodiscard]] static bool ends_early(std::string_view what) {
+        return what.find("unexpected end of input") != std::string_view::npos;
+    }
+    [[nodiscard]] std::string where_it_ends() const {
+        if (open_.empty()) return "the text ends where a value is missing";
+        const Place begin = place_at(text_, open_.back()->at);
+        return fmt::format("the text ends before the '{}' at {}:{} is closed", text_[open_.back()->at],
+                           begin.line, begin.column);
+    }
     // The library quotes what it read last.
     static std::string one_line(std::string_view text) {
         std::string line(text.substr(0, 200));
@@ -163,6 +178,11 @@ const JsonValue* JsonValue::member(std::string_view name) const {
 
 std::optional<JsonValue> read_json(std::string_view text, std::string_view syntax_code,
                                    Diagnostics& diagnostics) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        diagnostics.error("empty-input", {},
+                          text.empty() ? "the file is empty" : "the file holds only blanks");
+        return std::nullopt;
+    }
     const char* read = text.data();
     TreeMaker maker(text, syntax_code, read, diagnostics);
     const char* end = text.data() + text.size();

@@ -44,8 +44,9 @@ inline constexpr std::size_t kDepthLimit = 32;
 inline constexpr std::size_t kMembersLimit = 64;
 inline constexpr std::size_t kValuesLimit = 8'000'000;
 
-// Errors: `syntax_code` where the text is no JSON, an object has two members of one name or the limits of
-// depth and members are exceeded; `document-too-large`. Numbers are finite, texts are UTF-8. Cost: linear.
+// Errors: `empty-input` where the text is empty or blank; `syntax_code` where it is no JSON, an object has
+// two members of one name or the limits of depth and members are exceeded; `document-too-large`. Numbers are
+// finite, texts are UTF-8. Cost: linear.
 std::optional<JsonValue> read_json(std::string_view text, std::string_view syntax_code,
                                    Diagnostics& diagnostics);
 

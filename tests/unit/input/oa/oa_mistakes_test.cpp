@@ -39,7 +39,7 @@ std::string with_face(const std::string& face) {
 INSTANTIATE_TEST_SUITE_P(
     Oa, OaMistakes,
     testing::Values(
-        Mistake{"empty", "", "oa-syntax", "this is not JSON", 1, 1},
+        Mistake{"empty", "", "empty-input", "the file is empty", 0, 0},
         Mistake{"cut off", "{\"settings\": {\"cardW\": 100", "oa-syntax", "this is not JSON", 1, 27},
         Mistake{"not a number", "{\"settings\": {\"cardW\": NaN}}", "oa-syntax", "this is not JSON", 1, 24},
         Mistake{"too large a number", "{\"settings\": {\"cardW\": 1e999}}", "oa-syntax", "this is not JSON",
