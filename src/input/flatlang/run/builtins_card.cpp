@@ -384,7 +384,8 @@ Value named(const Call& call) {
         refuse_argument(call, 1, call.arguments[1], "its name, a text,");
     }
     std::string name = call.arguments[1]->text;
-    if (call.arguments.size() > 2) {
+    const bool numbered = call.arguments.size() > 2;
+    if (numbered) {
         const Value& value = call.arguments[2];
         const double count = value->number;
         if (value->type != Type::number || !(std::abs(count) < 1e9) || count != std::floor(count)) {
@@ -392,7 +393,7 @@ Value named(const Call& call) {
         }
         name += fmt::format("-{:.0f}", count);
     }
-    if (const auto refusal = name_element(card, number.value_or(0), name)) {
+    if (const auto refusal = name_element(card, number.value_or(0), name, numbered)) {
         refuse(call, *refusal);
     }
     return call.arguments[0];

@@ -392,7 +392,7 @@ void paint_element(Card& card, std::size_t structure, const Paint& paint) {
     }
 }
 
-std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id) {
+std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id, bool numbered) {
     if (!is_id(id)) return Refusal{fmt::format("cannot give the name '{}'", shown(id)), std::string(kIdHint)};
     if (id == kBasePage) return Refusal{"cannot give the name 'page', which is kept for the base page"};
     Structure& made = card.design->structures[structure];
@@ -400,7 +400,9 @@ std::optional<Refusal> name_element(Card& card, std::size_t structure, const std
     if (!card.ids.insert(id).second) {
         return Refusal{
             fmt::format("cannot give the name '{}', which another element has", id),
-            "in a loop or function give a number besides, as in named(house, \"house\", 3) for house-3"};
+            numbered ? "give each a number of its own, as one that counts on through all calls"
+                     : "in a loop or function give a number besides, as in named(house, \"house\", 3) for "
+                       "house-3"};
     }
     if (made.id_given) card.ids.erase(made.id);
     made.id = id;

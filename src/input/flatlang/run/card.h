@@ -102,8 +102,8 @@ std::optional<Refusal> add_line(Card& card, const NewLine& wanted);
 
 void paint_element(Card& card, std::size_t structure, const Paint& paint);
 
-// Gives a structure its id.
-std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id);
+// Gives a structure its id. `numbered`: the call has given a number besides, which is in it.
+std::optional<Refusal> name_element(Card& card, std::size_t structure, const std::string& id, bool numbered);
 
 // The card as other languages would have written it: named as its source, and every structure with an id.
 // Precondition: the card has begun.
