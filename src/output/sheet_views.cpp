@@ -60,6 +60,7 @@ std::optional<TextFont> missing_font(const Layout& layout) {
 struct Printed {
     std::set<const std::string*> pictures;
     std::set<std::string_view> texts;
+    std::set<Operation> operations;  // that draw these
 };
 
 // What of the prints these operations draw, or would draw.
@@ -70,19 +71,24 @@ Printed printed_on(const Layout& layout, const Asked& asked) {
         const Pattern& pattern = nth(layout.designs, placement.design).pattern;
         const PatternPiece& piece = nth(pattern.pieces, placement.piece);
         for (const PatternPrint& one : piece.prints) {
-            if (!asked(operation_of(one.print))) continue;
-            if (const Image* image = std::get_if<Image>(&one.print)) all.pictures.insert(image->bytes.get());
+            const Operation operation = operation_of(one.print);
+            if (!asked(operation)) continue;
+            const Image* image = std::get_if<Image>(&one.print);
             const Text* text = std::get_if<Text>(&one.print);
+            if (image != nullptr) all.pictures.insert(image->bytes.get());
             if (text != nullptr && text->color) all.texts.insert(text->text);
+            if (image != nullptr || (text != nullptr && text->color)) all.operations.insert(operation);
         }
     }
     return all;
 }
 
 // Not the colours of plates and drawn lines: hardly a card has none, and whoever cuts it knows.
-void name_pictures(const Layout& layout, const Profile& profile, std::vector<std::string>& missing) {
-    const auto [pictures, texts] =
+void name_pictures(const Layout& layout, const Profile& profile, std::vector<std::string>& missing,
+                   std::set<Operation>& pens) {
+    auto [pictures, texts, operations] =
         printed_on(layout, [&](Operation operation) { return !profile.draws(operation); });
+    pens.merge(operations);
     const auto name = [&missing](std::size_t count, std::string_view what) {
         if (count > 0) missing.push_back(fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"));
     };
@@ -253,26 +259,33 @@ void examine_prints(const Layout& layout, const OutputOptions& options, Diagnost
     examine_legend(layout, options, diagnostics);
     const Profile& profile = options.profile;
     std::vector<std::string> missing;
-    if (options.legend == Legend::always && !options.print_and_cut && !profile.draws(Operation::legend))
+    std::set<Operation> pens;  // that would draw it
+    if (options.legend == Legend::always && !options.print_and_cut && !profile.draws(Operation::legend)) {
         missing.emplace_back("the legend");
-    if (!options.print_and_cut) name_pictures(layout, profile, missing);
+        pens.insert(Operation::legend);
+    }
+    if (!options.print_and_cut) name_pictures(layout, profile, missing, pens);
     if (!profile.draws(Operation::registration)) {
         if (profile.marks != Marks::none) missing.emplace_back("registration marks");
         if (options.reference_mm > 0.0) missing.emplace_back("the bar to measure");
+        if (profile.marks != Marks::none || options.reference_mm > 0.0) pens.insert(Operation::registration);
     }
     const bool prints = std::any_of(kOperations.begin(), kOperations.end(), [&profile](Operation operation) {
         return is_printed(operation) && operation != Operation::registration && profile.draws(operation);
     });
     if (options.backs && !prints && !options.print_and_cut) missing.emplace_back("printed backs");
     if (missing.empty()) return;
+    std::vector<std::string> keys;
+    for (const Operation pen : pens) keys.push_back(fmt::format("[pens.{}]", to_string(pen)));
     diagnostics
         .remark("prints-left-out", {},
                 fmt::format("the profile {} leaves out {}{}", profile.name, fmt::join(missing, " and "),
                             options.print_and_cut ? ", which only the files of prints have" : ""))
         .hint(options.print_and_cut
                   ? "a profile of your own can give the pen of registration a layer"
-                  : "take --print-and-cut, which prints them to files of their own, or give "
-                    "their pens a layer in a profile of your own");
+                  : fmt::format("take --print-and-cut, which prints them to files of their own, or give {} a "
+                                "layer in a profile of your own",
+                                keys.empty() ? "their pens" : fmt::format("{}", fmt::join(keys, " and "))));
 }
 
 void tell_pictures_left_out(const Layout& layout, const OutputOptions& options, std::string_view suffix,
