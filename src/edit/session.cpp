@@ -250,9 +250,11 @@ bool Session::set_parameter(Structure& structure, const ElementInfo& info, std::
         case ParameterKind::colour: {
             const auto color = parse_color(text);
             if (!color) {
+                const std::string near = nearest_color_name(text);
                 return fail("bad-edit",
                             fmt::format("{} takes a colour, not '{}'", parameter.name, shown(text)),
-                            "write #ffcc00, or a colour's name in CSS such as gold");
+                            near.empty() ? "write #ffcc00, or a colour's name in CSS such as gold"
+                                         : fmt::format("perhaps '{}' is meant", near));
             }
             argument.value = *color;
             break;

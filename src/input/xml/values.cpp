@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "base/text/nearest.h"
 #include "input/color.h"
 #include "input/text.h"
 #include "input/xml/encoding.h"
@@ -153,11 +155,27 @@ std::optional<int> Values::named_page(const Text& text, std::string_view name) {
             .hint("pages are those of glued elements, and the base page, which is 0");
         return std::nullopt;
     }
+    const std::string near = page_like(name);
     reporter_
         .error("bad-page", text.place,
                fmt::format("there is no page '{}': no element up to here has that id", shown(name)))
-        .hint("a page is a number, or the id of an earlier element that has a piece of its own");
+        .hint(near.empty() ? "a page is a number, or the id of an earlier element that has a piece of its own"
+                           : fmt::format("perhaps '{}' is meant", near));
     return std::nullopt;
+}
+
+// The page whose name is most like this one; empty: none is, or there are too many to look through.
+std::string Values::page_like(std::string_view name) {
+    constexpr std::size_t kMostNames = 2'000;
+    constexpr int kMostTimes = 100;  // findings that are told
+    if (pages_->size() > kMostNames || ++pages_missed_ > kMostTimes) return {};
+    std::vector<std::string_view> names{kBasePage};
+    for (const auto& [id, page] : *pages_) {
+        if (page > 0) names.push_back(id);
+    }
+    std::sort(names.begin(), names.end());  // equally good ones are taken as they stand
+    const std::vector<std::string> near = nearest(name, names, 1);
+    return near.empty() ? std::string() : near.front();
 }
 
 std::vector<Values::Token> Values::tokens(const Text& text, std::size_t most) const {

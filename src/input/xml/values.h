@@ -79,9 +79,11 @@ class Values {
 
     [[nodiscard]] bool is_page(std::string_view name) const;
     std::optional<int> named_page(const Text& text, std::string_view name);
+    std::string page_like(std::string_view name);
 
     std::string_view source_;
     const Pages* pages_ = nullptr;
+    int pages_missed_ = 0;
     bool newer_ = false;  // the document's version has pages with names
     Unit unit_;
     Reporter& reporter_;
