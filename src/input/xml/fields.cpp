@@ -80,6 +80,33 @@ void Reporter::unknown_name(Name context, std::string_view name, Place place, bo
     if (!near.empty()) made.hint(fmt::format("perhaps '{}' is meant", near.front()));
 }
 
+void Reporter::value_of_others(const ElementInfo& info, std::string_view name, Place place, bool attribute) {
+    const Severity severity = strict_ ? Severity::error : Severity::warning;
+    if (++unknown_ > kShownUnknowns) {
+        add(severity, "unknown-markup", place, {});
+        return;
+    }
+    Diagnostic& made = add(severity, "unknown-markup", place,
+                           fmt::format("the {} '{}' has no meaning in a structure of type {}",
+                                       attribute ? "attribute" : "element", shown(name), info.name));
+    // Who writes a colour wants to know which there are; names are too alike to guess one of them.
+    const bool colour = name.find("color") != std::string_view::npos;
+    std::vector<std::string_view> own;
+    for (const ParameterInfo& parameter : info.parameters) {
+        if (!colour || parameter.kind == ParameterKind::colour) own.push_back(parameter.name);
+    }
+    if (own.empty()) {
+        made.hint("such a structure has no values but its points");
+        return;
+    }
+    std::string list;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        if (i > 0) list += i + 1 == own.size() ? " and " : ", ";
+        list += own[i];
+    }
+    made.hint(fmt::format("it has {}", list));
+}
+
 void Reporter::unknown_text(Name context, const Text& text) {
     const Severity severity = strict_ ? Severity::error : Severity::warning;
     if (++unknown_ > kShownUnknowns) {

@@ -13,6 +13,7 @@
 #include "input/xml/tree.h"
 #include "popup/design.h"
 #include "popup/diagnostics.h"
+#include "popup/mechanism.h"
 
 namespace popup::xml {
 
@@ -26,6 +27,8 @@ class Reporter {
     Diagnostic& warning(std::string_view code, Place place, std::string message);
     // An attribute or element that `context` does not know: a warning, under --strict an error.
     void unknown_name(Name context, std::string_view name, Place place, bool attribute);
+    // A value that structures of other types have, likewise; the hint says which this one has.
+    void value_of_others(const ElementInfo& info, std::string_view name, Place place, bool attribute);
     void unknown_text(Name context, const Text& text);
     // A field that is given a second time.
     void twice(std::string_view name, Place place, Place first);

@@ -321,7 +321,7 @@ class DocumentReader {
         }
         for (const Field& field : fields.all()) {
             if (!is_value(field.name) || find_parameter(info, field.word())) continue;
-            reporter_.unknown_name(Name::structure, field.word(), field.place, !field.node);
+            reporter_.value_of_others(info, field.word(), field.place, !field.node);
         }
         if (!folds) return;
         for (const Field& field : folds->all()) {

@@ -352,7 +352,7 @@ TEST_F(Rows, ValuesThatAreWrongAreErrorsInTheirPlace) {
     EXPECT_EQ(run(document(flag(plate, "<glue d='M 0 0 L 1 1'/>"))).text,
               "error bad-path: the path data of glue encloses nothing\n");
     EXPECT_EQ(run(document(flag(plate, "<leftcolor>red</leftcolor>"))).text,
-              "warning unknown-markup: the element 'leftcolor' is not known in 'structure'\n");
+              "warning unknown-markup: the element 'leftcolor' has no meaning in a structure of type flag\n");
     EXPECT_EQ(run(document(flag(plate, "<glue page='1' d='M 0 0 h 9 v 9 z'/>"))).text,
               "error wrong-page: the glue of \"f\" is on page 1, and must be on page 0\n");
     EXPECT_EQ(run(document(flag(plate), "2.0")).text,
