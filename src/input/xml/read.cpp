@@ -66,8 +66,10 @@ class DocumentReader {
         const Place place = located_.elements[0].place;
         const std::string_view name = located_.name(0);
         if (find_name(Name::document, name) != Name::popup) {
-            reporter_.error("wrong-root", place,
-                            fmt::format("the root element is <{}>, not <popup>", shown(name)));
+            Diagnostic& made = reporter_.error(
+                "wrong-root", place, fmt::format("the root element is <{}>, not <popup>", shown(name)));
+            if (name == "svg" || name.ends_with(":svg"))
+                made.hint("--from svg reads a drawing whatever its name");
             return false;
         }
         const auto shell = Tree::parse(located_, 0, Tree::Extent::shell, reporter_.diagnostics());
@@ -181,6 +183,7 @@ class DocumentReader {
             .error("bad-unit", text->place,
                    fmt::format("the unit '{}' is not known", shown(trimmed(text->decoded))))
             .hint("known units are " + known);
+        unit_is_known_ = false;
     }
 
     void read_mainpage(Node node) {
@@ -190,7 +193,7 @@ class DocumentReader {
         design_.right = values_.color(fields.find(Name::rightcolor));
         const bool has_width = read_page_size(fields.find(Name::width), design_.width_mm);
         const bool has_height = read_page_size(fields.find(Name::height), design_.height_mm);
-        if (has_width && has_height)
+        if (has_width && has_height && unit_is_known_)
             doubt_page_size(design_.width_mm, design_.height_mm, design_.unit, design_.page_place, reporter_);
         if (const Field* field = fields.find(Name::opens)) read_opening(*field);
         if (const Field* field = fields.find(Name::orientation)) read_orientation(*field);
@@ -548,7 +551,8 @@ class DocumentReader {
     Values values_;
     PictureFiles pictures_;
     Design design_;
-    Values::Pages pages_;  // of the elements read so far; only looked up, never walked
+    bool unit_is_known_ = true;  // or lengths say nothing of how large the card is meant to be
+    Values::Pages pages_;        // of the elements read so far; only looked up, never walked
     int pages_made_ = 0;
     std::unordered_map<std::string, Place> ids_;  // given ids; only looked up, never walked
 };
