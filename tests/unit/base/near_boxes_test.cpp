@@ -1,4 +1,6 @@
 // Which boxes touch is found as a look at each pair would find it.
+#include "base/geometry/near_boxes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/geometry/near_boxes.h"
 #include "support/proposals.h"
 
 namespace popup {
