@@ -160,9 +160,8 @@ inline constexpr std::size_t kMostSuggestions = 200;
 //   fronts the same way (their normals' product is more than 0.5);
 // * coplanar: panels with corners as near to each other, neither over the other, no corner of the smaller
 //   further from the larger's plane, their fronts nearly the same way (0.85);
-// * glue: a panel that lies on a larger one, parallel to it and kMostGlueGapMm from it at most, the nearest
-// of
-//   these. Whether glue holds it there, or it is tucked in or folded under, no drawing says, so that "all"
+// * glue: a panel that lies on a larger one, parallel to it, at most kMostGlueGapMm away; of several on the
+//   nearest. Whether glue holds it there, or it is tucked in or folded under, no drawing says, so that "all"
 //   does not accept it. Panels that are called glue flaps and glue corners are known to be glued.
 //
 // What two corners, or two panels, would leave open by more than a twentieth of near_mm is not suggested, nor
