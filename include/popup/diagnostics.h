@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
@@ -136,8 +135,8 @@ class Diagnostics {
     std::map<std::pair<std::string, Severity>, std::size_t> counts_;
     std::vector<Allowance> allowances_;
     std::map<std::string, std::size_t, std::less<>> for_all_;  // code → the allowance for the whole file
-    std::uint32_t errors_ = 0;
-    std::uint32_t given_errors_ = 0;  // of these, those that the policy has not made
+    std::size_t errors_ = 0;
+    std::size_t given_errors_ = 0;  // of these, those that the policy has not made
     std::size_t findings_ = 0;
 };
 

@@ -103,7 +103,7 @@ Diagnostic& Diagnostics::add(Severity severity, std::string_view code, Place pla
 }
 
 void Diagnostics::count(Severity severity, int step) {
-    if (severity == Severity::error) errors_ += static_cast<std::uint32_t>(step);
+    if (severity == Severity::error) errors_ += static_cast<std::size_t>(step);
     if (severity != Severity::remark) findings_ += static_cast<std::size_t>(step);
 }
 
