@@ -25,7 +25,6 @@ namespace {
 
 using folded::Fold;
 using folded::FoldedState;
-using folded::Panel;
 using folded::Rigid3;
 using folded::RoughShape;
 using folded::Stretch;
