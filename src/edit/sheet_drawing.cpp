@@ -141,9 +141,7 @@ class Writer {
             if (page.y == 0.0) page.y = page.x / box_->width * box_->height;
         }
         page_ = page;
-        const bool has_unit =
-            drawing::has_real_unit(root.value("width")) || drawing::has_real_unit(root.value("height"));
-        const double k = mm_per_unit_ = drawing::mm_per_unit(located_.text, has_unit);
+        constexpr double k = drawing::kMmPerPixel;
         to_mm_ = {k, 0.0, 0.0, -k, 0.0, k * page.y};
         if (box_)
             to_mm_ = to_mm_.after(drawing::fitted(*box_, page.x, page.y, root.value("preserveAspectRatio")));
@@ -153,7 +151,8 @@ class Writer {
 
     // A drawing that was within its page stays so, as far from its edges as it was.
     void grow_page() {
-        const Vec2 page = mm_per_unit_ * page_;
+        constexpr double k = drawing::kMmPerPixel;
+        const Vec2 page = k * page_;
         const auto over = [](double was, double is) {
             return was >= -kSameShapeMm && is < was - kSameShapeMm && is < 0.0 ? was - is : 0.0;
         };
@@ -505,7 +504,6 @@ class Writer {
     Box before_, after_;                                 // of all lines
     std::optional<drawing::ViewBox> box_;
     Vec2 page_, view_;
-    double mm_per_unit_ = drawing::kMmPerPixel;
     Affine to_mm_;
     std::vector<xml::Tree> trees_;  // attributes live in them
     std::vector<xml::PatchEdit> changes_;

@@ -71,8 +71,8 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
     {"size-in-pixels", Severity::remark, "a drawing whose size is in pixels",
      "Pixels are taken for 96 to the inch, as CSS has it. Programs have used 72 and 90 as well, so that "
      "parts may come out too small by a quarter. Compare the size in the message with what it should be, "
-     "and set the document's units to millimetres if it is not. Drawings that say that Adobe Illustrator "
-     "wrote them count in points, 72 to the inch, whatever they call them, and are read so."},
+     "and set the document's units to millimetres if it is not. Adobe Illustrator counts in points, 72 to "
+     "the inch, and calls them pixels: its drawings have their size with --scale 1.333333."},
     {"size-missing", Severity::warning, "a drawing that does not say how large it is",
      "The drawing has no width and height with a length in them, only numbers without a unit. They are "
      "taken for pixels, 96 to the inch, but programs that export such drawings often mean points, 72 to "

@@ -51,23 +51,19 @@ bool has_real_unit(std::string_view text) {
     return unit != nullptr && !unit->first.empty() && unit->first != "px" && unit->first != "%";
 }
 
-double mm_per_unit(std::string_view text, bool has_unit) {
-    const std::string_view before = text.substr(0, text.find("<svg"));
-    const bool in_points = !has_unit && before.find("Generator: Adobe Illustrator") != std::string_view::npos;
-    return in_points ? kMmPerPoint : kMmPerPixel;
+bool is_by_illustrator(std::string_view text) {
+    return text.substr(0, text.find("<svg")).find("Generator: Adobe Illustrator") != std::string_view::npos;
 }
 
 void tell_size(Place place, Vec2 mm, const SizeSaid& said, Diagnostics& diagnostics) {
-    constexpr const char* kPoints =
-        "if the program that made it counts 72 to the inch, --scale 1.333333 is right";
-    if (said.in_points) {
-        diagnostics
-            .remark("size-in-pixels", place,
-                    fmt::format("the drawing's size is in points, 72 to the inch, as Adobe Illustrator has "
-                                "them: {:.2f} × {:.2f} mm",
-                                mm.x, mm.y))
-            .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be");
-    } else if (!said.sized) {
+    const std::string in_points =
+        said.by_illustrator
+            ? fmt::format(
+                  "Adobe Illustrator, which wrote it, counts 72 to the inch: --scale 1.333333 makes "
+                  "it {:.2f} × {:.2f} mm",
+                  mm.x * 96.0 / 72.0, mm.y * 96.0 / 72.0)
+            : std::string("if the program that made it counts 72 to the inch, --scale 1.333333 is right");
+    if (!said.sized) {
         diagnostics
             .warning("size-missing", place,
                      mm.x > 0.0
@@ -77,7 +73,7 @@ void tell_size(Place place, Vec2 mm, const SizeSaid& said, Diagnostics& diagnost
                          : std::string("the drawing does not say how large it is; its unit is taken for a "
                                        "96th of an inch"))
             .hint("write its width and height with their unit, such as width=\"210mm\"")
-            .hint(kPoints);
+            .hint(in_points);
     } else if (!said.has_unit) {
         diagnostics
             .remark(
@@ -85,7 +81,7 @@ void tell_size(Place place, Vec2 mm, const SizeSaid& said, Diagnostics& diagnost
                 fmt::format("the drawing's size is in pixels, taken for 96 to the inch: {:.2f} × {:.2f} mm",
                             mm.x, mm.y))
             .hint("write it with a unit, such as width=\"210mm\", if that is not what it should be")
-            .hint(kPoints);
+            .hint(in_points);
     }
 }
 

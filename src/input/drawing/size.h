@@ -19,20 +19,19 @@ std::optional<double> parse_length(std::string_view text, double whole);
 // True of a length that has a unit other than px and %.
 bool has_real_unit(std::string_view text);
 
-// How long a unit is of a drawing whose size has a real unit, or has none. What Adobe Illustrator calls
-// pixels are points, 72 to the inch: it names itself before the root of `text`. Others have 96 to the inch.
-inline constexpr double kMmPerPoint = 25.4 / 72.0;
-double mm_per_unit(std::string_view text, bool has_unit);
+// Whether Adobe Illustrator names itself before the root of a drawing: what it calls pixels are points, 72 to
+// the inch.
+bool is_by_illustrator(std::string_view text);
 
 // What a drawing says of its size.
 struct SizeSaid {
-    bool sized = false;      // it has a width or a height
-    bool has_unit = false;   // of one of these
-    bool in_points = false;  // without a unit, it counts in points
+    bool sized = false;     // it has a width or a height
+    bool has_unit = false;  // of one of these
+    bool by_illustrator = false;
 };
 
 // Of a drawing of this size: a `size-missing` warning where the drawing does not say it, and a
-// `size-in-pixels` remark where it says so in pixels, or is known to count in points.
+// `size-in-pixels` remark where it says so in pixels.
 void tell_size(Place place, Vec2 mm, const SizeSaid& said, Diagnostics& diagnostics);
 
 // The part of a picture's coordinates that is shown.

@@ -184,9 +184,9 @@ class Tracer {
         }
         const bool has_unit =
             has_real_unit(attributes.value("width")) || has_real_unit(attributes.value("height"));
-        const double k = mm_per_unit(located_.text, has_unit);
+        constexpr double k = kMmPerPixel;
         out_.page = {k * width, k * height};
-        tell_size(place, out_.page, {sized, has_unit, k == kMmPerPoint}, diagnostics_);
+        tell_size(place, out_.page, {sized, has_unit, is_by_illustrator(located_.text)}, diagnostics_);
         out_.ruler = {{0.0, out_.page.y}, 1.0, true};
         const std::string_view preserve = attributes.value("preserveAspectRatio");
         context.to_mm = {k, 0.0, 0.0, -k, 0.0, k * height};

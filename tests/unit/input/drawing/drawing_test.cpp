@@ -242,16 +242,19 @@ TEST(Drawing, WithoutASizeUnitsArePixelsAndThatIsSaid) {
 }
 
 // Illustrator names itself, and counts in points, whether it calls them pixels or nothing at all.
-TEST(Drawing, IllustratorsUnitsArePoints) {
+TEST(Drawing, OfIllustratorsDrawingsItIsSaidHowLargeTheyAreMeant) {
     const std::string by =
         "<!-- Generator: Adobe Illustrator 27.0.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->\n";
-    for (const std::string size : {"", "width='720px' height='360px'", "x='0px' y='0px'"}) {
+    for (const auto& [size, code] : {std::pair("", "2:1 size-missing\n"),
+                                     std::pair("width='720px' height='360px'", "2:1 size-in-pixels\n")}) {
         const auto reading =
             read_drawing(by + "<svg " + size +
                          " viewBox='0 0 720 360'><rect stroke='red' width='720' height='360'/></svg>");
-        EXPECT_EQ(reading.codes(), "2:1 size-in-pixels\n");
-        ASSERT_TRUE(reading.list);
-        expect_box(bounds(reading.part()), 0, 0, 254, 127);
+        EXPECT_EQ(reading.codes(), code);
+        const std::vector<std::string>& hints = reading.findings.front().hints;
+        EXPECT_EQ(hints.back(),
+                  "Adobe Illustrator, which wrote it, counts 72 to the inch: --scale 1.333333 makes it "
+                  "254.00 × 127.00 mm");
     }
     const auto real = read_drawing(by +
                                    "<svg width='254mm' height='127mm' viewBox='0 0 720 360'>"
