@@ -265,10 +265,9 @@ TEST(Drawing, OfIllustratorsDrawingsItIsSaidHowLargeTheyAreMeant) {
 }
 
 TEST(Drawing, TextsOnALayerOfNotesAreNoLettersToCut) {
-    for (const auto& [layer, codes] : {std::pair("Notes", ""), std::pair("Front", "1:99 not-cut\n")}) {
+    for (const auto& [layer, codes] : {std::pair("Notes", ""), std::pair("Front", "1:88 not-cut\n")}) {
         const auto reading = read_drawing(
-            std::string(
-                "<svg width='99mm' height='99mm'><rect stroke='red' width='9' height='9'/><g   id='") +
+            std::string("<svg width='99mm' height='99mm'><rect stroke='red' width='9' height='9'/><g id='") +
             layer + "'><text>30 mm</text></g></svg>");
         ASSERT_TRUE(reading.list);
         EXPECT_EQ(reading.codes(), codes) << layer;
