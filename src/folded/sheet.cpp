@@ -70,13 +70,8 @@ class Maker {
             for (const Vec2 p : line.points) box.extend(p);
         }
         if (std::min(box.width(), box.height()) > kLeastOfBox * std::max(box.width(), box.height())) {
-            lines_.push_back({{{box.min.x, box.min.y},
-                               {box.max.x, box.min.y},
-                               {box.max.x, box.max.y},
-                               {box.min.x, box.max.y}},
-                              true,
-                              ink_of(CreaseUse::cut),
-                              0});
+            const Ring border{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+            lines_.push_back({border, true, ink_of(CreaseUse::cut), 0});
             diagnostics_
                 .warning(
                     "no-border", {},

@@ -276,6 +276,7 @@ void examine_prints(const Layout& layout, const OutputOptions& options, Diagnost
     if (options.backs && !prints && !options.print_and_cut) missing.emplace_back("printed backs");
     if (missing.empty()) return;
     std::vector<std::string> keys;
+    keys.reserve(pens.size());
     for (const Operation pen : pens) keys.push_back(fmt::format("[pens.{}]", to_string(pen)));
     diagnostics
         .remark("prints-left-out", {},

@@ -252,8 +252,7 @@ class Tracer {
                 if (context.owner > 0 && context.layer == Layer::label && tag == "text") {
                     return label(element, attributes, context);
                 }
-                // Notes on a layer of notes are no letters that somebody wants cut.
-                if (context.said.named == Named::ignore) return;
+                if (context.said.named == Named::ignore) return;  // notes are not for cutting
                 return tally_.skipped(tag, at.place);
             case Role::silent:
             case Role::unknown:
@@ -266,9 +265,8 @@ class Tracer {
         for (const std::string& name : context.style.take(declared)) tally_.not_set(name, place);
         declared_variables_ += declared.variable_count();
         if (declared_variables_ <= kDeclaredVariablesLimit) return true;
-        diagnostics_.error(
-            "document-too-large", place,
-            fmt::format("the elements of this drawing set more than {} variables", kDeclaredVariablesLimit));
+        diagnostics_.error("document-too-large", place,
+                           fmt::format("more than {} variables are set", kDeclaredVariablesLimit));
         stopped_ = true;
         return false;
     }
