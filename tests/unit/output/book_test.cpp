@@ -200,19 +200,16 @@ TEST(Book, OfOneSheetIsPushedOutByLevels) {
 
 TEST(Book, OfACartonHasItsFoldsInOrder) {
     const book::Book book = Made({"folded/carton.svg"}).made();
-    const std::string first =
-        "Step 1: fold up panels glue-flap, right, top-flap-right, back, left and top-flap-left";
-    const std::string last = "Step 3: fold up panels bottom-flap-front, top-flap-front and bottom-flap-back";
+    const std::string first = "Step 1: fold up panels glue-flap, right, back and left";
+    const std::string last = "Step 5: fold up panels top-flap-front and top-flap-back";
     EXPECT_EQ(titles(book),
-              (Lines{"Fold", "  " + first,
-                     "  Step 2: fold up panels bottom-flap-right, top-flap-back and bottom-flap-left",
-                     "  " + last}));
+              (Lines{"Fold", "  " + first, "  Step 2: fold up panels bottom-flap-right and bottom-flap-left",
+                     "  Step 3: fold up panels bottom-flap-front and bottom-flap-back",
+                     "  Step 4: fold up panels top-flap-right and top-flap-left", "  " + last}));
     EXPECT_EQ(step_named(book, first).actions.back(),
               "Put glue on glue-flap, and press it onto the inside of left until it holds.");
-    EXPECT_EQ(
-        step_named(book, last).actions,
-        Lines{"Valley folds, to 90°: between front | bottom-flap-front, front | top-flap-front and back | "
-              "bottom-flap-back."});
+    EXPECT_EQ(step_named(book, last).actions,
+              Lines{"Valley folds, to 90°: between front | top-flap-front and back | top-flap-back."});
     EXPECT_EQ(need(book, "To glue"), "1 flap");
     EXPECT_NE(need(book, "Tools").find("glue that does not warp paper"), std::string::npos);
     EXPECT_EQ(book.cards.front().opens,
