@@ -235,7 +235,8 @@ TEST(FortyPanels, TheLockedTrayClosesAsItIsDrawn) {
     ASSERT_TRUE(found);
     std::size_t looked_at = 0;
     for (const Suggestion& row : found->rows) {
-        if (!row.closes || row.furthest.by_deg() > kMostTurnDeg || row.join.kind == JoinKind::coplanar)
+        if (!row.closes || row.furthest.by_deg() > kMostTurnDeg || row.join.kind == JoinKind::coplanar ||
+            row.lies())
             continue;
         const auto refined = refine_shape(pattern, {{}, {row.join}}, diagnostics);
         ASSERT_TRUE(refined);

@@ -84,8 +84,10 @@ TEST(DrawingVariables, ThatGrowWithoutEndAreNotSet) {
     }
     EXPECT_EQ(said(set, "var(--v3)").size(), 8U * 15U);
     EXPECT_EQ(said(set, "var(--v59)"), "-");
-    std::string deep = "1";
-    for (int i = 0; i < 100'000; ++i) deep = "var(--n," + deep + ")";
+    constexpr std::size_t kDeep = 100'000;
+    std::string deep;
+    for (std::size_t i = 0; i < kDeep; ++i) deep += "var(--n,";
+    deep += "1" + std::string(kDeep, ')');
     EXPECT_EQ(said(set, deep), "-");
 }
 
