@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "folded/carton/ring.h"
-#include "folded/sharing.h"
 #include "popup/made_size.h"
 #include "run/crew.h"
 #include "run/unique_stems.h"
@@ -15,7 +14,7 @@
 namespace popup {
 namespace {
 // The stages of one design, in order, up to its check; assemblies enter there. False: they end here.
-bool run_first_stages(CompiledDesign& one, const CompileOptions& options, const folded::Sharing& all) {
+bool run_first_stages(CompiledDesign& one, const CompileOptions& options) {
     Reading reading = read_source_text(one.source, options.read, one.diagnostics);
     one.printed = std::move(reading.printed);
     one.further_files = std::move(reading.files);
@@ -27,7 +26,7 @@ bool run_first_stages(CompiledDesign& one, const CompileOptions& options, const 
         if (one.assembly->file.empty()) one.assembly->file = one.source.name;
         one.diagnostics.set_places_file(one.assembly->file);
     } else if (one.creases && options.until >= Stage::assembly) {
-        one.assembly = folded::fold_sheet(*one.creases, options.fold, all, one.diagnostics);
+        one.assembly = fold_sheet(*one.creases, options.fold, one.diagnostics);
     } else if (one.design) {
         one.design->stem = one.stem;
         if (options.until == Stage::design) return false;
@@ -49,7 +48,8 @@ void tell_what_closes(CompiledDesign& one, const CompileOptions& options) {
     folded::tell_open_ring(*one.creases, options.fold, collides, simulated, one.diagnostics);
 }
 
-enum class Draw { yes, no };  // no: of a pattern only what it would say is found
+// Whether a pattern is made, or only what it would say is found.
+enum class Draw { yes, no };
 
 // False: a stage that finds something was not asked for, or not reached.
 bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw draw) {
@@ -88,11 +88,12 @@ void conclude(CompiledDesign& one, const CompileOptions& options, bool whole) {
     tell_unused_allowances(one.diagnostics, unasked);
 }
 
-void compile_one(CompiledDesign& one, const CompileOptions& options, const folded::Sharing& all = {}) {
-    const bool whole = run_first_stages(one, options, all) && run_last_stages(one, options, Draw::yes);
+void compile_one(CompiledDesign& one, const CompileOptions& options) {
+    const bool whole = run_first_stages(one, options) && run_last_stages(one, options, Draw::yes);
     conclude(one, options, whole);
 }
 
+// Designs share nothing, so any thread takes the next one.
 CrewOptions crew_of(const CompileOptions& options) {
     return {static_cast<std::size_t>(std::max(options.threads, 1)), options.may_start_thread,
             options.thread_ended, options.progress};
@@ -113,10 +114,8 @@ Compilation compile(std::vector<Source> sources, const CompileOptions& options,
     }
     stems = unique_stems(std::move(stems));
     for (std::size_t i = 0; i < stems.size(); ++i) run.designs[i].stem = std::move(stems[i]);
-    const int threads = run.designs.size() == 1 ? options.threads : 1;  // that one design may take
-    share_work(run.designs.size(), crew_of(options), [&](std::size_t i) {
-        compile_one(run.designs[i], options, {threads, sharing(crew_of(options))});
-    });
+    share_work(run.designs.size(), crew_of(options),
+               [&](std::size_t i) { compile_one(run.designs[i], options); });
     if (options.until == Stage::layout) lay_out_run(run, options);
     return run;
 }
@@ -129,7 +128,8 @@ void compile_further(CompiledDesign& one, const CompileOptions& options) {
 void find_further(CompiledDesign& one, const CompileOptions& options) {
     CompileOptions all = options;
     all.until = Stage::pattern;
-    conclude(one, options, one.checked && run_last_stages(one, all, Draw::no));
+    const bool whole = one.checked && run_last_stages(one, all, Draw::no);
+    conclude(one, options, whole);
 }
 
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,

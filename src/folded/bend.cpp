@@ -272,7 +272,7 @@ class Divider {
 }  // namespace
 
 std::optional<Bent> bend_panels(const CreasePattern& pattern, const FoldOptions& options, const Sheet& sheet,
-                                const Paths& paths, const PathOptions& path, Work& work) {
+                                const Paths& paths, Work& work) {
     std::vector<char> bends(sheet.panels.size(), 0);
     for (const Cluster& cluster : paths.clusters) {
         if (cluster.reached > 0.0 || cluster.given_up) continue;
@@ -292,7 +292,7 @@ std::optional<Bent> bend_panels(const CreasePattern& pattern, const FoldOptions&
     std::optional<Sheet> divided = make_sheet(pattern, options, told, diagonals);
     if (!divided) return std::nullopt;
     Bent bent;
-    bent.paths = find_paths(*divided, path, work);
+    bent.paths = find_paths(*divided, {options.closure_mm}, work);
     if (!(bent.paths.reached > 0.0)) return std::nullopt;
     bent.sheet = std::move(*divided);
     return bent;

@@ -20,11 +20,11 @@ struct Bent {
 };
 
 // Divides the panels beside loops that do not leave the flat sheet, and finds the paths again. `sheet` is the
-// pattern's as make_sheet() gives it, and `paths` its paths, found with `path`. Lines that the pattern draws
-// as flat are taken where they lead from corner to corner of a panel; what is left is divided into triangles
-// with angles as wide as can be. Returns nullopt if there is nothing to divide, if a loop does not leave the
-// flat sheet nevertheless, or if `work` is spent.
+// pattern's as make_sheet() gives it, and `paths` its paths. Lines that the pattern draws as flat are taken
+// where they lead from corner to corner of a panel; what is left is divided into triangles with angles as
+// wide as can be. Returns nullopt if there is nothing to divide, if a loop does not leave the flat sheet
+// nevertheless, or if `work` is spent.
 std::optional<Bent> bend_panels(const CreasePattern& pattern, const FoldOptions& options, const Sheet& sheet,
-                                const Paths& paths, const PathOptions& path, Work& work);
+                                const Paths& paths, Work& work);
 
 }  // namespace popup::folded

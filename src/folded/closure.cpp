@@ -1,15 +1,12 @@
 #include "folded/closure.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "base/nth.h"
-#include "popup/diagnostics.h"
 
 namespace popup::folded {
 namespace {
@@ -51,25 +48,18 @@ constexpr double kKeepsSlopes = 0.1;
 constexpr double kTermSteps = 60.0;
 // Of one, in what a solution leaves of the change.
 constexpr double kSlopeSteps = 24.0;
-// Factors that take less are made sooner than another thread begins.
-constexpr double kWorthSharing = 2e5;
-// More than any round takes, and whole numbers of steps are exact beside it.
-constexpr double kNoBound = 1e15;
 
 }  // namespace
 
-Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work,
-                 const Sharing& sharing)
-    : Closure(sheet, folds, plan_steps(sheet, folds, loops, work), work, sharing) {}
+Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work)
+    : Closure(sheet, folds, plan_steps(sheet, folds, loops, work), work) {}
 
-Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work,
-                 const Sharing& sharing)
+Closure::Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work)
     : work_(&work),
       affordable_(plan.affordable),
       factor_work_(plan.factors()),
       solution_work_(plan.solution),
-      closing_(equations(sheet, folds, std::move(plan))),
-      sharing_(sharing) {}
+      closing_(equations(sheet, folds, std::move(plan))) {}
 
 ClosingStep Closure::equations(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan) {
     Eigen::VectorXd ease = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(folds.size()));
@@ -166,9 +156,8 @@ double Closure::residual(const Eigen::VectorXd& angles, int* worst) {
 }
 
 // False if the work that is left does not do for it.
-bool Closure::factorise() { return work_->spend(factor_work_) && make_factors(); }
-
-bool Closure::make_factors() {
+bool Closure::factorise() {
+    if (!work_->spend(factor_work_)) return false;
     const double mean_square = residual_.squaredNorm() / static_cast<double>(residual_.size());
     return closing_.factorise(slopes_, kRegular + kDamped * mean_square);
 }
@@ -181,102 +170,29 @@ bool Closure::step(const Eigen::VectorXd& change, Eigen::VectorXd& by, int most)
 }
 
 int Closure::approach_smoothly(std::span<Eigen::VectorXd> all, double enough, bool near) {
+    Eigen::VectorXd by;
     std::vector<double> open(all.size(), HUGE_VAL);
-    std::vector<Round> rounds(all.size());
     bool keeps = near;  // slopes
-    for (int number = 0;; ++number) {
-        const bool last = number == kSmoothSteps;
-        make_rounds(all, open, {keeps, last, enough}, rounds);
+    for (int round = 0;; ++round) {
+        const bool last = round == kSmoothSteps;
         double worst = 0.0;
         bool all_there = true;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            Round& round = rounds[i];
-            if (!pay(round) || !round.goes) return static_cast<int>(i);
-            worst = std::max(worst, round.open);
-            open[i] = std::max(round.open, kSettled);
+            evaluate(all[i], !last);
+            const double before = residual_.lpNorm<Eigen::Infinity>();
+            if (last ? !(before <= enough) : !(before <= kNotNearer * open[i])) return static_cast<int>(i);
+            worst = std::max(worst, before);
+            open[i] = std::max(before, kSettled);
             if (last) continue;
-            all[i] = std::move(round.there);
-            if (!round.settled) all_there = false;
+            const int most = keeps ? kOnce : kUntilRounding;
+            if (!factorise() || !step(-residual_, by, most) || by.lpNorm<Eigen::Infinity>() > kLongestStep)
+                return static_cast<int>(i);
+            all[i] += by;
+            if (keeps ? !keep_slopes(all[i]) : before > kRounded) all_there = false;
         }
         if (last || all_there) return -1;
         keeps = worst <= kNearlyOpen;
     }
-}
-
-// One state after the other, up to the first that does not go; or several at once, each thread with a twin of
-// this object. Those that come after one that does not go may be left out then.
-void Closure::make_rounds(std::span<const Eigen::VectorXd> all, std::span<const double> open, RoundKind kind,
-                          std::span<Round> rounds) {
-    std::atomic<std::size_t> end{all.size()};
-    const auto make = [&](Closure& on, std::size_t i) {
-        if (i >= end.load()) return;
-        rounds[i] = on.round_of(all[i], open[i], kind);
-        if (rounds[i].goes) return;
-        std::size_t before = end.load();
-        while (i < before && !end.compare_exchange_weak(before, i)) {
-        }
-    };
-    if (!sharing_.share || sharing_.threads < 2 || all.size() < 2 || kind.last ||
-        factor_work_ < kWorthSharing) {
-        for (std::size_t i = 0; i < all.size(); ++i) make(*this, i);
-        return;
-    }
-    const std::size_t threads = std::min(static_cast<std::size_t>(sharing_.threads), all.size());
-    while (twins_.size() + 1 < threads) {
-        Closure twin = *this;
-        twin.twins_.clear();
-        twins_.push_back(std::move(twin));
-    }
-    std::mutex taking;
-    std::vector<Closure*> idle{this};
-    for (Closure& twin : twins_) idle.push_back(&twin);
-    sharing_.share(all.size(), [&](std::size_t i) {
-        Closure* on = nullptr;
-        {
-            const std::lock_guard lock(taking);
-            POPUP_INVARIANT(!idle.empty());
-            on = idle.back();
-            idle.pop_back();
-        }
-        make(*on, i);
-        const std::lock_guard lock(taking);
-        idle.push_back(on);
-    });
-}
-
-// What it takes is noted in it, and paid later.
-Closure::Round Closure::round_of(const Eigen::VectorXd& angles, double open_before, RoundKind kind) {
-    Work noted(kNoBound);
-    Work* const paying = std::exchange(work_, &noted);
-    Round round;
-    evaluate(angles, !kind.last);
-    round.look = noted.spent();
-    round.open = residual_.lpNorm<Eigen::Infinity>();
-    round.goes = kind.last ? round.open <= kind.enough : round.open <= kNotNearer * open_before;
-    if (round.goes && !kind.last) {
-        round.has_factors = true;
-        go_round(angles, kind, round);
-    }
-    round.rest = noted.spent() - round.look;
-    work_ = paying;
-    return round;
-}
-
-void Closure::go_round(const Eigen::VectorXd& angles, RoundKind kind, Round& round) {
-    Eigen::VectorXd by;
-    round.goes = make_factors() && step(-residual_, by, kind.keeps ? kOnce : kUntilRounding) &&
-                 by.lpNorm<Eigen::Infinity>() <= kLongestStep;
-    if (!round.goes) return;
-    round.there = angles + by;
-    round.settled = kind.keeps ? keep_slopes(round.there) : round.open <= kRounded;
-}
-
-// False if the work that is left does not do for its factors.
-bool Closure::pay(const Round& round) {
-    work_->spend(round.look);
-    if (round.has_factors && !work_->spend(factor_work_)) return false;
-    work_->spend(round.rest);
-    return true;
 }
 
 // A few steps more with the slopes of the last one. Returns whether only rounding is left.

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <functional>
-#include <list>
 #include <span>
 #include <vector>
 
 #include "folded/closing_step.h"
 #include "folded/rigid.h"
-#include "folded/sharing.h"
 #include "folded/sheet.h"
 #include "folded/sine.h"
 #include "folded/step_plan.h"
@@ -21,10 +18,8 @@ namespace popup::folded {
 class Closure {
  public:
     // Loops of the sheet, and the folds that they cross; angles have the order of `folds`. `work`, which must
-    // outlive this object, pays for all that follows. Once it is spent, no step helps. `sharing`: with whom
-    // work for several states is shared, where it is worth it; results and what is paid do not depend on it.
-    Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work,
-            const Sharing& sharing = {});
+    // outlive this object, pays for all that follows. Once it is spent, no step helps.
+    Closure(const Sheet& sheet, const std::vector<int>& folds, const std::vector<int>& loops, Work& work);
 
     // False if the work that is left does not do for the steps that it takes to find anything: then it is
     // left for others, and nothing below may be used.
@@ -60,28 +55,7 @@ class Closure {
         Vec3 at, dir;  // of the fold's line on the sheet, from the loop's own point; lengths over its size
     };
 
-    // What one round of approach_smoothly() makes of one state.
-    struct Round {
-        Eigen::VectorXd there;
-        double open = 0.0;  // before it
-        bool goes = false;  // else the state stays open, or a step does not help it
-        bool settled = false;
-        bool has_factors = false;
-        double look = 0.0, rest = 0.0;  // of work, without that of the factors
-    };
-    struct RoundKind {
-        bool keeps = false;   // slopes
-        bool last = false;    // nothing is moved any more
-        double enough = 0.0;  // of the last one
-    };
-
-    Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work,
-            const Sharing& sharing);
-    Round round_of(const Eigen::VectorXd& angles, double open_before, RoundKind kind);
-    void go_round(const Eigen::VectorXd& angles, RoundKind kind, Round& round);
-    void make_rounds(std::span<const Eigen::VectorXd> all, std::span<const double> open, RoundKind kind,
-                     std::span<Round> rounds);
-    bool pay(const Round& round);
+    Closure(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan, Work& work);
     // Of the plan's loops; what is asked of them in each state goes to the members above.
     ClosingStep equations(const Sheet& sheet, const std::vector<int>& folds, StepPlan plan);
     // Residuals of all loops, and with `slopes` their derivatives.
@@ -93,7 +67,6 @@ class Closure {
     // The smallest step that adds this to the residuals, to the first order.
     bool step(const Eigen::VectorXd& change, Eigen::VectorXd& by, int most = kUntilRounding);
     bool factorise();
-    bool make_factors();
     bool keep_slopes(Eigen::VectorXd& angles);
 
     Work* work_;
@@ -105,8 +78,6 @@ class Closure {
     bool bends_ = false;
     Eigen::VectorXd residual_;
     ClosingStep closing_;
-    Sharing sharing_;
-    std::list<Closure> twins_;  // of this one, for other threads
 };
 
 }  // namespace popup::folded

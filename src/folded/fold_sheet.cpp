@@ -15,7 +15,6 @@
 #include "folded/lower.h"
 #include "folded/path.h"
 #include "folded/refine.h"
-#include "folded/sharing.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
 #include "folded/work.h"
@@ -432,7 +431,7 @@ bool is_sound(const Paths& paths) {
 }
 
 std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const FoldOptions& options,
-                                        const folded::Sharing& sharing, Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics) {
     if (options.flat) {
         std::optional<FlatFolding> flat = fold_flat(pattern, options, diagnostics);
         if (!flat) return std::nullopt;
@@ -446,20 +445,20 @@ std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const Fold
             diagnostics.remark("board-left-out", {},
                                "allowances for the board are looked for where a sheet folds as it is drawn, "
                                "and this one does not");
-            return folded_as_asked(pattern, rest, sharing, diagnostics);
+            return folded_as_asked(pattern, rest, diagnostics);
         }
         if (allowed->moved) {
             rest.fold_angles.clear();
             rest.snap_mm = kMendedMm;  // what lies beside a crease that was moved is not to snap to it
         }
-        return folded_as_asked(allowed->pattern, rest, sharing, diagnostics);
+        return folded_as_asked(allowed->pattern, rest, diagnostics);
     }
     const std::optional<Sheet> drawn = folded::make_sheet(pattern, options, diagnostics);
     if (!drawn) return std::nullopt;
     if (drawn->folds.empty()) tell_no_folds(pattern, diagnostics);
     std::optional<Sheet> sheet = drawn;
     const bool has_bent_folds = folded::has_bent_folds(*sheet);
-    const folded::PathOptions path{options.closure_mm, sharing};
+    const folded::PathOptions path{options.closure_mm};
     folded::Work work;
     Paths paths = folded::find_paths(*sheet, path, work);
     const double most_mm = std::max(options.refine_mm, kRefineShare * sheet->size());
@@ -484,8 +483,7 @@ std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const Fold
         refine_whole();
     }
     if (paths.any_stays()) {
-        if (const std::optional<folded::Bent> bent =
-                bend_panels(pattern, options, *drawn, paths, path, work)) {
+        if (const std::optional<folded::Bent> bent = bend_panels(pattern, options, *drawn, paths, work)) {
             tell_bends(*bent, paths, pattern, *drawn, diagnostics);
             return Lowering(pattern, options, bent->sheet, bent->paths, work.most(), diagnostics).run();
         }
@@ -498,13 +496,8 @@ std::optional<Assembly> folded_as_asked(const CreasePattern& pattern, const Fold
 
 std::optional<Assembly> fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                    Diagnostics& diagnostics) {
-    return folded::fold_sheet(pattern, options, {}, diagnostics);
-}
-
-std::optional<Assembly> folded::fold_sheet(const CreasePattern& pattern, const FoldOptions& options,
-                                           const Sharing& sharing, Diagnostics& diagnostics) {
-    tell_unused_angles(pattern, options, diagnostics);
-    return folded_as_asked(pattern, options, sharing, diagnostics);
+    folded::tell_unused_angles(pattern, options, diagnostics);
+    return folded_as_asked(pattern, options, diagnostics);
 }
 
 }  // namespace popup

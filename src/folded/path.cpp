@@ -111,7 +111,7 @@ class Walk {
     Walk(const Sheet& sheet, const PathOptions& options, Cluster& cluster, Work& work)
         : cluster_(cluster),
           work_(work),
-          closure_(sheet, cluster.folds, cluster.loops, work, options.sharing),
+          closure_(sheet, cluster.folds, cluster.loops, work),
           target_(static_cast<Eigen::Index>(cluster.folds.size())) {
         for (std::size_t i = 0; i < cluster.folds.size(); ++i)
             target_[static_cast<Eigen::Index>(i)] = nth(sheet.folds, cluster.folds[i]).target;

@@ -26,7 +26,6 @@
 
 #include <vector>
 
-#include "folded/sharing.h"
 #include "folded/sheet.h"
 #include "folded/work.h"
 
@@ -34,7 +33,6 @@ namespace popup::folded {
 
 struct PathOptions {
     double closure_mm = 1e-7;  // of loops, at any share; > 0
-    Sharing sharing = {};
 };
 
 // The share of the final angles, from 0 at the flat sheet to 1, and the angle of a fold there, in radians.

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <utility>
 
 namespace popup {
 
@@ -21,13 +20,5 @@ struct CrewOptions {
 // a piece while others are left asks for one more thread. Returns when all is done; what `work` throws in the
 // caller's thread comes through after the others have ended, and in another thread ends the program.
 void share_work(std::size_t count, const CrewOptions& options, const std::function<void(std::size_t)>& work);
-
-// share_work() with these, for who knows of no crew. Nobody is told how many are done.
-inline auto sharing(CrewOptions options) {
-    options.progress = {};
-    return [options = std::move(options)](std::size_t count, const std::function<void(std::size_t)>& work) {
-        share_work(count, options, work);
-    };
-}
 
 }  // namespace popup

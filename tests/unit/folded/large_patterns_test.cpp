@@ -3,23 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
-#include <thread>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "folded/path.h"
-#include "folded/sharing.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
 #include "miura.h"
 #include "popup/crease_pattern.h"
-#include "support/designs.h"
 #include "support/random.h"
 
 namespace popup {
@@ -161,50 +154,6 @@ TEST(LargePatterns, OfAVeryLongBorderOfTwoPanels) {
     ASSERT_TRUE(sheet);
     EXPECT_EQ(sheet->panels.size(), 2U);
     EXPECT_GT(sheet->folds.size(), 1000U);
-}
-
-// The laws of all folds, and what was told.
-std::pair<std::vector<Vec2>, std::string> laws_of(const CreasePattern& pattern,
-                                                  const folded::Sharing& sharing) {
-    Diagnostics diagnostics("large");
-    const auto assembly = folded::fold_sheet(pattern, {}, sharing, diagnostics);
-    std::vector<Vec2> laws;
-    if (assembly) {
-        for (const Joint& joint : assembly->joints) {
-            if (const auto* how = std::get_if<Folded>(&joint.how))
-                laws.insert(laws.end(), how->law.begin(), how->law.end());
-        }
-    }
-    return {std::move(laws), test::findings(diagnostics)};
-}
-
-// To the last bit, whichever thread takes which piece, and in whatever order.
-TEST(LargePatterns, FoldTheSameWithAnyThreads) {
-    std::atomic<int> shared{0};
-    const auto backwards = [&](std::size_t count, const std::function<void(std::size_t)>& piece) {
-        ++shared;
-        for (std::size_t i = count; i-- > 0;) piece(i);
-    };
-    const auto in_threads = [&](std::size_t count, const std::function<void(std::size_t)>& piece) {
-        std::atomic<std::size_t> next{0};
-        const auto work = [&] {
-            for (std::size_t i = next++; i < count; i = next++) piece(i);
-        };
-        std::thread other(work);
-        work();
-        other.join();
-    };
-    CreasePattern bent = miura(26, 26, 10.0, 10.0, 0.3);
-    // A panel with a diagonal that is folded with its neighbours: none of it is rigid any more.
-    bent.lines.push_back({{bent.lines[13].points[0], bent.lines[14].points[1]}, false, CreaseUse::valley});
-    for (const CreasePattern& pattern : {miura(26, 26, 10.0, 10.0, 0.3), bent}) {
-        const auto alone = laws_of(pattern, {});
-        EXPECT_FALSE(alone.first.empty());
-        shared = 0;
-        EXPECT_EQ(laws_of(pattern, {2, backwards}), alone);
-        EXPECT_GT(shared.load(), 0);
-        EXPECT_EQ(laws_of(pattern, {2, in_threads}), alone);
-    }
 }
 
 }  // namespace
