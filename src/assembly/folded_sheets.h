@@ -24,10 +24,11 @@ inline constexpr std::string_view kLidName = "lid";
 inline constexpr std::string_view kTopName = "top";
 inline constexpr std::string_view kBottomName = "bottom";
 
+inline constexpr std::string_view kLining = "-lining";  // ends what the rolled in part of a wall is called
+
 // Whether a wall is rolled in over a corner, which is folded in first: "sheet/right-lining" over
 // "sheet/front-corner-right".
 inline bool is_rolled_over(std::string_view corner, std::string_view lining) {
-    constexpr std::string_view kLining = "-lining";
     constexpr std::string_view kCorner = "-corner-";
     const std::string_view piece = lining.substr(0, lining.rfind('/') + 1);
     if (!corner.starts_with(piece) || !lining.ends_with(kLining)) return false;

@@ -74,15 +74,19 @@ OfBox of_box(const Assembly& assembly, const OrderedPart& part) {
 }
 
 std::vector<std::vector<int>> rolled_over_by(const Assembly& assembly, std::span<const OrderedPart> parts) {
-    std::vector<std::vector<int>> over(parts.size());
+    const auto name_of = [&](std::size_t part) -> std::string_view {
+        const Folded* const fold = single_fold(assembly, parts[part]);
+        return fold == nullptr ? std::string_view() : nth(assembly.plates, fold->plate).name;
+    };
+    std::vector<std::size_t> linings;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Folded* const corner = single_fold(assembly, parts[i]);
-        if (corner == nullptr) continue;
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            const Folded* const lining = single_fold(assembly, parts[k]);
-            if (lining != nullptr && is_rolled_over(nth(assembly.plates, corner->plate).name,
-                                                    nth(assembly.plates, lining->plate).name))
-                over[i].push_back(static_cast<int>(k));
+        if (name_of(i).ends_with(kLining)) linings.push_back(i);
+    }
+    std::vector<std::vector<int>> over(parts.size());
+    if (linings.empty()) return over;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (const std::size_t lining : linings) {
+            if (is_rolled_over(name_of(i), name_of(lining))) over[i].push_back(static_cast<int>(lining));
         }
     }
     return over;

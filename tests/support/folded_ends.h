@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,8 @@
 #include "popup/assembly.h"
 #include "popup/crease_pattern.h"
 #include "popup/diagnostics.h"
+#include "popup/files.h"
+#include "popup/language.h"
 
 namespace popup::test {
 
@@ -23,6 +26,18 @@ inline void add_line(CreasePattern& pattern, std::vector<Vec2> points, bool clos
     line.use = use;
     line.fold_deg = deg;
     pattern.lines.push_back(std::move(line));
+}
+
+// A drawing that is read as a folded sheet, its lines as `rules` say; nullopt: it cannot be.
+inline std::optional<CreasePattern> read_folded(const std::filesystem::path& path,
+                                                std::vector<LineRule> rules = {}) {
+    Diagnostics diagnostics;
+    const auto source = read_source(path.string(), diagnostics);
+    if (!source) return std::nullopt;
+    ReadOptions options;
+    options.drawing.as = DrawnAs::folded;
+    options.drawing.lines = std::move(rules);
+    return read_source_text(*source, options, diagnostics).creases;
 }
 
 // How many folds end at an angle, degrees, mountains below 0; to a thousandth.

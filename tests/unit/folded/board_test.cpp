@@ -14,21 +14,13 @@
 #include "popup/files.h"
 #include "popup/language.h"
 #include "popup/motion.h"
+#include "support/folded_ends.h"
 #include "support/random.h"
 
 namespace popup {
 namespace {
 
 const std::filesystem::path kSource(POPUP_SOURCE_DIR);
-
-std::optional<CreasePattern> drawn(const std::filesystem::path& path) {
-    Diagnostics diagnostics;
-    const auto source = read_source(path.string(), diagnostics);
-    if (!source) return std::nullopt;
-    ReadOptions options;
-    options.drawing.as = DrawnAs::folded;
-    return read_source_text(*source, options, diagnostics).creases;
-}
 
 std::vector<std::string> messages(const Diagnostics& diagnostics, const std::string& code) {
     std::vector<std::string> found;
@@ -59,7 +51,7 @@ class KitBoard : public testing::TestWithParam<const char*> {};
 // The kit draws cartons with the allowances of its page.
 TEST_P(KitBoard, CartonsOfTheKitNeedNothingForTheirOwnBoard) {
     const std::filesystem::path path = kSource / "samples/cartons" / (std::string(GetParam()) + ".fl");
-    const auto pattern = drawn(path);
+    const auto pattern = test::read_folded(path);
     ASSERT_TRUE(pattern);
     Diagnostics diagnostics;
     const auto source = read_source(path.string(), diagnostics);
@@ -80,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Kit, KitBoard,
                                          "sleeve", "straight-tuck-end", "tray-with-lid"));
 
 TEST(Board, WhatGoesInsideGoesInByACaliperAndATuckFlapByMore) {
-    const auto pattern = drawn(kSource / "tests/cases/board/tube.svg");
+    const auto pattern = test::read_folded(kSource / "tests/cases/board/tube.svg");
     ASSERT_TRUE(pattern);
     Diagnostics diagnostics;
     FoldOptions options;
@@ -101,7 +93,7 @@ TEST(Board, WhatGoesInsideGoesInByACaliperAndATuckFlapByMore) {
 }
 
 TEST(Board, WhatWasAllowedForNeedsNothingMore) {
-    const auto pattern = drawn(kSource / "tests/cases/board/tube.svg");
+    const auto pattern = test::read_folded(kSource / "tests/cases/board/tube.svg");
     ASSERT_TRUE(pattern);
     Diagnostics diagnostics;
     const auto once = allow_for_board(*pattern, {}, 0.5, diagnostics);
@@ -119,7 +111,7 @@ class MailersBoard : public testing::TestWithParam<double> {};
 // own, some past where the other begins. What is drawn alike on both sides, to the last digit, is moved
 // alike.
 TEST_P(MailersBoard, StaysOnePieceAndMirrored) {
-    const auto pattern = drawn(kSource / "tests/cases/board/mailer.svg");
+    const auto pattern = test::read_folded(kSource / "tests/cases/board/mailer.svg");
     ASSERT_TRUE(pattern);
     Diagnostics diagnostics;
     const auto allowed = allow_for_board(*pattern, {}, GetParam(), diagnostics);
@@ -159,7 +151,7 @@ TEST_P(MailersBoard, StaysOnePieceAndMirrored) {
 INSTANTIATE_TEST_SUITE_P(Boards, MailersBoard, testing::Values(0.3, 0.5, 1.0, 1.5, 2.0, 3.0));
 
 TEST(Board, SheetsThatDoNotFoldAsTheyAreDrawnAreFoldedWithoutIt) {
-    const auto pattern = drawn(kSource / "samples/folded/carton.svg");
+    const auto pattern = test::read_folded(kSource / "samples/folded/carton.svg");
     ASSERT_TRUE(pattern);
     // Three folds about a corner do not go: nothing is rigid.
     CreasePattern three = *pattern;

@@ -17,15 +17,6 @@ namespace {
 
 using test::add_line;
 
-std::optional<CreasePattern> drawing(const std::filesystem::path& path) {
-    Diagnostics diagnostics;
-    const auto source = read_source(path.string(), diagnostics);
-    if (!source) return std::nullopt;
-    ReadOptions options;
-    options.drawing.as = DrawnAs::folded;
-    return read_source_text(*source, options, diagnostics).creases;
-}
-
 // What stays while the rest is folded.
 std::string ground_of(const CreasePattern& pattern) {
     Diagnostics diagnostics;
@@ -42,8 +33,8 @@ std::string ground_of(const CreasePattern& pattern) {
 
 // Boxes stand on what their makers stand them on, whatever is largest, and whatever is drawn first.
 TEST(Carton, StandsOnItsBase) {
-    const auto mailer =
-        drawing(std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases" / "board" / "mailer.svg");
+    const auto mailer = test::read_folded(std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases" /
+                                          "board" / "mailer.svg");
     ASSERT_TRUE(mailer);
     EXPECT_EQ(ground_of(*mailer), "sheet/base");
     // A tray whose walls are larger than its base.

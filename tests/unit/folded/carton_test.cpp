@@ -44,16 +44,6 @@ std::vector<std::string> names_of(const CreasePattern& pattern) {
     return names;
 }
 
-std::optional<CreasePattern> drawing(const std::filesystem::path& path) {
-    Diagnostics diagnostics;
-    const auto source = read_source(path.string(), diagnostics);
-    if (!source) return std::nullopt;
-    ReadOptions options;
-    options.drawing.as = DrawnAs::folded;
-    options.drawing.lines = {{"#005cff", DrawnUse::cut}};
-    return read_source_text(*source, options, diagnostics).creases;
-}
-
 // A strip of walls, side by side, and folds between them.
 CreasePattern strip(const std::vector<double>& widths, double height) {
     CreasePattern pattern;
@@ -129,7 +119,8 @@ CreasePattern pyramid(int sides, double radius, double slant) {
 }
 
 TEST(Carton, PanelsOfATubeAreNamed) {
-    const auto carton = drawing(std::filesystem::path(POPUP_SOURCE_DIR) / "samples/folded/carton.svg");
+    const auto carton =
+        test::read_folded(std::filesystem::path(POPUP_SOURCE_DIR) / "samples/folded/carton.svg");
     ASSERT_TRUE(carton);
     EXPECT_EQ(names_of(*carton), (std::vector<std::string>{
                                      "sheet/back", "sheet/bottom-flap-back", "sheet/bottom-flap-front",
@@ -259,8 +250,8 @@ TEST(Carton, PanelsOfATrayAreNamed) {
 // Accordions, and what loops hold, are no boxes: their panels keep their numbers.
 // Its lid is as large as its base, has walls on four sides, too, and is drawn first.
 TEST(Carton, TheBaseOfAMailerIsWhatHasTheRolledWalls) {
-    const auto mailer =
-        drawing(std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases" / "board" / "mailer.svg");
+    const auto mailer = test::read_folded(std::filesystem::path(POPUP_SOURCE_DIR) / "tests" / "cases" /
+                                          "board" / "mailer.svg");
     ASSERT_TRUE(mailer);
     Diagnostics diagnostics;
     const auto folded = fold_sheet(*mailer, {}, diagnostics);
@@ -582,7 +573,7 @@ TEST(Carton, DrawingsOfOthersCloseAsFarAsTheyMay) {
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no carton drawings in " << folder;
     int seen = 0;
     for (const char* name : {"fefco0201-350x190x230-t5.svg", "tucklock-C001GX-200x150x60-t1.5.svg"}) {
-        const auto pattern = drawing(folder / name);
+        const auto pattern = test::read_folded(folder / name, {{"#005cff", DrawnUse::cut}});
         ASSERT_TRUE(pattern) << name;
         Diagnostics diagnostics;
         const auto found = suggest_joins(*pattern, {}, diagnostics);
