@@ -97,15 +97,16 @@ void lay_glue_corners(const CreasePattern& pattern, const FoldOptions& options, 
     }
     const Fold& first = nth(sheet.folds, creases.front());
     const bool one = creases.size() == 1;
+    const std::string lead =
+        one ? std::string("an oblique crease leads across a flap,")
+            : fmt::format("{} oblique creases lead across flaps, the first", creases.size());
     diagnostics
-        .remark("glue-corners", nth(pattern.lines, first.line).place,
-                fmt::format("{} from a corner across a flap, the first from {} to {}: {} flat when the box "
-                            "stands, for what is beyond {} is glued to the panel beside the flap",
-                            one ? std::string("an oblique crease leads")
-                                : fmt::format("{} oblique creases lead", creases.size()),
-                            shown_point(pattern.ruler, sheet.line_of(first).a),
-                            shown_point(pattern.ruler, sheet.line_of(first).b), one ? "it lies" : "they lie",
-                            one ? "it" : "them"))
+        .remark(
+            "glue-corners", nth(pattern.lines, first.line).place,
+            fmt::format("{} from {} to {}; {} flat when the box stands, because the corner beyond is glued "
+                        "to the panel beside the flap",
+                        lead, shown_point(pattern.ruler, sheet.line_of(first).a),
+                        shown_point(pattern.ruler, sheet.line_of(first).b), one ? "it lies" : "they lie"))
         .hint("data-fold-angle says otherwise");
 }
 
