@@ -6,16 +6,54 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "support/run_here.h"
 #include "support/sanitized.h"
 
 namespace popup::test {
+namespace {
 
-RunResult run(const std::vector<std::string>& words, const RunOptions& options) {
+// What starting a program would do to this process: signals that it handles are none of the program's, nor
+// are files that it would not pass on. Sanitizers keep their own handlers.
+void become_new(char** environment) {
+    for (int signal = 1; signal < NSIG; ++signal) {
+        if (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
+            signal == SIGABRT)
+            continue;
+        struct sigaction action {};
+        if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+            ::signal(signal, SIG_DFL);
+    }
+    std::vector<int> open;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+        open.push_back(std::stoi(entry.path().filename()));
+    for (const int fd : open) {
+        const int flags = ::fcntl(fd, F_GETFD);
+        if (flags != -1 && (flags & FD_CLOEXEC) != 0) ::close(fd);
+    }
+    environ = environment;
+}
+
+// True where a fork of this process does as well as popupc: it has one thread, and nothing is asked of the
+// loader or of the sanitizers.
+bool can_run_here(const RunOptions& options) {
+    if (kPopupcHere == nullptr) return false;
+    for (const char* name : {"ASAN_OPTIONS", "GLIBC_TUNABLES", "LD_PRELOAD", "UBSAN_OPTIONS"}) {
+        if (options.environment.contains(name)) return false;
+    }
+    const std::filesystem::directory_iterator threads("/proc/self/task");
+    return std::distance(begin(threads), end(threads)) == 1;
+}
+
+// Runs words[0]; `here`: a fork of this process, in its place.
+RunResult run_either(const std::vector<std::string>& words, const RunOptions& options, bool here) {
     const ScratchDirectory scratch;
     const std::string in = scratch / "in";
     const std::string out = scratch / "out";
@@ -35,7 +73,8 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
     }
     environment["POPUPC_NO_CONFIG"] = "1";
     // To look for leaks takes a quarter of a short run. The cases do it, which run everything.
-    if (kSanitized) environment.try_emplace("ASAN_OPTIONS", "detect_leaks=0:exitcode=86");
+    if (kSanitized)
+        environment.try_emplace("ASAN_OPTIONS", "detect_leaks=0:exitcode=86:malloc_context_size=3");
     // 1, what they end with by themselves, is an exit status of popupc's.
     environment.try_emplace("ASAN_OPTIONS", "exitcode=86");
     environment.try_emplace("UBSAN_OPTIONS", "exitcode=86");
@@ -46,6 +85,8 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
     for (std::string& setting : settings) envp.push_back(setting.data());
     envp.push_back(nullptr);
 
+    // What waits to be written would be written twice.
+    std::fflush(nullptr);
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("fork failed");
     if (child == 0) {
@@ -58,6 +99,10 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
         redirect(out, O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
         redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
         if (!options.directory.empty() && ::chdir(options.directory.c_str()) != 0) ::_exit(126);
+        if (here) {
+            become_new(envp.data());
+            ::_exit(kPopupcHere(static_cast<int>(words.size()), argv.data()));
+        }
         ::execvpe(argv[0], argv.data(), envp.data());
         ::_exit(127);
     }
@@ -71,9 +116,15 @@ RunResult run(const std::vector<std::string>& words, const RunOptions& options) 
     return result;
 }
 
+}  // namespace
+
+RunResult run(const std::vector<std::string>& words, const RunOptions& options) {
+    return run_either(words, options, false);
+}
+
 RunResult popupc(std::vector<std::string> arguments, const RunOptions& options) {
     arguments.insert(arguments.begin(), kPopupc);
-    return run(arguments, options);
+    return run_either(arguments, options, can_run_here(options));
 }
 
 bool have_program(const std::string& name) { return run({name, "--version"}).exit != 127; }
