@@ -11,13 +11,12 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system/reason.h"
 #include "base/system/signal_cleanup.h"
 #include "popup/files.h"
 
 namespace popup {
 namespace {
-
-std::string reason(int error) { return std::generic_category().message(error); }
 
 // Appends all of it in one call where the system lets it.
 bool append(int fd, std::string_view bytes) {
@@ -39,9 +38,9 @@ bool KeptLines::fail(std::string why) {
 
 bool KeptLines::open(const std::string& name, std::string_view begin) {
     fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd_ < 0) return fail(reason(errno));
+    if (fd_ < 0) return fail(reason_of(errno));
     if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-        return fail(errno == EWOULDBLOCK ? "another run is writing its results there" : reason(errno));
+        return fail(errno == EWOULDBLOCK ? "another run is writing its results there" : reason_of(errno));
     }
     // A run that finished in between may have put another file in its place.
     struct stat held {};
@@ -56,15 +55,15 @@ bool KeptLines::open(const std::string& name, std::string_view begin) {
     const ssize_t read = ::pread(fd_, first.data(), first.size(), 0);
     if (read > 0 && first != begin) return fail("it holds something else than results");
     char last = '\n';
-    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) return fail(reason(errno));
-    if (last != '\n' && !append(fd_, "\n")) return fail(reason(errno));
+    if (held.st_size > 0 && ::pread(fd_, &last, 1, held.st_size - 1) != 1) return fail(reason_of(errno));
+    if (last != '\n' && !append(fd_, "\n")) return fail(reason_of(errno));
     std::error_code error;
     const std::filesystem::path path = std::filesystem::canonical(name, error);
     name_ = error ? name : path.string();
     return true;
 }
 
-bool KeptLines::add(std::string_view line) { return append(fd_, line) || fail(reason(errno)); }
+bool KeptLines::add(std::string_view line) { return append(fd_, line) || fail(reason_of(errno)); }
 
 bool KeptLines::settle(const std::function<std::optional<std::string>()>& next) {
     const SignalPause pause;
@@ -77,8 +76,8 @@ bool KeptLines::settle(const std::function<std::optional<std::string>()>& next) 
         if (!made.write(*line)) return fail(made.trouble());
     }
     if (same && old.peek() == std::ifstream::traits_type::eof()) {
-        if (::fsync(fd_) != 0 && errno != EINVAL) return fail(reason(errno));
-        return ::futimens(fd_, nullptr) == 0 || fail(reason(errno));
+        if (::fsync(fd_) != 0 && errno != EINVAL) return fail(reason_of(errno));
+        return ::futimens(fd_, nullptr) == 0 || fail(reason_of(errno));
     }
     struct stat now {};
     if (::fstat(fd_, &now) == 0) made.keep_mode(now.st_mode);

@@ -61,6 +61,7 @@ struct GalleryTally {
     std::size_t made = 0, fresh = 0, gone = 0;
     std::vector<std::size_t> due;
     bool unusable = false;  // a design could not be read, or a file not be written
+    bool page = false;      // that of all designs is as it should be
     bool lost = false;      // nor could the record
 };
 
@@ -84,8 +85,7 @@ class Keeper {
                 tally.due.push_back(end.job);
                 break;
             case GalleryNews::made:
-                ++tally.made;
-                keep(end.job, std::move(reply.entry));
+                if (keep(end.job, std::move(reply.entry))) ++tally.made;
                 break;
         }
         if (progress_) progress_(++done_, run_.plan.designs.size());
@@ -97,7 +97,8 @@ class Keeper {
     std::map<std::size_t, std::string> printed;           // likewise
 
  private:
-    void keep(std::size_t job, GalleryEntry entry) {
+    // False when its files could not be written.
+    bool keep(std::size_t job, GalleryEntry entry) {
         Diagnostics trouble(run_.plan.designs[job].file);
         const bool written = files_->write(entry.row, std::move(entry.files), run_.record, trouble);
         std::vector<Diagnostic>& findings = told[job] = entry.row.findings;
@@ -111,6 +112,7 @@ class Keeper {
                                                                     : entry.row.result.outputs.front().file));
         // Else what was there is still there, and its row with it.
         if (written) run_.record.add(std::move(entry.row));
+        return written;
     }
 
     GalleryRun& run_;
@@ -207,8 +209,8 @@ std::string summary(const Options& options, const GalleryRun& run, const Gallery
         if (row.tile) ++shown;
         if (row.result.errors > 0) ++failed;
     }
-    std::string text = fmt::format("{}/{}: {} design{}", options.gallery.directory, kGalleryIndex, shown,
-                                   shown == 1 ? "" : "s");
+    std::string text = fmt::format("{}/{}{}: {} design{}", options.gallery.directory, kGalleryIndex,
+                                   tally.page ? "" : " could not be written", shown, shown == 1 ? "" : "s");
     if (failed > 0) text += fmt::format(", {} with errors", failed);
     text += fmt::format(", in {:.1f} s", seconds);
     if (tally.made > 0) text += fmt::format("; {} made", tally.made);
@@ -360,6 +362,7 @@ int run_gallery(const Options& given) {
         // Where a directory could not be looked at, its designs may still be there.
         if (files.readable) forget_others(run);
         const bool written = !tally.lost && write_index(options.gallery, run, *output, trouble);
+        tally.page = written;
         if (!written) tally.unusable = true;
         // The old page leads to files that the new one does without.
         if (written) tally.gone = output->settle(run.record, messages, tally.lost);

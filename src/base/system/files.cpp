@@ -25,29 +25,11 @@
 #include <utility>
 
 #include "base/system/digest.h"
+#include "base/system/reason.h"
 #include "base/system/signal_cleanup.h"
 
 namespace popup {
 namespace {
-
-std::string reason(int error) {
-    switch (error) {
-        case ENOENT:
-            return "no such file or directory";
-        case EACCES:
-        case EPERM:
-            return "permission denied";
-        case EISDIR:
-            return "it is a directory";
-        case ENOSPC:
-        case EDQUOT:
-            return "no space is left on the disk";
-        case EPIPE:
-            return "its reader has gone";
-        default:
-            return std::generic_category().message(error);
-    }
-}
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -251,7 +233,7 @@ std::string prepare(Target& target) {
     if (path.empty()) return "the name is empty";
     struct stat now {};
     if (::stat(path.c_str(), &now) == 0) {
-        if (S_ISDIR(now.st_mode)) return reason(EISDIR);
+        if (S_ISDIR(now.st_mode)) return reason_of(EISDIR);
         struct stat standard_output {};
         const bool is_stdout =
             ::fstat(STDOUT_FILENO, &standard_output) == 0 && same_file(now, standard_output);
@@ -259,12 +241,12 @@ std::string prepare(Target& target) {
         target.old = now;
         target.stream = !S_ISREG(now.st_mode) || is_stdout;
     } else if (errno != ENOENT) {
-        return reason(errno);
+        return reason_of(errno);
     }
     target.path = path;
     if (target.stream) return {};
     bool magic = false;
-    if (const int error = follow_links(target.path, magic); error != 0) return reason(error);
+    if (const int error = follow_links(target.path, magic); error != 0) return reason_of(error);
     if (magic) {
         target.stream = true;
         target.path = path;
@@ -272,11 +254,11 @@ std::string prepare(Target& target) {
     }
     const std::string directory = directory_of(target.path);
     struct stat where {};
-    if (::stat(directory.c_str(), &where) != 0) return "directory " + directory + ": " + reason(errno);
+    if (::stat(directory.c_str(), &where) != 0) return "directory " + directory + ": " + reason_of(errno);
     if (!S_ISDIR(where.st_mode)) return directory + " is not a directory";
     if (target.path.ends_with('/')) return "it names a directory";
     // Renaming would replace a read-only file without asking; its owner meant something else.
-    if (target.exists && ::access(target.path.c_str(), W_OK) != 0) return reason(errno);
+    if (target.exists && ::access(target.path.c_str(), W_OK) != 0) return reason_of(errno);
     target.temporary = beside(target.path, temporary_name());
     if (target.exists) target.saved = beside(target.path, temporary_name());
     return {};
@@ -413,12 +395,12 @@ std::optional<Source> read_source(const std::string& name, Diagnostics& diagnost
         return std::nullopt;
     };
     const Descriptor file(standard ? -1 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
-    if (!standard && !file.open()) return refuse(reason(errno));
+    if (!standard && !file.open()) return refuse(reason_of(errno));
     const int fd = standard ? STDIN_FILENO : file.get();
     struct stat status {};
-    if (::fstat(fd, &status) != 0) return refuse(reason(errno));
+    if (::fstat(fd, &status) != 0) return refuse(reason_of(errno));
     if (S_ISDIR(status.st_mode)) {
-        diagnostics.error("unreadable-input", {}, unread + reason(EISDIR))
+        diagnostics.error("unreadable-input", {}, unread + reason_of(EISDIR))
             .hint("name the files in it; only check, fix and gallery look into directories");
         return std::nullopt;
     }
@@ -429,7 +411,7 @@ std::optional<Source> read_source(const std::string& name, Diagnostics& diagnost
     if (size > limit_bytes) return too_large(std::to_string(size));
     Source source{name, {}};
     if (const int error = read_all(fd, limit_bytes, size, source.text); error != 0) {
-        return refuse(reason(error));
+        return refuse(reason_of(error));
     }
     if (source.text.size() > limit_bytes) return too_large("more than " + std::to_string(limit_bytes));
     return source;
@@ -478,7 +460,7 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     for (const Target& target : targets) {
         if (target.stream || target.unchanged) continue;
         if (const int error = write_temporary(target); error != 0) {
-            fail(target, reason(error));
+            fail(target, reason_of(error));
             break;
         }
     }
@@ -486,13 +468,13 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     for (const Target& target : targets) {
         if (!good) break;
         if (!target.stream) continue;
-        if (const int error = write_stream(target); error != 0) fail(target, reason(error));
+        if (const int error = write_stream(target); error != 0) fail(target, reason_of(error));
     }
     const SignalPause pause;
     for (Target& target : targets) {
         if (!good) break;
         if (target.stream || target.unchanged) continue;
-        if (const int error = move_into_place(target, among_others); error != 0) fail(target, reason(error));
+        if (const int error = move_into_place(target, among_others); error != 0) fail(target, reason_of(error));
     }
     if (good) {
         std::set<std::string> directories;
@@ -504,7 +486,7 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
         for (const Target& target : targets) {
             const int error = undo(target);
             if (error == 0) continue;
-            std::string why = "the old version cannot be brought back, either: " + reason(error);
+            std::string why = "the old version cannot be brought back, either: " + reason_of(error);
             if (target.exists) {
                 // Nobody may take it away. A signal may look at the names now.
                 for (const char*& name : litter) {
@@ -530,7 +512,7 @@ NewFile::~NewFile() {
 }
 
 bool NewFile::fail() {
-    trouble_ = reason(errno);
+    trouble_ = reason_of(errno);
     return false;
 }
 

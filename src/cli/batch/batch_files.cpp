@@ -9,13 +9,12 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system/reason.h"
 #include "cli/files/read_settings.h"
 #include "cli/report.h"
 
 namespace popup::cli {
 namespace {
-
-std::string reason(int error) { return std::generic_category().message(error); }
 
 std::string within(const std::string& directory, const std::string& name) {
     return name.starts_with('/') ? name : directory + "/" + name;
@@ -31,7 +30,7 @@ std::vector<std::string> BatchFiles::results_beside() const {
 
 void BatchFiles::enter() const {
     if (directory.empty() || ::chdir(directory.c_str()) == 0) return;
-    throw UsageError(fmt::format("{}: {}", directory, reason(errno)));
+    throw UsageError(fmt::format("{}: {}", directory, reason_of(errno)));
 }
 
 std::optional<BatchFiles> open_batch(const std::string& name, std::optional<ManifestForm> form,

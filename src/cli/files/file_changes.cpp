@@ -15,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system/reason.h"
 #include "cli/options/options.h"
 
 namespace popup::cli {
@@ -53,7 +54,7 @@ std::optional<std::string> link_target(const std::string& path) {
 }
 
 [[noreturn]] void refuse(int error, bool watches) {
-    const std::string why = std::generic_category().message(error);
+    const std::string why = reason_of(error);
     if (error == ENOSPC || (error == EMFILE && !watches)) {
         const char* setting = watches ? "fs.inotify.max_user_watches" : "fs.inotify.max_user_instances";
         throw UsageError(

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system/reason.h"
 #include "cli/files/read_settings.h"
 #include "popup/files.h"
 
@@ -73,7 +74,7 @@ class Walker {
         }
         if (error) {
             result_.unreadable.emplace_back(directory, policy_)
-                .error("unreadable-input", {}, "this directory cannot be read: " + reason(error));
+                .error("unreadable-input", {}, "this directory cannot be read: " + reason_of(error.value()));
             return;
         }
         std::sort(frame.entries.begin(), frame.entries.end(),
@@ -90,7 +91,7 @@ class Walker {
         // Such as one whose path is longer than the system takes: there may be designs in it.
         if (error && error != std::errc::no_such_file_or_directory) {
             result_.unreadable.emplace_back(prefix + name, policy_)
-                .error("unreadable-input", {}, "this cannot be looked at: " + reason(error));
+                .error("unreadable-input", {}, "this cannot be looked at: " + reason_of(error.value()));
             return std::nullopt;
         }
         if (fs::is_directory(itself)) return Entry{std::move(name), true};
@@ -126,11 +127,6 @@ class Walker {
     [[nodiscard]] bool included(std::string_view path) const {
         return options_.include.empty() ||
                options_.include.says(below(way_.front(), path), false).value_or(false);
-    }
-
-    static std::string reason(std::error_code error) {
-        return error == std::errc::permission_denied ? "permission denied"
-                                                     : std::generic_category().message(error.value());
     }
 
     const WalkOptions& options_;

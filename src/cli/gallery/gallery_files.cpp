@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/system/reason.h"
 #include "cli/report.h"
 
 namespace popup::cli {
@@ -46,7 +47,7 @@ std::vector<const GalleryRow*> in_order(const GalleryRecord& record) {
 std::string directory_for(const std::string& given, const GalleryPlan& plan) {
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(given, error), error);
-    if (error) refuse(given, std::generic_category().message(error.value()));
+    if (error) refuse(given, reason_of(error.value()));
     std::string directory = (path.has_filename() ? path : path.parent_path()).string();
     if (is_there(directory) && !fs::is_directory(directory, error)) refuse(given, "this is no directory");
     for (const GalleryDesign& design : plan.designs) {
@@ -90,7 +91,7 @@ GalleryFiles::GalleryFiles(std::string given, std::string directory)
     : given_(std::move(given)), directory_(std::move(directory)) {
     std::error_code error;
     fs::create_directories(directory_ + "/" + std::string(kGalleryFolder), error);
-    if (error) refuse(given_, std::generic_category().message(error.value()));
+    if (error) refuse(given_, reason_of(error.value()));
     if (!lines_.open(directory_ + "/" + std::string(kGalleryRecord), kResultBegin))
         refuse(fmt::format("{}/{}", given_, kGalleryRecord), lines_.trouble());
     remove_litter(directory_);

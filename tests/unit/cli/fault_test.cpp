@@ -145,6 +145,29 @@ const std::vector<std::string> kBuild{
     "-o",    "a.glb",         "-o",      "a.json", "-o",    "a.dxf", "-MD"};
 const Files kOld{{"a.svg", "old svg"}, {"a.pdf", "old pdf"}, {"a.glb", "old glb"}, {"kept", "not ours"}};
 
+// Whichever file cannot be made or written: a gallery says so in the words of the other writers.
+TEST_F(Faults, AGalleryOnAFullDiskSpeaksAsOthersDo) {
+    int failed = 0;
+    for (const std::string_view call : {"open", "write"}) {
+        bool reached = true;
+        for (int n = 1; reached && n < 200; ++n) {
+            const fs::path here = begin({{"card.xml", read_file(scratch_ / "castle.xml")}});
+            const RunResult result = run_with({call, ENOSPC, true}, n,
+                                              {"gallery", "card.xml", "-o", "out", "-j", "1"}, here, reached);
+            if (!reached) break;
+            ++failed;
+            EXPECT_EQ(result.exit, 2) << call << ' ' << n;
+            EXPECT_NE(result.err.find("no space is left on the disk"), std::string::npos)
+                << call << ' ' << n << ": " << result.err;
+            EXPECT_EQ(result.err.find("No space"), std::string::npos) << result.err;
+            EXPECT_EQ(result.err.find("out/index.html: ") != std::string::npos,
+                      fs::exists(here / "out" / "index.html"))
+                << call << ' ' << n << ": " << result.err;
+        }
+    }
+    EXPECT_GT(failed, 3);
+}
+
 TEST_F(Faults, OfABuildLeaveAllOrNothing) {
     EXPECT_GT(all_or_nothing({}, kBuild), 20);
     EXPECT_GT(all_or_nothing(kOld, kBuild), 30);
