@@ -268,7 +268,7 @@ void fit_layout(CompileOptions& options) {
     margin = Length::millimetres(std::max(margin.mm, margin_needed(options.output)));
     const std::string& sheet = options.layout.sheet.name;
     if (!options.output.letter_pages && !sheet.empty() && sheet != "auto")
-        options.output.letter_pages = sheet == "letter" || sheet == "tabloid";
+        options.output.letter_pages = sheet == "letter" || sheet == "legal" || sheet == "tabloid";
 }
 
 std::optional<OutputPlan> plan_outputs(const OutputRequest& request, Diagnostics& diagnostics) {

@@ -16,15 +16,18 @@ struct Paper {
     std::string_view name;
     double width_mm;
     double height_mm;
+    bool automatic = true;  // `auto` tries it
+    bool american = false;
 };
-std::vector<Paper> const& paper_table();  // letter, a4, tabloid, a3, a2, a1, a0: the order `auto` tries them
+// a6, a5, letter, a4, legal, tabloid, a3, a2, a1, a0. `auto` tries those that are automatic, in this order.
+std::vector<Paper> const& paper_table();
 
 // Which papers `auto` tries.
 enum class PaperFamily {
     automatic,  // of a run: by the units of its first design; of lay_out(), and where that is unknown: any
     iso,        // a4, a3, a2, a1, a0
     us,         // letter, tabloid; then, for what is larger, a2, a1, a0
-    any         // all of the table
+    any         // all that are automatic
 };
 std::vector<Paper> papers_of(PaperFamily family);
 // Those that are at hand where somebody measures so; any, where it is not known how.

@@ -175,14 +175,18 @@ class Layouter {
     [[nodiscard]] SheetRow row_of(const SheetChoice& choice) const {
         if (choice.name.empty()) return {choice.width_mm, choice.height_mm, -1};
         SheetRow row{options_.bed.x, options_.bed.y, -1};
-        const bool any = choice.name != "auto";
-        for (const Paper& paper : papers_of(any ? PaperFamily::any : options_.papers)) {
-            if (choice.name != "auto" && choice.name != paper.name) continue;
+        if (choice.name != "auto") {
+            for (const Paper& paper : paper_table()) {
+                if (choice.name == paper.name) return oriented(paper);
+            }
+            return row;
+        }
+        for (const Paper& paper : papers_of(options_.papers)) {
             const SheetRow next = oriented(paper);
-            if (choice.name == "auto" && !in_bed(next)) continue;
+            if (!in_bed(next)) continue;
             row = next;
             // Of no paper that takes all the largest remains, to say on it what does not fit.
-            if (choice.name == paper.name || taken_by(row) == sources_.size()) return row;
+            if (taken_by(row) == sources_.size()) return row;
         }
         // Where no paper that goes into the machine takes all, its whole bed is the sheet.
         return options_.bed == Vec2{} ? row : SheetRow{options_.bed.x, options_.bed.y, -1};

@@ -28,8 +28,16 @@ bool take_number(std::string_view& text, double& value) {
 
 std::vector<Paper> const& paper_table() {
     static const std::vector<Paper> papers{
-        {"letter", 215.9, 279.4}, {"a4", 210.0, 297.0}, {"tabloid", 279.4, 431.8}, {"a3", 297.0, 420.0},
-        {"a2", 420.0, 594.0},     {"a1", 594.0, 841.0}, {"a0", 841.0, 1189.0},
+        {"a6", 105.0, 148.0, false},
+        {"a5", 148.0, 210.0, false},
+        {"letter", 215.9, 279.4, true, true},
+        {"a4", 210.0, 297.0},
+        {"legal", 215.9, 355.6, false, true},
+        {"tabloid", 279.4, 431.8, true, true},
+        {"a3", 297.0, 420.0},
+        {"a2", 420.0, 594.0},
+        {"a1", 594.0, 841.0},
+        {"a0", 841.0, 1189.0},
     };
     return papers;
 }
@@ -37,9 +45,9 @@ std::vector<Paper> const& paper_table() {
 std::vector<Paper> papers_of(PaperFamily family) {
     std::vector<Paper> papers;
     for (const Paper& paper : paper_table()) {
-        const bool american = paper.name == "letter" || paper.name == "tabloid";
         const bool small = paper.name == "a4" || paper.name == "a3";
-        if (family == PaperFamily::iso && american) continue;
+        if (!paper.automatic) continue;
+        if (family == PaperFamily::iso && paper.american) continue;
         if (family == PaperFamily::us && small) continue;
         papers.push_back(paper);
     }

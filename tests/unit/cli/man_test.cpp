@@ -175,7 +175,7 @@ TEST(Manual, HasEveryFormatPaperAndListAndNoOther) {
                 if (word.starts_with('.') && word != ".It") formats.insert(word);
             }
         }
-        if (line.text.starts_with(".Cm letter")) {
+        if (line.text.starts_with(".Cm a6 ")) {
             for (std::size_t i = 1; i < words.size(); i += 2) papers.insert(words[i]);
         }
         if (words[0] == ".It") about_list = line.text == ".It Cm list";

@@ -246,6 +246,23 @@ TEST(Layout, AutoTakesTheFirstPaperThatTakesTheLargestPiece) {
     EXPECT_EQ(sheet_for(1190, 10), (std::pair{0.0, 0.0}));
 }
 
+TEST(Layout, SmallAndUnusualPapersAreTakenWhereTheyAreNamed) {
+    const auto size_on = [](std::string_view paper, double width, double height) {
+        LayoutOptions options;
+        options.sheet = parse_sheet(paper).value();
+        Diagnostics diagnostics;
+        const auto layout =
+            lay_out({design_of("d", {piece_of("p", rectangle(width, height))})}, options, diagnostics);
+        if (!layout) return std::pair{0.0, 0.0};
+        return std::pair{layout->sheets[0].width_mm, layout->sheets[0].height_mm};
+    };
+    EXPECT_EQ(size_on("a5", 60, 100), (std::pair{210.0, 148.0}));
+    EXPECT_EQ(size_on("A6", 60, 100), (std::pair{148.0, 105.0}));
+    EXPECT_EQ(size_on("legal", 340, 200), (std::pair{355.6, 215.9}));
+    EXPECT_EQ(size_on("auto", 60, 100), (std::pair{279.4, 215.9})) << "who names nothing has usual paper";
+    EXPECT_EQ(size_on("auto", 340, 200), (std::pair{431.8, 279.4}));
+}
+
 TEST(Layout, ANamedPaperStandsUprightWhenThePieceNeedsIt) {
     LayoutOptions options;
     options.sheet = parse_sheet("a4").value();
