@@ -177,8 +177,10 @@ const Profile* find_profile(std::string_view name);
 // A profile of the user's own, in TOML as schemas/profile.schema.json has it; lengths in mm. What it does not
 // say is as in the profile that `base` names, or in workshop. A name that is not given is the file's stem.
 // Errors, with their places: `bad-profile`, for what is not TOML, for unknown keys, and for values that are
-// not what their keys take.
-std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics);
+// not what their keys take. `formats` are the names of those that there are, as "svg"; where it is not empty,
+// a profile names no others.
+std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics,
+                                    std::span<const std::string_view> formats = {});
 
 // What the profile does to these sheets that one would not expect. Warning: `lines-left-out`, of cuts and
 // folds that no pen draws. Remarks: `one-sided-folds`, `kerf-shares-color`. Cost: linear in cuts and folds.

@@ -128,8 +128,10 @@ class ProfileReader {
     std::function<void(const toml::node&)> length(std::string key, double& value, double least) {
         return number(std::move(key), value, {least, 1000.0, "mm"});
     }
-    std::function<void(const toml::node&)> texts(std::string key, std::vector<std::string>& values) {
-        return [this, key = std::move(key), &values](const toml::node& node) {
+    // Names out of `known`; empty: any.
+    std::function<void(const toml::node&)> texts(std::string key, std::vector<std::string>& values,
+                                                 std::span<const std::string_view> known) {
+        return [this, key = std::move(key), &values, known](const toml::node& node) {
             const auto* given = node.as_array();
             if (given == nullptr) {
                 wrong(node, key, "a list of strings");
@@ -142,6 +144,13 @@ class ProfileReader {
                 if (text != nullptr && !text->get().empty() &&
                     std::all_of(text->get().begin(), text->get().end(), plain)) {
                     values.push_back(text->get());
+                    if (known.empty() || std::find(known.begin(), known.end(), text->get()) != known.end())
+                        continue;
+                    const std::vector<std::string> meant = nearest(text->get(), known, 1);
+                    wrong(one.source(),
+                          fmt::format("\"{}\" names \"{}\", and there is no such format", key, text->get()))
+                        .hint(meant.empty() ? fmt::format("formats: {}", fmt::join(known, ", "))
+                                            : fmt::format("did you mean \"{}\"?", meant.front()));
                 } else {
                     wrong(one.source(), fmt::format("\"{}\" takes a list of names such as \"svg\"", key));
                 }
@@ -219,7 +228,8 @@ std::optional<Profile> base_of(const toml::table& file, ProfileReader& reader) {
 
 }  // namespace
 
-std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics) {
+std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnostics,
+                                    std::span<const std::string_view> formats) {
     ProfileReader reader(diagnostics);
     const std::optional<toml::table> parsed =
         parse_toml(source.text, "bad-profile", "a profile", diagnostics);
@@ -292,7 +302,7 @@ std::optional<Profile> read_profile(const Source& source, Diagnostics& diagnosti
                  {"joints", reader.number("joints", profile.joint_mm, {kLeastJointMm, 10.0, "mm", true})},
                  {"bed", reader.table("bed", read_bed)},
                  {"travel", reader.table("travel", read_travel)},
-                 {"formats", reader.texts("formats", profile.formats)},
+                 {"formats", reader.texts("formats", profile.formats, formats)},
                  {"perforation", reader.table("perforation", read_perforation)},
                  {"pens", reader.table("pens", read_pens)}});
     if (diagnostics.has_errors()) return std::nullopt;

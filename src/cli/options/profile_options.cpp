@@ -201,8 +201,10 @@ std::optional<ProfileFile> load_profile(Options& options) {
     std::optional<Source> source = read_settings(name, file.diagnostics);
     file.readable = source.has_value();
     if (source) file.source = std::move(*source);
+    std::vector<std::string_view> formats;
+    for (const Format& row : format_table()) formats.push_back(row.suffix.substr(1));
     const std::optional<Profile> profile =
-        file.readable ? read_profile(file.source, file.diagnostics) : std::nullopt;
+        file.readable ? read_profile(file.source, file.diagnostics, formats) : std::nullopt;
     if (profile) options.compile.output.profile = *profile;
     return file;
 }
