@@ -124,7 +124,7 @@ int run_edit(const Options& options) {
     read.add(verb.file, "which edits are read from");
     read.add(verb.refinement, "the refinement file");
     const auto spare_inputs = [&] {
-        read.spare(verb.output.output, "-o");
+        read.spare(verb.output.output, "-o", verb.refinement.empty() ? kInPlaceHint : kAnotherFileHint);
         read.spare(options.messages.file, "--diagnostics");
     };
     spare_inputs();

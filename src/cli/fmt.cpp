@@ -62,7 +62,7 @@ int run_fmt(const Options& options) {
     check_fmt_usage(options);
     const FmtVerbOptions& verb = options.fmt;
     const ReadFiles read = files_read(options, verb.documents);
-    read.spare(verb.output.output, "-o");
+    read.spare(verb.output.output, "-o", kInPlaceHint);
     read.spare(options.messages.file, "--diagnostics");
     Diagnostics trouble;
     std::vector<Source> sources;

@@ -30,7 +30,7 @@ void spare_own_names(const std::string& output, std::string_view by) {
     for (const std::string_view own : {kIgnoreFile, kConfigName}) {
         if (file != own) continue;
         throw UsageError(fmt::format("{} would write {}, which popupc would read in later runs", by, output),
-                         {"name another file"});
+                         {std::string(kAnotherFileHint)});
     }
 }
 
@@ -40,7 +40,7 @@ void ReadFiles::add(const std::string& name, std::string_view as) {
     if (const auto identity = identity_of(name)) files_.try_emplace(*identity, Reading{name, as});
 }
 
-void ReadFiles::spare(const std::string& output, std::string_view by) const {
+void ReadFiles::spare(const std::string& output, std::string_view by, std::string_view hint) const {
     if (is_standard_output(output)) return;
     const auto identity = identity_of(output);
     const auto found = identity ? files_.find(*identity) : files_.end();
@@ -52,7 +52,7 @@ void ReadFiles::spare(const std::string& output, std::string_view by) const {
     throw UsageError(
         fmt::format("{} would overwrite {}, {}{}", by, output, as,
                     name == output ? std::string() : fmt::format(": it is the same file as {}", name)),
-        {"name another file"});
+        {std::string(hint)});
 }
 
 ReadFiles files_read(const Options& options, const std::vector<std::string>& inputs,
@@ -68,7 +68,9 @@ ReadFiles files_read(const Options& options, const std::vector<std::string>& inp
 
 void spare(const ReadFiles& read, const Options& options) {
     for (const std::string& output : options.build.outputs) read.spare(output, "-o");
-    read.spare(options.fix.output, "-o");
+    // A document that is made of a drawing does not replace it.
+    const bool drawn = options.compile.read.drawing.as.has_value();
+    read.spare(options.fix.output, "-o", drawn ? kAnotherFileHint : kInPlaceHint);
     read.spare(options.messages.file, "--diagnostics");
     read.spare(options.print.file, "--print");
     if (options.build.dependencies.wanted) read.spare(dependency_file_name(options), "the dependency file");

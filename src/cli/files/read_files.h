@@ -17,6 +17,10 @@
 
 namespace popup::cli {
 
+// What else there is to do than to replace an input; the latter for verbs that write documents.
+inline constexpr std::string_view kAnotherFileHint = "name another file";
+inline constexpr std::string_view kInPlaceHint = "--in-place writes it over its input; or name another file";
+
 // Files by what they are, through links and whatever they are called. A file that is not there, a device or a
 // pipe cannot be lost, and is left out.
 class ReadFiles {
@@ -24,8 +28,10 @@ class ReadFiles {
     // `as` says what it is read as: "an input". Of several names of a file the first is told.
     void add(const std::string& name, std::string_view as);
     // UsageError when writing `output` would replace one of them, or make a file that later runs would
-    // read; `by` is the option that asks for it, or what is written. Cost: one look at the disk.
-    void spare(const std::string& output, std::string_view by) const;
+    // read; `by` is the option that asks for it, or what is written; `hint` says what else there is where a
+    // file would be replaced. Cost: one look at the disk.
+    void spare(const std::string& output, std::string_view by,
+               std::string_view hint = kAnotherFileHint) const;
 
  private:
     struct Reading {
