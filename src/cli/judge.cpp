@@ -92,7 +92,8 @@ bool accept_all(const Options& options, const Baseline& old, Findings& findings)
         std::error_code error;
         return fs::exists(places.baseline / file, error);
     };
-    const Baseline baseline = baseline_of(findings, old, places, exists);
+    std::size_t kept = 0;
+    const Baseline baseline = baseline_of(findings, old, places, exists, &kept);
     Diagnostics trouble(name);
     if (!write_all({{name, write_baseline(baseline)}}, true, trouble)) {
         for (Diagnostic& one : trouble.sorted()) findings.run.push_back(std::move(one));
@@ -103,6 +104,11 @@ bool accept_all(const Options& options, const Baseline& old, Findings& findings)
         options.messages,
         fmt::format("{} in {} {} accepted by {} from now on", counted(findings.accepted(), "finding"),
                     counted(findings.designs(), "design"), findings.accepted() == 1 ? "is" : "are", name));
+    if (kept > 0) {
+        announce(options.messages,
+                 fmt::format("{} of files with errors, which keep them from being looked for, stay{} in {}",
+                             counted(kept, "accepted finding"), kept == 1 ? "s" : "", name));
+    }
     return true;
 }
 

@@ -209,7 +209,7 @@ std::size_t accept(Findings& findings, const Baseline& baseline, const BaselineP
     for (const ToldFile& file : findings.files) {
         const bool fails = std::any_of(file.told.begin(), file.told.end(),
                                        [](const Diagnostic& one) { return one.severity == Severity::error; });
-        if (fails) names.erase(name_of(file.name, places));
+        if (fails || !file.whole) names.erase(name_of(file.name, places));
     }
     std::size_t outdated = 0;
     for (const auto& [entry, count] : left) {
@@ -219,7 +219,7 @@ std::size_t accept(Findings& findings, const Baseline& baseline, const BaselineP
 }
 
 Baseline baseline_of(const Findings& findings, const Baseline& old, const BaselinePlaces& places,
-                     const std::function<bool(const std::string&)>& exists) {
+                     const std::function<bool(const std::string&)>& exists, std::size_t* kept) {
     Baseline baseline;
     const std::set<std::string> names = looked_at(findings, places);
     for (const auto& [entry, count] : old) {
@@ -237,6 +237,20 @@ Baseline baseline_of(const Findings& findings, const Baseline& old, const Baseli
     }
     add(findings.run);
     add(findings.run_accepted);
+    // What was not looked for may still be there.
+    std::set<std::string> partly;
+    for (const ToldFile& file : findings.files) {
+        if (!file.whole) partly.insert(name_of(file.name, places));
+    }
+    if (!partly.empty()) partly.emplace();  // sheets are laid out of all files, or not at all
+    std::size_t held = 0;
+    for (const auto& [entry, count] : old) {
+        if (!partly.contains(entry.file)) continue;
+        std::size_t& now = baseline[entry];
+        held += count - std::min(now, count);
+        now = std::max(now, count);
+    }
+    if (kept != nullptr) *kept = held;
     return baseline;
 }
 

@@ -54,12 +54,14 @@ std::string write_baseline(const Baseline& baseline);
 
 // Moves the warnings and errors that the baseline accepts to those that are accepted; of more than it
 // accepts, the first ones. What keeps a file from being read is never accepted. Returns how many accepted
-// findings did not occur in files that were looked at and have no error that is not accepted.
+// findings did not occur in files that were looked at whole and have no error that is not accepted.
 std::size_t accept(Findings& findings, const Baseline& baseline, const BaselinePlaces& places);
 
 // All findings of a run, accepted or not, as a baseline. What `old` has of files that the run did not look at
-// stays as far as `exists` says that the file, relative to the baseline, is still there.
+// stays as far as `exists` says that the file, relative to the baseline, is still there; and so does what it
+// has of files that an error kept from being looked at whole, and of sheets where there is such a file.
+// `kept`: how many findings these are; null: nobody asks.
 Baseline baseline_of(const Findings& findings, const Baseline& old, const BaselinePlaces& places,
-                     const std::function<bool(const std::string&)>& exists);
+                     const std::function<bool(const std::string&)>& exists, std::size_t* kept = nullptr);
 
 }  // namespace popup

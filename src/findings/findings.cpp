@@ -38,7 +38,7 @@ Findings collect(const std::vector<FileFindings>& files, const Diagnostics& run)
     findings.files.reserve(files.size());
     for (const FileFindings& file : files) {
         findings.files.push_back(
-            {file.diagnostics->file(), file.text, file.design, file.diagnostics->sorted(), {}});
+            {file.diagnostics->file(), file.text, file.design, file.diagnostics->sorted(), {}, file.whole});
     }
     findings.run = run.sorted();
     return findings;

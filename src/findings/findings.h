@@ -15,6 +15,7 @@ struct FileFindings {
     const Diagnostics* diagnostics = nullptr;
     std::string_view text;
     bool design = true;  // false: a file that designs are made with, such as a profile
+    bool whole = true;   // false: an error kept later stages from looking for more
 };
 
 // One file and what is said of it.
@@ -24,6 +25,7 @@ struct ToldFile {
     bool design = true;
     std::vector<Diagnostic> told;      // worst first, then by place
     std::vector<Diagnostic> accepted;  // those that a baseline accepts, in the same order
+    bool whole = true;                 // as in FileFindings
 };
 
 // All that one run has to say.

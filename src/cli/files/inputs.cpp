@@ -97,6 +97,9 @@ void check_languages(const Options& options, const std::vector<std::string>& nam
     }
 }
 
+// No error ended the stages of the design before the one that looks last.
+bool is_whole(const CompiledDesign& one) { return one.pattern || !one.diagnostics.has_errors_as_given(); }
+
 // Compiles each file in its turn and keeps what was found.
 void look_at_each(Run& run, const Options& options, const CompileOptions& compile_options) {
     const std::vector<std::string>& names = run.files.names;
@@ -118,6 +121,7 @@ void look_at_each(Run& run, const Options& options, const CompileOptions& compil
         Run::Apart& kept = run.apart[i];
         kept.printed = std::move(one.printed);
         kept.loaded = std::move(one.further_files);
+        kept.whole = is_whole(one);
         if (one.diagnostics.sorted().empty()) {
             kept.diagnostics = Diagnostics(names[i]);
             return;
@@ -228,10 +232,10 @@ std::vector<FileFindings> Run::findings() const {
         const int index = order[i];
         if (index < 0) {
             const Apart& one = nth(apart, -1 - index);
-            all.push_back({&one.diagnostics, one.text});
+            all.push_back({&one.diagnostics, one.text, true, one.whole});
         } else {
             const CompiledDesign& one = nth(compilation.designs, index);
-            all.push_back({&one.diagnostics, one.source.text});
+            all.push_back({&one.diagnostics, one.source.text, true, is_whole(one)});
         }
     }
     return all;

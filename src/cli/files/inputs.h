@@ -40,6 +40,7 @@ struct Run {
         std::string text;
         std::string printed;              // as in CompiledDesign
         std::vector<std::string> loaded;  // likewise: its further files
+        bool whole = true;                // as in FileFindings
     };
     InputFiles files;
     Compilation compilation;   // of the inputs that could be read, if everything was to be kept

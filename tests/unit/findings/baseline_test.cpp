@@ -116,6 +116,27 @@ TEST_F(BaselineFiles, OfAFileWithANewErrorNothingIsSaidToBeGone) {
     EXPECT_EQ(result.err.find("baseline-outdated"), std::string::npos) << result.err;
 }
 
+TEST_F(BaselineFiles, WritingKeepsWhatAnErrorHides) {
+    accept_all();
+    const std::string mended = read_file(scratch / "designs/a.xml");
+    const std::size_t before = accepted();
+    write_file(scratch / "designs/a.xml", "<popup><structurelist>");
+    const RunResult result = check({"designs/a.xml", "designs/b.xml", "--write-baseline"});
+    EXPECT_EQ(result.exit, 0);
+    EXPECT_NE(result.err.find("2 accepted findings of files with errors, which keep them from being looked "
+                              "for, stay in base.json\n"),
+              std::string::npos)
+        << result.err;
+    EXPECT_GT(accepted(), before) << "the error is accepted, too";
+    // Nor does it take a second time to lose them.
+    EXPECT_EQ(check({"designs/a.xml", "--write-baseline"}).exit, 0);
+    EXPECT_EQ(check({"designs/a.xml"}).err.find("baseline-outdated"), std::string::npos);
+    write_file(scratch / "designs/a.xml", mended);
+    EXPECT_EQ(check({"designs/a.xml", "designs/b.xml"}).exit, 0);
+    EXPECT_EQ(check({"designs/a.xml", "--write-baseline"}).exit, 0);
+    EXPECT_EQ(accepted(), before) << "and the error is mended";
+}
+
 TEST_F(BaselineFiles, WhatIsMendedIsRemarkedOnAndTakenOutByWriting) {
     accept_all();
     write_file(scratch / "designs/a.xml", card(tent("left", -90, 30) + tent("right", 20, 21)));
