@@ -156,6 +156,14 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
     if (verb == nullptr) {
         return UsageError("name a verb", {fmt::format("verbs: {}", fmt::join(verb_names(app), " ")), see});
     }
+    if (error.get_name() == "RequiredError") {
+        for (const CLI::Option* option : verb->get_options()) {
+            if (!option->get_required() || !option->get_positional() || option->count() > 0) continue;
+            return UsageError(fmt::format("{} is missing: {} needs {}", option->get_name(true, false),
+                                          verb->get_name(), option->get_description()),
+                              {see});
+        }
+    }
     return UsageError(lower_first(error.what()), {see});
 }
 

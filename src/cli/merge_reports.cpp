@@ -102,7 +102,14 @@ CLI::App* add_merge_reports(CLI::App& app, Options& options) {
 
 int run_merge_reports(const Options& options) {
     const MergeOptions& merge = options.merge;
-    if (merge.manifest == "-") throw UsageError("merge-reports reads its manifest from a file");
+    if (merge.manifest == "-") {
+        throw UsageError("merge-reports reads its manifest from a file, and - names none",
+                         {"such as: popupc merge-reports jobs.jsonl -o report.json"});
+    }
+    if (is_standard_output(merge.output) && is_standard_output(merge.missing)) {
+        throw UsageError("standard output has two users: the report and the rows of what is missing",
+                         {"-o FILE or --missing FILE takes one of them"});
+    }
     std::optional<BatchFiles> files = open_batch(merge.manifest, options.batch.form, options.messages);
     if (!files) return exit_unusable;
     if (!files->manifest) return exit_unusable;

@@ -133,7 +133,11 @@ TEST_F(Cli, WrongUsageIsTwoAndSaysWhatIsRight) {
         {}, "verbs: build check view fix edit show new fmt batch merge-reports gallery trace suggest lsp");
     expect_usage_error({"biuld", "card.xml"}, "did you mean build?");
     expect_usage_error({"build", "card.xml", "--shet", "a4", "-o", "x.pdf"}, "did you mean --sheet?");
-    expect_usage_error({"build"}, "INPUT is required");
+    expect_usage_error({"build"}, "INPUT is missing: build needs documents");
+    expect_usage_error({"merge-reports", "-o", "-"},
+                       "MANIFEST is missing: merge-reports needs the batch's manifest");
+    expect_usage_error({"merge-reports", "a.jsonl", "-o", "-", "--missing", "-"},
+                       "standard output has two users: the report and the rows of what is missing");
     expect_usage_error({"build", "card.xml"}, "-o");
     expect_usage_error({"build", "card.xml", "-o"}, "--output");
     expect_usage_error({"build", "card.xml", "-o", "x.doc"}, ".svg");
