@@ -139,7 +139,7 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
         if (verb == nullptr && !is_option) {
             auto hints = hints_for(word, verb_names(app));
             hints.push_back(fmt::format("verbs: {}", fmt::join(verb_names(app), " ")));
-            return UsageError(fmt::format("there is no verb \"{}\"", word), hints);
+            return UsageError(fmt::format("there is no verb \"{}\"", word), hints).blame({}, first);
         }
         auto hints = hints_for(word, option_names(verb == nullptr ? app : *verb));
         if (is_option && verb != nullptr && verb->get_name() == "batch") {
@@ -151,7 +151,8 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
         hints.push_back(see);
         return UsageError(is_option ? fmt::format("there is no option {}", word)
                                     : fmt::format("\"{}\" is one argument too many", word),
-                          hints);
+                          hints)
+            .blame({}, first);
     }
     if (verb == nullptr) {
         return UsageError("name a verb", {fmt::format("verbs: {}", fmt::join(verb_names(app), " ")), see});

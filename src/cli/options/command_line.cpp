@@ -79,8 +79,12 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     Command command;
     command.options.arguments = arguments;
     Options& options = command.options;
-    arguments = expand_response_files(arguments, options.settings_files);
-    arguments = with_long_dependency_options(arguments);
+    const ExpandedWords expanded = expand_response_files(arguments, options.settings_files);
+    try {
+        arguments = with_long_dependency_options(expanded.words);
+    } catch (const UsageError& error) {
+        throw placed(error, expanded);
+    }
     protect_brackets(arguments);
     const std::span<const Verb> rows = meant(arguments);
     const std::unique_ptr<CLI::App> program = declare_program(options, rows);
@@ -101,7 +105,9 @@ std::variant<Command, std::string> read_command(std::vector<std::string> argumen
     } catch (const CLI::CallForVersion&) {
         return fmt::format("popupc {}\n", version());
     } catch (const CLI::ParseError& error) {
-        throw explained(app, error);
+        throw placed(explained(app, error), expanded);
+    } catch (const UsageError& error) {
+        throw placed(error, expanded);
     }
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         if (!verbs[i]->parsed()) continue;

@@ -50,11 +50,23 @@ class UsageError : public std::runtime_error {
     };
     // Null where the command line or the environment is wrong.
     [[nodiscard]] const InFile* in_file() const { return in_file_.get(); }
+    // The word of the command line that is wrong: the value of an option, whose names are as it is declared
+    // ("-o,--output"), or a word that nothing takes, without an option. Both empty: it is not known.
+    struct Culprit {
+        std::string option;
+        std::string value;
+    };
+    [[nodiscard]] const Culprit& culprit() const { return culprit_; }
+    UsageError& blame(std::string option, std::string value) {
+        culprit_ = {std::move(option), std::move(value)};
+        return *this;
+    }
 
  private:
     std::vector<std::string> hints_;
     std::vector<std::string> choices_;
     std::shared_ptr<const InFile> in_file_;  // shared, because exceptions are copied
+    Culprit culprit_;
 };
 
 enum class When { automatic, always, never };

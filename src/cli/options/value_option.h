@@ -27,13 +27,24 @@ Value choose(std::string_view option, std::string_view text,
                      did_you_mean(text, names), names);
 }
 
+// Has `use` read the text that the option was given. A UsageError of it says of which option it is.
+template <typename Use>
+void use_value(const std::string& names, const std::string& text, const Use& use) {
+    try {
+        use(std::string_view(text));
+    } catch (UsageError& error) {
+        error.blame(names, text);
+        throw;
+    }
+}
+
 // A value option whose text `use` reads. The text given last counts.
 template <typename Use>
 CLI::Option* value(CLI::App& verb, const std::string& names, const std::string& type,
                    const std::string& about, const std::string& group, Use use) {
     return verb
         .add_option_function<std::string>(
-            names, [use](const std::string& text) { use(std::string_view(text)); }, about)
+            names, [names, use](const std::string& text) { use_value(names, text, use); }, about)
         ->type_name(type)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->group(group);
@@ -46,8 +57,8 @@ CLI::Option* values(CLI::App& verb, const std::string& names, const std::string&
     return verb
         .add_option_function<std::vector<std::string>>(
             names,
-            [use](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) use(std::string_view(text));
+            [names, use](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) use_value(names, text, use);
             },
             about)
         ->type_name(type)

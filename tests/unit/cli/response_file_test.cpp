@@ -74,6 +74,31 @@ TEST_F(ResponseFiles, GiveTheProgramItsArguments) {
     EXPECT_EQ(popupc({"@args"}, options).out, popupc({"list", "formats", "--json"}).out);
 }
 
+TEST_F(ResponseFiles, WrongOptionsAreToldWithTheirPlaces) {
+    EXPECT_TRUE(has(refused("card.xml\n  --shet a4\n"),
+                    "args:2:3: error: there is no option --shet [bad-response-file]\n"
+                    "    2 |   --shet a4\n      |   ^\n  hint: did you mean --sheet?\n"));
+    for (const std::string wrong : {" --sheet=a9", " --sheet a4 --sheet\n a9"}) {
+        const std::string place = wrong.ends_with("\n a9") ? "args:3:2: " : "args:2:2: ";
+        EXPECT_TRUE(has(refused("card.xml\n" + wrong), place + "error: --sheet takes auto, ")) << wrong;
+    }
+    EXPECT_TRUE(has(refused("card.xml\n  --sheet"), "args:2:3: error: --sheet: 1 required SIZE missing"));
+    // In a file that a file names.
+    write_file(scratch / "inner", "\n\n --deny nosuch --allow '' ");
+    EXPECT_TRUE(has(refused("card.xml @inner"), "inner:3:9: error: --deny: there is no "));
+    write_file(scratch / "args", "fix card.xml --diff\n--in-place");
+    EXPECT_TRUE(has(popupc({"@args"}, options).err, "args:2:1: error: --diff excludes --in-place"));
+    write_file(scratch / "args", "build card.xml -MD\n -MF");
+    EXPECT_TRUE(has(popupc({"@args"}, options).err, "args:2:2: error: -MF takes the name of a file"));
+    write_file(scratch / "args", "\nchekc card.xml");
+    EXPECT_TRUE(has(popupc({"@args"}, options).err, "args:2:1: error: there is no verb \"chekc\""));
+    // What is wrong on the command line is told as ever.
+    write_file(scratch / "args", "card.xml --sheet a4");
+    EXPECT_TRUE(popupc({"check", "@args", "--shet"}, options).err.starts_with("popupc: error: there is"));
+    EXPECT_TRUE(
+        popupc({"check", "@args", "--sheet", "a9"}, options).err.starts_with("popupc: error: --sheet"));
+}
+
 TEST_F(ResponseFiles, MistakesAreToldWithTheirPlaces) {
     EXPECT_TRUE(
         has(refused("x\n 'ab c\n"), "args:2:2: error: this quote is not closed [bad-response-file]\n"));
