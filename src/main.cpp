@@ -47,8 +47,8 @@ int run(std::vector<std::string> arguments) {
     const std::variant<Command, std::string> wanted = read_command(std::move(arguments));
     if (const auto* text = std::get_if<std::string>(&wanted)) return print(*text) ? exit_done : exit_unusable;
     const Command& command = std::get<Command>(wanted);
-    for (const std::string& name : command.options.unknown_variables)
-        announce(command.options.messages, fmt::format("warning: the variable {} sets no option", name));
+    for (const UnknownVariable& one : command.options.unknown_variables)
+        announce(command.options.messages, fmt::format("warning: the variable {} {}", one.name, one.why));
     return command.verb->run(command.options);
 }
 

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include "base/text/nearest.h"
 #include "cli/options/command_line.h"
 #include "cli/options/config_file.h"
+#include "cli/options/dependency_options.h"
 #include "cli/options/value_option.h"
 
 namespace popup::cli {
@@ -170,26 +173,43 @@ void apply_values(const ConfigFile& file, bool own, CLI::App& verb, Level& level
     }
 }
 
-// Variables that look like ours and are no option's of any verb.
-std::vector<std::string> unknown_variables() {
-    std::vector<std::string> unknown;
+// Variables that look like ours and set no option of any verb, by name.
+std::vector<UnknownVariable> unknown_variables() {
+    std::set<std::string> names;
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view text = *entry;
         const std::string_view name = text.substr(0, text.find('='));
-        if (name.starts_with(kPrefix)) unknown.emplace_back(name);
+        if (name.starts_with(kPrefix)) names.emplace(name);
     }
-    if (unknown.empty()) return unknown;
+    if (names.empty()) return {};
     std::set<std::string> known{variable_of("config"), variable_of("no-config")};
+    std::map<std::string, std::string> of_one_run;  // what is not set by variables, as it is given
     Options scratch;
     const std::unique_ptr<CLI::App> program = declare_program(scratch, verb_table());
-    for (const CLI::App* verb : program->get_subcommands([](const CLI::App*) { return true; })) {
-        for (const CLI::Option* option : verb->get_options())
-            known.insert(variable_of(traits_of(*option).key));
+    for (CLI::App* verb : program->get_subcommands([](const CLI::App*) { return true; })) {
+        for (const auto& [option, traits] : settable(*verb)) known.insert(variable_of(traits.key));
+        for (const CLI::Option* option : verb->get_options()) {
+            if (!option->nonpositional()) continue;
+            const std::string key = traits_of(*option).key;
+            of_one_run.emplace(variable_of(key), shown_option(key));
+        }
     }
-    unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
-                                 [&known](const std::string& name) { return known.contains(name); }),
-                  unknown.end());
-    std::sort(unknown.begin(), unknown.end());
+    std::vector<std::string_view> choices;  // and the names, without what all begin with
+    for (const std::string& name : known) choices.push_back(std::string_view(name).substr(kPrefix.size()));
+    std::vector<UnknownVariable> unknown;
+    for (const std::string& name : names) {
+        if (known.contains(name)) continue;
+        std::string why = "sets no option";
+        const std::vector<std::string> meant =
+            nearest(std::string_view(name).substr(kPrefix.size()), choices, 1);
+        if (const auto option = of_one_run.find(name); option != of_one_run.end()) {
+            why = fmt::format("sets nothing: {} belongs to one run, and is given on the command line",
+                              option->second);
+        } else if (!meant.empty()) {
+            why += fmt::format("; did you mean {}{}?", kPrefix, meant.front());
+        }
+        unknown.push_back({name, std::move(why)});
+    }
     return unknown;
 }
 
@@ -264,13 +284,11 @@ Settings apply_settings(CLI::App& verb, Options& options) {
 }
 
 std::string render_settings(const CLI::App& verb, const Settings& settings,
-                            const std::vector<std::string>& unknown_variables) {
+                            const std::vector<UnknownVariable>& unknown_variables) {
     std::string text = fmt::format(
         "# popupc {}: {}\n", verb.get_name(),
         settings.file ? "settings with " + *settings.file : std::string("settings; there is no popupc.toml"));
-    for (const std::string& name : unknown_variables) {
-        text += fmt::format("# {} is no option's variable\n", name);
-    }
+    for (const UnknownVariable& one : unknown_variables) text += fmt::format("# {} {}\n", one.name, one.why);
     std::string unset;
     for (const CLI::Option* option : verb.get_options()) {
         if (!option->get_configurable() || !option->nonpositional()) continue;

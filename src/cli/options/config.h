@@ -28,7 +28,7 @@ Settings apply_settings(CLI::App& verb, Options& options);
 // The settings of the verb as a popupc.toml, each with where it comes from as a comment; those that are not
 // made follow as comments.
 std::string render_settings(const CLI::App& verb, const Settings& settings,
-                            const std::vector<std::string>& unknown_variables);
+                            const std::vector<UnknownVariable>& unknown_variables);
 
 // "sheet" is "POPUPC_SHEET".
 std::string variable_of(std::string_view key);

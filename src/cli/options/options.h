@@ -115,6 +115,12 @@ struct BuildOptions {
     DependencyOptions dependencies;
 };
 
+// A variable that is named like those of options, and sets none.
+struct UnknownVariable {
+    std::string name;
+    std::string why;  // "sets no option; did you mean POPUPC_SHEET?"
+};
+
 struct FixOptions {
     bool diff = false;
     bool in_place = false;
@@ -266,8 +272,8 @@ struct Options {
     std::map<std::string, std::vector<std::string>> settings;
     // The response files and the configuration by which the other options came to be: inputs of the run.
     std::vector<std::string> settings_files;
-    // POPUPC_* of the environment that are no option's.
-    std::vector<std::string> unknown_variables;
+    // POPUPC_* of the environment that set nothing.
+    std::vector<UnknownVariable> unknown_variables;
 };
 
 // Each adds one group of options to a verb; values land in `options`, which must outlive the parsing.

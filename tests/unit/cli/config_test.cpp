@@ -329,7 +329,8 @@ TEST_F(Config, MistakesInTheEnvironmentNameTheVariable) {
     EXPECT_TRUE(has(refused({"check", "designs/card.xml"}), "popupc: error: POPUPC_VERBOSE: "));
     // One that is no option's is not silent where settings are looked at.
     options.environment = {{"POPUPC_SHET", "a4"}};
-    EXPECT_TRUE(has(popupc({"check", "--print-config"}).out, "\n# POPUPC_SHET is no option's variable\n"));
+    EXPECT_TRUE(has(popupc({"check", "--print-config"}).out,
+                    "\n# POPUPC_SHET sets no option; did you mean POPUPC_SHEET?\n"));
     options.environment = {{"POPUPC_OUTPUT", "x.svg"}};
     EXPECT_TRUE(has(refused({"build", "designs/card.xml"}), "nothing to build"));
 }

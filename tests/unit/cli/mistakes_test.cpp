@@ -71,7 +71,14 @@ TEST_F(Mistakes, AProgramThatLoadsItself) {
 
 TEST_F(Mistakes, VariablesThatSetNothing) {
     here.environment["POPUPC_NOSUCH"] = "1";
-    told({"check", "bird.xml"}, 0, "warning: the variable POPUPC_NOSUCH sets no option");
+    told({"check", "bird.xml"}, 0, "warning: the variable POPUPC_NOSUCH sets no option\n");
+    here.environment = {{"POPUPC_SHEEET", "a4"}};
+    told({"check", "bird.xml"}, 0, "POPUPC_SHEEET sets no option; did you mean POPUPC_SHEET?\n");
+    // An option of the program, and none that a variable sets.
+    here.environment = {{"POPUPC_TILE", "a4"}};
+    told({"check", "bird.xml"}, 0,
+         "the variable POPUPC_TILE sets nothing: --tile belongs to one run, and is given on the command "
+         "line\n");
     here.environment.clear();
     for (const std::string wrong : {"abc", "-1", "1.5", "99999999999999"}) {
         here.environment["SOURCE_DATE_EPOCH"] = wrong;
