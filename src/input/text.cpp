@@ -32,4 +32,14 @@ std::string lower(std::string_view text) {
     return out;
 }
 
+std::string short_name(std::string_view name) {
+    constexpr std::size_t kLongest = 80;
+    name = trimmed(name);
+    std::size_t length = std::min(name.size(), kLongest);
+    while (length > 0 && length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80) {
+        --length;
+    }
+    return std::string(name.substr(0, length));
+}
+
 }  // namespace popup

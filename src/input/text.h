@@ -29,4 +29,7 @@ bool is_wide_text(std::string_view text);
 // With ASCII letters in lower case.
 std::string lower(std::string_view text);
 
+// At most 80 bytes of a name without the blanks around it, whole characters.
+std::string short_name(std::string_view name);
+
 }  // namespace popup

@@ -18,6 +18,7 @@
 #include "input/drawing/size.h"
 #include "input/drawing/style.h"
 #include "input/drawing/tally.h"
+#include "input/drawing/use_sizes.h"
 #include "input/drawing/vocabulary.h"
 #include "input/text.h"
 #include "input/xml/encoding.h"
@@ -30,17 +31,6 @@ using xml::Offset;
 
 constexpr std::string_view kNamespace = "http://www.w3.org/2000/svg";
 constexpr double kCapHeight = 1493.0 / 2048.0;  // of DejaVu Sans' capitals, of its font size
-
-// At most 80 bytes of a name, whole characters.
-std::string short_name(std::string_view name) {
-    constexpr std::size_t kLongest = 80;
-    name = trimmed(name);
-    std::size_t length = std::min(name.size(), kLongest);
-    while (length > 0 && length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80) {
-        --length;
-    }
-    return std::string(name.substr(0, length));
-}
 
 // What an element hands down to those in it.
 struct Context {
@@ -126,6 +116,7 @@ class Tracer {
 
     // Ids and style sheets, which count for what stands before them, too.
     void collect() {
+        bool hides = false;
         for (Offset i = 0; i < located_.elements.size(); ++i) {
             for (std::size_t a = located_.elements[i].first_attribute; a < attributes_end(i); ++a) {
                 const xml::LocatedAttribute& attribute = located_.attributes[a];
@@ -136,8 +127,12 @@ class Tracer {
             if (tag_of(i) != "style") continue;
             const auto tree = xml::Tree::parse(located_, i, xml::Tree::Extent::shell, diagnostics_);
             if (!tree) return;
-            for (const xml::Text& part : tree->root().texts()) sheet_.add(part.decoded);
+            for (const xml::Text& part : tree->root().texts()) {
+                sheet_.add(part.decoded);
+                hides = hides || part.decoded.find("display") != std::string_view::npos;
+            }
         }
+        if (!hides) use_sizes_.emplace(located_, prefix_, ids_);
         if (sheet_.not_read() > 0) {
             diagnostics_
                 .warning("style-ignored", located_.elements[0].place,
@@ -223,7 +218,7 @@ class Tracer {
         if (tag == "symbol" && stack_.back().used == element) kind = Role::container;
         if (kind == Role::silent) return;
         if (kind == Role::unknown) return tally_.unknown(tag, at.place);
-        if (uses_ > 0 && !count_used(at)) return;
+        if (uses_ > 0 && !count_used(used_, {1, at.tag_end - at.begin}, at.place)) return;
         const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::tag, diagnostics_);
         if (!tree) {
             stopped_ = true;
@@ -298,10 +293,11 @@ class Tracer {
         return false;
     }
 
-    bool count_used(const xml::LocatedElement& at) {
-        used_bytes_ += at.tag_end - at.begin;
-        if (++used_elements_ <= kUsedElementsLimit && used_bytes_ <= kUsedBytesLimit) return true;
-        diagnostics_.error("document-too-large", at.place,
+    // False: uses stand for too much.
+    bool count_used(UseSizes::Size& used, const UseSizes::Size& more, Place place) {
+        used = {used.elements + more.elements, used.bytes + more.bytes};
+        if (used.elements <= kUsedElementsLimit && used.bytes <= kUsedBytesLimit) return true;
+        diagnostics_.error("document-too-large", place,
                            fmt::format("use elements make more than {} elements, or {} MiB, of this drawing",
                                        kUsedElementsLimit, kUsedBytesLimit >> 20U));
         stopped_ = true;
@@ -404,6 +400,7 @@ class Tracer {
             return;
         }
         std::optional<ShapeProblem> problem;
+        if (uses_ == 0 && use_sizes_ && !count_used(promised_, use_sizes_->of(element), place)) return;
         const Vec2 at{length_of(attributes, "x", context.view.x, 0.0, problem),
                       length_of(attributes, "y", context.view.y, 0.0, problem)};
         const Vec2 size{length_of(attributes, "width", context.view.x, context.view.x, problem),
@@ -574,9 +571,10 @@ class Tracer {
     std::unordered_map<std::string_view, Offset> ids_;
     StyleSheet sheet_;
     std::vector<Frame> stack_;
-    std::vector<char> active_;  // elements that a use now stands for
-    std::size_t uses_ = 0;      // of these, how many there are
-    std::size_t used_elements_ = 0, used_bytes_ = 0;
+    std::vector<char> active_;            // elements that a use now stands for
+    std::size_t uses_ = 0;                // of these, how many there are
+    UseSizes::Size used_, promised_;      // what uses have stood for, and what those begun will
+    std::optional<UseSizes> use_sizes_;   // none where a style sheet may hide what they stand for
     std::size_t declared_variables_ = 0;  // by all elements
     std::vector<std::string> names_;
     std::map<std::string, int, std::less<>> owners_;
