@@ -54,6 +54,7 @@ struct TracedLine {
     double dash_mm = 0.0, gap_mm = 0.0;  // the longest of its stroke; 0: not known
     // How far it is folded, as the drawing says, [-180, 180]; less than 0: the other way than it is drawn.
     std::optional<double> fold_deg = {};
+    bool perforated = false;  // it is a fold because its name says perforation
 };
 
 // An area that is painted, by all subpaths of a path together.

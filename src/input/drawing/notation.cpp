@@ -207,7 +207,7 @@ Said LineRules::said_by(std::string_view name) const {
         const Rule& rule = rules_[i];
         if (rule.word == lower(trimmed(name)) || rule.bare == lower(trimmed(text)) ||
             std::find(words.begin(), words.end(), rule.bare) != words.end()) {
-            return {rule.named, i};
+            return {rule.named, i, false};
         }
     }
     std::array<bool, 8> said{};
@@ -219,15 +219,19 @@ Said LineRules::said_by(std::string_view name) const {
             if (all.find(" " + word + " ") != std::string_view::npos) nth(said, named) = true;
         }
     }
-    if (has("half") && nth(said, Named::cut)) return {Named::fold, std::nullopt};
+    if (has("half") && nth(said, Named::cut)) return {Named::fold, std::nullopt, false};
     const Named named = together(said);
     if (named == Named::fold && has("up") != has("down"))
-        return {has("up") ? Named::valley : Named::mountain, std::nullopt};
-    return {named, std::nullopt};
+        return {has("up") ? Named::valley : Named::mountain, std::nullopt, false};
+    const bool perforated = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return word.starts_with("perf") && word != "perfcrease";
+    });
+    return {named, std::nullopt, named == Named::fold && perforated};
 }
 
 void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) {
     line.named = names.named;
+    line.perforated = names.perforated;
     std::optional<std::size_t> rule = names.rule;
     const std::size_t end = std::min(rule.value_or(rules_.size()), rules_.size());
     for (std::size_t i = 0; i < end && stroke.kind == Paint::Kind::color; ++i) {
@@ -238,6 +242,7 @@ void LineRules::say(const Said& names, const Paint& stroke, TracedLine& line) {
     line.ruled = rule.has_value();
     if (!rule) return;
     line.named = rules_[*rule].named;
+    line.perforated = false;
     rules_[*rule].used = true;
 }
 

@@ -26,6 +26,7 @@ namespace popup::drawing {
 struct Said {
     Named named = Named::nothing;
     std::optional<std::size_t> rule;
+    bool perforated = false;  // a fold, because perforations mostly are
 };
 
 // The rules of DrawingOptions, and below them the words that people call layers: cut, folds, mountain,

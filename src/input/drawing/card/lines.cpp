@@ -189,7 +189,7 @@ class Sorter {
     }
 
     void count(const TracedLine& line, const Guess& guess) {
-        const auto key = std::tuple(key_of(line), guess.meaning, guess.by);
+        const auto key = std::tuple(key_of(line), guess.meaning, guess.by, line.perforated);
         const auto [at, fresh] = row_of_.try_emplace(key, rows_.size());
         if (fresh) rows_.push_back({&line, guess, 0});
         ++rows_[at->second].count;
@@ -197,12 +197,18 @@ class Sorter {
 
     void tell() {
         for (const Row& row : rows_) {
-            diagnostics_
-                .remark("line-meaning", nth(tracing_.elements, row.first->element).place,
-                        fmt::format("{} {} line{} taken for {}, {}", row.count, shown_stroke(*row.first),
-                                    row.count == 1 ? " is" : "s are", nth(kMeanings, row.guess.meaning),
-                                    row.guess.by))
-                .hint(row.guess.by == kByName
+            Diagnostic& told = diagnostics_.remark(
+                "line-meaning", nth(tracing_.elements, row.first->element).place,
+                fmt::format("{} {} line{} taken for {}, {}{}", row.count, shown_stroke(*row.first),
+                            row.count == 1 ? " is" : "s are", nth(kMeanings, row.guess.meaning), row.guess.by,
+                            row.first->perforated ? ", which is that of a perforation" : ""));
+            if (row.first->perforated) {
+                told.hint(
+                    "where it is torn and not folded it is no fold: --lines print=NAME prints it, and "
+                    "--lines cut=NAME cuts it through; --fold-style perforated perforates folds");
+                continue;
+            }
+            told.hint(row.guess.by == kByName
                           ? fmt::format("--lines says otherwise: --lines {}=NAME, of a layer, class or id",
                                         other_than(row.guess.meaning))
                           : fmt::format("--lines says otherwise: --lines {}={}",
@@ -215,7 +221,7 @@ class Sorter {
     std::set<StrokeKey> frame_;
     bool workshop_;
     std::vector<Row> rows_;
-    std::map<std::tuple<StrokeKey, Meaning, std::string_view>, std::size_t> row_of_;
+    std::map<std::tuple<StrokeKey, Meaning, std::string_view, bool>, std::size_t> row_of_;
     CardLines out_;
 };
 
