@@ -59,9 +59,9 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "--lines, or lines in popupc.toml, says what lines of a colour mean, or of a layer, a class or an id "
      "with a "
      "word in its name; the first rule that fits a line counts. Nothing of this drawing is so, or an earlier "
-     "rule has taken it all: the word may be spelt otherwise, or the colour be another shade. The hint has "
-     "the "
-     "colours that are there. Rules for a whole library need not fit each of its drawings."},
+     "rule has taken it all: the word may be spelt otherwise, or the colour be another shade. The hints "
+     "have the names of layers, classes and groups, and the colours, that are there. Rules for a whole "
+     "library need not fit each of its drawings."},
     {"not-cut", Severity::warning, "texts, images and the like in a drawing",
      "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
      "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path; in "

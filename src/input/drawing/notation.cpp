@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "base/nth.h"
+#include "base/text/nearest.h"
+#include "base/text/shown.h"
 #include "input/color.h"
 #include "input/drawing/fold_like.h"
 #include "input/text.h"
@@ -171,7 +173,35 @@ std::vector<std::string> colors_of(const std::vector<TracedLine>& lines) {
     return colors;
 }
 
+// The name that was meant, or those that there are.
+void tell_names(std::string_view word, const std::vector<std::string>& names, Diagnostic& unused) {
+    if (names.empty()) return;
+    std::vector<std::string> lowered;
+    lowered.reserve(names.size());
+    for (const std::string& name : names) lowered.push_back(lower(name));
+    const std::vector<std::string> meant =
+        nearest(word, std::vector<std::string_view>(lowered.begin(), lowered.end()), 1);
+    if (!meant.empty()) {
+        const auto at = std::find(lowered.begin(), lowered.end(), meant.front()) - lowered.begin();
+        unused.hint(fmt::format("did you mean \"{}\"?", shown(names[static_cast<std::size_t>(at)])));
+    }
+    constexpr std::size_t kMost = 8;
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+        told.push_back(fmt::format("\"{}\"", shown(names[i])));
+    const std::string more = names.size() > kMost ? fmt::format(" and {} more", names.size() - kMost) : "";
+    unused.hint(fmt::format("names here are {}{}", fmt::join(told, ", "), more));
+}
+
 }  // namespace
+
+void LineRules::meet(std::string_view name) {
+    constexpr std::size_t kMost = 200;
+    if (rules_.empty() || names_.size() == kMost) return;
+    std::string text = short_name(name);
+    if (text.empty() || std::find(names_.begin(), names_.end(), text) != names_.end()) return;
+    names_.push_back(std::move(text));
+}
 
 LineRules::LineRules(const std::vector<LineRule>& rules) {
     for (const LineRule& rule : rules) {
@@ -185,9 +215,10 @@ LineRules::LineRules(const std::vector<LineRule>& rules) {
     }
 }
 
-void LineRules::follow(std::initializer_list<std::string_view> names, Said& said) const {
+void LineRules::follow(std::initializer_list<std::string_view> names, Said& said, int met) {
     bool own = false;
     for (const std::string_view name : names) {
+        if (met-- > 0) meet(name);
         const Said told = said_by(name);
         if (told.rule) {
             if (!said.rule || *told.rule < *said.rule) said = told;
@@ -251,14 +282,15 @@ void LineRules::tell_unused(const std::vector<TracedLine>& lines, Diagnostics& d
     for (const Rule& rule : rules_) {
         if (rule.used) continue;
         if (colors.empty()) colors = colors_of(lines);
-        diagnostics
-            .remark("lines-not-found", {},
-                    fmt::format("--lines {} fits no line here: none has this colour, or this word in its "
-                                "layer, class or id, "
-                                "that no earlier rule fits",
-                                rule.text))
-            .hint(colors.empty() ? std::string("there are no lines here")
-                                 : fmt::format("lines here have the colours {}", fmt::join(colors, ", ")));
+        Diagnostic& unused = diagnostics.remark(
+            "lines-not-found", {},
+            fmt::format("--lines {} fits no line here: none has this colour, or this word in its "
+                        "layer, class or id, "
+                        "that no earlier rule fits",
+                        rule.text));
+        if (!rule.color) tell_names(rule.word, names_, unused);
+        unused.hint(colors.empty() ? std::string("there are no lines here")
+                                   : fmt::format("lines here have the colours {}", fmt::join(colors, ", ")));
     }
 }
 

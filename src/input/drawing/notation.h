@@ -37,12 +37,14 @@ class LineRules {
     explicit LineRules(const std::vector<LineRule>& rules);
     [[nodiscard]] Said said_by(std::string_view name) const;
     // Of an element with these names, the weightiest first, in one of which that was said: the first that
-    // says something counts, and above all names the first rule that fits one.
-    void follow(std::initializer_list<std::string_view> names, Said& said) const;
+    // says something counts, and above all names the first rule that fits one. The first `met` names are met.
+    void follow(std::initializer_list<std::string_view> names, Said& said, int met);
     // What the names of a line say, or the first rule that fits its colour or a name of it.
     void say(const Said& names, const Paint& stroke, TracedLine& line);
-    // Adds a `lines-not-found` remark for each rule that has said nothing of any line, with the colours that
-    // lines have.
+    // A name that a rule could have: of a layer, a class or a group. Only where there are rules it is kept.
+    void meet(std::string_view name);
+    // Adds a `lines-not-found` remark for each rule that has said nothing of any line, with the names that
+    // were met, or the nearest of them, and the colours that lines have.
     void tell_unused(const std::vector<TracedLine>& lines, Diagnostics& diagnostics) const;
 
  private:
@@ -55,6 +57,7 @@ class LineRules {
         bool used = false;
     };
     std::vector<Rule> rules_;
+    std::vector<std::string> names_;  // that were met, each once, as they came
 };
 
 // The colours that notations have, each with all that is nearest to it: #ed1c24 is red, too.

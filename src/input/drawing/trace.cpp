@@ -228,8 +228,9 @@ class Tracer {
         Context context = around;
         Declarations declared = declarations(tag, attributes, false);
         if (!take_style(declared, at.place, context)) return;
-        rules_.follow({attributes.value("inkscape:label"), attributes.value("class"), attributes.value("id")},
-                      context.said);
+        const std::string_view caption = attributes.value("inkscape:label");
+        rules_.follow({caption, attributes.value("class"), attributes.value("id")}, context.said,
+                      tag == "g" && caption.empty() ? 3 : 2);
         if (!context.style.displayed) return tally_.hidden(at.place);
         for (const Property property : {Property::clip, Property::mask}) {
             const std::string* value = declared.find(property);
@@ -399,8 +400,8 @@ class Tracer {
             stopped_ = true;
             return;
         }
-        std::optional<ShapeProblem> problem;
         if (uses_ == 0 && use_sizes_ && !count_used(promised_, use_sizes_->of(element), place)) return;
+        std::optional<ShapeProblem> problem;
         const Vec2 at{length_of(attributes, "x", context.view.x, 0.0, problem),
                       length_of(attributes, "y", context.view.y, 0.0, problem)};
         const Vec2 size{length_of(attributes, "width", context.view.x, context.view.x, problem),

@@ -328,6 +328,7 @@ class Tracer {
             made.width_mm = kStrokeMm;
             made.dash = style.dash;
             rules_.say(nth(said_, own.layer), style.stroke, made);
+            rules_.meet(nth(document_.layers, own.layer).name);
             out_.lines.push_back(std::move(made));
         }
     }
