@@ -51,6 +51,7 @@ Reading drawing_of(const Source& source, const ReadOptions& options, Diagnostics
             break;
         case DrawnAs::folded:
             reading.creases = drawing::folded::read(*tracing, source, diagnostics);
+            if (!options.drawing.as) drawing::card::tell_card(*tracing, source, diagnostics);
             break;
     }
     return reading;

@@ -119,4 +119,17 @@ std::optional<Design> read(const Tracing& tracing, const Source& source, Diagnos
     return design;
 }
 
+void tell_card(const Tracing& tracing, const Source& source, Diagnostics& diagnostics) {
+    Diagnostics unheard(source.name);
+    const std::optional<Design> design = read(tracing, source, unheard);
+    if (!design || design->structures.empty() || unheard.has_findings()) return;
+    const std::size_t count = design->structures.size();
+    diagnostics
+        .remark("may-be-card", {},
+                fmt::format("this is read as a folded sheet, and is the drawing of a pop-up card with {} "
+                            "element{}, too",
+                            count, count == 1 ? "" : "s"))
+        .hint("--as card reads it so, and opens and closes it; --as folded says that it is none");
+}
+
 }  // namespace popup::drawing::card

@@ -16,4 +16,8 @@ namespace popup::drawing::card {
 // read from.
 std::optional<Design> read(const Tracing& tracing, const Source& source, Diagnostics& diagnostics);
 
+// Of a drawing that is read as a folded sheet without being asked to: a `may-be-card` remark where it is a
+// pop-up card in all its lines, one element of which is enough. Cost: that of read().
+void tell_card(const Tracing& tracing, const Source& source, Diagnostics& diagnostics);
+
 }  // namespace popup::drawing::card
