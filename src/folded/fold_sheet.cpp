@@ -12,6 +12,7 @@
 #include "base/text/quoted_words.h"
 #include "folded/asked.h"
 #include "folded/bend.h"
+#include "folded/flat/flat_corners.h"
 #include "folded/lower.h"
 #include "folded/path.h"
 #include "folded/refine.h"
@@ -48,8 +49,8 @@ double degrees(double radians) { return radians * 180.0 / kPi; }
 
 // A loop that does not close all the way. `bends`: how the panels of one that does not leave the flat sheet
 // are shown; empty if they stay flat.
-void tell_open(const folded::Cluster& cluster, const std::string& bends, const CreasePattern& pattern,
-               const Sheet& sheet, Diagnostics& diagnostics) {
+Diagnostic& tell_open(const folded::Cluster& cluster, const std::string& bends, const CreasePattern& pattern,
+                      const Sheet& sheet, Diagnostics& diagnostics) {
     const folded::Loop& loop = nth(sheet.loops, cluster.worst_loop);
     const std::string where =
         fmt::format("the loop of {} folds around {} at {}", loop.steps.size(),
@@ -63,17 +64,16 @@ void tell_open(const folded::Cluster& cluster, const std::string& bends, const C
             : "its panels would have to bend, or its folds to be folded one after another: add creases, or "
               "change which folds are mountains";
     if (cluster.reached > 0.0) {
-        diagnostics
+        return diagnostics
             .warning(
                 "not-rigid", place,
                 fmt::format("{} closes only until {:.0f} % of the way; the sheet is folded as far as that",
                             where, std::floor(100.0 * cluster.reached)))
             .hint(std::string(hint));
-        return;
     }
     const std::string by = loop.corner ? fmt::format("{:.1f}°", degrees(cluster.residual))
                                        : fmt::format("{:.2f} mm", cluster.residual * loop.size);
-    diagnostics
+    return diagnostics
         .warning("not-rigid", place,
                  fmt::format("{} closes only while nothing is folded: half way it would be open by {}; {}",
                              where, by, bends.empty() ? "its folds stay flat" : bends))
@@ -128,7 +128,7 @@ class Lowering {
             if (cluster.reached >= 1.0) continue;
             if (!cluster.given_up && cluster.reached < kNearlyThere && cluster.worst_loop >= 0 &&
                 !sheet_.bends())
-                tell_open(cluster, {}, pattern_, sheet_, diagnostics_);
+                ask_flat(tell_open(cluster, {}, pattern_, sheet_, diagnostics_));
             // What cannot be folded stays flat, and holds nothing else up.
             if (cluster.reached > 0.0) reached_ = std::min(reached_, cluster.reached);
         }
@@ -238,13 +238,14 @@ class Lowering {
             const double deg = degrees(final_angle(static_cast<int>(i)));
             if (deg * fold.target > -kOtherWayDeg * std::abs(fold.target)) continue;
             if (++told > kToldAtMost) return;
-            diagnostics_
-                .warning("fold-other-way", nth(pattern_.lines, fold.line).place,
-                         fmt::format("this fold is drawn as a {}, and its loops turn it the other way, by "
-                                     "{:.1f}°, at {}",
-                                     fold.target < 0.0 ? "mountain" : "valley", std::abs(deg),
-                                     shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
-                .hint("draw it as the other kind, or look at the folds around its ends");
+            ask_flat(diagnostics_
+                         .warning("fold-other-way", nth(pattern_.lines, fold.line).place,
+                                  fmt::format(
+                                      "this fold is drawn as a {}, and its loops turn it the other way, by "
+                                      "{:.1f}°, at {}",
+                                      fold.target < 0.0 ? "mountain" : "valley", std::abs(deg),
+                                      shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
+                         .hint("draw it as the other kind, or look at the folds around its ends"));
         }
     }
 
@@ -258,15 +259,20 @@ class Lowering {
                 if (fold.target == 0.0 || std::abs(final_angle(number)) >= kStaysFlat * std::abs(fold.target))
                     continue;
                 if (++told > kToldAtMost) return;
-                diagnostics_
-                    .warning("fold-stays-flat", nth(pattern_.lines, fold.line).place,
-                             fmt::format("this fold is to be folded by {:.1f}°, and its loops keep it flat, "
-                                         "at {}",
-                                         degrees(std::abs(fold.target)),
-                                         shown_point(pattern_.ruler, sheet_.line_of(fold).a)))
-                    .hint(what_frees(number));
+                Diagnostic& flat = diagnostics_.warning(
+                    "fold-stays-flat", nth(pattern_.lines, fold.line).place,
+                    fmt::format("this fold is to be folded by {:.1f}°, and its loops keep it flat, "
+                                "at {}",
+                                degrees(std::abs(fold.target)),
+                                shown_point(pattern_.ruler, sheet_.line_of(fold).a)));
+                flat.hint(what_frees(number));
+                ask_flat(flat);
             }
         }
+    }
+    // Once in a sheet.
+    void ask_flat(Diagnostic& told) {
+        if (!std::exchange(asked_flat_, true)) folded::ask_flat(sheet_, told);
     }
     [[nodiscard]] std::string what_frees(int number) const {
         std::size_t fewest = 0;
@@ -334,20 +340,23 @@ class Lowering {
         if (worst < 0) return;
         const Fold& fold = nth(sheet_.folds, worst);
         const Segment line = sheet_.line_of(fold);
-        diagnostics_
-            .warning(
-                "other-angle", nth(pattern_.lines, fold.line).place,
-                fmt::format(
-                    "{}, for the loops there close so: that from {} to {} at {:.1f}° instead of {:.1f}°",
-                    count == 1 ? std::string("1 fold ends at another angle than it is to")
-                               : fmt::format("{} folds end at other angles than they are to", count),
-                    shown_point(pattern_.ruler, line.a), shown_point(pattern_.ruler, line.b),
-                    degrees(std::abs(nth(paths_.laws, worst).back().angle)), degrees(std::abs(fold.target))))
-            .hint(any_asked || pattern_.fold_deg != kBoxDeg
-                      ? "write the angles of a shape that closes for all folds around these corners, or for "
-                        "none of those that are to follow: -o NAME.fold shows those that it has now"
-                      : "nothing says how far these folds go, so they were to go to 90° as those of boxes; "
-                        "where they are those of origami, --fold-angle 180 says so");
+        ask_flat(
+            diagnostics_
+                .warning(
+                    "other-angle", nth(pattern_.lines, fold.line).place,
+                    fmt::format(
+                        "{}, for the loops there close so: that from {} to {} at {:.1f}° instead of {:.1f}°",
+                        count == 1 ? std::string("1 fold ends at another angle than it is to")
+                                   : fmt::format("{} folds end at other angles than they are to", count),
+                        shown_point(pattern_.ruler, line.a), shown_point(pattern_.ruler, line.b),
+                        degrees(std::abs(nth(paths_.laws, worst).back().angle)),
+                        degrees(std::abs(fold.target))))
+                .hint(
+                    any_asked || pattern_.fold_deg != kBoxDeg
+                        ? "write the angles of a shape that closes for all folds around these corners, or "
+                          "for none of those that are to follow: -o NAME.fold shows those that it has now"
+                        : "nothing says how far these folds go, so they were to go to 90° as those of boxes; "
+                          "where they are those of origami, --fold-angle 180 says so"));
     }
 
     [[nodiscard]] bool folds_flat() const {
@@ -366,6 +375,7 @@ class Lowering {
     Diagnostics& diagnostics_;
     folded::Tree tree_;
     double reached_;  // where the sweep ends
+    bool asked_flat_ = false;
     Assembly out_;
 };
 
@@ -393,9 +403,11 @@ void tell_bends(const folded::Bent& bent, const Paths& rigid, const CreasePatter
         bends += fmt::format(", by {:.1f}° at most, from {} to {}", degrees(by),
                              shown_point(pattern.ruler, line.a), shown_point(pattern.ruler, line.b));
     }
+    bool asked_flat = false;
     for (const folded::Cluster& cluster : rigid.clusters) {
-        if (cluster.reached == 0.0 && !cluster.given_up)
-            tell_open(cluster, bends, pattern, sheet, diagnostics);
+        if (cluster.reached != 0.0 || cluster.given_up) continue;
+        Diagnostic& told = tell_open(cluster, bends, pattern, sheet, diagnostics);
+        if (!std::exchange(asked_flat, true)) folded::ask_flat(sheet, told);
     }
 }
 

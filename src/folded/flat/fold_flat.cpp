@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/nth.h"
+#include "folded/flat/flat_corners.h"
 #include "folded/flat/flat_state.h"
 #include "folded/sheet.h"
 #include "folded/straighten.h"
@@ -22,7 +22,6 @@ using folded::Loop;
 using folded::Sheet;
 
 constexpr std::size_t kToldAtMost = 10;
-constexpr double kOffDeg = 0.1;        // of Kawasaki's condition
 constexpr double kOnePlaceMm = 0.002;  // in the flat state one place
 constexpr double kNearShare = 2e-5;    // of the sheet's longer side
 constexpr double kOffShare = 5e-4;     // so far may panels miss each other: what a drawing rounds
@@ -104,47 +103,27 @@ class FlatCheck {
     }
 
     void look_at(const Loop& loop) {
-        const std::size_t count = loop.steps.size();
-        if (count % 2 != 0) {
+        const folded::FlatCorner corner = folded::flat_corner(sheet_, loop);
+        if (!corner.even()) {
             if (Diagnostic* told = tell("flat-odd", loop,
                                         fmt::format("{} folds meet at {}; where all is folded flat, their "
                                                     "number is even",
-                                                    count, shown(loop.at))))
+                                                    corner.folds, shown(loop.at))))
                 told->hint("add a fold there, or take one out");
             return;
         }
-        look_at_angles(loop);
-        look_at_kinds(loop);
+        look_at_angles(loop, corner);
+        look_at_kinds(loop, corner);
     }
 
-    // The directions of its folds, in the order of its steps.
-    [[nodiscard]] std::vector<double> directions(const Loop& loop) const {
-        std::vector<double> result;
-        result.reserve(loop.steps.size());
-        for (const folded::Step& step : loop.steps) {
-            for (const folded::Stretch one : nth(sheet_.folds, step.fold).stretches) {
-                if (one.a != loop.corner_number && one.b != loop.corner_number) continue;
-                const Vec2 way =
-                    sheet_.at(one.a == loop.corner_number ? one.b : one.a) - sheet_.at(loop.corner_number);
-                result.push_back(std::atan2(way.y, way.x) * 180.0 / std::numbers::pi);
-            }
-        }
-        std::sort(result.begin(), result.end());
-        return result;
-    }
-
-    // Kawasaki: the angles between the folds, taken in turn, add up to 180 degrees.
-    void look_at_angles(const Loop& loop) {
-        const std::vector<double> ways = directions(loop);
-        if (ways.size() != loop.steps.size()) return;
-        double every_other = 0.0;
-        for (std::size_t i = 0; i < ways.size(); i += 2) every_other += ways[i + 1] - ways[i];
-        if (std::abs(every_other - 180.0) <= kOffDeg) return;
+    void look_at_angles(const Loop& loop, const folded::FlatCorner& corner) {
+        if (corner.angles_fit()) return;
+        const double every_other = corner.every_other_deg;
         if (Diagnostic* told =
                 tell("flat-angles", loop,
                      fmt::format("the angles between the {} folds that meet at {}, taken in turn, add up to "
                                  "{:.2f}° and {:.2f}°, and not to 180° each",
-                                 ways.size(), shown(loop.at), std::min(every_other, 360.0 - every_other),
+                                 corner.folds, shown(loop.at), std::min(every_other, 360.0 - every_other),
                                  std::max(every_other, 360.0 - every_other))))
             told->hint(
                 fmt::format("turn one of the folds by {:.2f}° about that corner, so that an angle "
@@ -152,32 +131,17 @@ class FlatCheck {
                             std::abs(every_other - 180.0)));
     }
 
-    // Maekawa: mountains and valleys differ in number by two.
-    void look_at_kinds(const Loop& loop) {
-        int mountains = 0;
-        int valleys = 0;
-        int open = 0;
-        for (const folded::Step& step : loop.steps) {
-            const unsigned ink = nth(sheet_.folds, step.fold).ink;
-            const bool mountain = (ink & kMountain) != 0;
-            const bool valley = (ink & kValley) != 0;
-            if (mountain == valley) {
-                ++open;
-            } else {
-                ++(mountain ? mountains : valleys);
-            }
-        }
-        const int apart = std::abs(mountains - valleys);
-        // Those that may go either way can make the difference larger or smaller by their number.
-        if (apart - open <= 2 && apart + open >= 2) return;
+    void look_at_kinds(const Loop& loop, const folded::FlatCorner& corner) {
+        if (corner.kinds_fit()) return;
+        const int apart = std::abs(corner.mountains - corner.valleys);
         if (Diagnostic* told = tell("flat-kinds", loop,
                                     fmt::format("{} mountains and {} valleys meet at {}; folded flat, they "
                                                 "differ in number by two",
-                                                mountains, valleys, shown(loop.at)))) {
+                                                corner.mountains, corner.valleys, shown(loop.at)))) {
             const bool too_alike = apart < 2;
-            const int change = too_alike ? 1 : (apart - open - 2) / 2;
+            const int change = too_alike ? 1 : (apart - corner.open - 2) / 2;
             told->hint(fmt::format("make {} of the {} {}", change,
-                                   too_alike || mountains > valleys ? "mountains" : "valleys",
+                                   too_alike || corner.mountains > corner.valleys ? "mountains" : "valleys",
                                    change == 1 ? "the other kind" : "of the other kind"));
         }
     }
