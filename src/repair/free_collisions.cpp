@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mechanism/footings.h"
+#include "repair/short_numbers.h"
 
 namespace popup {
 namespace {
@@ -106,7 +107,9 @@ class Freer {
             if (!move_element(moved, standing, move)) continue;
             std::string text = language_.patch(now.design.source, moved);
             Looked next = look(text);
-            if (!helps(now, next, sorted({move.element, move.other}))) continue;
+            const Pair pair = sorted({move.element, move.other});
+            if (!helps(now, next, pair)) continue;
+            shorten(now, pair, moved, next, text);
             MadeMove record{move, {}, {}};
             points(*now.design.design, moved, move.element, record);
             made.moves.push_back(std::move(record));
@@ -115,6 +118,20 @@ class Freer {
             return true;
         }
         return false;
+    }
+
+    // Writes the move in fewer digits where it helps as much.
+    void shorten(const Looked& before, const Pair& pair, Design& moved, Looked& after,
+                 std::string& text) const {
+        Design brief = moved;
+        shorten_numbers(brief, before.design.source.text, {});
+        std::string shorter = language_.patch(before.design.source, brief);
+        if (shorter == text) return;
+        Looked looked = look(shorter);
+        if (!helps(before, looked, pair)) return;
+        moved = std::move(brief);
+        after = std::move(looked);
+        text = std::move(shorter);
     }
 
     // Those whose finding is told: others are allowed.
