@@ -193,6 +193,22 @@ Halves halves_of(const Element& e) {
     return drawn ? std::move(drawn->halves) : straight_halves(e);
 }
 
+// Whether the drawn piece stands on its seams: from E its centre fold goes up, and not down through the page.
+bool rises(Element& e) {
+    const PieceLines lines = piece_lines(e);
+    const Silhouette drawn = silhouette_of(e, lines).value();
+    const double up = dot(drawn.centre.b - e.extra[E], lines.centre_dir);
+    const double down = dot(e.extra[E] - drawn.centre.a, lines.centre_dir);
+    if (up > e.tolerances->rounding_mm && down <= e.tolerances->rounding_mm) return true;
+    e.failed(
+        "outline-off-fold",
+        fmt::format("its outline reaches {} beyond its seams at E, to the side on which the page is, and {} "
+                    "to the side of J and I",
+                    mm(std::max(down, 0.0)), mm(std::max(up, 0.0))),
+        "draw the outline on the side of its seams on which J and I are");
+    return false;
+}
+
 bool constrain_piece(Element& e) {
     const Tolerances& tol = *e.tolerances;
     if (front(e) < 0.0) {
@@ -266,7 +282,7 @@ bool constrain_piece(Element& e) {
             "make the V more even, or the piece wider");
         return false;
     }
-    if (has_silhouette(e) && !constrain_silhouette(e, piece_lines(e))) return false;
+    if (has_silhouette(e) && !(constrain_silhouette(e, piece_lines(e)) && rises(e))) return false;
     return constrain_holes(e, halves_of(e), fold_lines(e)[kCentreFold].on_left);
 }
 
