@@ -3,6 +3,8 @@
 
 namespace popup::fuzz {
 
-void look_at_assembly(std::string_view bytes) { look_at_design("fuzz.assembly.json", bytes); }
+void look_at_assembly(std::string_view bytes) {
+    look_at_design("fuzz.assembly.json", bytes, {}, Emit::always);
+}
 
 }  // namespace popup::fuzz

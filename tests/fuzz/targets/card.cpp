@@ -150,7 +150,10 @@ void expect_inside_sheets(const Layout& layout) {
                 const Vec2 at = placement.apply(corner);
                 expect(at.x >= least && at.y >= least && at.x <= sheet.width_mm - least &&
                            at.y <= sheet.height_mm - least,
-                       fmt::format("piece {} is inside its sheet: ({}, {})", piece.name, at.x, at.y));
+                       [&] {
+                           return fmt::format("piece {} is inside its sheet: ({}, {})", piece.name, at.x,
+                                              at.y);
+                       });
             }
         }
     }
@@ -158,13 +161,13 @@ void expect_inside_sheets(const Layout& layout) {
 
 // Files of this kind are read by who reads such files.
 void expect_read(std::string_view suffix, const std::string& bytes) {
-    expect(!bytes.empty(), fmt::format("{} is not empty", suffix));
+    expect(!bytes.empty(), [&] { return fmt::format("{} is not empty", suffix); });
     if (suffix == ".svg") {
         tinyxml2::XMLDocument document;
         expect(document.Parse(bytes.data(), bytes.size()) == tinyxml2::XML_SUCCESS, "a .svg is XML");
     }
     if (suffix == ".json" || suffix == ".gltf" || suffix == ".fold")
-        expect(nlohmann::json::accept(bytes), fmt::format("a {} is JSON", suffix));
+        expect(nlohmann::json::accept(bytes), [&] { return fmt::format("a {} is JSON", suffix); });
     if (suffix == ".pdf") expect(bytes.starts_with("%PDF-"), "a .pdf is a PDF");
     if (suffix == ".dxf" || suffix == ".fold" || suffix == ".svg" || suffix == ".xml") {
         const std::string name = "again" + std::string(suffix);
@@ -176,13 +179,14 @@ void expect_read(std::string_view suffix, const std::string& bytes) {
             if (one.severity == Severity::error && one.code != "no-parts")
                 what = one.code + ": " + one.message;
         }
-        expect(what.empty(), fmt::format("a {} is read again: {}", suffix, what));
+        expect(what.empty(), [&] { return fmt::format("a {} is read again: {}", suffix, what); });
     }
 }
 
 void write(const Compilation& run, const Format& format) {
     const CompiledDesign& one = run.designs.front();
-    const OutputOptions options;
+    OutputOptions options;
+    options.dpi = 10;  // at 300, pictures take forty times as long as all else
     Diagnostics told("out");
     const SceneCard card{
         .assembly = &*one.assembly,

@@ -5,6 +5,7 @@
 // kept (fuzz/finds_test.cpp, fuzz/finds/NAME). What does not hold is thrown as Broken, with what it is.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,12 +20,24 @@ struct Broken : std::logic_error {
     using std::logic_error::logic_error;
 };
 
-// Throws Broken where it does not hold.
-void expect(bool holds, const std::string& what);
+// Throws Broken where it does not hold. `what` may be a function that says it: millions of inputs hold what
+// is expected of them, and none of those texts is read.
+template <typename What>
+void expect(bool holds, const What& what) {
+    if (holds) return;
+    if constexpr (std::invocable<const What&>)
+        throw Broken(what());
+    else
+        throw Broken(std::string(what));
+}
 
 // What every finding on a text promises: a code of the table, one line that says something, and a place in
 // the text, or none.
 void expect_told(const Diagnostics& diagnostics, std::string_view text);
+
+// Whether an input is one of every `n`: for what takes many times as long as all else that is looked at, and
+// would be looked at again and again. It depends on the bytes alone, so that what is found is found again.
+bool is_one_of(std::size_t n, std::string_view bytes);
 
 // Bytes as a file that is read by its name, and never touches a disk.
 class NamedBytes {
@@ -40,10 +53,15 @@ class NamedBytes {
     std::string name_;
 };
 
+// How often what is accepted is emitted as an assembly, read again, and emitted again: always, or of one
+// input in eight. It takes three times as long as all else.
+enum class Emit { always, seldom };
+
 // Reads a file of this name with these bytes, and takes what it describes as far as its pattern. What is
 // accepted holds what assemblies promise, closes at openings between, and is read again as it is emitted.
 // Programs have little time, and no files are read.
-void look_at_design(const std::string& name, std::string_view bytes, const ReadOptions& options = {});
+void look_at_design(const std::string& name, std::string_view bytes, const ReadOptions& options = {},
+                    Emit emit = Emit::seldom);
 
 // Numbers out of bytes, for inputs that are made and not read: zeros when there are no more.
 class Choices {
