@@ -5,8 +5,10 @@
 
 BUILD is the folder that was configured with POPUP_FUZZ. Each target gets its share of the minutes, as many at a time as
 there are cores. What a target keeps lies in BUILD/corpus/TARGET, and is where it goes on next time; what it found, made
-as small as half a minute allows, in BUILD/finds/TARGET. A find that shows a fault becomes a file in
-tests/fuzz/finds/TARGET, where the ordinary tests look at it. Exits with 1 where there are finds, or a target did not run.
+as small as half a minute allows, in BUILD/finds/TARGET. How many inputs each has looked at, over all runs, is kept in
+BUILD/figures.json: with POPUP_FUZZ_UNTIL=10000000 in the environment, a target that has so many is done, and leaves its
+time to the others. A find that shows a fault becomes a file in tests/fuzz/finds/TARGET, where the ordinary tests look
+at it. Exits with 1 where there are finds, or a target did not run.
 """
 import concurrent.futures
 import json
@@ -25,11 +27,14 @@ SECONDS_A_FIND = 30
 # A second of the ordinary program is some ten under the sanitizers, and the other cores are busy.
 SECONDS_A_UNIT = int(os.environ.get("POPUP_FUZZ_TIMEOUT", "30"))
 MEGABYTES = 2048
+# A target that has executed so many inputs, over all runs on a folder, is done; 0: never.
+UNTIL = int(os.environ.get("POPUP_FUZZ_UNTIL", "0"))
 
 
 class Target:
-    def __init__(self, build, name, longest, seeds, dictionary):
+    def __init__(self, build, before, name, longest, seeds, dictionary):
         self.name, self.longest = name, int(longest)
+        self.before = before.get(name, 0)  # executions of earlier runs
         self.program = build / "tests" / "fuzz" / f"fuzz_{name}"
         self.corpus = build / "corpus" / name
         self.finds = build / "finds" / name
@@ -43,8 +48,14 @@ class Target:
         files = sorted({f for f in files if f.is_file() and f.stat().st_size <= self.longest and "," not in str(f)})
         self.seeds = build / "logs" / f"{name}.seeds"
         self.seeds.write_text(",".join(map(str, files)))
-        self.executions = self.edges = self.all_edges = 0
+        self.executions = self.edges = self.all_edges = self.seconds = 0
         self.found = []  # what is wrong, once each
+
+    def all_executions(self):
+        return self.before + self.executions
+
+    def is_done(self):
+        return 0 < UNTIL <= self.all_executions()
 
     def command(self, *options):
         return [str(self.program), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}", "-detect_leaks=0",
@@ -54,12 +65,16 @@ class Target:
         """Runs until the time is over or something is found; what was found, or None."""
         before = set(self.finds.iterdir())
         options = [f"-max_total_time={max(1, int(seconds))}", f"-artifact_prefix={self.finds}/"]
+        if UNTIL:
+            options.append(f"-runs={UNTIL - self.all_executions()}")
         if self.dictionary:
             options.append(f"-dict={self.dictionary}")
         # What is worth keeping of them is in the corpus from then on.
         if self.seeds.stat().st_size and not any(self.corpus.iterdir()):
             options.append(f"-seed_inputs=@{self.seeds}")
+        begun = time.monotonic()
         said = run(self.command(*options, str(self.corpus)), seconds + 120)
+        self.seconds += time.monotonic() - begun
         with self.log.open("a") as log:
             log.write(said)
         executed = re.findall(r"stat::number_of_executed_units: (\d+)", said)
@@ -85,7 +100,7 @@ class Target:
 
     def fuzz(self, seconds):
         end = time.monotonic() + seconds
-        while (left := end - time.monotonic()) > 1 and len(self.found) < MOST_FINDS:
+        while (left := end - time.monotonic()) > 1 and len(self.found) < MOST_FINDS and not self.is_done():
             find = self.once(left)
             if not find:
                 break
@@ -103,8 +118,10 @@ class Target:
 
 
 def run(words, seconds):
+    # Where each piece of memory was allocated takes a quarter of the time to note; who looks at a find runs it again.
     environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1",
-                       ASAN_OPTIONS="detect_leaks=0:quarantine_size_mb=16:detect_stack_use_after_return=0")
+                       ASAN_OPTIONS="detect_leaks=0:quarantine_size_mb=16:detect_stack_use_after_return=0:"
+                                    "malloc_context_size=1")
     try:
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, env=environment,
                               cwd="/")
@@ -129,23 +146,32 @@ def main():
     wanted = sys.argv[3:] or [row[0] for row in rows]
     if unknown := set(wanted) - {row[0] for row in rows}:
         sys.exit(f"there is no target {', '.join(sorted(unknown))}; there are {' '.join(row[0] for row in rows)}")
-    targets = [Target(build, *row) for row in rows if row[0] in wanted]
-    cores = int(os.environ.get("POPUP_FUZZ_JOBS", os.cpu_count() or 1))
-    seconds = 60 * minutes * min(cores, len(targets)) / len(targets)
-
     # Executions add up over all runs on a folder.
     figures_file = build / "figures.json"
     figures = json.loads(figures_file.read_text()) if figures_file.exists() else {}
+    targets = [Target(build, figures, *row) for row in rows if row[0] in wanted]
+    cores = int(os.environ.get("POPUP_FUZZ_JOBS", os.cpu_count() or 1))
+    end = time.monotonic() + 60 * minutes
+    waiting = [target for target in targets if not target.is_done()]
+
+    def take_turn(target):
+        # What those before have left of their time is shared by those that wait.
+        share = (end - time.monotonic()) * min(cores, len(waiting)) / len(waiting)
+        waiting.remove(target)
+        return target.fuzz(share)
+
     with concurrent.futures.ThreadPoolExecutor(cores) as pool:
-        for target in pool.map(lambda one: one.fuzz(seconds), targets):
-            figures[target.name] = figures.get(target.name, 0) + target.executions
+        for target in pool.map(take_turn, list(waiting)):
+            figures[target.name] = target.all_executions()
             figures_file.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
 
-    print(f"{'target':16}{'executions':>12}{'of all runs':>13}{'edges':>8}{'of':>8}{'corpus':>8}{'finds':>7}")
+    print(f"{'target':16}{'executions':>12}{'a second':>10}{'of all runs':>13}{'edges':>8}{'of':>8}{'corpus':>8}"
+          f"{'finds':>7}")
     for target in targets:
-        print(f"{target.name:16}{target.executions:12}{figures[target.name]:13}{target.edges:8}{target.all_edges:8}"
+        print(f"{target.name:16}{target.executions:12}{target.executions / max(target.seconds, 1):10.0f}"
+              f"{target.all_executions():13}{target.edges:8}{target.all_edges:8}"
               f"{sum(1 for _ in target.corpus.iterdir()):8}{len(target.found):7}")
-    idle = [target for target in targets if not target.executions and not target.found]
+    idle = [target for target in targets if not target.executions and not target.found and not target.is_done()]
     for target in idle:
         print(f"{target.name} did not run; the end of {target.log}:")
         print("\n".join("  " + line for line in target.log.read_text(errors="replace").splitlines()[-5:]))
