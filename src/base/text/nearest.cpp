@@ -32,10 +32,12 @@ std::vector<std::string> nearest(std::string_view word, std::span<const std::str
     std::vector<std::pair<std::size_t, std::string_view>> ranked;
     for (const std::string_view candidate : candidates) {
         const bool begins = word.size() >= 2 && (candidate.starts_with(word) || word.starts_with(candidate));
+        const std::size_t most = std::max<std::size_t>(2, candidate.size() / 3);
+        // Each letter that one has more than the other is a change.
+        if (!begins && (word.size() > candidate.size() + most || candidate.size() > word.size() + most))
+            continue;
         const std::size_t distance = begins ? 1 : edit_distance(word, candidate);
-        if (distance <= std::max<std::size_t>(2, candidate.size() / 3) && distance < candidate.size()) {
-            ranked.emplace_back(distance, candidate);
-        }
+        if (distance <= most && distance < candidate.size()) ranked.emplace_back(distance, candidate);
     }
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
