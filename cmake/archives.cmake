@@ -1,0 +1,28 @@
+# popup_link_archives(TARGET): of the libraries that the program TARGET needs, those that Debian ships as archives become
+# part of it. A shared library costs each start some ten system calls, the pages that the loader mends in it and the
+# symbols it looks up; half of them nothing of popupc ever calls: cairo's connection to X, gnutls' to smart cards.
+# The program then has the versions that it was built with: build it again when one of them is mended.
+#
+# Stays shared: what has no archive, what GEOS and gnutls load anyway, and all of it where one archive is missing.
+function(popup_link_archives target)
+  set(archives)
+  foreach(name qpdf cairo pixman-1 fontconfig expat freetype brotlidec brotlicommon png16 turbojpeg jpeg webpmux webp
+               gif exif fribidi csv z)
+    find_library(POPUP_ARCHIVE_${name} ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
+    mark_as_advanced(POPUP_ARCHIVE_${name})
+    if(NOT POPUP_ARCHIVE_${name})
+      message(STATUS "No archive of ${name}: ${target} links shared libraries, and starts slower")
+      return()
+    endif()
+    list(APPEND archives ${POPUP_ARCHIVE_${name}})
+  endforeach()
+  find_library(POPUP_GNUTLS gnutls)
+  mark_as_advanced(POPUP_GNUTLS)
+  if(NOT POPUP_GNUTLS)
+    message(STATUS "No gnutls, which the archive of qpdf needs: ${target} links shared libraries, and starts slower")
+    return()
+  endif()
+  # What `popup` itself asks for comes after these, and little of it is needed any more.
+  target_link_libraries(${target} PRIVATE popup -Wl,--as-needed -Wl,--start-group ${archives} -Wl,--end-group
+                        ${POPUP_GNUTLS})
+endfunction()
