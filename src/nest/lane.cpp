@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "nest/bounds.h"
 #include "popup/diagnostics.h"
 
 namespace popup {
@@ -48,7 +49,12 @@ void Lane::begin(const Arrangement& from, Aim aim) {
         upsetting_ = false;
     }
     if (separator_ && !(goes_on && useful())) separator_.reset();
-    least_ = least_length();
+    least_ = least();
+}
+
+void Lane::know(std::vector<int> rows, std::vector<char> on_last) {
+    known_rows_ = std::move(rows);
+    on_last_ = std::move(on_last);
 }
 
 void Lane::forget() {
@@ -57,37 +63,8 @@ void Lane::forget() {
     pool_.clear();
 }
 
-// What the last sheet needs at the least: its share of the area, and the widest piece that fits no other.
-double Lane::least_length() const {
-    double area = 0.0;
-    double widest = 0.0;
-    for (std::size_t i = 0; i < task_.kinds.size(); ++i) {
-        area += task_.set.areas[index(task_.kinds[i])] * kGridSteps * kGridSteps;
-        if (task_.is_locked(static_cast<int>(i))) {
-            const Stand& lock = task_.locks[i];
-            if (lock.sheet + 1 != static_cast<int>(best_.rows.size())) continue;
-            widest = std::max(widest, lock.x + static_cast<double>(board_.shape(lock.shape).bounds.x1));
-        } else {
-            const std::vector<int>& shapes = task_.set.of_kind[index(task_.kinds[i])];
-            const bool elsewhere = std::any_of(best_.rows.begin(), best_.rows.end() - 1, [&](int row) {
-                return std::any_of(shapes.begin(), shapes.end(),
-                                   [&](int shape) { return task_.fits(shape, row); });
-            });
-            if (elsewhere) continue;
-            double narrow = HUGE_VAL;
-            for (const int shape : shapes) {
-                const GridBox& box = board_.shape(shape).bounds;
-                if (task_.fits(shape, best_.rows.back()))
-                    narrow = std::min(narrow, static_cast<double>(box.width()));
-            }
-            widest = std::max(widest, narrow);
-        }
-    }
-    for (std::size_t s = 0; s + 1 < best_.rows.size(); ++s) {
-        const Room& room = task_.rooms[index(best_.rows[s])];
-        area -= room.width * room.height;
-    }
-    return std::max(widest, area / task_.rooms[index(best_.rows.back())].height);
+double Lane::least() const {
+    return least_length(task_, best_.rows, known_rows_ == best_.rows ? on_last_ : std::vector<char>{});
 }
 
 double Lane::length_of(const Arrangement& arrangement) const {
@@ -139,7 +116,7 @@ void Lane::attempt() {
         return;
     }
     rows_ = best_.rows;
-    if (length_of(best_) <= least_ + 1.0) {
+    if (length_of(best_) <= least_ * (1.0 + pace_.content) + 1.0) {
         done_ = true;
     } else if (upsetting_) {
         attempt_to_upset();
@@ -273,7 +250,7 @@ void Lane::succeed() {
         pool_.clear();
         current_ = best_;
     }
-    least_ = least_length();
+    least_ = least();
     if (!shortens()) {
         pool_.clear();
         done_ = true;

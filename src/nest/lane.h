@@ -21,8 +21,9 @@ enum class Aim {
 struct Pace {
     double first_step = 0.01;  // by which the last sheet is shortened at first, as a share of its length
     double patience = 1.0;     // as a share of what the search for a shorter sheet has
+    double content = 0.0;      // of the least there can be, by how much more the last sheet may take
 };
-inline constexpr Pace kHasty{0.03, 0.5};
+inline constexpr Pace kHasty{0.03, 0.5, 0.015};
 
 // Works in slices of work, so that lanes can be compared, and run side by side, without a clock.
 class Lane {
@@ -33,13 +34,15 @@ class Lane {
     // Goes on from this layout, which holds (except under `fit`). As long as aim and sheets stay, what the
     // lane is about is gone on with if it may still come to something better.
     void begin(const Arrangement& from, Aim aim);
+    // What known_last() says of layouts on sheets of these rows.
+    void know(std::vector<int> rows, std::vector<char> on_last);
     // Drops what the lane is about: what it goes on from next is all it knows.
     void forget();
     // Looks for so much work more. Ends early when `done()`.
     void run(double work);
     // The best layout so far: `from`, or better. Under `fit` only once done().
     [[nodiscard]] const Arrangement& best() const { return best_; }
-    // fit and fewer: it was found. shorter and compress: it cannot get shorter.
+    // fit and fewer: it was found. shorter and compress: it cannot get shorter, or not by what would count.
     [[nodiscard]] bool done() const { return done_; }
     [[nodiscard]] double work() const { return board_.work; }
     [[nodiscard]] Dice& dice() { return dice_; }
@@ -51,7 +54,7 @@ class Lane {
     };
 
     [[nodiscard]] bool useful() const;
-    [[nodiscard]] double least_length() const;
+    [[nodiscard]] double least() const;
     [[nodiscard]] double length_of(const Arrangement& arrangement) const;
     [[nodiscard]] bool shortens() const { return aim_ == Aim::shorter || aim_ == Aim::compress; }
     [[nodiscard]] int last() const { return static_cast<int>(board_.rooms().size()) - 1; }
@@ -88,7 +91,9 @@ class Lane {
     std::vector<Failure> pool_;
     double target_ = 0.0;  // length of the last sheet, steps
     double step_ = 0.0;
-    double least_ = 0.0;  // no last sheet is shorter
+    double least_ = 0.0;           // no last sheet is shorter
+    std::vector<int> known_rows_;  // what on_last_ is about
+    std::vector<char> on_last_;
     bool done_ = false;
     std::vector<int> by_size_;
 };

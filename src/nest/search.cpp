@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <system_error>
 #include <thread>
 
+#include "nest/bounds.h"
 #include "nest/construct.h"
 #include "nest/lane.h"
 #include "popup/diagnostics.h"
@@ -26,8 +25,6 @@ constexpr double kBuildShare = 0.1;
 // The same of a hasty search, and how many there may be.
 constexpr double kHastyBuildShare = 0.3;
 constexpr int kHastyOrders = 16;
-// Of more pieces no two are looked at that cannot share a sheet.
-constexpr std::size_t kFewToPart = 200;
 // How often in a stage the lanes are compared.
 constexpr double kMeetings = 24.0;
 constexpr double kLeastSlice = 2e4;
@@ -70,6 +67,8 @@ class Nester {
             total_ = effort_.shortening;
             shortens_hastily_ = true;
         }
+        const std::vector<char> on_last = known_last(task_, best_);
+        for (const auto& lane : lanes_) lane->know(best_.rows, on_last);
         stage(Aim::shorter, kShorterShare);
         stage(Aim::compress, 1.0);
         finished_ = true;
@@ -156,6 +155,7 @@ class Nester {
                                 (next.left_out.size() == best.left_out.size() && !next.hopeless &&
                                  (best.hopeless || next.arrangement.better_than(best.arrangement, task_)));
             if (better) best = std::move(next);
+            if (better && is_hasty() && best.left_out.empty() && is_good_enough(best.arrangement)) break;
         }
         best_ = std::move(best.arrangement);
         if (best.left_out.empty()) return std::nullopt;
@@ -169,75 +169,15 @@ class Nester {
             std::move(best.left_out)};
     }
 
-    // What a piece takes at the least, in mm²: what lies within half the spacing of it is no other piece's.
-    // Brunn and Minkowski say how much that is, whatever its outline.
-    [[nodiscard]] double area_with_spacing(int item) const {
-        const double area = task_.set.areas[index(task_.kinds[index(item)])];
-        const double side = std::sqrt(area) + 0.5 * std::sqrt(std::numbers::pi) * job_.spacing;
-        return side * side;
-    }
-
-    // Whether the sheets but one could hold the area of the pieces and of the spacing between them, which
-    // sticks out of the sheet by half, and there are not as many pieces as sheets that must part.
-    [[nodiscard]] bool could_be_fewer() {
-        if (best_.rows.size() < 2) return false;
-        std::vector<double> sizes;
-        for (const int row : best_.rows) {
-            const NestStock& stock = job_.stock[index(row)];
-            sizes.push_back((stock.width + job_.spacing) * (stock.height + job_.spacing) * (1.0 + 1e-9));
-        }
-        double area = 0.0;
-        for (int item = 0; item < static_cast<int>(job_.items.size()); ++item)
-            area += area_with_spacing(item);
-        const double all = std::accumulate(sizes.begin(), sizes.end(), 0.0);
-        const double least = *std::min_element(sizes.begin(), sizes.end());
-        return area <= all - least && !too_many_part();
-    }
-
-    // Whether, wherever they stand on a sheet of the stock, a part of one shape overlaps one of the other.
-    [[nodiscard]] bool must_part(int a, int b) {
-        for (const int row : task_.largest_first) {
-            for (const int one : task_.set.of_kind[index(a)]) {
-                for (const int other : task_.set.of_kind[index(b)]) {
-                    if (task_.fits(one, row) && task_.fits(other, row) && !always_overlap(one, other, row))
-                        return false;
-                }
-            }
-        }
-        return true;
-    }
-    [[nodiscard]] bool always_overlap(int a, int b, int row) {
-        const GridBox& one = task_.set.shapes[index(a)].bounds;
-        const GridBox& other = task_.set.shapes[index(b)].bounds;
-        const Room& room = task_.rooms[index(row)];
-        // Where a may be, seen from b.
-        const auto x0 = static_cast<double>(other.x1 - one.x0) - room.width;
-        const auto y0 = static_cast<double>(other.y1 - one.y0) - room.height;
-        const auto x1 = static_cast<double>(other.x0 - one.x1) + room.width;
-        const auto y1 = static_cast<double>(other.y0 - one.y1) + room.height;
-        NoFit made;
-        if (!task_.loose.keeps()) task_.loose.make(a, b, made);
-        const NoFit& fit = task_.loose.keeps() ? task_.loose.of(a, b) : made;
-        return covers(fit, {x0, y0, x1, y1}, 0);
-    }
-
-    // Pieces, the largest first, of which no two share a sheet: as many as there are sheets.
-    [[nodiscard]] bool too_many_part() {
-        if (job_.items.size() > kFewToPart) return false;
-        std::vector<int> kinds = task_.kinds;
-        std::stable_sort(kinds.begin(), kinds.end(),
-                         [&](int a, int b) { return task_.set.areas[index(a)] > task_.set.areas[index(b)]; });
-        std::vector<int> parted;
-        for (const int kind : kinds) {
-            if (std::all_of(parted.begin(), parted.end(), [&](int other) { return must_part(kind, other); }))
-                parted.push_back(kind);
-            if (parted.size() >= best_.rows.size()) return true;
-        }
-        return false;
+    // Whether a hasty search has nothing to gain from this layout.
+    [[nodiscard]] bool is_good_enough(const Arrangement& layout) {
+        const double least = least_length(task_, layout.rows, known_last(task_, layout));
+        const double length = layout.length(task_, static_cast<int>(layout.rows.size()) - 1);
+        return length <= least * (1.0 + kHasty.content) + 1.0 && !could_be_fewer(task_, layout);
     }
 
     void fewer_sheets() {
-        while (could_be_fewer() && spent() < kFewerShare && !stopped()) {
+        while (could_be_fewer(task_, best_) && spent() < kFewerShare && !stopped()) {
             for (const auto& lane : lanes_) lane->begin(best_, Aim::fewer);
             const std::size_t before = best_.rows.size();
             go_on(Aim::fewer, kFewerShare);
