@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nest/two.h"
+
 namespace popup {
 namespace {
 
@@ -103,13 +105,16 @@ namespace {
 
 // Depth of (x, y) in a part of a no-fit polygon; any value up to kTouch where it is less than that.
 double depth_in(const NoFit& fit, const NoFitPart& part, double x, double y) {
-    double depth = HUGE_VAL;
-    const HalfPlane* plane = fit.planes.data() + part.first;
-    for (const HalfPlane* end = plane + part.count(); plane != end; ++plane) {
-        depth = std::min(depth, plane->c - plane->nx * x - plane->ny * y);
-        if (depth <= kTouch) break;
-    }
-    return depth;
+    const std::uint32_t padded = part.padded();
+    const double* nx = fit.planes.data() + part.first;
+    const double* ny = nx + padded;
+    const double* c = ny + padded;
+    const Two at_x = Two::alike(x);
+    const Two at_y = Two::alike(y);
+    Two depth = Two::alike(HUGE_VAL);
+    for (std::uint32_t i = 0; i < padded; i += 2)
+        depth = lesser(depth, Two::at(c + i) - Two::at(nx + i) * at_x - Two::at(ny + i) * at_y);
+    return depth.least();
 }
 
 // Depth of (x, y) in all parts of a no-fit polygon.
@@ -205,28 +210,38 @@ void Board::add_spans(int other, std::size_t first) {
 // the order of their directions, so that none is asked which it is.
 template <bool level>
 std::pair<double, double> chord_of(const NoFit& fit, const NoFitPart& part, double across) {
-    const HalfPlane* planes = fit.planes.data() + part.first;
-    const auto at = [across](const HalfPlane& plane) {
-        return level ? (plane.c - plane.ny * across) / plane.nx : (plane.c - plane.nx * across) / plane.ny;
-    };
+    const double* nx = fit.planes.data() + part.first;
+    const double* ny = nx + part.padded();
+    const double* c = ny + part.padded();
+    const double* over = level ? ny : nx;
+    const double* along = level ? nx : ny;
     const auto beside = [&](int eighth) {
         for (std::uint32_t i = part.begins[index(eighth)]; i < part.begins[index(eighth) + 1]; ++i) {
-            const HalfPlane& plane = planes[i];
-            if (plane.c - (level ? plane.ny : plane.nx) * across <= kTouch) return true;
+            if (c[i] - over[i] * across <= kTouch) return true;
         }
         return false;
     };
     if (beside(level ? 0 : 2) || beside(level ? 4 : 6)) return {0.0, 0.0};
-    double from = -HUGE_VAL;
+    const Two at = Two::alike(across);
+    const auto each = [&](std::uint32_t i, std::uint32_t end, const auto& see_two, const auto& see) {
+        for (; i + 2 <= end; i += 2) see_two((Two::at(c + i) - Two::at(over + i) * at) / Two::at(along + i));
+        if (i < end) see((c[i] - over[i] * across) / along[i]);
+    };
+    Two tos = Two::alike(HUGE_VAL);
     double to = HUGE_VAL;
-    for (std::uint32_t i = part.begins[level ? 1 : 3]; i < part.begins[level ? 4 : 6]; ++i)
-        to = std::min(to, at(planes[i]));
-    for (std::uint32_t i = part.begins[level ? 5 : 7]; i < part.begins[8]; ++i)
-        from = std::max(from, at(planes[i]));
-    if constexpr (!level) {
-        for (std::uint32_t i = 0; i < part.begins[2]; ++i) from = std::max(from, at(planes[i]));
-    }
-    return {from, to};
+    each(
+        part.begins[level ? 1 : 3], part.begins[level ? 4 : 6], [&](Two two) { tos = lesser(tos, two); },
+        [&](double one) { to = std::min(to, one); });
+    Two froms = Two::alike(-HUGE_VAL);
+    double from = -HUGE_VAL;
+    const auto come_in = [&](std::uint32_t begin, std::uint32_t end) {
+        each(
+            begin, end, [&](Two two) { froms = greater(froms, two); },
+            [&](double one) { from = std::max(from, one); });
+    };
+    come_in(part.begins[level ? 5 : 7], part.begins[8]);
+    if constexpr (!level) come_in(0, part.begins[2]);
+    return {std::max(from, froms.most()), std::min(to, tos.least())};
 }
 
 // Where on the line's stretch from `low` to `high` the item overlaps others, by where that begins.

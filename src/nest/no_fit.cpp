@@ -27,6 +27,9 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
                 for (const PartEdge& edge : *edges) ++part.begins.at(index(edge.eighth) + 1);
             }
             std::partial_sum(part.begins.begin(), part.begins.end(), part.begins.begin());
+            const std::size_t padded = part.padded();
+            result.planes.resize(part.first + 3 * padded);
+            double* plane = result.planes.data() + part.first;
             std::size_t i = 0;
             std::size_t j = 0;
             while (i < one.size() || j < other.size()) {
@@ -42,8 +45,16 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
                 part.x1 = std::max(part.x1, x);
                 part.y1 = std::max(part.y1, y);
                 const double c = edge.nx * x + edge.ny * y;
-                result.planes.push_back({edge.nx, edge.ny, edge.slanted ? c + slack : c});
+                plane[0] = edge.nx;
+                plane[padded] = edge.ny;
+                plane[2 * padded] = edge.slanted ? c + slack : c;
+                ++plane;
                 ++(first ? i : j);
+            }
+            if (padded > part.count()) {
+                plane[0] = 0.0;
+                plane[padded] = 0.0;
+                plane[2 * padded] = HUGE_VAL;
             }
             part.x0 -= slack;
             part.y0 -= slack;
@@ -65,10 +76,14 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
 bool covers(const NoFit& fit, const NoFitBox& box, int cuts) {
     constexpr int kMostCuts = 10;
     const auto has = [&](const NoFitPart& part, const NoFitBox& all) {
-        const HalfPlane* plane = fit.planes.data() + part.first;
-        return std::all_of(plane, plane + part.count(), [&](const HalfPlane& p) {
-            return p.nx * (p.nx > 0.0 ? all.x1 : all.x0) + p.ny * (p.ny > 0.0 ? all.y1 : all.y0) < p.c;
-        });
+        const double* nx = fit.planes.data() + part.first;
+        const double* ny = nx + part.padded();
+        const double* c = ny + part.padded();
+        for (std::uint32_t i = 0; i < part.count(); ++i) {
+            if (nx[i] * (nx[i] > 0.0 ? all.x1 : all.x0) + ny[i] * (ny[i] > 0.0 ? all.y1 : all.y0) >= c[i])
+                return false;
+        }
+        return true;
     };
     const auto covered = [&](const NoFitBox& all) {
         return std::any_of(fit.parts.begin(), fit.parts.end(),
@@ -97,7 +112,7 @@ double bytes_of_all(const std::vector<TurnedShape>& shapes) {
     const auto pairs = static_cast<double>(shapes.size()) * static_cast<double>(shapes.size());
     return pairs * static_cast<double>(sizeof(NoFit) + sizeof(void*)) +
            parts * parts * static_cast<double>(sizeof(NoFitPart)) +
-           2.0 * parts * edges * static_cast<double>(sizeof(HalfPlane));
+           2.0 * parts * edges * 3.0 * static_cast<double>(sizeof(double));
 }
 
 }  // namespace

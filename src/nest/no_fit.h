@@ -17,24 +17,23 @@
 
 namespace popup {
 
-// The points with nx x + ny y < c, in steps of the grid; the normal has length 1.
-struct HalfPlane {
-    double nx, ny, c;
-};
-
+// A half plane has the points with nx x + ny y < c, in steps of the grid; the normal has length 1.
 struct NoFitPart {
     double x0, y0, x1, y1;  // its box
     std::uint32_t first;
-    // Its planes from `first` on, by the direction of the edges that they stand for: those of edges of one of
-    // the eighths of PartEdge begin where `begins` says, and end where the next begins.
+    // Its planes, from `first` on in NoFit::planes: first all their nx, then all ny, then all c, each padded
+    // to an even count by a plane that all points are behind. They come by the direction of the edges that
+    // they stand for: those of edges of one of the eighths of PartEdge begin where `begins` says, and end
+    // where the next begins.
     std::array<std::uint32_t, 9> begins;
     [[nodiscard]] std::uint32_t count() const { return begins[8]; }
+    [[nodiscard]] std::uint32_t padded() const { return (count() + 1) & ~1U; }
 };
 
 struct NoFit {
     double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  // box of all parts
     std::vector<NoFitPart> parts;
-    std::vector<HalfPlane> planes;
+    std::vector<double> planes;
 };
 
 // The no-fit polygon of a moving about b at rest. Edges that are neither upright nor level are moved out by

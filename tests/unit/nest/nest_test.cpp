@@ -552,10 +552,12 @@ TEST(NestParts, NoFitPartsTellOverlapAsTheIntegerTestDoes) {
         double deepest = -HUGE_VAL;
         for (const NoFitPart& part : fit.parts) {
             double depth = HUGE_VAL;
-            for (std::uint32_t i = part.first; i < part.first + part.count(); ++i) {
-                const HalfPlane& plane = fit.planes[i];
-                depth = std::min(depth, plane.c - plane.nx * static_cast<double>(at.x) -
-                                            plane.ny * static_cast<double>(at.y));
+            const double* nx = fit.planes.data() + part.first;
+            const double* ny = nx + part.padded();
+            const double* c = ny + part.padded();
+            for (std::uint32_t i = 0; i < part.count(); ++i) {
+                depth = std::min(
+                    depth, c[i] - nx[i] * static_cast<double>(at.x) - ny[i] * static_cast<double>(at.y));
             }
             deepest = std::max(deepest, depth);
         }
