@@ -166,7 +166,8 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
     const Vec3 square = cross(fixed[1] - fixed[0], fixed[2] - fixed[0]);
     const double size = length(square);
     pieces_.clear();
-    pieces_.push_back({moving, 0});
+    pieces_.push_back(
+        {moving, {stray(moving[0], moves), stray(moving[1], moves), stray(moving[2], moves)}, 0});
     while (!pieces_.empty()) {
         const Piece piece = pieces_.back();
         pieces_.pop_back();
@@ -177,11 +178,11 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
         // this test, plates that nearly touch along an edge are quartered along the whole edge.
         double before = std::numeric_limits<double>::infinity();
         double behind = before;
-        for (const Vec3 p : piece.corners) {
-            const double s = stray(p, moves);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double s = piece.strays.at(i);
             most = std::max(most, s);
             least = std::min(least, s);
-            const double height = dot(square, p - fixed[0]);
+            const double height = dot(square, piece.corners.at(i) - fixed[0]);
             before = std::min(before, height - s * size);
             behind = std::min(behind, -height - s * size);
         }
@@ -206,11 +207,16 @@ bool NearnessTest::cleared(const Triangle3& fixed, const Triangle3& moving, cons
         const Vec3 pq = 0.5 * (p + q);
         const Vec3 qr = 0.5 * (q + r);
         const Vec3 rp = 0.5 * (r + p);
+        // Each corner of a quarter is one of three others, too.
+        const auto& [of_p, of_q, of_r] = piece.strays;
+        const double of_pq = stray(pq, moves);
+        const double of_qr = stray(qr, moves);
+        const double of_rp = stray(rp, moves);
         const int level = piece.level + 1;
-        for (const Triangle3& quarter :
-             {Triangle3{p, pq, rp}, Triangle3{pq, q, qr}, Triangle3{rp, qr, r}, Triangle3{pq, qr, rp}}) {
-            pieces_.push_back({quarter, level});
-        }
+        pieces_.push_back({{p, pq, rp}, {of_p, of_pq, of_rp}, level});
+        pieces_.push_back({{pq, q, qr}, {of_pq, of_q, of_qr}, level});
+        pieces_.push_back({{rp, qr, r}, {of_rp, of_qr, of_r}, level});
+        pieces_.push_back({{pq, qr, rp}, {of_pq, of_qr, of_rp}, level});
     }
     return true;
 }

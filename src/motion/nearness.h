@@ -94,6 +94,7 @@ class NearnessTest {
                           std::size_t first = 0);
     struct Piece {
         Triangle3 corners;
+        std::array<double, 3> strays;  // of each corner
         int level;
     };
     bool cleared(const Triangle3& fixed, const Triangle3& moving, const Moves& moves, double distance_mm,
