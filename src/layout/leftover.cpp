@@ -88,6 +88,8 @@ class Cells {
                     h = at(row, column) != 0 ? 0 : h + 1;
                     height = h;
                 }
+                // A rectangle that goes on is looked at where it ends.
+                if (!steps.empty() && steps.back().height == height) continue;
                 int start = column;
                 while (!steps.empty() && steps.back().height >= height) {
                     const Step step = steps.back();
