@@ -4,10 +4,12 @@
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
+#include <sys/mman.h>
 #endif
 
 #include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 #include <string>
@@ -40,6 +42,14 @@ void keep_freed_memory() {
     constexpr int kMiB = 1 << 20;
     ::mallopt(M_TRIM_THRESHOLD, 256 * kMiB);
     ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
+    // A small card touches a thousand pages of 4 KiB, one fault each. The heap grows by so much that pages of
+    // 2 MiB fit, and asks for those.
+    ::mallopt(M_TOP_PAD, 16 * kMiB);
+    char* const from = static_cast<char*>(::sbrk(0));
+    void* volatile block = std::malloc(kMiB);  // volatile: it is not left out
+    std::free(block);
+    char* const to = static_cast<char*>(::sbrk(0));
+    if (to > from) ::madvise(from, static_cast<std::size_t>(to - from), MADV_HUGEPAGE);
 #endif
 }
 
