@@ -474,7 +474,8 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
     for (Target& target : targets) {
         if (!good) break;
         if (target.stream || target.unchanged) continue;
-        if (const int error = move_into_place(target, among_others); error != 0) fail(target, reason_of(error));
+        if (const int error = move_into_place(target, among_others); error != 0)
+            fail(target, reason_of(error));
     }
     if (good) {
         std::set<std::string> directories;
