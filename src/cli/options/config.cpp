@@ -195,6 +195,7 @@ std::vector<UnknownVariable> unknown_variables() {
         }
     }
     std::vector<std::string_view> choices;  // and the names, without what all begin with
+    choices.reserve(known.size());
     for (const std::string& name : known) choices.push_back(std::string_view(name).substr(kPrefix.size()));
     std::vector<UnknownVariable> unknown;
     for (const std::string& name : names) {

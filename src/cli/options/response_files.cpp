@@ -104,7 +104,7 @@ std::optional<std::size_t> value_at(const std::vector<std::string>& words,
     for (std::size_t i = words.size(); i-- > 0;) {
         for (const std::string& name : names) {
             if (words[i] == value && i > 0 && words[i - 1] == name) return i;
-            if (words[i] == name + "=" + value) return i;
+            if (words[i] == fmt::format("{}={}", name, value)) return i;
             const bool joins = name.size() == 2 || !name.starts_with("--");  // -oFILE, -MFFILE
             if (joins && words[i] == name + value) return i;
         }
