@@ -5,15 +5,13 @@ if(POPUP_BATCHES)
 endif()
 set(POPUP_BATCHES_PY ${CMAKE_CURRENT_LIST_DIR}/batches.py)
 
-# popup_batches(OUT NAME MOST FILE...): sets OUT to sources that compile the files in batches of at most MOST bytes, in the
-# build's folder batches/NAME. Files that have to be alone are given in POPUP_ALONE. Where POPUP_BATCHES is off, OUT is
-# the files.
-function(popup_batches out name most)
+# popup_batches(OUT NAME FILE...): sets OUT to sources that compile the files in batches, in the build's folder
+# batches/NAME. Where POPUP_BATCHES is off, OUT is the files.
+function(popup_batches out name)
   set(sources "${ARGN}")
   if(POPUP_BATCHES)
     set(folder ${PROJECT_BINARY_DIR}/batches/${name})
-    execute_process(COMMAND ${Python3_EXECUTABLE} ${POPUP_BATCHES_PY} ${PROJECT_SOURCE_DIR} ${folder} ${most} ${ARGN}
-                            --alone ${POPUP_ALONE}
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${POPUP_BATCHES_PY} ${PROJECT_SOURCE_DIR} ${folder} ${ARGN}
                     OUTPUT_VARIABLE sources COMMAND_ERROR_IS_FATAL ANY)
     # A name that comes or goes may move its file to another batch.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN} ${POPUP_BATCHES_PY})
