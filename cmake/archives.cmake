@@ -3,7 +3,8 @@
 # symbols it looks up; half of them nothing of popupc ever calls: cairo's connection to X, gnutls' to smart cards.
 # The program then has the versions that it was built with: build it again when one of them is mended.
 #
-# Stays shared: what has no archive, what GEOS and gnutls load anyway, and all of it where one archive is missing.
+# Libraries that have no archive stay shared, and so do those that GEOS and gnutls load anyway. Where one archive is missing,
+# all stay shared.
 function(popup_link_archives target)
   set(archives)
   foreach(name qpdf cairo pixman-1 fontconfig expat freetype brotlidec brotlicommon png16 turbojpeg jpeg webpmux webp
@@ -22,7 +23,7 @@ function(popup_link_archives target)
     message(STATUS "No gnutls, which the archive of qpdf needs: ${target} links shared libraries, and starts slower")
     return()
   endif()
-  # What `popup` itself asks for comes after these, and little of it is needed any more.
+  # The libraries that `popup` names follow on the command line; --as-needed drops those that the archives replace.
   target_link_libraries(${target} PRIVATE popup -Wl,--as-needed -Wl,--start-group ${archives} -Wl,--end-group
                         ${POPUP_GNUTLS})
 endfunction()

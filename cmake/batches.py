@@ -5,9 +5,9 @@
 ROOT is the project's folder, and FOLDER where the batches go; what other runs left there is removed. Files follow each
 other as they are given: neighbours instantiate the same templates. Files that have to be alone are printed as they are.
 
-Files of one batch see each other's unnamed namespaces, and each other's headers. So no two files of a batch may give the
-same name to something in an unnamed namespace, and no file may have there a name that a header of another one declares.
-What is left the compiler finds; it belongs to ALONE.
+Files of one batch see each other's unnamed namespaces and headers. So no name stands in unnamed namespaces of two files of a
+batch, and none that stands in one is ambiguous because of another file's headers. Conflicts that this does not see end the
+build; list their files in ALONE.
 """
 
 import pathlib
@@ -96,11 +96,13 @@ class Batch:
     def takes(self, source):
         if self.length + source.length > MOST or self.own & source.own:
             return False
-        # What headers of the others declare and its own do not: with its unnamed namespace's there would be two.
+        # The file's unnamed namespace has a name that a header declares which the batch includes and the file does not: in
+        # the file that name would be ambiguous.
         new_to_it = self.headers - source.headers
         if any(self.all_headers.declaring(name, new_to_it) for name in source.own):
             return False
-        # What it or its headers speak of: with what the others have in unnamed namespaces there would be two.
+        # An unnamed namespace of the batch has a name that a header of the file declares: where the file, or a header that
+        # comes with it, uses that name, it would be ambiguous.
         new_to_them = source.headers - self.headers
         return not any(self.all_headers.declaring(name, source.headers)
                        for name in self.own

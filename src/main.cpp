@@ -42,8 +42,8 @@ void keep_freed_memory() {
     constexpr int kMiB = 1 << 20;
     ::mallopt(M_TRIM_THRESHOLD, 256 * kMiB);
     ::mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
-    // A small card touches a thousand pages of 4 KiB, one fault each. The heap grows by so much that pages of
-    // 2 MiB fit, and asks for those.
+    // A small card touches a thousand pages of 4 KiB, and each costs a page fault. The heap takes 16 MiB of
+    // addresses at once, and asks the kernel to fill them with pages of 2 MiB.
     ::mallopt(M_TOP_PAD, 16 * kMiB);
     char* const from = static_cast<char*>(::sbrk(0));
     void* volatile block = std::malloc(kMiB);  // volatile: it is not left out

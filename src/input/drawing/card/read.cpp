@@ -125,11 +125,13 @@ void tell_card(const Tracing& tracing, const Source& source, Diagnostics& diagno
     if (!design || design->structures.empty() || unheard.has_findings()) return;
     const std::size_t count = design->structures.size();
     diagnostics
-        .remark("may-be-card", {},
-                fmt::format("this is read as a folded sheet, and is the drawing of a pop-up card with {} "
-                            "element{}, too",
-                            count, count == 1 ? "" : "s"))
-        .hint("--as card reads it so, and opens and closes it; --as folded says that it is none");
+        .remark(
+            "may-be-card", {},
+            fmt::format("this is read as a folded sheet; it may be meant as a pop-up card with {} element{}",
+                        count, count == 1 ? "" : "s"))
+        .hint(
+            "--as card reads it as a card, and opens and closes it; --as folded says that it is a folded "
+            "sheet");
 }
 
 }  // namespace popup::drawing::card
