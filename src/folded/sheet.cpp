@@ -579,13 +579,14 @@ Polygon Sheet::outline_of(const Panel& panel) const {
 
 std::optional<Sheet> make_sheet(const CreasePattern& pattern, const FoldOptions& options,
                                 Diagnostics& diagnostics, std::span<const Stretch> bends) {
-    // Folds alone may enclose paper; where they do not, a border is missing.
+    // Folds alone may enclose paper; where they do not, a border is missing. It is made first: bends end at
+    // corners of the sheet that has it.
     const bool has_cuts = std::any_of(pattern.lines.begin(), pattern.lines.end(),
                                       [](const CreaseLine& line) { return line.use == CreaseUse::cut; });
     if (!has_cuts) {
         Diagnostics untold;
         Maker without(pattern, options, untold);
-        if (!without.run(bends) && without.is_without_paper()) {
+        if (!without.run({}) && without.is_without_paper()) {
             if (const auto bordered = Maker(pattern, options, diagnostics).with_flat_border())
                 return Maker(*bordered, options, diagnostics).run(bends);
             return Maker(pattern, options, diagnostics).run_in_box(bends);
