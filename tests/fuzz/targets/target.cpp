@@ -15,7 +15,10 @@ namespace popup::fuzz {
 void expect_told(const Diagnostics& diagnostics, std::string_view text) {
     const std::vector<Diagnostic> all = diagnostics.sorted();
     if (all.empty()) return;
-    const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
+    // DXF takes a carriage return for the end of a line, too.
+    const auto lines = static_cast<int>(std::count_if(text.begin(), text.end(),
+                                                      [](char c) { return c == '\n' || c == '\r'; })) +
+                       1;
     for (const Diagnostic& told : all) {
         const auto of = [&](std::string_view what) {
             return [&told, what] { return fmt::format("{}: {}: {}", what, told.code, told.message); };
