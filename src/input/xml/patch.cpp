@@ -21,7 +21,7 @@ namespace {
 class Patch {
  public:
     Patch(std::string_view text, const Design& design)
-        : text_(text), design_(design), pages_(design, design.version), names_(design, "3.0") {}
+        : text_(text), design_(design), pages_(design, design.version) {}
 
     std::vector<PatchEdit> run(std::span<const TextRange> gone) {
         for (const TextRange& one : gone) remove(one);
@@ -241,7 +241,7 @@ class Patch {
             if (changed) number(at, value);
         } else if (value == 0) {
             if (old != kBasePage) number(at, value);
-        } else if (std::string name = names_.of(value); name != old) {
+        } else if (std::string name = pages_.name_of(value); name != old) {
             replace(at, std::move(name));
         }
     }
@@ -295,7 +295,6 @@ class Patch {
     std::string_view text_;
     const Design& design_;
     PageNames pages_;
-    PageNames names_;  // of pages that are written as ids: older documents may have some, with a warning
     std::vector<PatchEdit> edits_;
 };
 

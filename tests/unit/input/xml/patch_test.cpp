@@ -7,6 +7,7 @@
 #include "popup/diagnostics.h"
 #include "popup/files.h"
 #include "popup/language.h"
+#include "support/designs.h"
 
 namespace popup {
 namespace {
@@ -146,6 +147,21 @@ std::string tent(const std::string& id, const std::string& page) {
            "'>\n<outerpoints>-1,1 -1,-1 1,1 1,-1 -2,1 -2,-1 2,1 2,-1</outerpoints>"
            "<parentfold page='" +
            page + "'><begin x='0' y='-4'/><end x='0' y='4' page='" + page + "'/></parentfold></structure>";
+}
+
+// An older document may not name a page, and gets a warning: what nobody asks for is not mended.
+TEST(Patch, ANameOfAPageStaysInAnOlderDocument) {
+    const std::string text = "<popup version='2.0'><structurelist>" + tent("a", "0") + tent("roof", "a") +
+                             "</structurelist></popup>";
+    Diagnostics diagnostics("card.xml");
+    auto design = read_design(Source{"card.xml", text}, {}, diagnostics);
+    ASSERT_TRUE(design);
+    ASSERT_NE(test::findings(diagnostics).find("newer-element"), std::string::npos);
+    EXPECT_EQ(patch(text, *design), text);
+    design->structures[0].id = "b";
+    design->structures[0].id_changed = true;
+    EXPECT_EQ(patch(text, *design),
+              with(with(with(text, "id='a'", "id='b'"), "page='a'", "page='b'"), "page='a'", "page='b'"));
 }
 
 TEST(Patch, DroppedElementsTakeTheirLinesWithThem) {
