@@ -36,7 +36,7 @@ void look_at_design(const std::string& name, std::string_view bytes, const ReadO
     how.until = Stage::pattern;
     const CompiledDesign one =
         std::move(compile({Source{name, std::string(bytes)}}, how, {}).designs.front());
-    expect_told(one.diagnostics, bytes);
+    expect_told(one.diagnostics, bytes, name.ends_with(".dxf"));
     const bool errors = one.diagnostics.has_errors();
     if (!one.assembly) {
         // A program that only defines something describes nothing.

@@ -32,8 +32,8 @@ void expect(bool holds, const What& what) {
 }
 
 // What every finding on a text promises: a code of the table, one line that says something, and a place in
-// the text, or none.
-void expect_told(const Diagnostics& diagnostics, std::string_view text);
+// the text, or none. `returns_end_lines`: a carriage return ends a line too, by itself, as in DXF.
+void expect_told(const Diagnostics& diagnostics, std::string_view text, bool returns_end_lines = false);
 
 // Whether an input is one of every `n`: for what takes many times as long as all else that is looked at, and
 // would be looked at again and again. It depends on the bytes alone, so that what is found is found again.
