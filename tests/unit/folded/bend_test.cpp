@@ -142,6 +142,19 @@ TEST(Bends, OfCirclesThatAreFolded) {
     expect_bends(pattern, 3U * 24U, sheet_area);
 }
 
+// Two folds that meet at an angle, and a rectangle around them that is not drawn.
+TEST(Bends, EndAtTheBorderThatAPatternLacks) {
+    CreasePattern pattern;
+    pattern.lines.push_back(fold({0, 0}, {50, 100}, false));
+    pattern.lines.push_back(fold({-100, -100}, {0, 0}, false));
+    std::string told;
+    const Assembly bent = folded(pattern, told);
+    EXPECT_NE(told.find("no-border"), std::string::npos) << told;
+    EXPECT_TRUE(bent.sweep.bends) << told;
+    EXPECT_NEAR(paper(bent), 150.0 * 200.0, 1e-6);
+    for (int deg = 0; deg <= 180; deg += 9) EXPECT_LT(torn(bent, frames_at(bent, deg)), 1e-6) << deg;
+}
+
 TEST(Bends, OfPleatedSquares) {
     const CreasePattern pattern = pleated_squares(5);
     expect_bends(pattern, 4U * 4U + 4U * 5U, 100.0 * 100.0);
