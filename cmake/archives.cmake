@@ -3,12 +3,12 @@
 # symbols it looks up; half of them nothing of popupc ever calls: cairo's connection to X, gnutls' to smart cards.
 # The program then has the versions that it was built with: build it again when one of them is mended.
 #
-# Libraries that have no archive stay shared, and so do those that GEOS and gnutls load anyway. Where one archive is missing,
-# all stay shared.
+# Libraries that have no archive stay shared, and so do those that GEOS loads anyway. Where one archive is missing, all
+# stay shared. gnutls, of which qpdf needs its digests alone, is not loaded at all (cmake/qpdf_digests.cpp).
 function(popup_link_archives target)
   set(archives)
   foreach(name qpdf cairo pixman-1 fontconfig expat freetype brotlidec brotlicommon png16 turbojpeg jpeg webpmux webp
-               gif exif fribidi csv z)
+               gif exif fribidi csv z nettle)
     find_library(POPUP_ARCHIVE_${name} ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
     mark_as_advanced(POPUP_ARCHIVE_${name})
     if(NOT POPUP_ARCHIVE_${name})
@@ -17,13 +17,7 @@ function(popup_link_archives target)
     endif()
     list(APPEND archives ${POPUP_ARCHIVE_${name}})
   endforeach()
-  find_library(POPUP_GNUTLS gnutls)
-  mark_as_advanced(POPUP_GNUTLS)
-  if(NOT POPUP_GNUTLS)
-    message(STATUS "No gnutls, which the archive of qpdf needs: ${target} links shared libraries, and starts slower")
-    return()
-  endif()
+  target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/qpdf_digests.cpp)
   # The libraries that `popup` names follow on the command line; --as-needed drops those that the archives replace.
-  target_link_libraries(${target} PRIVATE popup -Wl,--as-needed -Wl,--start-group ${archives} -Wl,--end-group
-                        ${POPUP_GNUTLS})
+  target_link_libraries(${target} PRIVATE popup -Wl,--as-needed -Wl,--start-group ${archives} -Wl,--end-group)
 endfunction()
