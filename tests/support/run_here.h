@@ -1,4 +1,4 @@
-// Runs of popupc that the sanitized tests take upon themselves.
+// How popupc runs where tests are linked with what sanitizers look at.
 #pragma once
 
 namespace popup::test {
@@ -7,5 +7,8 @@ namespace popup::test {
 // tests start the program. Sanitized, it takes a fifth of a second to start, more than most runs take, and is
 // the same code; a fork takes half of that. Set before anything that is initialized at run time.
 extern int (*const kPopupcHere)(int argc, char** argv);
+
+// The threads of popupc that are not its own: ThreadSanitizer has one in each program. Otherwise 0.
+extern const int kSanitizersThreads;
 
 }  // namespace popup::test

@@ -17,8 +17,9 @@ extern "C" const char* __asan_default_options() { return "exitcode=86:malloc_con
 
 namespace popup::test {
 
-// POPUP_SANITIZED_PROGRAM: the tests themselves are not, but the program that they start is.
-#if defined(__SANITIZE_ADDRESS__) || defined(POPUP_SANITIZED_PROGRAM)
+// POPUP_SANITIZED_PROGRAM, POPUP_TSAN_PROGRAM: the tests themselves are not, but the program that they start
+// is.
+#if defined(__SANITIZE_ADDRESS__) || defined(POPUP_SANITIZED_PROGRAM) || defined(POPUP_TSAN_PROGRAM)
 const bool kSanitized = true;
 #else
 const bool kSanitized = false;
@@ -41,6 +42,13 @@ int (*const kPopupcHere)(int argc, char** argv) = run_here;
 #else
 int (*const kPopupcHere)(int argc, char** argv) = nullptr;
 #endif
+
+#ifdef POPUP_TSAN_PROGRAM
+const int kSanitizersThreads = 1;
+#else
+const int kSanitizersThreads = 0;
+#endif
+
 const char* const kPopupc = POPUPC_BINARY;
 
 }  // namespace popup::test
