@@ -59,7 +59,7 @@ class Target:
 
     def command(self, *options):
         return [str(self.program), f"-timeout={SECONDS_A_UNIT}", f"-rss_limit_mb={MEGABYTES}", "-detect_leaks=0",
-                f"-max_len={self.longest}", "-print_final_stats=1", "-verbosity=1", *options]
+                f"-max_len={self.longest}", "-print_final_stats=1", "-print_funcs=0", *options]
 
     def once(self, seconds):
         """Runs until the time is over or something is found; what was found, or None."""
