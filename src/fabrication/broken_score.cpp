@@ -21,7 +21,7 @@ constexpr double kScoresNothingMm = 1e-6;
 // Lines by where they end.
 class Chains {
  public:
-    explicit Chains(std::span<const Segment> lines) : lines_(lines), parts_(lines.size()) {
+    explicit Chains(std::span<const Segment> lines) : lines_(lines) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (lines[i].a == lines[i].b) continue;
             ends_[key(lines[i].a)].push_back({i, false});
@@ -29,20 +29,19 @@ class Chains {
         }
     }
 
-    std::vector<FoldPart> parts() {
+    std::vector<std::vector<FoldWay>> folds() {
+        std::vector<std::vector<FoldWay>> folds;
+        std::vector<char> taken(lines_.size(), 0);
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (parts_[i].whole > 0.0 || lines_[i].a == lines_[i].b) continue;
-            measure(chain_from(first_of_chain({i, false})));
+            if (taken[i] != 0 || lines_[i].a == lines_[i].b) continue;
+            folds.push_back(chain_from(first_of_chain({i, false})));
+            for (const FoldWay& way : folds.back()) taken[way.line] = 1;
         }
-        return std::move(parts_);
+        return folds;
     }
 
  private:
-    // A line, and whether it is followed from its end to its beginning. Of ends: whether it is the second.
-    struct Way {
-        std::size_t line = 0;
-        bool back = false;
-    };
+    using Way = FoldWay;  // of ends: whether it is the second
     using Key = std::pair<std::int64_t, std::int64_t>;
     static Key key(Vec2 p) { return {std::llround(p.x / kChordsMeetMm), std::llround(p.y / kChordsMeetMm)}; }
     [[nodiscard]] Vec2 end_of(Way way) const { return way.back ? lines_[way.line].a : lines_[way.line].b; }
@@ -76,17 +75,7 @@ class Chains {
             chain.push_back(*more);
         return chain;
     }
-    void measure(const std::vector<Way>& chain) {
-        double length = 0.0;
-        for (const Way& way : chain) {
-            parts_[way.line] = {length, 0.0, way.back};
-            length += distance(lines_[way.line].a, lines_[way.line].b);
-        }
-        for (const Way& way : chain) parts_[way.line].whole = length;
-    }
-
     std::span<const Segment> lines_;
-    std::vector<FoldPart> parts_;
     std::map<Key, std::vector<Way>> ends_;
 };
 
@@ -106,7 +95,20 @@ bool is_broken(Operation fold, const Profile& profile, ScoreSide side) {
     broken_invariant("a score side is one of its enumerators", __FILE__, __LINE__);
 }
 
-std::vector<FoldPart> parts_of_folds(std::span<const Segment> lines) { return Chains(lines).parts(); }
+std::vector<std::vector<FoldWay>> folds_of(std::span<const Segment> lines) { return Chains(lines).folds(); }
+
+std::vector<FoldPart> parts_of_folds(std::span<const Segment> lines) {
+    std::vector<FoldPart> parts(lines.size());
+    for (const std::vector<FoldWay>& fold : folds_of(lines)) {
+        double length = 0.0;
+        for (const FoldWay& way : fold) {
+            parts[way.line] = {length, 0.0, way.back};
+            length += distance(lines[way.line].a, lines[way.line].b);
+        }
+        for (const FoldWay& way : fold) parts[way.line].whole = length;
+    }
+    return parts;
+}
 
 std::vector<Segment> broken_score(const Segment& line, const FoldPart& part) {
     const Segment along = part.back ? Segment{line.b, line.a} : line;

@@ -1,6 +1,7 @@
 // Scores that tell on the cut piece which way the paper is folded there.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,17 @@ struct FoldPart {
     bool back = false;    // the line runs back along the fold
 };
 
+// A line of a fold, and whether the fold follows it from its second end to its first.
+struct FoldWay {
+    std::size_t line = 0;
+    bool back = false;
+};
+
 // Curved folds are chains of chords: lines that meet end to end, no third one there, and turn by at most 30°
-// are one fold. `lines`: of one operation on one piece. A part for each. Cost: n log n.
+// are one fold. `lines`: of one operation on one piece. Each line that has a length is in one fold. Cost: n
+// log n.
+std::vector<std::vector<FoldWay>> folds_of(std::span<const Segment> lines);
+// A part for each line.
 std::vector<FoldPart> parts_of_folds(std::span<const Segment> lines);
 
 // What is scored of a line of a fold that has gaps: in the middle of each 8 mm along the whole fold, or of

@@ -1,7 +1,8 @@
+#include "fabrication/perforate.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "popup/profile.h"
+#include <utility>
 
 namespace popup {
 
@@ -25,6 +26,38 @@ std::vector<Segment> perforated(const Segment& line, const Perforation& perforat
         segments.push_back(part(from, from + perforation.cut_mm * scale));
     }
     return segments;
+}
+
+std::vector<std::vector<Vec2>> perforated_along(std::span<const Vec2> chain, const Perforation& perforation) {
+    std::vector<std::vector<Vec2>> cuts;
+    if (chain.size() == 2) {
+        for (const Segment& cut : perforated({chain[0], chain[1]}, perforation))
+            cuts.push_back({cut.a, cut.b});
+        return cuts;
+    }
+    double whole = 0.0;
+    for (std::size_t i = 1; i < chain.size(); ++i) whole += distance(chain[i - 1], chain[i]);
+    std::size_t chord = 1;  // that ends at this corner
+    double before = 0.0;    // mm of the chain before it
+    const auto go_to = [&](double at, std::vector<Vec2>* cut) {
+        double length = distance(chain[chord - 1], chain[chord]);
+        while (chord + 1 < chain.size() && before + length <= at) {
+            if (cut != nullptr) cut->push_back(chain[chord]);
+            before += length;
+            length = distance(chain[chord], chain[chord + 1]);
+            ++chord;
+        }
+        return length > 0.0 ? lerp(chain[chord - 1], chain[chord], std::min(1.0, (at - before) / length))
+                            : chain[chord];
+    };
+    // Laid out straight the fold is as long.
+    for (const Segment& straight : perforated({{0.0, 0.0}, {whole, 0.0}}, perforation)) {
+        std::vector<Vec2> cut{go_to(straight.a.x, nullptr)};
+        const Vec2 end = go_to(straight.b.x, &cut);
+        if (cut.back() != end) cut.push_back(end);
+        cuts.push_back(std::move(cut));
+    }
+    return cuts;
 }
 
 }  // namespace popup

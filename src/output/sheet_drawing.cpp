@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -13,6 +14,7 @@
 #include "fabrication/broken_score.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
+#include "fabrication/perforate.h"
 #include "output/halos.h"
 #include "output/machine_order.h"
 #include "output/sheet_carrier.h"
@@ -302,12 +304,29 @@ class Drawer {
     }
 
     void perforations(const PatternPiece& piece) {
-        const Profile& profile = drawing_.profile;
-        for (const PatternLine& line : piece.lines) {
-            if (!profile.perforates(operation_of(line, profile)) || line.at.a == line.at.b) continue;
-            begin(Operation::perforation, line.plate);
-            for (const Segment& cut : perforated(line.at, profile.perforation))
-                run(std::array{cut.a, cut.b}, false);
+        std::map<std::size_t, std::vector<Vec2>> folds;  // by the line that each begins with
+        for (const Operation operation : {Operation::valley, Operation::mountain, Operation::seam}) {
+            if (!drawing_.profile.perforates(operation)) continue;
+            std::vector<std::size_t> numbers;
+            std::vector<Segment> at;
+            for (std::size_t i = 0; i < piece.lines.size(); ++i) {
+                if (operation_of(piece.lines[i], drawing_.profile) != operation) continue;
+                numbers.push_back(i);
+                at.push_back(piece.lines[i].at);
+            }
+            for (const std::vector<FoldWay>& fold : folds_of(at)) {
+                std::vector<Vec2>& chain = folds[numbers[fold.front().line]];
+                for (const FoldWay& way : fold) {
+                    const Segment& line = at[way.line];
+                    if (chain.empty()) chain.push_back(way.back ? line.b : line.a);
+                    chain.push_back(way.back ? line.a : line.b);
+                }
+            }
+        }
+        for (const auto& [number, chain] : folds) {
+            begin(Operation::perforation, piece.lines[number].plate);
+            for (const std::vector<Vec2>& cut : perforated_along(chain, drawing_.profile.perforation))
+                run(cut, false);
         }
     }
 

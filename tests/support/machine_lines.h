@@ -77,6 +77,23 @@ inline std::vector<FoldPart> parts_of_folds_of(const PatternPiece& piece) {
     return all;
 }
 
+// What is cut of a line of a perforated fold: cuts lie along the whole fold as they would on a straight one.
+inline std::vector<Segment> perforated_part(const Segment& line, const FoldPart& part,
+                                            const Perforation& perforation) {
+    const double length = std::hypot(line.b.x - line.a.x, line.b.y - line.a.y);
+    std::vector<Segment> cuts;
+    for (const Segment& cut : perforated({{0.0, 0.0}, {part.whole, 0.0}}, perforation)) {
+        const double from = std::max(cut.a.x - part.before, 0.0);
+        const double to = std::min(cut.b.x - part.before, length);
+        if (to - from < 1e-9) continue;
+        const auto at = [&](double mm) {
+            return lerp(line.a, line.b, part.back ? 1.0 - mm / length : mm / length);
+        };
+        cuts.push_back({at(from), at(to)});
+    }
+    return cuts;
+}
+
 // What a machine does on a sheet, straight from the pattern.
 inline std::vector<Line> expected_lines(const Layout& layout, const Profile& profile, int sheet) {
     std::vector<Line> all;
@@ -116,7 +133,7 @@ inline std::vector<Line> expected_lines(const Layout& layout, const Profile& pro
                     all.push_back({operation, false, {placed(one.a), placed(one.b)}});
             }
             if (profile.folds == FoldStyle::perforated || profile.folds == FoldStyle::both) {
-                for (const Segment& cut : perforated(fold.at, profile.perforation))
+                for (const Segment& cut : perforated_part(fold.at, parts[n], profile.perforation))
                     all.push_back({Operation::perforation, false, {placed(cut.a), placed(cut.b)}});
             }
         }

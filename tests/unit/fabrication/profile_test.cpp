@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "fabrication/perforate.h"
 #include "output/svg.h"
 #include "support/run_program.h"
 #include "support/sheet_example.h"
@@ -105,6 +106,32 @@ TEST(Profiles, UseTheColoursThatTheirProgramsKnow) {
 }
 
 // --- perforations
+
+// Along an arc of many chords cuts are as long as on a line of its length, and as far apart.
+TEST(Profile, PerforationsOfCurvedFoldsDoNotShowTheirChords) {
+    std::vector<Vec2> chain;
+    constexpr int kChords = 83;
+    for (int i = 0; i <= kChords; ++i)
+        chain.push_back({30.0 * std::cos(0.02 * i), 30.0 * std::sin(0.02 * i)});
+    double whole = 0.0;
+    for (std::size_t i = 1; i < chain.size(); ++i) whole += distance(chain[i - 1], chain[i]);
+    const Perforation perforation{2.0, 1.0, 1.0};
+    const auto cuts = perforated_along(chain, perforation);
+    const std::vector<Segment> straight = perforated({{0, 0}, {whole, 0}}, perforation);
+    ASSERT_EQ(cuts.size(), straight.size());
+    // How far along the arc, by the angle: chords are 0.6 mm.
+    const auto along = [](Vec2 p) { return 30.0 * std::atan2(p.y, p.x); };
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        EXPECT_NEAR(along(cuts[i].front()), straight[i].a.x, 0.01);
+        EXPECT_NEAR(along(cuts[i].back()), straight[i].b.x, 0.01);
+        double length = 0.0;
+        for (std::size_t k = 1; k < cuts[i].size(); ++k) {
+            length += distance(cuts[i][k - 1], cuts[i][k]);
+            EXPECT_NEAR(popup::length(cuts[i][k]), 30.0, 0.01);
+        }
+        EXPECT_NEAR(length, straight[i].b.x - straight[i].a.x, 1e-9);
+    }
+}
 
 TEST(Perforations, BeginAndEndWithACutClearOfTheCorners) {
     for (double length = 0.05; length < 60.0; length += 0.37) {
