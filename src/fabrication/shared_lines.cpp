@@ -6,6 +6,9 @@
 namespace popup {
 namespace {
 
+// A line that comes near itself for less is no line drawn twice: fine steps and narrow ends do.
+constexpr double kOwnMm = 10.0 * kSharedMm;
+
 // The part of `line` that lies along `taken`, as a range of its length; false when there is none to speak of.
 bool covered(const Segment& line, const Segment& taken, std::pair<double, double>& range) {
     const double length = distance(line.a, line.b);
@@ -39,6 +42,7 @@ std::vector<std::pair<double, double>> free_ranges(std::vector<std::pair<double,
 }  // namespace
 
 std::vector<PathPart> SharedLines::left_of(std::span<const Vec2> points, bool closed) {
+    const int first_own = taken_.size();
     std::vector<PathPart> parts;
     std::vector<Segment> own;
     const std::size_t n = points.size();
@@ -46,7 +50,10 @@ std::vector<PathPart> SharedLines::left_of(std::span<const Vec2> points, bool cl
     bool whole = true;
     std::vector<int> near;
     std::vector<std::pair<double, double>> taken;
-    const auto add = [&parts](Vec2 a, Vec2 b) {
+    // Only what is drawn counts as taken: of many lines close to each other not each takes the next away. It
+    // does at once: a line may run back on itself.
+    const auto add = [&](Vec2 a, Vec2 b) {
+        taken_.insert({a, b}, false);
         if (!parts.empty() && parts.back().points.back() == a) {
             parts.back().points.push_back(b);
         } else {
@@ -61,7 +68,8 @@ std::vector<PathPart> SharedLines::left_of(std::span<const Vec2> points, bool cl
         taken.clear();
         for (const int number : near) {
             std::pair<double, double> range;
-            if (covered(line, taken_[number], range)) taken.push_back(range);
+            if (!covered(line, taken_[number], range)) continue;
+            if (number < first_own || range.second - range.first > kOwnMm) taken.push_back(range);
         }
         if (taken.empty()) {
             add(line.a, line.b);
@@ -77,11 +85,6 @@ std::vector<PathPart> SharedLines::left_of(std::span<const Vec2> points, bool cl
             };
             add(at(first), at(last));
         }
-    }
-    // Only what is drawn counts as taken: of many lines close to each other not each takes the next away.
-    for (const PathPart& part : parts) {
-        for (std::size_t i = 1; i < part.points.size(); ++i)
-            taken_.insert({part.points[i - 1], part.points[i]}, false);
     }
     if (whole) return {{{points.begin(), points.end()}, closed}};
     // What goes on round the corner where the contour begins is one part.

@@ -16,11 +16,12 @@ struct PathPart {
     bool closed = false;
 };
 
-// Takes paths one after the other, and gives of each what lies on none before it.
+// Takes paths one after the other, and gives of each what lies on none before it, nor on itself.
 class SharedLines {
  public:
     // Nothing, when all of it lies on earlier ones; the path itself, when nothing does; else open parts, in
-    // its order. Cost: near linear in segments, where few lie on others.
+    // its order. Where it runs back on itself, what it drew first stays. Cost: near linear in segments, where
+    // few lie on others.
     std::vector<PathPart> left_of(std::span<const Vec2> points, bool closed);
 
  private:

@@ -96,6 +96,19 @@ Path square(double left, double low, double right, double high) {
     return {rectangle(left, low, right, high), true};
 }
 
+TEST(SharedLines, ALineThatRunsBackOnItselfIsCutOnce) {
+    const Left back = left_of_all({{{{0, 0}, {30, 0}, {10, 0}}, false}});
+    EXPECT_NEAR(length_of(back.segments), 30.0, 1e-9);
+    // Past where it began.
+    const Left past = left_of_all({{{{0, 0}, {30, 0}, {-10, 0}}, false}});
+    EXPECT_NEAR(length_of(past.segments), 40.0, 1e-9);
+    const Left closed = left_of_all({{{{0, 0}, {30, 0}}, true}});
+    EXPECT_NEAR(length_of(closed.segments), 30.0, 1e-9);
+    // A square with a hair on it.
+    const Left hair = left_of_all({{{{0, 0}, {10, 0}, {10, 5}, {25, 5}, {10, 5}, {10, 10}, {0, 10}}, true}});
+    EXPECT_NEAR(length_of(hair.segments), 55.0, 1e-9);
+}
+
 TEST(SharedLines, LeavesAPathThatLiesOnNoneAsItIs) {
     const std::vector<Path> paths{square(0, 0, 10, 10),
                                   square(10.02, 0, 20, 10),        // as near as two lines may be
