@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "base/geometry/tolerances.h"
+#include "fabrication/kerf.h"
 #include "fabrication/shared_lines.h"
 #include "fabrication/tour.h"
+#include "popup/diagnostics.h"
+#include "popup/pattern.h"
 
 namespace popup {
 namespace {
@@ -41,6 +44,28 @@ BoostBox box_of(std::span<const Vec2> points) {
     Box box;
     for (const Vec2 p : points) box.extend(p);
     return {{box.min.x, box.min.y}, {box.max.x, box.max.y}};
+}
+
+// The outline of a piece in a hole is cut with the tool for inner cuts. Where that burns away more than the
+// other, or less, the path moves by half of what it does, so that the piece keeps its size. It stays where it
+// is if it cannot.
+void move_to_inner_kerf(SheetDrawing& drawing, SheetShape& shape) {
+    const KerfWidths kerf = KerfWidths::of(drawing.profile);
+    const Run& run = drawing.runs_of(shape).front();
+    if (kerf.inner_mm == kerf.outer_mm || !run.closed) return;
+    const std::span<const Vec2> points = drawing.points_of(run);
+    PatternPiece piece;
+    // Edges of pieces move outwards, those of holes inwards.
+    const double more = kerf.inner_mm - kerf.outer_mm;
+    piece.cuts.push_back({{points.begin(), points.end()}, true});
+    piece.cuts.front().depth = more > 0.0 ? 0 : 1;
+    Diagnostics unheard;
+    const auto moved = compensated(piece, {}, {std::max(0.0, -more), std::max(0.0, more)}, unheard);
+    if (!moved) return;
+    const std::vector<Vec2>& path = moved->front().points;
+    shape.first_run = drawing.runs.size();
+    drawing.runs.push_back({drawing.points.size(), path.size(), true});
+    drawing.points.insert(drawing.points.end(), path.begin(), path.end());
 }
 
 // How deep pieces lie in the holes of others. Outer cuts of such pieces become inner ones.
@@ -82,6 +107,7 @@ void find_depths(SheetDrawing& drawing) {
         shape.depth += sunk[static_cast<std::size_t>(shape.piece)];
         if (shape.depth == 0 || shape.operation != Operation::outer_cut) continue;
         if (!drawing.profile.draws(Operation::inner_cut)) continue;
+        move_to_inner_kerf(drawing, shape);
         shape.operation = Operation::inner_cut;
         const Pen& pen = drawing.profile.pen(Operation::inner_cut);
         shape.color = pen.color;

@@ -115,8 +115,9 @@ class Breaking {
             cuts.push_back({drawing_.points_of(run), run.closed});
         }
         const Profile& profile = drawing_.profile;
-        JointedCuts made =
-            with_joints(cuts, profile.joint_mm + profile.pen(Operation::outer_cut).kerf_mm, lines);
+        // Of a piece in another's hole the tool is the one for inner cuts.
+        const Operation operation = drawing_.shapes[shapes.front()].operation;
+        JointedCuts made = with_joints(cuts, profile.joint_mm + profile.pen(operation).kerf_mm, lines);
         drawing_.joints += made.joints;
         if (made.joints < 2) drawing_.loose_pieces.push_back(number);
         for (std::size_t k = 0; k < shapes.size(); ++k) parts_[shapes[k]] = std::move(made.parts[k]);

@@ -89,8 +89,17 @@ TEST(MachineOrder, CutsPiecesInHolesOfOthersBeforeTheHoles) {
             EXPECT_EQ(shape.color, profile.pen(shape.operation).color);
             EXPECT_EQ(shape.width_mm, profile.pen(shape.operation).width_mm);
         }
-        EXPECT_EQ(closed,
-                  (std::vector<std::pair<double, int>>{{40, 4}, {80, 3}, {160, 2}, {240, 1}, {400, 0}}));
+        // The tool for inner cuts cuts the outlines in holes, too: half of what it burns away more is on each
+        // side of a square.
+        const double more =
+            4.0 * (profile.pen(Operation::inner_cut).kerf_mm - profile.pen(Operation::outer_cut).kerf_mm);
+        const std::vector<std::pair<double, int>> expected{
+            {40 + more, 4}, {80, 3}, {160 + more, 2}, {240, 1}, {400, 0}};
+        ASSERT_EQ(closed.size(), expected.size());
+        for (std::size_t i = 0; i < closed.size(); ++i) {
+            EXPECT_NEAR(closed[i].first, expected[i].first, 1e-5);
+            EXPECT_EQ(closed[i].second, expected[i].second);
+        }
     }
 }
 
@@ -144,6 +153,23 @@ TEST(MachineOrder, CutsWhatPiecesLaidEdgeToEdgeShareOnce) {
                     }
                 }
             }
+        }
+    }
+}
+
+TEST(MachineOrder, OutlinesInHolesKeepTheirSizeWhicheverToolBurnsMore) {
+    Profile profile = plain_machine();
+    for (const auto& [inner, outer] : {std::pair(0.6, 0.2), std::pair(0.1, 0.5)}) {
+        profile.pens[static_cast<std::size_t>(Operation::inner_cut)].kerf_mm = inner;
+        profile.pens[static_cast<std::size_t>(Operation::outer_cut)].kerf_mm = outer;
+        const SheetDrawing drawing = drawn(nested_layout(), profile);
+        for (const SheetShape& shape : drawing.shapes) {
+            if (shape.depth != 4) continue;
+            Box box;
+            for (const Vec2 p : drawing.points_of(drawing.runs_of(shape).front())) box.extend(p);
+            // 10 mm where the kerf of outer cuts is there already.
+            EXPECT_NEAR(box.max.x - box.min.x, 10.0 + inner - outer, 1e-5);
+            EXPECT_NEAR(box.max.y - box.min.y, 10.0 + inner - outer, 1e-5);
         }
     }
 }
