@@ -42,7 +42,9 @@ int color_index(Color color) {
         ->index;
 }
 
-// ASCII as it is, the rest as \U+XXXX in UTF-16. Precondition: valid UTF-8 without control characters.
+// ASCII as it is, the rest as \U+XXXX in UTF-16. A caret begins a code, and has a space behind it where it is
+// none. So do two per cent signs: no spelling of them is read alike by all programs, and a space comes
+// between them. Precondition: valid UTF-8 without control characters.
 std::string dxf_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {
@@ -51,6 +53,7 @@ std::string dxf_text(std::string_view text) {
         auto code = static_cast<std::uint32_t>(character.code);
         if (code < 0x80U) {
             out += static_cast<char>(code);
+            if (code == '^' || (code == '%' && text.starts_with('%'))) out += ' ';
             continue;
         }
         if (code >= 0x10000U) {

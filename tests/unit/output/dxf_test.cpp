@@ -217,6 +217,16 @@ TEST(Dxf, NamesStayWithinAscii) {
     }));
 }
 
+TEST(Dxf, TextsHoldNoCodesOfTheFormat) {
+    Layout layout = test::example_layout();
+    layout.designs[0].pattern.pieces[0].labels[0].text = "50%%c x^2 7%";
+    const Dxf dxf = parsed(written(layout, profile_table().front()).front());
+    // As a reader has it that knows %%c as a diameter and ^2 as a character of control.
+    EXPECT_TRUE(std::any_of(dxf.entities.begin(), dxf.entities.end(), [](const Entity& entity) {
+        return entity.type == "TEXT" && entity.text == "50% %c x^ 2 7%";
+    }));
+}
+
 // Another's reader finds the same, and nothing to complain of.
 TEST(Dxf, EzdxfReadsAllProfilesWithoutAComplaint) {
     const test::ScratchDirectory scratch;
