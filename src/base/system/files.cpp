@@ -443,7 +443,10 @@ bool write_all(const std::vector<PendingFile>& files, bool keep_identical, Diagn
         const std::string identity = std::to_string(where.st_dev) + ":" + std::to_string(where.st_ino) + ":" +
                                      target.path.substr(target.path.rfind('/') + 1);
         const auto [other, is_new] = names.emplace(identity, &target);
-        if (!is_new) fail(target, "it is the same file as " + other->second->file->path);
+        if (is_new) continue;
+        const std::string& taken = other->second->file->path;
+        fail(target, taken == files[i].path ? "two outputs of this run would have this name"
+                                            : "it is the same file as " + taken);
     }
     if (!good) return false;
 
