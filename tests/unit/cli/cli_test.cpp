@@ -244,7 +244,7 @@ TEST_F(Cli, EverySheetIsAFile) {
                        "parts make 2");
     expect_usage_error(
         {"build", "card.xml", "--copies", "2", "--sheet", "220x170", "-o", "x.svg", "-o", "x-2.svg"},
-        "same file");
+        "two outputs of this run would have this name");
 }
 
 TEST_F(Cli, CheckTellsAndWritesNothing) {
