@@ -1,11 +1,10 @@
 // What the archive of qpdf asks of gnutls, by nettle, which popupc has already.
 //
-// gnutls and the eight libraries that it brings took three tenths of each start of the program: it is there
-// for encrypted documents. Of all that, a document that popupc writes needs one digest, for its identifier.
+// gnutls and the eight libraries that it loads took three tenths of each start of the program. qpdf needs it
+// for encryption; the documents that popupc writes need one digest, for their identifiers.
 // So the program (cmake/archives.cmake) has these functions of gnutls' interface, as gnutls 3.7 declares them
 // in gnutls/crypto.h, and does not load it. Digests are nettle's, which gnutls computes them with, too.
-// Ciphers and random numbers are refused, as gnutls refuses what it does not have; qpdf then throws. Nothing
-// here writes or reads encrypted documents.
+// Ciphers and random numbers are refused, and qpdf throws. popupc writes and reads no encrypted documents.
 
 #include <nettle/nettle-meta.h>
 
@@ -14,7 +13,7 @@
 #include <vector>
 
 // gnutls' name for a digest that is being computed.
-struct hash_hd_st {  // NOLINT(readability-identifier-naming): gnutls declares it so
+struct hash_hd_st {
     const nettle_hash* kind;
     std::vector<std::uint64_t> state;  // in words, so that it is aligned for whatever nettle keeps in it
 };

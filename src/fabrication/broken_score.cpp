@@ -75,6 +75,7 @@ class Chains {
             chain.push_back(*more);
         return chain;
     }
+
     std::span<const Segment> lines_;
     std::map<Key, std::vector<Way>> ends_;
 };

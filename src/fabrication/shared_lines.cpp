@@ -6,7 +6,7 @@
 namespace popup {
 namespace {
 
-// A line that comes near itself for less is no line drawn twice: fine steps and narrow ends do.
+// A path that lies on itself for no more than this is not drawn twice: fine steps and sharp corners do so.
 constexpr double kOwnMm = 10.0 * kSharedMm;
 
 // The part of `line` that lies along `taken`, as a range of its length; false when there is none to speak of.

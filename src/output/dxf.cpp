@@ -42,9 +42,9 @@ int color_index(Color color) {
         ->index;
 }
 
-// ASCII as it is, the rest as \U+XXXX in UTF-16. A caret begins a code, and has a space behind it where it is
-// none. So do two per cent signs: no spelling of them is read alike by all programs, and a space comes
-// between them. Precondition: valid UTF-8 without control characters.
+// ASCII as it is, the rest as \U+XXXX in UTF-16. DXF spells a caret "^ ", for ^X is a code. %%X is one too,
+// and programs do not agree on how two per cent signs are spelt: a space parts them. Precondition: valid
+// UTF-8 without control characters.
 std::string dxf_text(std::string_view text) {
     std::string out;
     while (!text.empty()) {

@@ -46,9 +46,9 @@ BoostBox box_of(std::span<const Vec2> points) {
     return {{box.min.x, box.min.y}, {box.max.x, box.max.y}};
 }
 
-// The outline of a piece in a hole is cut with the tool for inner cuts. Where that burns away more than the
-// other, or less, the path moves by half of what it does, so that the piece keeps its size. It stays where it
-// is if it cannot.
+// A piece in another's hole is cut with the tool for inner cuts, but its outline has the kerf of outer cuts.
+// Moves the outline by half the difference, so that the piece keeps its size. An outline that cannot move so
+// far, because narrow places would close, stays.
 void move_to_inner_kerf(SheetDrawing& drawing, SheetShape& shape) {
     const KerfWidths kerf = KerfWidths::of(drawing.profile);
     const Run& run = drawing.runs_of(shape).front();

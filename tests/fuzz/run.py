@@ -64,8 +64,8 @@ class Target:
     def once(self, seconds):
         """Runs until the time is over or something is found; what was found, or None."""
         before = set(self.finds.iterdir())
-        # What is rare is a list that is gone through for each edge of an input: as LLVM 14 has it, it grows to all that
-        # was seen less than 255 times, and takes nine tenths of the time of readers that reach much.
+        # For each edge of an input libFuzzer goes through its list of rare edges. By default LLVM 14 keeps all edges
+        # there that it saw less than 255 times, which takes nine tenths of the time of readers that reach many.
         options = [f"-max_total_time={max(1, int(seconds))}", f"-artifact_prefix={self.finds}/",
                    "-entropic_feature_frequency_threshold=0"]
         if UNTIL:
