@@ -9,6 +9,7 @@
 
 #include "base/geometry/edge_index.h"
 #include "base/geometry/regions.h"
+#include "parts/spurs.h"
 
 namespace popup {
 namespace {
@@ -83,6 +84,9 @@ class Sorter {
             out_.hairs.emplace_back(std::move(line.points), std::move(line.elements));
             return true;
         }
+        // What of the outline encloses nothing is a slit likewise.
+        for (std::vector<Vec2>& spur : spurs_of(line.points))
+            out_.hairs.emplace_back(std::move(spur), line.elements);
         const double lost = std::abs(area(inside) - std::abs(signed_area(line.points)));
         // Points stand on the grid, which moves edges by up to its step.
         const bool crosses = lost > kNoArea + 2.0 * kGridMm * length;

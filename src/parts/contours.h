@@ -40,8 +40,8 @@ struct Contours {
     std::vector<ContourOverlap> overlaps;
     std::vector<CrossedContour> crossed;
     std::vector<std::vector<int>> doubled;  // elements of contours left out, for another is the same
-    std::vector<std::pair<std::vector<Vec2>, std::vector<int>>>
-        hairs;  // those without an area, as open lines
+    // Those without an area, and what of the others runs out and straight back (spurs_of), as open lines.
+    std::vector<std::pair<std::vector<Vec2>, std::vector<int>>> hairs;
 };
 
 // A closed line as drawn, the last point joined to the first.
