@@ -50,6 +50,7 @@ struct TracedLine {
     Dash dash = Dash::none;
     Named named = Named::nothing;
     bool ruled = false;                  // `named` is the caller's
+    bool of_machine = false;             // of a sheet that this program made for a machine
     std::optional<double> opacity = {};  // of the stroke; none: the format has no such thing
     double dash_mm = 0.0, gap_mm = 0.0;  // the longest of its stroke; 0: not known
     // How far it is folded, as the drawing says, [-180, 180]; less than 0: the other way than it is drawn.

@@ -62,6 +62,12 @@ constexpr std::array kDrawingCodes = std::to_array<CodeInfo>({
      "rule has taken it all: the word may be spelt otherwise, or the colour be another shade. The hints "
      "have the names of layers, classes and groups, and the colours, that are there. Rules for a whole "
      "library need not fit each of its drawings."},
+    {"machine-sheet", Severity::warning, "a sheet made for a machine, read back",
+     "popupc has written this sheet with the profile of a machine. Its layers are called as the machine "
+     "wants them, several kinds of lines may share one, folds may be broken into dashes or perforations, "
+     "and cuts stand off by half a kerf. Read back, each line is what its stroke says, which most often is "
+     "a cut. Read the design itself, or a sheet of the profile workshop, in which everything is as it was; "
+     "or say by --lines what the layers mean."},
     {"not-cut", Severity::warning, "texts, images and the like in a drawing",
      "A text is not an outline until a font is chosen, and an image has none at all, so neither is cut or "
      "printed. Letters that are to be cut must be converted to paths (in Inkscape: Path > Object to Path; in "

@@ -193,6 +193,20 @@ void tell_names(std::string_view word, const std::vector<std::string>& names, Di
     unused.hint(fmt::format("names here are {}{}", fmt::join(told, ", "), more));
 }
 
+// A machine's layers are whatever its profile calls them: what they mean is not in the sheet.
+void tell_machine(const Tracing& tracing, Diagnostics& diagnostics) {
+    const auto first = std::find_if(tracing.lines.begin(), tracing.lines.end(),
+                                    [](const TracedLine& line) { return line.of_machine && !line.ruled; });
+    if (first == tracing.lines.end()) return;
+    diagnostics
+        .warning(
+            "machine-sheet", nth(tracing.elements, first->element).place,
+            "popupc made this sheet for a machine: its folds and marks are read as cuts, and its cuts may "
+            "be off by a kerf")
+        .hint("read the design, or the sheet that --profile workshop makes of it")
+        .hint("--lines says what its lines are, such as --lines fold=score,ignore=mark");
+}
+
 }  // namespace
 
 void LineRules::meet(std::string_view name) {
@@ -344,6 +358,7 @@ void settle_uses(Tracing& tracing, Diagnostics& diagnostics) {
         return line.named == Named::ignore && (told(line) || (tracing.own_sheet && line.use == Use::cut));
     });
     tell_fold_like(tracing, diagnostics);
+    tell_machine(tracing, diagnostics);
 }
 
 }  // namespace popup::drawing

@@ -337,7 +337,8 @@ class Tracer {
         }
         if (attributes.find("data-piece") == nullptr) return;
         out_.own_sheet = true;
-        if (context.layer == Layer::none) return;
+        if (context.layer == Layer::none) context.layer = Layer::machine;
+        if (context.layer == Layer::machine) return;
         std::string key;
         for (const std::string_view name : {"data-design", "data-piece", "data-copy"}) {
             key += attributes.value(name);
@@ -466,6 +467,7 @@ class Tracer {
                                   context.style.dash});
             out_.lines.back().dash_mm = context.style.dash_length * context.to_mm.growth();
             out_.lines.back().gap_mm = context.style.gap_length * context.to_mm.growth();
+            out_.lines.back().of_machine = context.layer == Layer::machine;
             out_.lines.back().opacity = context.style.opacity * context.style.stroke_opacity;
             if (i < fold_angles_.deg.size()) out_.lines.back().fold_deg = fold_angles_.deg[i];
             rules_.say(context.said, context.style.stroke, out_.lines.back());
@@ -498,10 +500,7 @@ class Tracer {
                 return add_lines(std::move(lines), Use::seam, context);
             case Layer::cut:
                 return add_lines(std::move(lines), Use::cut, context);
-            case Layer::draw:
-            case Layer::glue:
-            case Layer::label:
-            case Layer::none:
+            default:
                 return add_lines(std::move(lines), Use::print, context);
         }
     }

@@ -18,8 +18,9 @@ enum class Role {
 };
 Role role_of(std::string_view tag);
 
-// The layers of a sheet that this program writes (output/sheet_drawing.h).
-enum class Layer { none, fill, draw, glue, label, valley, mountain, seam, cut };
+// The layers of a sheet that this program writes (output/sheet_drawing.h); `machine`: one that a profile
+// names.
+enum class Layer { none, fill, draw, glue, label, valley, mountain, seam, cut, machine };
 Layer layer_named(std::string_view name);
 
 // What a stroke means: a dashed one in the colour of a fold is that fold, any other is a cut. The colours are
