@@ -126,6 +126,13 @@ void Reporter::twice(std::string_view name, Place place, Place first) {
         made.hint("put the path data of both behind one another into one d: each of its subpaths is one");
 }
 
+void Reporter::in_parts(std::string_view name, const std::vector<Text>& texts) {
+    error("duplicate-value", texts[1].place,
+          fmt::format("the text of '{}' is in {} parts, with a comment or an element between them",
+                      shown(name), texts.size()))
+        .hint("write the text in one piece, and the comment before or after the element");
+}
+
 void Reporter::name_structures(const std::vector<Structure>& structures) {
     for (const auto& [diagnostic, n] : about_) diagnostic->about(structures[n].id);
 }
@@ -209,6 +216,10 @@ std::optional<Text> value_of(const Field& field, Reporter& reporter) {
     if (field.node) {
         const Fields inner(field.node, field.name, reporter);
         std::vector<Text> values(inner.texts().begin(), inner.texts().end());
+        if (values.size() > 1) {
+            reporter.in_parts(field.word(), values);
+            return std::nullopt;
+        }
         // <x value="1"/>, or even <x><value>1</value></x>; `value` holds no further fields, so this ends.
         if (const Field* value = inner.find(Name::value)) {
             const std::optional<Text> nested = value_of(*value, reporter);

@@ -32,6 +32,8 @@ class Reporter {
     void unknown_text(Name context, const Text& text);
     // A field that is given a second time.
     void twice(std::string_view name, Place place, Place first);
+    // The same of the texts of one element, between which something stands. Precondition: two at least.
+    void in_parts(std::string_view name, const std::vector<Text>& texts);
 
     // Findings up to the next call are about the n-th structure; kNone: about none.
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

@@ -289,6 +289,10 @@ DesignPoint Values::point(Node node, Name context) {
     }
 
     std::vector<Text> texts(fields.texts().begin(), fields.texts().end());
+    if (texts.size() > 1) {
+        reporter_.in_parts(canonical(context), texts);
+        return made;
+    }
     if (const Field* value = fields.find(Name::value)) {
         if (const std::optional<Text> text = value_of(*value, reporter_)) texts.push_back(*text);
     }
