@@ -14,8 +14,8 @@ struct SheetMark {
     bool filled = false;
 };
 
-// The marks of a sheet of this size, in sheet coordinates; those of a back are these mirrored. They stay
-// within clear_of(marks) of the edges.
+// The marks of a sheet of this size, as seen from the side that is worked on: a machine looks for them in the
+// same places on a front and on a back. They stay within clear_of(marks) of the edges.
 std::vector<SheetMark> registration_marks(Marks marks, double width_mm, double height_mm);
 
 // A bar with ticks at its ends, exactly this long from tick to tick, in the lower margin, and where the

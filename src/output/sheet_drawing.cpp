@@ -113,7 +113,6 @@ class Drawer {
     void sheet() {
         if (!is_shown(Operation::registration, options_, view_)) return;
         number_ = -1;
-        carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
         const auto marks = [this](const std::vector<SheetMark>& all) {
             for (const SheetMark& mark : all) {
                 begin(Operation::registration, -1);
@@ -121,7 +120,10 @@ class Drawer {
                 run(mark.points, mark.closed);
             }
         };
+        // A machine looks for its marks in the same places, whichever side is up.
+        carrier_ = Carrier(Placement{}, drawing_.width_mm, false);
         marks(registration_marks(drawing_.profile.marks, drawing_.width_mm, drawing_.height_mm));
+        carrier_ = Carrier(Placement{}, drawing_.width_mm, view_.back);
         if (options_.reference_mm <= 0.0) return;
         const ReferenceBar bar = reference_bar(options_.reference_mm, drawing_.width_mm, layout_.margin_mm);
         marks(bar.lines);

@@ -370,6 +370,12 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
             return counts.at(static_cast<std::size_t>(operation)) > 0 && is_shown(operation, options, view);
         });
     };
+    // A machine that works on a back looks for the marks that are printed there.
+    const auto has_marks_to_find = [&](SheetView view) {
+        if (view.part != Part::print || options.profile.marks == Marks::none) return false;
+        view.part = Part::cut;
+        return shows_anything(view);
+    };
     std::vector<SheetView> views;
     for (const Part part : parts) {
         SheetView view;
@@ -380,7 +386,7 @@ std::optional<std::vector<SheetView>> views_of(const Layout& layout, const Outpu
         for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
             view.sheet = static_cast<int>(i);
             view.back = true;
-            const bool back = shows_anything(view);
+            const bool back = shows_anything(view) || has_marks_to_find(view);
             const std::string number = i == 0 ? std::string() : fmt::format("-{}", i + 1);
             // A layout with nothing on it is a sheet with nothing on it.
             if (front || !back) {
