@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "popup/assembly.h"
+#include "popup/curves.h"
 #include "popup/diagnostics.h"
 #include "popup/geometry.h"
 #include "popup/units.h"
@@ -80,6 +81,7 @@ struct CreasePattern {
     double fold_deg = 90.0;  // of mountains and valleys that do not say theirs; (0, 180]
     Ruler ruler = {};        // of the drawing or file
     CarriedKeys carried = {};
+    CurveTable curves = {};  // that chords of lines stand for; sheets show them where nothing is moved
 };
 
 struct FoldOptions {

@@ -96,6 +96,7 @@ Assembly assembly_of_panels(const CreasePattern& pattern, const Sheet& sheet, co
     Assembly out;
     out.file = pattern.file;
     out.stem = pattern.stem;
+    out.curves = pattern.curves;
     for (std::size_t i = 0; i < sheet.cuts.size(); ++i) {
         Piece piece;
         piece.name = sheet.cuts.size() == 1 ? "sheet" : fmt::format("sheet-{}", i + 1);

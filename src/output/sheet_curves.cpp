@@ -5,10 +5,10 @@
 namespace popup {
 namespace {
 
-// What is drawn as whole lines. Folds are segments, each a line of its own, and letters come from a font.
+// Letters come from a font, and perforations lie along chords.
 bool may_have_curves(Operation operation) {
-    return is_cut(operation) || operation == Operation::fill || operation == Operation::draw ||
-           operation == Operation::glue;
+    return is_cut(operation) || is_fold(operation) || operation == Operation::fill ||
+           operation == Operation::draw || operation == Operation::glue;
 }
 
 void restore(SheetDrawing& drawing, Run& run, const CurveTable& curves, const Carrier& carrier) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -19,6 +18,7 @@
 #include "output/machine_order.h"
 #include "output/sheet_carrier.h"
 #include "output/sheet_curves.h"
+#include "output/sheet_folds.h"
 #include "output/sheet_joints.h"
 #include "output/sheet_legend.h"
 #include "output/sheet_sides.h"
@@ -273,61 +273,33 @@ class Drawer {
     }
 
     void lines(const PatternPiece& piece, Operation operation) {
-        if (is_broken(operation, drawing_.profile, options_.score_side))
-            return broken_lines(piece, operation);
         for (const PatternLine& line : piece.lines) {
-            if (operation_of(line, drawing_.profile) != operation) continue;
-            if (line.kind == LineKind::mark) {
-                begin(operation, line.plate, kMarkColor, kMarkMm);
-            } else {
-                begin(operation, line.plate);
-                drawing_.shapes.back().fold_angle = line.fold_angle;
-            }
+            if (line.kind != LineKind::mark || operation_of(line, drawing_.profile) != operation) continue;
+            begin(operation, line.plate, kMarkColor, kMarkMm);
             run(std::array{line.at.a, line.at.b}, false);
         }
-    }
-
-    void broken_lines(const PatternPiece& piece, Operation operation) {
-        std::vector<const PatternLine*> folds;
-        std::vector<Segment> at;
-        for (const PatternLine& line : piece.lines) {
-            if (operation_of(line, drawing_.profile) != operation || line.at.a == line.at.b) continue;
-            folds.push_back(&line);
-            at.push_back(line.at);
-        }
-        const std::vector<FoldPart> parts = parts_of_folds(at);
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            const std::vector<Segment> scored = broken_score(at[i], parts[i]);
-            if (scored.empty()) continue;
-            begin(operation, folds[i]->plate);
-            drawing_.shapes.back().fold_angle = folds[i]->fold_angle;
-            for (const Segment& part : scored) run(std::array{part.a, part.b}, false);
+        const bool broken = is_broken(operation, drawing_.profile, options_.score_side);
+        const auto& folds = broken ? broken_folds : folds_to_draw;
+        for (const FoldToDraw& fold : folds(piece, operation, drawing_.profile)) {
+            begin(operation, fold.plate);
+            drawing_.shapes.back().fold_angle = fold.fold_angle;
+            if (!broken) run(fold.points, false);
+            for (const std::vector<Vec2>& part : fold.parts) run(part, false);
         }
     }
 
     void perforations(const PatternPiece& piece) {
-        std::map<std::size_t, std::vector<Vec2>> folds;  // by the line that each begins with
+        std::vector<FoldToDraw> all;
         for (const Operation operation : {Operation::valley, Operation::mountain, Operation::seam}) {
             if (!drawing_.profile.perforates(operation)) continue;
-            std::vector<std::size_t> numbers;
-            std::vector<Segment> at;
-            for (std::size_t i = 0; i < piece.lines.size(); ++i) {
-                if (operation_of(piece.lines[i], drawing_.profile) != operation) continue;
-                numbers.push_back(i);
-                at.push_back(piece.lines[i].at);
-            }
-            for (const std::vector<FoldWay>& fold : folds_of(at)) {
-                std::vector<Vec2>& chain = folds[numbers[fold.front().line]];
-                for (const FoldWay& way : fold) {
-                    const Segment& line = at[way.line];
-                    if (chain.empty()) chain.push_back(way.back ? line.b : line.a);
-                    chain.push_back(way.back ? line.a : line.b);
-                }
-            }
+            for (FoldToDraw& fold : folds_to_draw(piece, operation, drawing_.profile))
+                all.push_back(std::move(fold));
         }
-        for (const auto& [number, chain] : folds) {
-            begin(Operation::perforation, piece.lines[number].plate);
-            for (const std::vector<Vec2>& cut : perforated_along(chain, drawing_.profile.perforation))
+        std::sort(all.begin(), all.end(),
+                  [](const FoldToDraw& a, const FoldToDraw& b) { return a.first < b.first; });
+        for (const FoldToDraw& fold : all) {
+            begin(Operation::perforation, fold.plate);
+            for (const std::vector<Vec2>& cut : perforated_along(fold.points, drawing_.profile.perforation))
                 run(cut, false);
         }
     }

@@ -54,6 +54,7 @@ std::optional<CreasePattern> read(const Tracing& tracing, const Source& source, 
     pattern.file = source.name;
     pattern.stem = source.stem();
     pattern.ruler = tracing.ruler;
+    pattern.curves = tracing.curves;
     pattern.lines.reserve(drawn.lines.size());
     for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
         SheetLine& line = drawn.lines[i];
