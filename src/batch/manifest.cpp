@@ -10,11 +10,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
+#include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "base/text/fingerprint.h"
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
+#include "base/text/utf8.h"
 
 namespace popup {
 namespace {
@@ -196,29 +199,50 @@ bool is_utf8(const std::string& text) {
     return true;
 }
 
+// Names of files in the one spelling that all names of a file have. Directories are looked at once.
+class FileNames {
+ public:
+    std::string whole(const std::string& name) {
+        const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+        const std::string folder = path.parent_path().string();
+        const auto [at, fresh] = folders_.try_emplace(folder);
+        if (fresh) {
+            std::error_code error;
+            // Absolute first: of a directory that is not there yet the name would stay relative.
+            const std::filesystem::path real = std::filesystem::weakly_canonical(
+                std::filesystem::absolute(path, error).parent_path(), error);
+            at->second = error ? folder : real.string();
+        }
+        return at->second + '/' + path.filename().string();
+    }
+    std::uint64_t number(const std::string& name) { return fingerprint_number(whole(name)); }
+
+ private:
+    std::unordered_map<std::string, std::string> folders_;
+};
+
 }  // namespace
 
-std::uint64_t file_number(const std::string& name) {
-    return fingerprint_number(std::filesystem::path(name).lexically_normal().native());
-}
+std::uint64_t file_number(const std::string& name) { return fingerprint_number(FileNames().whole(name)); }
 
 // Two jobs may not write one file, and none may read what another writes: jobs have no order.
 void Manifest::check_names(Diagnostics& diagnostics) {
     uses_.reserve(2 * size());
+    FileNames files;
     for (std::size_t i = 0; i < size(); ++i) {
         const BatchJob one = job(i);
         for (const std::string& name : one.outputs) {
-            uses_.push_back({file_number(name), static_cast<std::uint32_t>(i), true});
+            uses_.push_back({files.number(name), static_cast<std::uint32_t>(i), true});
         }
         for (const std::string& name : one.inputs) {
-            uses_.push_back({file_number(name), static_cast<std::uint32_t>(i), false});
+            uses_.push_back({files.number(name), static_cast<std::uint32_t>(i), false});
         }
     }
     std::sort(uses_.begin(), uses_.end(),
               [](const Use& a, const Use& b) { return std::pair(a.file, a.job) < std::pair(b.file, b.job); });
-    const auto named = [](const std::vector<std::string>& list, std::uint64_t file) {
+    const auto named = [&files](const std::vector<std::string>& list, std::uint64_t file) {
         for (const std::string& name : list) {
-            if (file_number(name) == file) return std::filesystem::path(name).lexically_normal().string();
+            if (files.number(name) == file) return std::filesystem::path(name).lexically_normal().string();
         }
         return std::string();
     };
@@ -232,7 +256,7 @@ void Manifest::check_names(Diagnostics& diagnostics) {
             if (&other == writer) continue;
             const BatchJob one = job(other.job);
             const std::string mine = named(other.written ? one.outputs : one.inputs, other.file);
-            if (mine != named(job(writer->job).outputs, other.file)) continue;
+            if (files.whole(mine) != files.whole(named(job(writer->job).outputs, other.file))) continue;
             if (other.job == writer->job) {
                 wrong(diagnostics, place(other.job),
                       fmt::format("\"{}\" is {} of this job", mine,
@@ -389,7 +413,7 @@ std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm>
     manifest.form_ =
         form.value_or(source.name.ends_with(".csv") ? ManifestForm::csv : ManifestForm::json_lines);
     manifest.source_ = std::move(source);
-    if (manifest.source_.text.starts_with("\xEF\xBB\xBF")) manifest.source_.text.erase(0, 3);
+    manifest.source_.text.erase(0, manifest.source_.text.size() - without_mark(manifest.source_.text).size());
     const bool read = manifest.form_ == ManifestForm::csv ? manifest.read_csv(diagnostics)
                                                           : manifest.read_json_lines(diagnostics);
     if (!read) return std::nullopt;

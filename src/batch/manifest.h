@@ -74,8 +74,9 @@ class Manifest {
     bool read_columns(const std::vector<std::string>& names, Place place, Diagnostics& diagnostics);
 };
 
-// A number for a file by its name: the same for "a/./b", "a//b" and "a/c/../b". Others share it only by
-// chance.
+// A number for a file by its name: the same for "a/./b", "a//b" and "a/c/../b", for the absolute name, and
+// for names that reach its directory through links. Others share it only by chance. Relative names count from
+// the working directory.
 std::uint64_t file_number(const std::string& name);
 
 // Reads every row once; a row that is no job is a `bad-manifest` error at its place, and so are two jobs that

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "popup/compile.h"
@@ -26,15 +27,39 @@ JobState state_of(JobStatus status) {
     broken_invariant("a job has one of four ends", __FILE__, __LINE__);
 }
 
-// The first output that is not there with the size, or the bytes, it had; empty when all are.
-std::string gone_output(const JobResult& result, bool bytes) {
+// The first output that is not there with the bytes it had; empty when all are.
+std::string gone_output(const JobResult& result) {
     for (const FileDigest& output : result.outputs) {
         std::error_code error;
         if (std::filesystem::file_size(output.file, error) != output.bytes || error) return output.file;
-        if (bytes && digest_of(output.file) != output) return output.file;
+        if (digest_of(output.file) != output) return output.file;
     }
     return {};
 }
+
+// The message of the first error in what a job found; empty: there is none.
+std::string first_error(const ordered_json& findings) {
+    for (const ordered_json& one : findings) {
+        if (one.value("severity", "") == "error") return one.value("message", "");
+    }
+    return {};
+}
+
+// Jobs of different shards cannot see what the others write: the first of two that wrote one file, and the
+// file.
+class Writers {
+ public:
+    std::optional<DoubledOutput> doubled(std::size_t job, const JobResult& result) {
+        for (const FileDigest& output : result.outputs) {
+            const auto [at, first] = written_.emplace(file_number(output.file), job);
+            if (!first && at->second != job) return DoubledOutput{at->second, output.file};
+        }
+        return std::nullopt;
+    }
+
+ private:
+    std::unordered_map<std::uint64_t, std::size_t> written_;
+};
 
 }  // namespace
 
@@ -60,15 +85,18 @@ MergedReport merge_results(const Manifest& manifest, const ResultIndex& results)
     MergedReport report;
     std::map<std::string, std::size_t> codes;
     std::string rows;
+    Writers writers;
     for (std::size_t i = 0; i < manifest.size(); ++i) {
         const BatchJob job = manifest.job(i);
-        MergedJob merged{i, JobState::missing, {}};
+        MergedJob merged{i};
         const std::vector<JobResult> all = results.of(job_key(job));
         const JobResult* const best = all.empty() ? nullptr : &all.back();
         if (best != nullptr) {
-            // Runs with different options may have left files of one size; then the bytes tell them apart.
-            merged.gone = gone_output(*best, all.size() > 1);
-            merged.state = merged.gone.empty() ? state_of(best->status) : JobState::gone;
+            merged.doubled = writers.doubled(i, *best);
+            merged.gone = gone_output(*best);
+            merged.state = merged.doubled        ? JobState::unusable
+                           : merged.gone.empty() ? state_of(best->status)
+                                                 : JobState::gone;
         }
         ++report.counts[merged.state];
         ordered_json row;
@@ -84,6 +112,7 @@ MergedReport merge_results(const Manifest& manifest, const ResultIndex& results)
             row["errors"] = best->errors;
             row["warnings"] = best->warnings;
             row["diagnostics"] = ordered_json::parse(best->diagnostics);
+            merged.error = first_error(row["diagnostics"]);
             for (const ordered_json& one : row["diagnostics"]) {
                 const auto code = one.find("code");
                 if (code != one.end() && code->is_string()) ++codes[code->get<std::string>()];

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,18 @@ namespace popup {
 enum class JobState { done, failed, unusable, crashed, missing, gone };
 std::string_view to_string(JobState state);
 
+// A file that another job has written, too: of another shard, so that neither noticed.
+struct DoubledOutput {
+    std::size_t other = 0;  // a row of the manifest
+    std::string file;
+};
+
 struct MergedJob {
     std::size_t job = 0;  // a row of the manifest
     JobState state = JobState::missing;
-    std::string gone;  // a file that is not there as it was
+    std::string gone = {};                      // a file that is not there as it was
+    std::optional<DoubledOutput> doubled = {};  // such a job is unusable
+    std::string error = {};                     // the message of the first one that it has
 };
 
 struct MergedReport {
@@ -29,8 +38,8 @@ struct MergedReport {
     [[nodiscard]] bool complete() const { return counts.size() == 1 && counts.contains(JobState::done); }
 };
 
-// One result a job: that of the newest run. Files are looked at by size, where there are several results by
-// their bytes; relative names count from the working directory.
+// One result a job: that of the newest run. Files are compared by their bytes, so each is read; relative
+// names count from the working directory.
 MergedReport merge_results(const Manifest& manifest, const ResultIndex& results);
 
 }  // namespace popup

@@ -102,11 +102,11 @@ std::string summary(const Tally& tally, std::size_t jobs, double seconds) {
 // The options that all jobs share are looked at once, before any job is begun.
 void check_common(const std::vector<std::string>& common) {
     std::vector<std::string> words{"build"};
-    words.insert(words.end(), common.begin(), common.end());
     // Each job finds its own.
     const bool named = std::any_of(common.begin(), common.end(),
                                    [](const std::string& word) { return word.starts_with("--config"); });
     if (!named) words.emplace_back("--no-config");
+    words.insert(words.end(), common.begin(), common.end());
     words.insert(words.end(), {"--output=a.svg", "a.xml"});
     const std::variant<Command, std::string> wanted = read_command(std::move(words));
     const Command* command = std::get_if<Command>(&wanted);

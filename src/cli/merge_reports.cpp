@@ -35,12 +35,22 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
                 .hint("run popupc batch on the manifest again: it does what is missing");
             return;
         case JobState::failed:
-            findings.error("job-failed", place, fmt::format("{} has errors, and was not built", input))
-                .hint("-o FILE writes the report, which has them; mend the design");
+            findings
+                .error("job-failed", place,
+                       fmt::format("{} was not built; its first error: {}", input, merged.error))
+                .hint("-o FILE writes the report, which has all of them; mend the design");
             return;
         case JobState::unusable:
-            findings.error("job-failed", place, fmt::format("{}: a file could not be read or written", input))
-                .hint("-o FILE writes the report, which says which");
+            if (merged.doubled) {
+                findings
+                    .error("bad-job", place,
+                           fmt::format("{} is written by another job, too, so that neither can be relied on",
+                                       merged.doubled->file))
+                    .with(manifest.place(merged.doubled->other), "the other job");
+                return;
+            }
+            findings.error("job-failed", place, fmt::format("{} was not built: {}", input, merged.error))
+                .hint("-o FILE writes the report, which has all that went wrong");
             return;
         case JobState::crashed:
             findings.error("job-crashed", place, fmt::format("the process that built {} died twice", input));

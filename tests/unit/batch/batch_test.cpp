@@ -330,6 +330,11 @@ TEST(Batch, ShardsTogetherDoAllOnceAndMergeToOneReport) {
     EXPECT_EQ(differing(files_below(scratch / "out"), files_below(whole / "out")), std::set<std::string>());
     EXPECT_EQ(read_file(scratch / "jobs.results.jsonl"), read_file(whole / "jobs.results.jsonl"));
 
+    // A byte that is another: as long as before, and not as it was.
+    std::string damaged = read_file(scratch / "out/card5.svg");
+    damaged.back() = ' ';
+    write_file(scratch / "out/card5.svg", damaged);
+    EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
     fs::remove(scratch / "out/card5.svg");
     EXPECT_EQ(popupc({"merge-reports", "jobs.jsonl"}, here).exit, 1);
     ASSERT_EQ(batch(scratch.path(), {"jobs.jsonl"}).exit, 0);
@@ -348,6 +353,38 @@ TEST(Batch, ShardsTogetherDoAllOnceAndMergeToOneReport) {
         line.insert(line.end(), words.begin(), words.end());
         EXPECT_EQ(popupc(line, here).exit, 2) << words.back();
     }
+}
+
+// Neither shard sees what the other writes; who joins their results does.
+TEST(Batch, ShardsThatWriteOneFileAreToldWhenTheyAreMerged) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 2);
+    write_file(scratch / "m.jsonl",
+               "{\"input\": \"designs/card0.xml\", \"output\": \"a.svg\"}\n"
+               "{\"input\": \"designs/card0.xml\", \"output\": \"a.pdf\"}\n");
+    for (const char* shard : {"1/2", "2/2"})
+        ASSERT_EQ(batch(scratch.path(), {"m.jsonl", "--shard", shard, "--", "-MD"}).exit, 0);
+    RunOptions here;
+    here.directory = scratch.path();
+    const RunResult merged = popupc({"merge-reports", "m.jsonl"}, here);
+    EXPECT_EQ(merged.exit, 1);
+    EXPECT_NE(merged.err.find("m.jsonl:2:1: error: a.d is written by another job, too"), std::string::npos)
+        << merged.err;
+}
+
+TEST(Batch, WhatFailedIsToldWithItsFirstError) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 1);
+    write_file(scratch / "m.jsonl",
+               "{\"input\": \"designs/card0.xml\", \"output\": \"a.svg\", \"options\": \"--sheeet a4\"}\n");
+    EXPECT_EQ(batch(scratch.path(), {"m.jsonl"}).exit, 2);
+    RunOptions here;
+    here.directory = scratch.path();
+    const RunResult merged = popupc({"merge-reports", "m.jsonl"}, here);
+    EXPECT_EQ(merged.exit, 1);
+    EXPECT_NE(merged.err.find("designs/card0.xml was not built: there is no option --sheeet"),
+              std::string::npos)
+        << merged.err;
 }
 
 TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
