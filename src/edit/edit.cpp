@@ -12,6 +12,7 @@
 
 #include "base/text/nearest.h"
 #include "base/text/quoted_words.h"
+#include "base/text/utf8.h"
 #include "edit/first_edit.h"
 #include "edit/moved_places.h"
 #include "edit/quick_look.h"
@@ -348,6 +349,7 @@ Place place_of_error(const Source& source, std::span<const EditLine> edits, cons
 
 std::vector<EditLine> read_edits(std::string_view text, Diagnostics& diagnostics) {
     std::vector<EditLine> made;
+    text = without_mark(text);
     int number = 0;
     while (!text.empty()) {
         ++number;

@@ -16,4 +16,10 @@ struct Character {
 // own, its value the code. Precondition: the text is not empty.
 Character first_character(std::string_view text);
 
+// The text without the byte order mark that some editors put before UTF-8.
+constexpr std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 }  // namespace popup

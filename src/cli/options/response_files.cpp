@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text/quoted_words.h"
+#include "base/text/utf8.h"
 #include "cli/options/dependency_options.h"
 #include "popup/files.h"
 
@@ -66,7 +67,7 @@ class Expansion {
         open_.push_back(name);
         const std::size_t number = expanded.files.size() + 1;
         expanded.files.push_back(*file);
-        std::vector<QuotedWord> read = quoted_words(file->text, kBadFile, trouble);
+        std::vector<QuotedWord> read = quoted_words(without_mark(file->text), kBadFile, trouble);
         if (trouble.has_errors()) throw UsageError(trouble, file->text);
         for (QuotedWord& word : read) {
             if (word.plain && names_file(word.text)) {

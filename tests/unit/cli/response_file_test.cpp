@@ -56,6 +56,9 @@ TEST_F(ResponseFiles, AreReadAsGccReadsThem) {
     for (const std::string_view empty : {"'' a", "a \"\""})
         EXPECT_NE(refused(empty).find("an input has an empty name"), std::string::npos) << empty;
     EXPECT_EQ(words("'a\nb'"), Words{"a\nb"});
+    EXPECT_EQ(words("\xEF\xBB\xBF"
+                    "a b"),
+              (Words{"a", "b"}));
     EXPECT_EQ(words("# $x *"), (Words{"#", "$x", "*"}));
     EXPECT_EQ(words("-o 'größe 1.svg'"), (Words{"-o", "größe 1.svg"}));
 }
