@@ -179,8 +179,7 @@ DrawnText PrintReader::text(Fields& fields) {
         fields.refuse_text();
         if (const std::optional<Text> text = value_of(*value, reporter_)) written = one_line(text->decoded);
     } else {
-        for (const Text& text : fields.texts()) written += std::string(text.decoded) + ' ';
-        written = one_line(written);
+        written = one_line(fields.node().whole_text());
         if (written.empty()) reporter_.error("missing-value", fields.node().place(), "'text' is empty");
     }
     if (written.size() > kMostTextBytes) {

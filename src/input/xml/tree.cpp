@@ -104,6 +104,14 @@ std::vector<Text> Node::texts() const {
     return out;
 }
 
+std::string Node::whole_text() const {
+    std::string out;
+    for (const auto* child = dom_->FirstChild(); child; child = child->NextSibling()) {
+        if (child->ToText()) out += child->Value();
+    }
+    return out;
+}
+
 std::optional<Tree> Tree::parse(const Located& located, Offset element, Extent extent,
                                 Diagnostics& diagnostics) {
     const LocatedElement& root = located.elements[element];

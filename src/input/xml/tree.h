@@ -61,6 +61,8 @@ class Node {
     // Its own text, in the pieces that comments and child elements leave; those that are all blank are left
     // out.
     [[nodiscard]] std::vector<Text> texts() const;
+    // All of its own text, as one: comments and child elements leave nothing.
+    [[nodiscard]] std::string whole_text() const;
     [[nodiscard]] Node first_child() const { return {dom_->FirstChildElement(), source_}; }
     [[nodiscard]] Node next_sibling() const { return {dom_->NextSiblingElement(), source_}; }
 

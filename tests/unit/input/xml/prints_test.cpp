@@ -44,6 +44,16 @@ Outcome read(const std::string& prints) {
     return outcome;
 }
 
+// As any XML parser has it: what stands between the pieces of a text adds nothing to it.
+TEST(Prints, ATextInPiecesIsOneText) {
+    const Outcome outcome = read(
+        "<text x='0' y='0'>Caf<![CDATA[\u00e9]]>s<!-- plural --> &amp;<![CDATA[ ]]>Bar\n "
+        "<height>1</height></text>");
+    ASSERT_TRUE(outcome.reading.design) << outcome.text;
+    ASSERT_EQ(outcome.design().prints.size(), 1U);
+    EXPECT_EQ(std::get<DrawnText>(outcome.design().prints[0].what).text, "Caf\u00e9s & Bar");
+}
+
 TEST(Prints, AnImageIsReadWithAllItsValues) {
     const Outcome outcome = read(
         "<image page='0' href='sea.png' x='1' y='-2' width='4' height='3' rotate='30' fit='cover' "
@@ -129,6 +139,7 @@ TEST(Prints, WhatIsWrongIsToldWhereItStands) {
         {"<image href='sea.png' x='0' y='0' width='4' horizonheight='1'/>",
          "missing-value: this image has a horizonheight, and no horizon"},
         {"<text x='0' y='0'/>", "missing-value: 'text' is empty"},
+        {"<text x='0' y='0'><!-- nothing --></text>", "missing-value: 'text' is empty"},
         {"<text x='0' y='0'> \n </text>", "missing-value: 'text' is empty"},
         {"<text x='0' y='0' font='comic'>a</text>",
          "bad-choice: font is 'comic', which is not one of its words"},
