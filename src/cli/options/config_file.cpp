@@ -226,9 +226,10 @@ std::vector<std::string> config_places(const std::string& input) {
 
 bool is_config(const std::string& name) {
     std::error_code error;
+    // What is there but cannot be read is found as well, as a link to nothing: reading it will say so.
     const fs::file_status status = fs::status(name, error);
-    // What is there but cannot be read is found as well: reading it will say so.
-    return fs::exists(status) && !fs::is_directory(status);
+    if (!fs::exists(status)) return fs::is_symlink(fs::symlink_status(name, error));
+    return !fs::is_directory(status);
 }
 
 std::optional<std::string> find_config(const std::string& input) {

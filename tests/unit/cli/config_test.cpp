@@ -103,6 +103,12 @@ TEST_F(Config, OfADirectoryWithThatNameIsNone) {
     EXPECT_EQ(settings({"build", "designs/card.xml"}), Lines{});
 }
 
+// It was meant to be read: to go on without it would build what nobody asked for.
+TEST_F(Config, ALinkToNothingIsTold) {
+    fs::create_symlink("../shared/popupc.toml", scratch / "designs/popupc.toml");
+    EXPECT_TRUE(has(refused({"check", "designs/card.xml"}), "popupc.toml"));
+}
+
 TEST_F(Config, ChangesWhatARunDoes) {
     config("sheet = '300x210'\nmargin = 4\n[build]\nverbose = true\n");
     const RunResult built = popupc({"build", "designs/card.xml", "-o", "card.svg"});
