@@ -215,7 +215,9 @@ std::string unified_diff(std::string_view name, std::string_view before, std::st
     const auto n = static_cast<Index>(a.size());
     const auto m = static_cast<Index>(b.size());
 
-    std::string text = "--- " + std::string(name) + "\n+++ " + std::string(name) + "\n";
+    // patch ends a name at its first blank, unless a tab ends it.
+    const std::string_view end = name.find(' ') == std::string_view::npos ? "\n" : "\t\n";
+    std::string text = fmt::format("--- {0}{1}+++ {0}{1}", name, end);
     std::string hunk;
     Index hunk_a = 0, hunk_b = 0;  // where the open hunk begins
     Index unchanged = 0;           // lines since the last change in it

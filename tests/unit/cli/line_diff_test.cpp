@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <random>
 #include <string>
 
@@ -25,6 +26,21 @@ TEST(UnifiedDiff, ShowsThreeLinesOfContext) {
 TEST(UnifiedDiff, MarksAMissingLineBreak) {
     EXPECT_EQ(unified_diff("f", "a", "b\n"),
               "--- f\n+++ f\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+b\n");
+}
+
+// patch(1) finds the file by the name, and ends it at a blank unless a tab does.
+TEST(UnifiedDiff, NamesFilesWithBlanksAsPatchTakesThem) {
+    const std::string diff = unified_diff("a b/c d.xml", "1\n2\n", "1\n3\n");
+    EXPECT_TRUE(diff.starts_with("--- a b/c d.xml\t\n+++ a b/c d.xml\t\n@@")) << diff;
+    if (!test::have_program("patch")) GTEST_SKIP() << "needs patch";
+    const test::ScratchDirectory scratch;
+    std::filesystem::create_directories(scratch / "a b");
+    test::write_file(scratch / "a b/c d.xml", "1\n2\n");
+    test::RunOptions options;
+    options.directory = scratch.path();
+    options.input = diff;
+    ASSERT_EQ(test::run({"patch", "-s", "-p0"}, options).exit, 0);
+    EXPECT_EQ(test::read_file(scratch / "a b/c d.xml"), "1\n3\n");
 }
 
 // patch(1) is the judge: what it makes of `before` and the diff must be `after`.
