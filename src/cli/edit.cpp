@@ -213,6 +213,7 @@ int run_edit(const Options& options) {
         if (verb.output.diff) {
             if (changed) files.push_back({"-", unified_diff(source->name, source->text, edited->text)});
         } else if (verb.output.in_place) {
+            if (changed) announce_links(options.messages, verb.document);
             files.push_back({verb.document, edited->text});
             // Corners that it names by their places go with the drawing.
             if (refinement)

@@ -105,16 +105,6 @@ std::vector<std::string> names_of(const std::vector<PendingFile>& files) {
     return names;
 }
 
-// A file that is replaced loses the other names it has.
-void tell_of_links(const Options& options, const std::string& name) {
-    std::error_code error;
-    const std::uintmax_t names = std::filesystem::hard_link_count(name, error);
-    if (error || names < 2) return;
-    announce(options.messages,
-             fmt::format("{} has {} more name{} (hard links), which keep{} the document as it was", name,
-                         names - 1, names == 2 ? "" : "s", names == 2 ? "s" : ""));
-}
-
 }  // namespace
 
 CLI::App* add_fix(CLI::App& app, Options& options) {
@@ -172,7 +162,7 @@ int run_fix(const Options& options) {
             if (options.fix.diff) {
                 diff += unified_diff(one.source.name, one.source.text, *text);
             } else if (options.fix.in_place) {
-                if (*text != one.source.text) tell_of_links(options, one.source.name);
+                if (*text != one.source.text) announce_links(options.messages, one.source.name);
                 documents.push_back({one.source.name, std::move(*text)});
             } else {
                 documents.push_back(

@@ -91,6 +91,7 @@ int run_fmt(const Options& options) {
         if (verb.output.diff) {
             diff += unified_diff(source.name, source.text, *text);
         } else if (verb.output.in_place) {
+            announce_links(options.messages, source.name);
             files.push_back({source.name, *text});
         } else {
             files.push_back({verb.output.output.empty() ? "-" : verb.output.output, *text});

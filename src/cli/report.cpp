@@ -6,11 +6,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/diagnostics/render_diagnostics.h"
@@ -118,6 +120,14 @@ void say(const MessageOptions& options, std::string_view line) {
 
 void announce(const MessageOptions& options, std::string_view line) {
     if (!options.quiet) to_standard_error(fmt::format("popupc: {}\n", visible(line)));
+}
+
+void announce_links(const MessageOptions& options, const std::string& document) {
+    std::error_code error;
+    const std::uintmax_t names = std::filesystem::hard_link_count(document, error);
+    if (error || names < 2) return;
+    announce(options, fmt::format("{} has {} more name{} (hard links), which keep{} the document as it was",
+                                  document, names - 1, names == 2 ? "" : "s", names == 2 ? "s" : ""));
 }
 
 std::string layers_line(const CompiledDesign& one) {

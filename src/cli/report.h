@@ -32,6 +32,8 @@ bool print(std::string_view text);
 void say(const MessageOptions& options, std::string_view line);
 // A line on standard error that only --quiet keeps back.
 void announce(const MessageOptions& options, std::string_view line);
+// Such a line where a document that is about to be replaced has other names, which keep the old one.
+void announce_links(const MessageOptions& options, const std::string& document);
 
 // True when text that goes to the user may be coloured.
 bool colorful(const MessageOptions& options);

@@ -129,6 +129,13 @@ TEST_F(Mistakes, AFileWithTwoNamesMendedInPlace) {
     EXPECT_NE(read_file(scratch / "card.xml"), read_file(wrong));
     EXPECT_EQ(popupc({"fix", "--in-place", "bird.xml"}, here).err, "") << "it stays as it is";
     EXPECT_EQ(fs::hard_link_count(scratch / "bird.xml"), 2U);
+    // Whichever verb replaces it.
+    write_file(scratch / "loose.xml", read_file(scratch / "bird.xml") + "\n\n\n");
+    fs::create_hard_link(scratch / "loose.xml", scratch / "tight.xml");
+    told({"fmt", "--in-place", "loose.xml"}, 0, "loose.xml has 1 more name (hard links)");
+    fs::create_hard_link(scratch / "card.xml", scratch / "other.xml");
+    told({"edit", "card.xml", "--in-place", "rename", "bird", "first"}, 0,
+         "card.xml has 1 more name (hard links)");
 }
 
 }  // namespace
