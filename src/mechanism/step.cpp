@@ -94,7 +94,10 @@ bool constrain(Element& e) {
         return false;
     }
     clip_along(e);
-    if (std::abs(e.on[A].s - e.on[B].s) < least || std::abs(e.on[G].s - e.on[H].s) < least) {
+    // A cut that is oblique may have been moved past an end of the other.
+    const double left = e.on[A].s - e.on[B].s;
+    const double right = e.on[G].s - e.on[H].s;
+    if (left * right < 0.0 || std::min(std::abs(left), std::abs(right)) < least) {
         e.failed("does-not-fit",
                  fmt::format("too little of the fold is left where the {} stands", e.info->family),
                  "move it along the fold");
