@@ -23,8 +23,7 @@ std::optional<TextSpot> spot_on_covered(const Plate& base, const Plate& own, con
                                         const std::string& text) {
     std::optional<TextSpot> best;
     for (const Polygon& part : intersect({base.outline}, {laid(how)(own.outline)})) {
-        const auto spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
-                                         bounds(part.outer), text);
+        const auto spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{}, bounds(part.outer), text);
         if (spot && (!best || spot->height > best->height)) best = spot;
     }
     return best;

@@ -135,19 +135,19 @@ void sort_by_room(std::vector<Candidate>& candidates) {
                      [](const Candidate& a, const Candidate& b) { return a.room > b.room; });
 }
 
-std::optional<Candidate> candidate_at(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds,
+std::optional<Candidate> candidate_at(const EdgeIndex& plate, const DrawnLines* drawing, const Box& bounds,
                                       Vec2 at) {
     if (plate.winding(at) != 1) return std::nullopt;
     const double limit = 0.5 * std::max(bounds.width(), bounds.height());
     const double clear = plate.clearance(at, limit);
     double room = clear;
-    if (drawing) room = std::min(room, drawing->lines.clearance(at, limit) - drawing->half_width);
+    if (drawing) room = std::min(room, drawing->at.clearance(at, limit) - drawing->half_width);
     if (room <= 0.0) return std::nullopt;
     return Candidate{std::round(1e3 * room), at, clear};
 }
 
 // Places on the plate in a grid over its box, the roomiest first.
-std::vector<Candidate> candidates_on(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds) {
+std::vector<Candidate> candidates_on(const EdgeIndex& plate, const DrawnLines* drawing, const Box& bounds) {
     constexpr std::size_t kTried = 12;
     std::vector<Candidate> candidates;
     for (int row = 0; row < kGrid; ++row) {
@@ -164,7 +164,7 @@ std::vector<Candidate> candidates_on(const EdgeIndex& plate, const Drawing* draw
 
 // The first of them moved to where there is more room, as between the edges of a ring that the grid misses.
 std::vector<Candidate> climbed(std::vector<Candidate> candidates, const EdgeIndex& plate,
-                               const Drawing* drawing, const Box& bounds) {
+                               const DrawnLines* drawing, const Box& bounds) {
     constexpr std::size_t kMoved = 8;
     constexpr int kHalvings = 5;
     constexpr std::array<Vec2, 8> kWays{
@@ -185,7 +185,7 @@ std::vector<Candidate> climbed(std::vector<Candidate> candidates, const EdgeInde
     return candidates;
 }
 
-std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawing, const Box& bounds,
+std::optional<TextSpot> place_among(const EdgeIndex& plate, const DrawnLines* drawing, const Box& bounds,
                                     std::string_view text) {
     std::vector<int> found;
     const auto clear_of = [&](const EdgeIndex& index, Vec2 at, Vec2 half) {
@@ -203,8 +203,7 @@ std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawi
         const Vec2 high = bounds.max - at - half;
         if (std::min({low.x, low.y, high.x, high.y}) < -kSurelyMm) return false;
         if (place.clear < length(half) + kSurelyMm && !clear_of(plate, at, half)) return false;
-        return !drawing ||
-               clear_of(drawing->lines, at, half + Vec2{drawing->half_width, drawing->half_width});
+        return !drawing || clear_of(drawing->at, at, half + Vec2{drawing->half_width, drawing->half_width});
     };
     const auto largest = [&](const std::vector<Candidate>& candidates, double above) {
         for (const double height : kHeights) {
@@ -231,10 +230,10 @@ std::optional<TextSpot> place_among(const EdgeIndex& plate, const Drawing* drawi
 
 std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Drawing& drawing, const Box& bounds,
                                        std::string_view text) {
-    if (drawing.lines.size() > 0) {
-        if (const auto spot = place_among(plate, &drawing, bounds, text)) return spot;
+    if (drawing.all.at.size() > 0) {
+        if (const auto spot = place_among(plate, &drawing.all, bounds, text)) return spot;
     }
-    return place_among(plate, nullptr, bounds, text);
+    return place_among(plate, drawing.texts.at.size() > 0 ? &drawing.texts : nullptr, bounds, text);
 }
 
 }  // namespace popup

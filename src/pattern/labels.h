@@ -33,16 +33,22 @@ std::optional<TextSpot> place_in_tab(std::span<const Ring> parts, std::string_vi
 // The same, but nothing where even the smallest text does not fit.
 std::optional<TextSpot> place_if_it_fits(std::span<const Ring> parts, std::string_view text);
 
-// What is drawn on a plate: the middles of the lines, and half the width of the widest.
-struct Drawing {
-    EdgeIndex lines;
+// Lines that text is to keep clear of: their middles, and half the width of the widest.
+struct DrawnLines {
+    EdgeIndex at{};
     double half_width = 0.0;
+};
+
+// What is drawn on a plate.
+struct Drawing {
+    DrawnLines all;
+    DrawnLines texts;  // of these, lines of text
 };
 
 // The largest text, 1.5 to 4 mm high, that fits on a plate clear of all its edges, and of other lines and
 // rings in the index (rings that text is to avoid are put in clockwise); the place with most room around it.
-// Clear of what is drawn on the plate if that can be had. Nothing when no place will do. Cost: a bounded
-// number of questions to the indexes.
+// Clear of what is drawn on the plate if that can be had, and always of texts, which nobody could read with
+// another across. Nothing when no place will do. Cost: a bounded number of questions to the indexes.
 std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Drawing& drawing, const Box& bounds,
                                        std::string_view text);
 

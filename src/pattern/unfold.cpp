@@ -205,8 +205,7 @@ class Unfolder {
             under.piece.targets.push_back({part.outer, glued.base_plate, glued.label, back});
             places_.take(glued.base_plate, back, part.outer);
             if (spot) continue;
-            spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{EdgeIndex({}, {}), 0.0},
-                                  bounds(part.outer), number);
+            spot = place_on_plate(EdgeIndex(edges_of(part), {}), Drawing{}, bounds(part.outer), number);
         }
         label(spot.value_or(TextSpot{inner_point(glued.on_base.front(), 0.1).at, kLeastText}));
         std::optional<Label>& hidden = pieces_[at(in_.plates[at(glued.plate)].piece)].piece.hidden_number;
@@ -300,14 +299,18 @@ class Unfolder {
     }
 
     // What labels stay off: strokes, and texts that are drawn.
-    static Drawing drawing_of(std::span<const Print> on_plate, std::span<const Print> on_piece) {
+    // With the targets on the plate's back: on printed backs names stand there, too.
+    static Drawing drawing_of(std::span<const Print> on_plate, std::span<const Print> on_piece,
+                              std::span<const GlueTarget> targets, int plate) {
         std::vector<Segment> lines;
+        std::vector<Segment> texts;
         double half_width = 0.0;
+        double half_text = 0.0;
         const auto add = [&](const Print& print) {
             if (const Text* text = std::get_if<Text>(&print); text != nullptr && text->color) {
                 const Vec2 along = rotated({0.5 * text_width(text->text, text->height_mm), 0.0}, text->angle);
-                lines.push_back({text->at - along, text->at + along});
-                half_width = std::max(half_width, text->height_mm);
+                texts.push_back({text->at - along, text->at + along});
+                half_text = std::max(half_text, text->height_mm);
             }
             const Stroke* stroke = std::get_if<Stroke>(&print);
             if (stroke == nullptr) return;
@@ -318,7 +321,17 @@ class Unfolder {
         };
         std::for_each(on_plate.begin(), on_plate.end(), add);
         std::for_each(on_piece.begin(), on_piece.end(), add);
-        return {EdgeIndex({}, lines), half_width};
+        for (const GlueTarget& target : targets) {
+            if (!target.on_back || target.plate != plate) continue;
+            // Across it as well, for its number stands in it.
+            const std::size_t n = target.outline.size();
+            for (std::size_t i = 0; i < n; ++i) {
+                lines.push_back({target.outline[i], target.outline[(i + 1) % n]});
+                lines.push_back({target.outline[i], target.outline[(i + n / 2) % n]});
+            }
+        }
+        lines.insert(lines.end(), texts.begin(), texts.end());
+        return {{EdgeIndex({}, lines), std::max(half_width, half_text)}, {EdgeIndex({}, texts), half_text}};
     }
 
     // The piece's name goes on one of its largest plates, after the number that its tabs have: in the order
@@ -365,7 +378,7 @@ class Unfolder {
         for (const std::vector<Vec2>& slit : from.slits) {
             for (std::size_t i = 0; i + 1 < slit.size(); ++i) lines.push_back({slit[i], slit[i + 1]});
         }
-        const Drawing drawing = drawing_of({}, from.prints);
+        const Drawing drawing = drawing_of({}, from.prints, {}, -1);
         for (std::size_t i = 0; i < std::min(kTried, largest.size()); ++i) {
             const Polygon& paper = from.paper[largest[i].second];
             const EdgeIndex edges(edges_of(paper), lines);
@@ -387,9 +400,11 @@ class Unfolder {
         std::optional<TextSpot> best;
         for (std::size_t i = 0; i < tried; ++i) {
             const int plate = largest[i].second;
-            const auto spot = place_on_plate(
-                places_.on_plate(plate), drawing_of(in_.plates[at(plate)].prints, in_.pieces[number].prints),
-                bounds(in_.plates[at(plate)].outline.outer), text);
+            const auto spot =
+                place_on_plate(places_.on_plate(plate),
+                               drawing_of(in_.plates[at(plate)].prints, in_.pieces[number].prints,
+                                          pieces_[number].piece.targets, plate),
+                               bounds(in_.plates[at(plate)].outline.outer), text);
             if (spot && (!best || spot->height > best->height)) best = spot;
         }
         if (!best) return false;

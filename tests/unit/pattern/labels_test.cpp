@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "pattern/tabs.h"
+#include "popup/compile.h"
 #include "support/prints.h"
 #include "unit/pattern/hand_made_card.h"
 
@@ -49,12 +50,26 @@ TEST(Labels, FindTheRoomBetweenTwoEdges) {
             const double inner = outer - side;
             const Polygon frame{{{-outer, -outer}, {outer, -outer}, {outer, outer}, {-outer, outer}},
                                 {{{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}}};
-            const auto spot = place_on_plate(EdgeIndex(edges_of(frame), {}), {EdgeIndex({}, {}), 0.0},
-                                             bounds(frame.outer), "3");
+            const auto spot = place_on_plate(EdgeIndex(edges_of(frame), {}), {}, bounds(frame.outer), "3");
             ASSERT_TRUE(spot) << outer << ' ' << side;
             EXPECT_GE(spot->height, std::min(4.0, side - 2.0 * kPad - 0.5)) << outer << ' ' << side;
         }
     }
+}
+
+// Lines may lie below a name where there is no other place; a text below it, and nobody reads either.
+TEST(Labels, AreNeverWrittenAcrossTexts) {
+    const Polygon plate{{{0, 0}, {30, 0}, {30, 10}, {0, 10}}, {}};
+    const EdgeIndex edges(edges_of(plate), {});
+    const std::vector<Segment> middle{{{0, 5}, {30, 5}}};
+    const auto place = [&](bool text) {
+        Drawing drawing;
+        drawing.all = {EdgeIndex({}, middle), 4.0};
+        if (text) drawing.texts = {EdgeIndex({}, middle), 4.0};
+        return place_on_plate(edges, drawing, bounds(plate.outer), "2. sign");
+    };
+    EXPECT_TRUE(place(false).has_value());
+    EXPECT_FALSE(place(true).has_value());
 }
 
 TEST(Labels, NamesInTabsHaveRoomBelowTheirLine) {
@@ -91,6 +106,33 @@ TEST(Labels, NamesOfPiecesStandClearOfFoldsCutsAndTargets) {
             }
         }
     }
+}
+
+// On printed backs a name stands where it does on the front, seen from behind.
+TEST(Labels, NamesOfPiecesStandClearOfTargetsOnTheirBacksWhereTheyCan) {
+    const Compilation made = compile({{"box.xml", R"(<popup version="3.0" units="mm">
+  <mainpage width="120" height="80"/>
+  <structurelist>
+    <structure type="box" id="bx" height="15"><outerpoints>
+      <point x="-20" y="-22"/><point x="-20" y="23"/><point x="20" y="-22"/><point x="20" y="23"/>
+    </outerpoints><parentfold on="gutter"/></structure>
+  </structurelist>
+</popup>)"}},
+                                     {}, {});
+    ASSERT_TRUE(made.layout.has_value());
+    int backs = 0;
+    for (const PatternPiece& piece : made.layout->designs[0].pattern.pieces) {
+        for (const GlueTarget& target : piece.targets) {
+            if (!target.on_back) continue;
+            ++backs;
+            for (const Label& label : piece.labels) {
+                if (label.kind != LabelKind::piece) continue;
+                EXPECT_FALSE(contains({target.outline, {}}, label.at) ||
+                             contains({Ring(target.outline.rbegin(), target.outline.rend()), {}}, label.at));
+            }
+        }
+    }
+    EXPECT_EQ(backs, 1);
 }
 
 TEST(Labels, NamesOfPiecesStandClearOfDrawnLinesWhereTheyCan) {
