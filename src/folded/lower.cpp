@@ -13,6 +13,8 @@ namespace popup::folded {
 namespace {
 
 constexpr double kAsLarge = 0.01;  // areas that differ by less are one
+// A bottom is somewhat smaller than the top, by what the board takes from what is tucked in first.
+constexpr double kAsLargeAsTop = 0.05;
 
 // By piece; of areas that are equal but for rounding the first counts.
 std::vector<int> largest_panels(const Sheet& sheet) {
@@ -43,7 +45,9 @@ std::vector<int> grounds(const Sheet& sheet, const std::vector<std::string>& nam
         int& best = nth(found, piece);
         if (names[i].empty() || best < 0 || nth(names, best) == kBaseName) continue;
         const auto own = [&](int one) { return area(sheet.outline_of(nth(sheet.panels, one))); };
-        const bool as_large = own(panel) >= own(nth(largest, piece)) * (1.0 - kAsLarge);
+        const bool turned = names[i] == kBottomName && nth(names, best) == kTopName;
+        const bool as_large =
+            own(panel) >= own(nth(largest, piece)) * (1.0 - (turned ? kAsLargeAsTop : kAsLarge));
         if (names[i] == kBaseName || (as_large && rank(panel) > rank(best))) best = panel;
     }
     return found;
