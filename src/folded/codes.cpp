@@ -106,6 +106,11 @@ constexpr std::array kFoldedCodes = std::to_array<CodeInfo>({
      "goes "
      "the way that its neighbours make it go, as folds do that say no way at all. Take one of the two lines "
      "out; drawing programs leave such doubles behind when shapes with a common edge are copied."},
+    {"fold-on-cut", Severity::warning, "a fold on a cut that parts the sheet",
+     "A fold and a cut are drawn on each other, and the cut goes from edge to edge: what the fold was to "
+     "hold is a piece of its own, which lies beside the rest and is not folded with it. Outlines of panels "
+     "that were drawn one by one, as closed shapes, leave such cuts behind. Take the cut out. A slit over a "
+     "part of a crease is not told of, because the rest of the crease holds the panel."},
     {"fold-stays-flat", Severity::warning, "a fold that does not move though the sheet folds",
      "The sheet can be folded, but only with this fold flat: around the corners at its ends, or the holes "
      "beside "

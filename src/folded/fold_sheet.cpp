@@ -234,7 +234,7 @@ class Lowering {
         std::size_t told = 0;
         for (std::size_t i = 0; i < sheet_.folds.size(); ++i) {
             const Fold& fold = sheet_.folds[i];
-            if (fold.target == 0.0) continue;
+            if (fold.target == 0.0 || (fold.ink & (kMountain | kValley)) == 0) continue;
             const double deg = degrees(final_angle(static_cast<int>(i)));
             if (deg * fold.target > -kOtherWayDeg * std::abs(fold.target)) continue;
             if (++told > kToldAtMost) return;

@@ -15,6 +15,7 @@
 #include "base/sets.h"
 #include "folded/carton/glue_corners.h"
 #include "folded/carton/web_corners.h"
+#include "folded/folds_on_cuts.h"
 #include "folded/loops.h"
 
 namespace popup::folded {
@@ -139,6 +140,7 @@ class Maker {
         out_.corners = graph_.corners;
         one_line_mm_ = std::max(kSilentMm, kOneLine * out_.size());
         make_panels();
+        tell_folds_on_cuts(graph_, halves_.panel_of, out_.panels, pattern_, diagnostics_);
         make_folds();
         make_cuts();
         out_.loops = find_loops(graph_, halves_, out_.folds, out_.panels);
