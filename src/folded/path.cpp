@@ -67,6 +67,11 @@ constexpr double kStays = 1e-3;
 constexpr double kOtherWay = 0.02;
 // States whose angles differ by less are the same to the eye, radians.
 constexpr double kBeside = 0.01;
+// Folds that are asked for are there, radians; by so much each turn comes nearer, and so many turns are
+// taken.
+constexpr double kThereRad = 1e-9;
+constexpr double kComesNearer = 0.98;
+constexpr int kMostTurns = 200;
 // Paper is not folded by more than half a turn, but for rounding.
 constexpr double kHalfTurn = std::numbers::pi + 1e-9;
 
@@ -139,7 +144,7 @@ class Walk {
             const std::size_t left = ranges_.size();
             const double begin = reached;
             reached = go_on(begin, stages);
-            if (reached == stages && closure_.has_bends()) end_nearest(begin, stages, left);
+            if (reached == stages) end_nearest(begin, stages, left);
             here = ranges_.back().points.back();
             all_there = !any_stays(here);
         }
@@ -277,12 +282,16 @@ class Walk {
         return share;
     }
 
-    // Where panels bend many states close, and a way may end beside the one that is nearest to what is drawn.
-    // Then the stage goes to that one, from where it has left: after the range of this number.
+    // A way may end beside the state that is nearest to what is asked for. Then the stage goes to that one,
+    // from where it has left: after the range of this number.
     void end_nearest(double share, double end, std::size_t left) {
         const Angles found = ranges_.back().points.back();
         Angles nearest = found;
-        closure_.draw_near(nearest, target_);
+        if (closure_.has_bends()) {
+            closure_.draw_near(nearest, target_);
+        } else if (!give_way(nearest)) {
+            return;
+        }
         if ((nearest - found).lpNorm<Eigen::Infinity>() < kBeside || !is_paper(nearest)) return;
         const auto after = ranges_.begin() + static_cast<std::ptrdiff_t>(left);
         std::vector<Range> before(std::make_move_iterator(after), std::make_move_iterator(ranges_.end()));
@@ -291,6 +300,27 @@ class Walk {
         if (go_on(share, end) == end) return;
         ranges_.resize(left);
         std::move(before.begin(), before.end(), std::back_inserter(ranges_));
+    }
+
+    // Closing the loops takes from folds that are asked for and gives to those that are not. Lets the others
+    // do it alone, by turns: what is asked for is set, and the loops are closed. False where they do not come
+    // together.
+    bool give_way(Angles& angles) {
+        if ((target_.array() == 0.0).all() || (target_.array() != 0.0).all()) return false;
+        double off = 0.0;
+        for (int turn = 0; turn < kMostTurns; ++turn) {
+            const double before = off;
+            off = 0.0;
+            for (Eigen::Index i = 0; i < target_.size(); ++i) {
+                if (target_[i] == 0.0) continue;
+                off = std::max(off, std::abs(target_[i] - angles[i]));
+                angles[i] = target_[i];
+            }
+            if (turn > 0 && off > kComesNearer * before) return false;
+            if (closure_.approach(angles, Closure::kRounding) > kClosed || !is_paper(angles)) return false;
+            if (off < kThereRad) return true;
+        }
+        return false;
     }
 
     // Whether the way on turns a fold out of paper at once, for the loops to stay closed.
