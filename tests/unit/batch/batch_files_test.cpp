@@ -1,6 +1,7 @@
 // The files of batches: what manifests say, and what records of results give back.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,8 +122,8 @@ TEST(Manifest, WhatIsNoJobIsToldAtItsPlace) {
 // However a file is called: by its whole name, or through a link to its directory, there yet or not.
 TEST(Manifest, OneFileByTwoNamesIsWrittenByTwoJobs) {
     const ScratchDirectory scratch;
-    fs::create_directories(scratch / "real");
-    fs::create_directory_symlink("real", scratch / "link");
+    std::filesystem::create_directories(scratch / "real");
+    std::filesystem::create_directory_symlink("real", scratch / "link");
     const std::string whole = scratch.path().string();
     const auto row = [](const std::string& output) {
         return "{\"input\": \"a.xml\", \"output\": \"" + output + "\"}\n";
@@ -130,8 +131,8 @@ TEST(Manifest, OneFileByTwoNamesIsWrittenByTwoJobs) {
     EXPECT_EQ(complaint("m.jsonl", row(whole + "/real/x.svg") + row(whole + "/link/x.svg")),
               "2:1: \"" + whole + "/link/x.svg\" is written by two jobs");
     EXPECT_EQ(
-        complaint("m.jsonl", row("not-there/x.svg") + row(fs::current_path().string() + "/not-there/x.svg")),
-        "2:1: \"" + fs::current_path().string() + "/not-there/x.svg\" is written by two jobs");
+        complaint("m.jsonl", row("not-there/x.svg") + row(std::filesystem::current_path().string() + "/not-there/x.svg")),
+        "2:1: \"" + std::filesystem::current_path().string() + "/not-there/x.svg\" is written by two jobs");
     Diagnostics diagnostics("m.jsonl");
     EXPECT_TRUE(manifest_of("m.jsonl", row(whole + "/real/x.svg") + row(whole + "/link/y.svg"), diagnostics));
     EXPECT_EQ(file_number(whole + "/real/x.svg"), file_number(whole + "/link/../link/x.svg"));
