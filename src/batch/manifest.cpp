@@ -199,9 +199,11 @@ bool is_utf8(const std::string& text) {
     return true;
 }
 
-// Names of files in the one spelling that all names of a file have. Directories are looked at once.
+// Names of files in the one spelling that all names of a file have. Relative ones count from a directory;
+// none: the working directory. Directories are looked at once.
 class FileNames {
  public:
+    explicit FileNames(std::filesystem::path from = {}) : from_(std::move(from)) {}
     std::string whole(const std::string& name) {
         const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
         const std::string folder = path.parent_path().string();
@@ -210,7 +212,7 @@ class FileNames {
             std::error_code error;
             // Absolute first: of a directory that is not there yet the name would stay relative.
             const std::filesystem::path real = std::filesystem::weakly_canonical(
-                std::filesystem::absolute(path, error).parent_path(), error);
+                std::filesystem::absolute(from_ / path, error).parent_path(), error);
             at->second = error ? folder : real.string();
         }
         return at->second + '/' + path.filename().string();
@@ -218,6 +220,7 @@ class FileNames {
     std::uint64_t number(const std::string& name) { return fingerprint_number(whole(name)); }
 
  private:
+    std::filesystem::path from_;
     std::unordered_map<std::string, std::string> folders_;
 };
 
@@ -226,9 +229,9 @@ class FileNames {
 std::uint64_t file_number(const std::string& name) { return fingerprint_number(FileNames().whole(name)); }
 
 // Two jobs may not write one file, and none may read what another writes: jobs have no order.
-void Manifest::check_names(Diagnostics& diagnostics) {
+void Manifest::check_names(const std::string& directory, Diagnostics& diagnostics) {
     uses_.reserve(2 * size());
-    FileNames files;
+    FileNames files(directory);
     for (std::size_t i = 0; i < size(); ++i) {
         const BatchJob one = job(i);
         for (const std::string& name : one.outputs) {
@@ -408,7 +411,7 @@ bool Manifest::read_csv(Diagnostics& diagnostics) {
 }
 
 std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
-                                      Diagnostics& diagnostics) {
+                                      Diagnostics& diagnostics, const std::string& directory) {
     Manifest manifest;
     manifest.form_ =
         form.value_or(source.name.ends_with(".csv") ? ManifestForm::csv : ManifestForm::json_lines);
@@ -422,7 +425,7 @@ std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm>
         return std::nullopt;
     }
     manifest.rows_.shrink_to_fit();
-    manifest.check_names(diagnostics);
+    manifest.check_names(directory, diagnostics);
     if (diagnostics.has_errors()) return std::nullopt;
     return manifest;
 }

@@ -40,7 +40,7 @@ class Manifest {
     // Where row `index` begins.
     [[nodiscard]] Place place(std::size_t index) const { return {static_cast<int>(rows_[index].line), 1}; }
     // The job other than `index` that names this file, or `index` itself where it reads it; nullopt: none
-    // does.
+    // does. A relative name counts from the working directory, which is to be that of read_manifest() by now.
     [[nodiscard]] std::optional<std::size_t> taken_by(const std::string& file, std::size_t index) const;
     // The row's text as the manifest has it, without a line break at its end.
     [[nodiscard]] std::string_view text(std::size_t index) const;
@@ -50,7 +50,7 @@ class Manifest {
 
  private:
     friend std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
-                                                 Diagnostics& diagnostics);
+                                                 Diagnostics& diagnostics, const std::string& directory);
     struct Row {
         std::uint32_t begin = 0, end = 0;  // bytes of the text
         std::uint32_t line = 0;
@@ -67,7 +67,7 @@ class Manifest {
     };
     std::vector<Use> uses_;  // of all jobs, by file and job
 
-    void check_names(Diagnostics& diagnostics);
+    void check_names(const std::string& directory, Diagnostics& diagnostics);
 
     bool read_json_lines(Diagnostics& diagnostics);
     bool read_csv(Diagnostics& diagnostics);
@@ -86,8 +86,9 @@ std::uint64_t file_number(const std::string& name);
 // JSON lines: an object a line, with `input` (a name or a list of names), `output` (likewise), and, if
 // wanted, `options` (a list of words, or one string of words, quoted as in base/quoted_words.h) and
 // `copies`. CSV: a first line with the columns' names, the same four; `input` and `output` may be columns
-// more than once, empty fields are left out. Empty lines are passed over.
+// more than once, empty fields are left out. Empty lines are passed over. Relative names count from
+// `directory`; empty: the working directory.
 std::optional<Manifest> read_manifest(Source source, std::optional<ManifestForm> form,
-                                      Diagnostics& diagnostics);
+                                      Diagnostics& diagnostics, const std::string& directory = {});
 
 }  // namespace popup

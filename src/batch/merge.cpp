@@ -39,8 +39,12 @@ std::string gone_output(const JobResult& result) {
 
 // The message of the first error in what a job found; empty: there is none.
 std::string first_error(const ordered_json& findings) {
+    const auto word = [](const ordered_json& finding, const char* key) {
+        const auto at = finding.find(key);
+        return at != finding.end() && at->is_string() ? at->get<std::string>() : std::string();
+    };
     for (const ordered_json& one : findings) {
-        if (one.value("severity", "") == "error") return one.value("message", "");
+        if (word(one, "severity") == "error") return word(one, "message");
     }
     return {};
 }

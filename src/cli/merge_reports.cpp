@@ -61,7 +61,7 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
 // What is written over nothing that the batch has: its manifest, its results, its jobs' files.
 void check_free(const std::string& path, const std::string& shown, const Manifest& manifest,
                 const ReadFiles& read) {
-    if (manifest.taken_by(shown, manifest.size()))
+    if (manifest.taken_by(path, manifest.size()))
         throw UsageError(fmt::format("{} is a file of the batch, and would be written over", shown));
     read.spare(path, "a report");
 }

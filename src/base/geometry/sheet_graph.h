@@ -22,9 +22,9 @@ enum Ink : unsigned {
     kCut = 1U,
     kMountain = 2U,
     kValley = 4U,
-    kFold = 8U,   // that does not say which way
-    kHole = 16U,  // a cut around what is to fall out
-    kBend = 32U,  // no line: where a panel may bend
+    kFold = 8U,     // that does not say which way
+    kCutOut = 16U,  // a cut around what is to fall out
+    kBend = 32U,    // no line: where a panel may bend
 };
 inline constexpr unsigned kAnyFold = kMountain | kValley | kFold;
 

@@ -44,7 +44,7 @@ std::optional<BatchFiles> open_batch(const std::string& name, std::optional<Mani
     Diagnostics findings(name);
     std::optional<Source> source = read_settings(name, findings, kLongestManifest);
     const bool readable = source.has_value();
-    if (source) files.manifest = read_manifest(std::move(*source), form, findings);
+    if (source) files.manifest = read_manifest(std::move(*source), form, findings, files.directory);
     if (!findings.sorted().empty()) {
         // Its text is shown, and has gone the way of the rows.
         Diagnostics again;

@@ -131,7 +131,8 @@ TEST(Manifest, OneFileByTwoNamesIsWrittenByTwoJobs) {
     EXPECT_EQ(complaint("m.jsonl", row(whole + "/real/x.svg") + row(whole + "/link/x.svg")),
               "2:1: \"" + whole + "/link/x.svg\" is written by two jobs");
     EXPECT_EQ(
-        complaint("m.jsonl", row("not-there/x.svg") + row(std::filesystem::current_path().string() + "/not-there/x.svg")),
+        complaint("m.jsonl", row("not-there/x.svg") +
+                                 row(std::filesystem::current_path().string() + "/not-there/x.svg")),
         "2:1: \"" + std::filesystem::current_path().string() + "/not-there/x.svg\" is written by two jobs");
     Diagnostics diagnostics("m.jsonl");
     EXPECT_TRUE(manifest_of("m.jsonl", row(whole + "/real/x.svg") + row(whole + "/link/y.svg"), diagnostics));

@@ -263,6 +263,15 @@ TEST(Batch, NoJobWritesOverWhatOthersHave) {
     refused(row("designs/card0.xml", "a.svg", "-MD") + row("designs/card1.xml", "a.pdf", "-MD"),
             "a.d is written by another job, too");
     refused(row("designs/card0.xml", "a.svg b.svg", ""), "\"a.svg b.svg\" looks like several names");
+    // Names count from the manifest's directory, wherever the run begins.
+    fs::create_directories(scratch / "jobs");
+    write_file(scratch / "jobs/m.jsonl", row("../designs/card0.xml", "a.svg", "-MD -MF b.svg") +
+                                             row("../designs/card1.xml", "b.svg", ""));
+    const RunResult below = batch(scratch.path(), {"jobs/m.jsonl", "-j1"});
+    EXPECT_EQ(below.exit, 2);
+    EXPECT_NE(below.err.find("b.svg would be written, and the job of line 2 has a file of that name"),
+              std::string::npos)
+        << below.err;
     refused(row("designs/card0.xml", "a.svg", "-MD -MF -"), "is no file that a job could write");
     // A single build does not write further sheets over its inputs, either.
     RunOptions here;

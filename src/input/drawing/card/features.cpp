@@ -391,7 +391,7 @@ class FeatureFinder {
             if (out_.refused.count(group) > 0) continue;
             const std::vector<int> ring = outer_boundary(graph_, faces);
             const bool named_hole = std::any_of(
-                ring.begin(), ring.end(), [&](int half) { return (graph_.edge(half).ink & kHole) != 0; });
+                ring.begin(), ring.end(), [&](int half) { return (graph_.edge(half).ink & kCutOut) != 0; });
             if (ring.empty() || named_hole) continue;
             const std::vector<int> drives = crossed_drives(ring);
             if (drives.empty()) continue;

@@ -181,7 +181,7 @@ class Sorter {
     }
 
     void take(const TracedLine& line, Meaning meaning) {
-        constexpr std::array<unsigned, 5> kInks{kCut, kMountain, kValley, kFold, kHole};
+        constexpr std::array<unsigned, 5> kInks{kCut, kMountain, kValley, kFold, kCutOut};
         if (meaning == Meaning::print) out_.printed.push_back(&line);
         if (meaning == Meaning::print || meaning == Meaning::ignore) return;
         out_.lines.push_back({line.points, line.closed, nth(kInks, meaning), line.element});
