@@ -165,6 +165,9 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(cores) as pool:
         for target in pool.map(take_turn, list(waiting)):
+            # Read again: runs on other targets may have written theirs.
+            if figures_file.exists():
+                figures.update(json.loads(figures_file.read_text()))
             figures[target.name] = target.all_executions()
             figures_file.write_text(json.dumps(figures, indent=1, sort_keys=True) + "\n")
 
