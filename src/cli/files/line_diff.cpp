@@ -1,5 +1,7 @@
 #include "cli/files/line_diff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
