@@ -28,7 +28,7 @@ struct MergedJob {
     JobState state = JobState::missing;
     std::string gone = {};                      // a file that is not there as it was
     std::optional<DoubledOutput> doubled = {};  // such a job is unusable
-    std::string error = {};                     // the message of the first one that it has
+    std::string error = {};                     // the message of its first; may be empty
 };
 
 struct MergedReport {

@@ -17,6 +17,12 @@ namespace {
 
 constexpr std::size_t kMostNamed = 20;  // jobs that are named one by one
 
+// With the first error; findings that only the run's policy made errors are none.
+std::string not_built(const std::string& input, const MergedJob& merged) {
+    if (merged.error.empty()) return input + " was not built";
+    return fmt::format("{} was not built: {}", input, merged.error);
+}
+
 void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& findings) {
     const BatchJob job = manifest.job(merged.job);
     const Place place = manifest.place(merged.job);
@@ -35,10 +41,8 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
                 .hint("run popupc batch on the manifest again: it does what is missing");
             return;
         case JobState::failed:
-            findings
-                .error("job-failed", place,
-                       fmt::format("{} was not built; its first error: {}", input, merged.error))
-                .hint("-o FILE writes the report, which has all of them; mend the design");
+            findings.error("job-failed", place, not_built(input, merged))
+                .hint("-o FILE writes the report, which has all that was found; mend the design");
             return;
         case JobState::unusable:
             if (merged.doubled) {
@@ -49,7 +53,7 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
                     .with(manifest.place(merged.doubled->other), "the other job");
                 return;
             }
-            findings.error("job-failed", place, fmt::format("{} was not built: {}", input, merged.error))
+            findings.error("job-failed", place, not_built(input, merged))
                 .hint("-o FILE writes the report, which has all that went wrong");
             return;
         case JobState::crashed:

@@ -10,10 +10,9 @@
 
 namespace popup::folded {
 
-// A `fold-on-cut` warning for each two pieces between which a fold is drawn, all of it on a cut: the cut goes
-// through, and the fold holds nothing. A slit in a crease is none, because what lies on its sides is one
-// piece. `panel_of` says of each face of the graph which panel it is; less than 0: none. Cost: linear in
-// edges.
+// A `fold-on-cut` warning for each two pieces that a cut parts on which a fold is drawn: the fold holds
+// nothing there. A slit in a crease is none, because what lies on its sides is one piece. `panel_of` says of
+// each face of the graph which panel it is; less than 0: none. Cost: linear in edges.
 void tell_folds_on_cuts(const SheetGraph& graph, const std::vector<int>& panel_of,
                         const std::vector<Panel>& panels, const CreasePattern& pattern,
                         Diagnostics& diagnostics);

@@ -202,7 +202,7 @@ void tell_machine(const Tracing& tracing, Diagnostics& diagnostics) {
         .warning(
             "machine-sheet", nth(tracing.elements, first->element).place,
             "popupc made this sheet for a machine: its folds and marks are read as cuts, and its cuts may "
-            "be off by a kerf")
+            "be off by half a kerf")
         .hint("read the design, or the sheet that --profile workshop makes of it")
         .hint("--lines says what its lines are, such as --lines fold=score,ignore=mark");
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assembly/settle.h"
+#include "base/text/utf8.h"
 #include "input/drawing/fold_like.h"
 #include "input/drawing/notation.h"
 #include "input/drawing/trace.h"
@@ -51,7 +52,7 @@ std::optional<Assembly> flat_assembly(Tracing&& tracing, Diagnostics& diagnostic
 }
 
 bool recognises(std::string_view text) {
-    if (text.starts_with(xml::kByteOrderMark)) text.remove_prefix(xml::kByteOrderMark.size());
+    text = without_mark(text);
     while (true) {
         text = trimmed(text);
         std::string_view closing;

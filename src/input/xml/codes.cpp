@@ -55,8 +55,8 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
     {"duplicate-value", Severity::error, "a value that is given twice",
      "A value stands as an attribute, as a child element or as text, and it stands once. Here it is given "
      "a second time, perhaps in another spelling (names are compared without regard to case, hyphens and "
-     "underscores), and it cannot be told which is meant. Take one of the two out. A text with a comment in "
-     "it counts as two."},
+     "underscores), and it cannot be told which is meant. Take one of the two out. A text with a comment "
+     "or CDATA in it counts as two."},
     {"empty-input", Severity::error, "a file with nothing in it",
      "The file is empty or holds nothing but blanks. It may have been cut off while it was copied or "
      "written, or the program before this one in a pipe has failed without a word; fetch it again from "

@@ -128,9 +128,9 @@ void Reporter::twice(std::string_view name, Place place, Place first) {
 
 void Reporter::in_parts(std::string_view name, const std::vector<Text>& texts) {
     error("duplicate-value", texts[1].place,
-          fmt::format("the text of '{}' is in {} parts, with a comment or an element between them",
+          fmt::format("the text of '{}' is in {} parts, parted by a comment, CDATA or an element",
                       shown(name), texts.size()))
-        .hint("write the text in one piece, and the comment before or after the element");
+        .hint("write the text in one piece; a comment can stand before or after the element");
 }
 
 void Reporter::name_structures(const std::vector<Structure>& structures) {
