@@ -225,10 +225,12 @@ TEST_F(LiveServer, ServesTwoHundredAtATimeThatAsk) {
         wires.push_back(std::make_unique<Wire>(place.port));
         ASSERT_TRUE(wires.back()->send(get_request(place, "", {"Connection: close"})));
     }
-    for (const auto& wire : wires) {
+    // Who has an answer goes, as browsers do: the server waits a second for those who do not.
+    for (auto& wire : wires) {
         const auto answer = wire->answer();
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->status, 200);
+        wire.reset();
     }
 }
 
