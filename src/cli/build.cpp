@@ -275,7 +275,7 @@ void compile_and_write(Options& options, const OutputPlan& plan, const ReadFiles
     }
     run_stages(options, needed_stage(plan, options.build.emit), &plan, result);
     Compilation& compilation = result.run.compilation;
-    tell_unused_options(options, plan, compilation.run_diagnostics);
+    tell_unused_options(options, plan, compilation.designs, compilation.run_diagnostics);
     bool written = true;
     if (result.run.usable() && !compilation.has_errors()) {
         auto files = files_of(plan, options, compilation, result.run.begun);

@@ -67,10 +67,11 @@ constexpr std::array kCliCodes = std::to_array<CodeInfo>({
      "is that of a popup document, or none that --include asks for, or all of them are left out by "
      "--exclude, by a .popupcignore file, or because their names begin with a full stop. Nothing has been "
      "checked, which is seldom what was meant. Correct the path or the patterns."},
-    {"option-unused", Severity::remark, "an option that no output of the run uses",
-     "An option on the command line works for some formats only: --dpi for .png, --at for .view.png, "
-     "and so on. No output of this run has such a format, so the option changes nothing. Add the "
-     "output that you meant, or remove the option. Settings in a popupc.toml or in the environment are "
+    {"option-unused", Severity::remark, "an option that no output or input of the run uses",
+     "An option on the command line works for some formats only (--dpi for .png, --at for .view.png), or for "
+     "some inputs (--snap for folded sheets, --lines for drawings). This run has none of them, so the option "
+     "changes nothing. Add the output that you meant, or remove the option. Settings in a popupc.toml or in "
+     "the environment are "
      "for many runs, and are not reported."},
 });
 

@@ -116,11 +116,32 @@ bool Values::read_path(const Field& field, const ParameterInfo& parameter, Argum
     made.text = tight(*text);
     DrawnPath path;
     const auto refusal = xml::read_path(trimmed(text->decoded), unit_, path);
+    if (refusal) {
+        made.value = std::move(path);
+        reporter_.error(refusal->too_large ? "document-too-large" : "bad-path", text->place,
+                        fmt::format("the path data of {} {}", parameter.name, refusal->what));
+        return false;
+    }
+    tell_slits(path, parameter, text->place);
     made.value = std::move(path);
-    if (!refusal) return true;
-    reporter_.error(refusal->too_large ? "document-too-large" : "bad-path", text->place,
-                    fmt::format("the path data of {} {}", parameter.name, refusal->what));
-    return false;
+    return true;
+}
+
+void Values::tell_slits(const DrawnPath& path, const ParameterInfo& parameter, Place place) {
+    const std::vector<std::vector<Vec2>> slits = slits_of(path.path);
+    if (slits.empty()) return;
+    const Vec2 from = slits.front().front();
+    const Vec2 to = slits.front().back();
+    const std::string first = fmt::format("({}, {}) mm to ({}, {}) mm", format_number(from.x),
+                                          format_number(from.y), format_number(to.x), format_number(to.y));
+    reporter_
+        .warning("slit-not-cut", place,
+                 slits.size() == 1
+                     ? fmt::format("{} has a slit that encloses nothing and is not cut, from {}",
+                                   parameter.name, first)
+                     : fmt::format("{} has {} slits that enclose nothing and are not cut, the first from {}",
+                                   parameter.name, slits.size(), first))
+        .hint("draw a slit that is to be cut as a narrow hole or notch");
 }
 
 bool Values::read_outline_place(const Fields& fields, OutlinePlace& place) {
@@ -196,6 +217,7 @@ bool Values::read_outline(const Fields& fields, const Field& href, const Paramet
             .hint("popupc trace --largest writes a single silhouette");
         return false;
     }
+    tell_slits(path, parameter, text->place);
     path.text = path_text(path, unit_);
     made.value = std::move(path);
     return true;

@@ -93,6 +93,10 @@ constexpr std::array kXmlCodes = std::to_array<CodeInfo>({
      "in the message; the corners that follow from them are computed. A drawn line has at least two "
      "points. Add the missing points or take the doubled ones out; `popupc list elements` shows what each "
      "type takes."},
+    {"slit-not-cut", Severity::warning, "a slit in an outline or a hole of a card's element",
+     "A line of the path runs out and straight back, or is nothing but a line. It encloses no area, and what "
+     "an element cuts are the edges of areas, so the slit is not on the sheet. Draw it as a hole or a notch "
+     "of some width, such as 0.3 mm. In a drawing of flat parts slits are cut as they are."},
     {"unknown-ground", Severity::error, "a name that no fold or plate has",
      "A structure can name what it stands on: gutter, or the id of an earlier structure, a full stop "
      "and one of its folds, such as bird.centre; for a plate, page.left or bird.left. The message says "

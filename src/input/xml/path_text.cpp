@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "input/text.h"
 #include "input/xml/number.h"
+#include "parts/joining.h"
+#include "parts/spurs.h"
 #include "popup/path.h"
 
 namespace popup::xml {
@@ -13,6 +16,8 @@ namespace {
 
 // Smaller areas are drawn by mistake, in mm².
 constexpr double kLeastArea = 1e-3;
+// Shorter slits are slips of a drawing program, in mm.
+constexpr double kLeastSlit = 0.5;
 
 std::string point_text(Vec2 mm, Unit unit) {
     return format_number(mm.x / unit.mm) + " " + format_number(mm.y / unit.mm);
@@ -50,6 +55,20 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
         return PathRefusal{"encloses nothing"};
     }
     return std::nullopt;
+}
+
+std::vector<std::vector<Vec2>> slits_of(const Path& path) {
+    std::vector<std::vector<Vec2>> slits;
+    Flattened flat;
+    if (flatten(path, flat) != FlatteningFault::none) return slits;
+    for (Polyline& line : flat.lines) {
+        std::vector<Vec2>& points = line.points;
+        while (points.size() > 2 && points.back() == points.front()) points.pop_back();
+        if (points.size() == 2) slits.push_back(points);
+        for (std::vector<Vec2>& spur : spurs_of(points)) slits.push_back(std::move(spur));
+    }
+    std::erase_if(slits, [](const std::vector<Vec2>& slit) { return drawing::length_of(slit) < kLeastSlit; });
+    return slits;
 }
 
 std::string path_text(const DrawnPath& path, Unit unit) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "popup/design.h"
 
@@ -19,6 +20,10 @@ struct PathRefusal {
 // points up, so arcs with the sweep flag run counter-clockwise. A refusal, and `path` without areas, when it
 // cannot be read, leaves the page far behind or encloses nothing.
 std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath& path);
+
+// The slits of a path, each as a line in mm: where one of its lines runs out and straight back, or is
+// nothing but a straight line. What encloses no area is not cut. None is shorter than 0.5 mm. Cost: linear.
+std::vector<std::vector<Vec2>> slits_of(const Path& path);
 
 // Path data of what is meant: `text` where it says just that, else its lines and curves, moved, with at most
 // six decimals. Of a path without text, the rings of its areas. Precondition: `text` can be read, or is

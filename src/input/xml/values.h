@@ -69,6 +69,7 @@ class Values {
     bool read_path(const Field& field, const ParameterInfo& parameter, Argument& made);
     bool read_outline(const Fields& fields, const Field& href, const ParameterInfo& parameter,
                       Argument& made);
+    void tell_slits(const DrawnPath& path, const ParameterInfo& parameter, Place place);
     bool read_outline_place(const Fields& fields, OutlinePlace& place);
     void read_points(const Field& field, Argument& made);
     DesignPoint point_of(const Token& x, const Token& y);
