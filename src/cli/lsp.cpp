@@ -1,11 +1,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "cli/verbs.h"
 #include "live/browser.h"
@@ -18,12 +21,24 @@ namespace {
 // A view that nobody looks at ends soon: editors may ask for many.
 constexpr const char* kIdle = "5m";
 
-std::string open_view(const std::string& path) {
+// The options that the server was started with, which a view has too. They make it show what the server
+// finds.
+std::vector<std::string> view_options(const Options& options) {
+    std::vector<std::string> words = options.arguments;
+    const auto verb = std::find(words.begin(), words.end(), "lsp");
+    if (verb != words.end()) words.erase(verb);
+    std::erase(words, "--stdio");
+    return words;
+}
+
+std::string open_view(const std::vector<std::string>& options, const std::string& path) {
     std::error_code trouble;
     if (!std::filesystem::exists(path, trouble)) return "there is no file yet: save the document first";
     const std::string program = std::filesystem::read_symlink("/proc/self/exe", trouble);
-    if (!live::start_by_itself({program.empty() ? "popupc" : program, "view", "--idle", kIdle, path}))
-        return "popupc view cannot be started";
+    std::vector<std::string> words{program.empty() ? "popupc" : program, "view"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"--idle", kIdle, "--", path});
+    if (!live::start_by_itself(words)) return "popupc view cannot be started";
     return {};
 }
 
@@ -64,7 +79,9 @@ int run_lsp(const Options& options) {
     server.compile.clearing_move = {};
     server.compile.move_command = {};  // a fix makes the move
     server.policy = options.policy;
-    server.open_view = open_view;
+    server.open_view = [words = view_options(options)](const std::string& path) {
+        return open_view(words, path);
+    };
     // A request that asks too much is refused, and the next one answered.
     std::set_new_handler(nullptr);
     const int code = lsp::serve(STDIN_FILENO, STDOUT_FILENO, server);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "input/text.h"
 #include "input/xml/read.h"
+#include "lsp/uri.h"
 #include "repair/mend_document.h"
 #include "repair/move_element.h"
 
@@ -102,6 +104,16 @@ Span underlined(const Text& text, std::size_t at) {
     return {at, end};
 }
 
+namespace {
+
+bool ends_a_program(const Finding& one) {
+    constexpr std::array<std::string_view, 4> kEnding{"flatlang-syntax", "flatlang-too-deep",
+                                                      "flatlang-runtime", "flatlang-limit"};
+    return std::find(kEnding.begin(), kEnding.end(), one.diagnostic.code) != kEnding.end();
+}
+
+}  // namespace
+
 Analysis analyse(const Source& source, const AnalysisOptions& options, Depth depth, const Stages& stages) {
     Analysis made;
     made.depth = depth;
@@ -139,8 +151,14 @@ Analysis analyse(const Source& source, const AnalysisOptions& options, Depth dep
         finding.diagnostic = std::move(diagnostic);
         if (fixer) fixer->add_to(finding);
     }
-    made.files = std::move(one.further_files);
-    made.files.insert(made.files.end(), one.missing_files.begin(), one.missing_files.end());
+    made.may_load_more = std::any_of(made.findings.begin(), made.findings.end(), ends_a_program);
+    std::set<std::string> known{real_path(source.name)};
+    for (const std::vector<std::string>* list : {&one.further_files, &one.missing_files}) {
+        for (const std::string& path : *list) {
+            std::string real = real_path(path);
+            if (known.insert(real).second) made.files.push_back({whole_path(path), std::move(real)});
+        }
+    }
     fixer.reset();
     made.design = std::move(one.design);
     return made;

@@ -70,8 +70,13 @@ struct Analysis {
     std::optional<Design> design;   // as it was read, where it could be
     std::shared_ptr<CardOnce> card =
         std::make_shared<CardOnce>();  // of the design; the whole has its check's
-    std::vector<std::string> files;    // others that were read or looked for in vain
-    Stages stages;                     // of a check of a document that has no errors
+    // Others that were read or looked for in vain, each once by its whole_path(), and its real_path().
+    struct File {
+        std::string path, real;
+    };
+    std::vector<File> files;
+    bool may_load_more = false;  // a program that ended with an error before it was done
+    Stages stages;               // of a check of a document that has no errors
     // How much of the motion was examined; nullopt: nothing was, or without a memory.
     std::optional<ExaminationMemory::Share> examined;
 };

@@ -25,6 +25,11 @@ struct View {
     std::function<std::optional<std::string>(const std::string& path)> read = {};
     // The files that the document loads and that can be edited, by path.
     std::vector<std::string> loaded = {};
+    // Open documents that load it, and what else they load.
+    std::vector<std::string> readers = {};
+    // An open document, itself perhaps, of which an error hides which files it loads: of these there may be
+    // more. Empty: none.
+    std::string doubtful = {};
 };
 
 struct Hover {

@@ -30,8 +30,8 @@ struct Unit {
     ProgramText words;
 };
 
-// The document first. Kept in place: words refer to texts.
-std::vector<std::unique_ptr<Unit>> units_of(const View& view) {
+// The document first. Kept in place: words refer to texts. `readers`: with those that load it.
+std::vector<std::unique_ptr<Unit>> units_of(const View& view, bool readers = false) {
     std::vector<std::unique_ptr<Unit>> units;
     const auto add = [&](std::string path, std::string text) {
         auto unit = std::make_unique<Unit>();
@@ -41,9 +41,12 @@ std::vector<std::unique_ptr<Unit>> units_of(const View& view) {
         units.push_back(std::move(unit));
     };
     add(view.path, view.text.bytes());
-    for (const std::string& path : view.loaded) {
-        if (path == view.path || !view.read) continue;
-        if (std::optional<std::string> text = view.read(path)) add(path, std::move(*text));
+    if (!view.read) return units;
+    for (const std::vector<std::string>* list : {&view.loaded, &view.readers}) {
+        if (list == &view.readers && !readers) break;
+        for (const std::string& path : *list) {
+            if (std::optional<std::string> text = view.read(path)) add(path, std::move(*text));
+        }
     }
     return units;
 }
@@ -130,11 +133,17 @@ std::vector<Completion> files(std::string_view text, const Token& token, std::si
     return found;
 }
 
-std::vector<Completion> members(const ProgramText& words, Span word) {
+// What cards and their elements have behind a full stop.
+std::set<std::string> card_members() {
     std::set<std::string> names{"gutter", "page", "draw"};
     for (const ElementInfo& info : element_table()) {
         for (const FoldInfo& fold : info.folds) names.emplace(fold.name);
     }
+    return names;
+}
+
+std::vector<Completion> members(const ProgramText& words, Span word) {
+    std::set<std::string> names = card_members();
     for (std::size_t i = 1; i < words.tokens.size(); ++i) {
         const Token& token = words.tokens[i];
         if (token.kind == TokenKind::name && words.tokens[i - 1].kind == TokenKind::dot &&
@@ -159,9 +168,12 @@ std::vector<Completion> complete(const View& view, std::size_t at) {
     // In a comment nothing is offered.
     const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
     const std::string_view before = text.substr(line, at - line);
-    if (before.find(';') != std::string_view::npos && std::count(before.begin(), before.end(), '"') % 2 == 0)
-        return {};
-    if (std::count(before.begin(), before.end(), '"') % 2 == 1) {
+    bool quoted = false;
+    for (const char c : before) {
+        if (c == '"') quoted = !quoted;
+        if (c == ';' && !quoted) return {};
+    }
+    if (quoted) {
         const std::size_t quote = line + before.rfind('"');
         return files(text, {TokenKind::text, {}, quote, at}, at);
     }
@@ -248,7 +260,7 @@ std::optional<Target> definition(const View& view, std::size_t at) {
 }
 
 std::vector<Target> references(const View& view, std::size_t at) {
-    const auto units = units_of(view);
+    const auto units = units_of(view, true);
     const ProgramText& own = units.front()->words;
     const auto number = own.name_at(at);
     if (!number) return {};
@@ -264,12 +276,13 @@ std::vector<Target> references(const View& view, std::size_t at) {
     return all;
 }
 
-// Names that programs share with what is not theirs: builtins, and all that the prelude and the kit call so,
-// but for parameters, which are of a call alone.
+// Names that programs share with what is not theirs: builtins, members of cards, and all that the prelude and
+// the kit call so, but for parameters, which are of a call alone.
 bool is_taken(std::string_view name) {
     static const std::set<std::string, std::less<>> names = [] {
         std::set<std::string, std::less<>> all;
         for (const std::string_view one : flatlang::builtin_names()) all.emplace(one);
+        for (const std::string& one : card_members()) all.insert(one);
         const auto add = [&all](std::string_view text) {
             const ProgramText words = program_text(text);
             for (const Token& token : words.tokens) {
@@ -297,7 +310,7 @@ std::optional<Span> renameable(const View& view, std::size_t at) {
 }
 
 Renaming rename(const View& view, std::size_t at, std::string_view name) {
-    const auto units = units_of(view);
+    const auto units = units_of(view, true);
     const ProgramText& own = units.front()->words;
     const auto number = own.name_at(at);
     if (!number) return {{}, "there is no name to change here"};
@@ -310,6 +323,9 @@ Renaming rename(const View& view, std::size_t at, std::string_view name) {
                 "a name is letters, digits and \"_\", does not begin with a digit, and is no word of the "
                 "language"};
     if (is_taken(name)) return {{}, fmt::format("\"{}\" is a name of the language or of its kit", name)};
+    if (!view.doubtful.empty())
+        return {{},
+                fmt::format("{} has an error that hides which files it loads: mend it first", view.doubtful)};
     Renaming made;
     for (const auto& unit : units) {
         if (name != old && !unit->words.all_of(name).empty())

@@ -213,6 +213,7 @@ void Server::opened(const Json& params) {
         made.version = version->get<std::int64_t>();
     const auto path = path_of(made.uri);
     made.path = path ? *path : made.uri.substr(made.uri.rfind(':') + 1);
+    if (path) made.real = real_path(*path);
     // A file is what its name says; of one that has none yet the editor knows, or the text tells.
     made.language = path ? find_language({made.path, {}}, {}) : nullptr;
     if (made.language == nullptr) {
@@ -227,7 +228,7 @@ void Server::opened(const Json& params) {
     if (made.language != nullptr) made.service = find_service(made.language->name);
     Document& document = documents_[made.uri] = std::move(made);
     touch(document);
-    touch_readers(document.path);
+    touch_readers({document.path, document.real});
 }
 
 void Server::changed(const Json& params) {
@@ -248,29 +249,30 @@ void Server::changed(const Json& params) {
     const Json* version = member_if_any(member(params, "textDocument"), "version");
     if (version != nullptr && version->is_number_integer()) document.version = version->get<std::int64_t>();
     touch(document);
-    touch_readers(document.path);
+    touch_readers({document.path, document.real});
 }
 
 void Server::saved(const Json& params) {
     const auto found = documents_.find(member(member(params, "textDocument"), "uri").get<std::string>());
     if (found == documents_.end()) return;
     touch(found->second);
-    touch_readers(found->second.path);
+    touch_readers({found->second.path, found->second.real});
 }
 
 void Server::closed(const Json& params) {
     const std::string uri = member(member(params, "textDocument"), "uri").get<std::string>();
     const auto found = documents_.find(uri);
     if (found == documents_.end()) return;
-    const std::string path = found->second.path;
+    const Analysis::File file{found->second.path, found->second.real};
     documents_.erase(found);
     notify("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", Json::array()}});
-    touch_readers(path);
+    touch_readers(file);
 }
 
 void Server::files_changed(const Json& params) {
     for (const Json& one : member(params, "changes")) {
-        if (const auto path = path_of(member(one, "uri").get_ref<const std::string&>())) touch_readers(*path);
+        if (const auto path = path_of(member(one, "uri").get_ref<const std::string&>()))
+            touch_readers({*path, real_path(*path)});
     }
 }
 
@@ -283,19 +285,35 @@ void Server::touch(Document& document) {
     document.whole_due = false;
 }
 
-void Server::touch_readers(const std::string& path) {
+bool Server::reads(const Document& document, const Analysis::File& file) {
+    if (!document.latest || document.real == file.real) return false;
+    const std::vector<Analysis::File>& files = document.latest->files;
+    // By its name too: a link may lead elsewhere since.
+    return std::any_of(files.begin(), files.end(), [&file](const Analysis::File& one) {
+        return one.real == file.real || one.path == file.path;
+    });
+}
+
+void Server::touch_readers(const Analysis::File& file) {
     for (auto& [uri, document] : documents_) {
-        if (document.path == path || !document.latest) continue;
-        const std::vector<std::string>& files = document.latest->files;
-        if (std::find(files.begin(), files.end(), path) != files.end()) touch(document);
+        if (reads(document, file)) touch(document);
     }
 }
 
-std::optional<std::string> Server::text_of(const std::string& path) const {
+const Server::Document* Server::opened_as(const std::string& path) const {
     for (const auto& [uri, document] : documents_) {
-        if (document.path == path) return document.text.bytes();
+        if (document.path == path) return &document;
     }
-    return std::nullopt;
+    const std::string real = real_path(path);
+    for (const auto& [uri, document] : documents_) {
+        if (document.real == real) return &document;
+    }
+    return nullptr;
+}
+
+std::optional<std::string> Server::text_of(const std::string& path) const {
+    const Document* document = opened_as(path);
+    return document != nullptr ? std::optional(document->text.bytes()) : std::nullopt;
 }
 
 AnalysisOptions Server::options_of(const Document& document) const {
@@ -303,11 +321,11 @@ AnalysisOptions Server::options_of(const Document& document) const {
     // The run looks at the texts as they are now, wherever it happens.
     auto texts = std::make_shared<std::map<std::string, std::string>>();
     for (const auto& [uri, other] : documents_) {
-        if (&other != &document && path_of(uri)) texts->emplace(other.path, other.text.bytes());
+        if (&other != &document && path_of(uri)) texts->emplace(other.real, other.text.bytes());
     }
     if (!texts->empty()) {
         made.compile.read.program.overlay = [texts](const std::string& path) -> std::optional<std::string> {
-            const auto found = texts->find(path);
+            const auto found = texts->find(real_path(path));
             return found == texts->end() ? std::nullopt : std::optional(found->second);
         };
     }

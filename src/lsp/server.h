@@ -79,6 +79,7 @@ class Server {
     struct Document {
         std::string uri;
         std::string path;
+        std::string real;  // its real_path(); empty: it is no file
         const Language* language = nullptr;
         const Service* service = nullptr;  // null: nothing is said of it
         std::optional<std::int64_t> version;
@@ -142,9 +143,13 @@ class Server {
     void touch(Document& document);
     [[nodiscard]] Clock::time_point whole_due_at(const Document& document) const;
     void trace(const Document& document, const Analysis& analysis, Clock::duration took);
-    // Those that read a file of that path are looked at again.
-    void touch_readers(const std::string& path);
+    // Whether what was last found of it depends on a file.
+    [[nodiscard]] static bool reads(const Document& document, const Analysis::File& file);
+    // Those that read the file are looked at again.
+    void touch_readers(const Analysis::File& file);
     void publish(const Document& document, const Analysis& analysis);
+    // The open document of that path, or else of another name of the same file; null: it is not open.
+    [[nodiscard]] const Document* opened_as(const std::string& path) const;
     [[nodiscard]] std::optional<std::string> text_of(const std::string& path) const;
     // A text that positions of a target refer to.
     [[nodiscard]] std::optional<Text> target_text(const std::string& path) const;

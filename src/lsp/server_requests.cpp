@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include "lsp/server.h"
 #include "lsp/uri.h"
@@ -35,7 +37,23 @@ View Server::view_of(const Document& document) const {
         auto source = read_source(path, unread);
         return source ? std::optional(std::move(source->text)) : std::nullopt;
     };
-    if (document.latest) view.loaded = document.latest->files;
+    std::set<std::string> known{document.real};
+    const auto add = [&known](const Analysis::File& file, std::vector<std::string>& to) {
+        if (known.insert(file.real).second) to.push_back(file.path);
+    };
+    if (document.latest) {
+        for (const Analysis::File& file : document.latest->files) add(file, view.loaded);
+    }
+    const std::string name = std::filesystem::path(document.path).filename().string();
+    for (const auto& [uri, other] : documents_) {
+        if (other.latest && other.latest->may_load_more) {
+            const std::string_view hidden = &other == &document ? "load" : std::string_view(name);
+            if (other.text.bytes().find(hidden) != std::string::npos) view.doubtful = other.path;
+        }
+        if (!reads(other, {document.path, document.real})) continue;
+        add({other.path, other.real}, view.readers);
+        for (const Analysis::File& file : other.latest->files) add(file, view.readers);
+    }
     return view;
 }
 
@@ -84,10 +102,8 @@ std::optional<Text> Server::target_text(const std::string& path) const {
 }
 
 std::string Server::target_uri(const std::string& path) const {
-    for (const auto& [uri, document] : documents_) {
-        if (document.path == path) return uri;
-    }
-    return uri_of(path);
+    const Document* document = opened_as(path);
+    return document != nullptr ? document->uri : uri_of(path);
 }
 
 // Null where its file cannot be read.
@@ -138,6 +154,11 @@ Json Server::rename(const Json& params) {
     Document* document = find(params);
     if (document == nullptr) return nullptr;
     const std::string name = member(params, "newName").get<std::string>();
+    // What a program loads is known once it has been run, and so is who loads it.
+    const bool program = document->language->name != "xml";
+    for (auto& [uri, other] : documents_) {
+        if (&other == document || (program && other.service == document->service)) current(other);
+    }
     const Renaming made = document->service->rename(view_of(*document), offset_of(*document, params), name);
     if (!made.refusal.empty()) throw Refusal{made.refusal};
     return workspace_edit(made.files);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 
@@ -18,17 +19,22 @@ constexpr std::array<EncodingName, 3> kEncodings{
     {{Encoding::utf16, "utf-16"}, {Encoding::utf8, "utf-8"}, {Encoding::utf32, "utf-32"}}};
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
 
-// What a character counts.
-int units(const Character& character, Encoding encoding) {
-    switch (encoding) {
-        case Encoding::utf8:
-            return static_cast<int>(character.bytes);
-        case Encoding::utf16:
-            return character.code > 0xFFFF ? 2 : 1;
-        case Encoding::utf32:
-            return 1;
-    }
-    return 1;
+// How far apart there are counts.
+constexpr std::size_t kCountedBytes = 1024;
+
+// Over the character at `here`.
+template <class Counted>
+void step(std::string_view text, Counted& here) {
+    const bool ascii = static_cast<unsigned char>(text[here.at]) < 0x80U;
+    const Character character = ascii ? Character{0, 1} : first_character(text.substr(here.at));
+    here.at += character.bytes;
+    here.utf16 += character.code > 0xFFFF ? 2 : 1;
+    ++here.utf32;
+}
+
+// Whether a text is cut between the "\r" and the "\n" of a line's end.
+bool parts_line_end(std::string_view text, std::size_t at) {
+    return at > 0 && at < text.size() && text[at - 1] == '\r' && text[at] == '\n';
 }
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
@@ -77,6 +83,7 @@ void Text::find_lines() {
         if (feed || i + 1 == bytes_.size() || bytes_[i + 1] != '\n') starts_.push_back(i + 1);
         if (feed) feeds_.push_back(i + 1);
     }
+    count_units();
 }
 
 // Before what ends it.
@@ -87,52 +94,83 @@ std::size_t Text::end_of_line(std::size_t line) const {
     return end;
 }
 
-std::size_t Text::offset(Position position, Encoding encoding) const {
-    if (position.line < 0) return 0;
-    const auto line = static_cast<std::size_t>(position.line);
-    if (line >= starts_.size()) return bytes_.size();
-    std::string_view rest(bytes_);
-    rest = rest.substr(starts_[line], end_of_line(line) - starts_[line]);
-    std::size_t at = starts_[line];
-    int left = position.character;
-    while (!rest.empty() && left > 0) {
-        const Character character = first_character(rest);
-        left -= units(character, encoding);
-        if (left < 0) break;
-        at += character.bytes;
-        rest.remove_prefix(character.bytes);
+std::size_t Text::Counted::units(Encoding encoding) const {
+    switch (encoding) {
+        case Encoding::utf8:
+            return at;
+        case Encoding::utf16:
+            return utf16;
+        case Encoding::utf32:
+            return utf32;
     }
     return at;
 }
 
+void Text::count_units() {
+    counts_.assign(1, {});
+    Counted here;
+    while (here.at < bytes_.size()) {
+        step(bytes_, here);
+        if (here.at >= counts_.back().at + kCountedBytes) counts_.push_back(here);
+    }
+}
+
+Text::Counted Text::counted(std::size_t at) const {
+    const auto behind =
+        std::upper_bound(counts_.begin(), counts_.end(), at,
+                         [](std::size_t place, const Counted& one) { return place < one.at; });
+    Counted here = *std::prev(behind);
+    while (here.at < at) {
+        Counted next = here;
+        step(bytes_, next);
+        if (next.at > at) break;
+        here = next;
+    }
+    return here;
+}
+
+std::size_t Text::ahead(std::size_t from, std::size_t units, Encoding encoding, std::size_t limit) const {
+    Counted here = counted(from);
+    const std::size_t wanted = here.units(encoding) + units;
+    const auto behind = std::upper_bound(
+        counts_.begin(), counts_.end(), wanted,
+        [encoding](std::size_t count, const Counted& one) { return count < one.units(encoding); });
+    const Counted& near = *std::prev(behind);
+    if (near.at > limit) return limit;
+    if (near.at > here.at) here = near;
+    while (here.at < limit && here.units(encoding) < wanted) {
+        Counted next = here;
+        step(bytes_, next);
+        if (next.units(encoding) > wanted) break;
+        here = next;
+    }
+    return std::min(here.at, limit);
+}
+
+std::size_t Text::offset(Position position, Encoding encoding) const {
+    if (position.line < 0) return 0;
+    const auto line = static_cast<std::size_t>(position.line);
+    if (line >= starts_.size()) return bytes_.size();
+    const auto units = static_cast<std::size_t>(std::max(position.character, 0));
+    return ahead(starts_[line], units, encoding, end_of_line(line));
+}
+
 Position Text::position(std::size_t at, Encoding encoding) const {
     const std::size_t line = line_of(starts_, at);
-    std::string_view rest(bytes_);
-    rest = rest.substr(starts_[line], std::min(at, end_of_line(line)) - starts_[line]);
-    int count = 0;
-    while (!rest.empty()) {
-        // Of a character that is cut off its first byte begins no valid one; then that is where `at` is in.
-        const Character whole = first_character(
-            std::string_view(bytes_).substr(static_cast<std::size_t>(rest.data() - bytes_.data())));
-        if (whole.bytes > rest.size()) break;
-        count += units(whole, encoding);
-        rest.remove_prefix(whole.bytes);
-    }
-    return {static_cast<int>(line), count};
+    const std::size_t here = counted(std::min(at, end_of_line(line))).units(encoding);
+    const std::size_t start = counted(starts_[line]).units(encoding);
+    return {static_cast<int>(line), static_cast<int>(here - start)};
 }
 
 std::size_t Text::offset(Place place) const {
     if (place.line <= 0) return 0;
     const auto line = static_cast<std::size_t>(place.line) - 1;
     if (line >= feeds_.size()) return bytes_.size();
-    std::size_t at = feeds_[line];
-    if (line == 0 && bytes_.starts_with(kMark)) at += kMark.size();
-    for (int column = 1; column < place.column && at < bytes_.size() && bytes_[at] != '\n'; ++column) {
-        do {
-            ++at;
-        } while (at < bytes_.size() && continues(bytes_[at]));
-    }
-    return at;
+    std::size_t start = feeds_[line];
+    if (line == 0 && bytes_.starts_with(kMark)) start += kMark.size();
+    const std::size_t end = line + 1 < feeds_.size() ? feeds_[line + 1] - 1 : bytes_.size();
+    const auto units = static_cast<std::size_t>(std::max(place.column - 1, 0));
+    return ahead(start, units, Encoding::utf32, end);
 }
 
 void Text::replace(Span at, std::string_view text) {
@@ -162,9 +200,11 @@ TextEdit difference(std::string_view before, std::string_view after) {
     while (front > 0 && ((front < before.size() && continues(before[front])) ||
                          (front < after.size() && continues(after[front]))))
         --front;
+    if (parts_line_end(before, front) || parts_line_end(after, front)) --front;
     std::size_t back = 0;
     while (back < most - front && before[before.size() - 1 - back] == after[after.size() - 1 - back]) ++back;
     while (back > 0 && continues(before[before.size() - back])) --back;
+    if (parts_line_end(before, before.size() - back) || parts_line_end(after, after.size() - back)) --back;
     return {{front, before.size() - back}, std::string(after.substr(front, after.size() - front - back))};
 }
 

@@ -57,10 +57,11 @@ class Text {
     [[nodiscard]] int last_line() const { return static_cast<int>(starts_.size()) - 1; }
 
     // The byte at a position. Any position may come: behind the end of a line it is that end, behind the last
-    // line the end of the text, within a character (a half of a surrogate pair) its beginning. Cost: that of
-    // the line.
+    // line the end of the text, within a character (a half of a surrogate pair) its beginning. Cost: as
+    // position()'s.
     [[nodiscard]] std::size_t offset(Position position, Encoding encoding) const;
-    // The position of a byte; of one within a character that of the character. Precondition: at ≤ size().
+    // The position of a byte; of one within a character that of the character. Cost: log n, and a thousand
+    // bytes of the line, however long it is. Precondition: at ≤ size().
     [[nodiscard]] Position position(std::size_t at, Encoding encoding) const;
 
     // The byte of a finding's place, whose lines end with "\n" alone, and whose columns count characters; a
@@ -71,18 +72,33 @@ class Text {
     void replace(Span at, std::string_view text);
 
  private:
+    // A place between characters, and what all before it count.
+    struct Counted {
+        std::size_t at = 0;
+        std::size_t utf16 = 0;
+        std::size_t utf32 = 0;
+        [[nodiscard]] std::size_t units(Encoding encoding) const;
+    };
     void find_lines();
+    void count_units();
     [[nodiscard]] std::size_t end_of_line(std::size_t line) const;
+    // Up to the last place between characters that is not behind `at`.
+    [[nodiscard]] Counted counted(std::size_t at) const;
+    // The byte `units` behind `from`, or `limit`, whichever comes first.
+    [[nodiscard]] std::size_t ahead(std::size_t from, std::size_t units, Encoding encoding,
+                                    std::size_t limit) const;
     std::string bytes_;
     std::vector<std::size_t> starts_;  // of the protocol's lines; the first is 0
     std::vector<std::size_t> feeds_;   // of lines that end with "\n" alone
+    std::vector<Counted> counts_;      // a thousand bytes apart, the first at 0
 };
 
 // The text with the edits made. Precondition: they lie within it and do not overlap; any order.
 std::string with_edits(std::string_view text, std::vector<TextEdit> edits);
 
 // The one stretch in which two texts differ, as the edit that makes the second of the first; cut at
-// characters, never within. Equal texts: an empty edit at their end.
+// characters, never within, nor within a line's end "\r\n", where the protocol has no position. Equal texts:
+// an empty edit at their end.
 TextEdit difference(std::string_view before, std::string_view after);
 
 // The differences of two texts line by line: edits that make the second of the first, each as short as the

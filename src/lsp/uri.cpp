@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 namespace popup::lsp {
 namespace {
@@ -50,6 +53,25 @@ std::string uri_of(std::string_view path) {
         }
     }
     return uri;
+}
+
+std::string real_path(const std::string& path) {
+    std::error_code trouble;
+    const std::filesystem::path whole = std::filesystem::absolute(path, trouble);
+    if (trouble) return path;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(whole, trouble);
+    return trouble ? whole.lexically_normal().string() : real.string();
+}
+
+std::string whole_path(const std::string& path) {
+    const std::filesystem::path given = path;
+    const bool dotted = std::any_of(given.begin(), given.end(), [](const std::filesystem::path& part) {
+        return part == "." || part == "..";
+    });
+    if (dotted) return real_path(path);
+    std::error_code trouble;
+    const std::filesystem::path whole = std::filesystem::absolute(given, trouble);
+    return trouble ? path : whole.string();
 }
 
 }  // namespace popup::lsp

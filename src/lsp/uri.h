@@ -13,4 +13,11 @@ std::optional<std::string> path_of(std::string_view uri);
 // The URI of an absolute path.
 std::string uri_of(std::string_view path);
 
+// The path that all names of a file lead to: absolute, without "." and "..", its links followed as far as it
+// exists. Relative paths are of the working directory. Asks the disk.
+std::string real_path(const std::string& path);
+// A name of the file that is absolute and has no "." or "..": the path itself where it is one, so that
+// editors see the links that they know.
+std::string whole_path(const std::string& path);
+
 }  // namespace popup::lsp

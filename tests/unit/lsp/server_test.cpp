@@ -472,5 +472,90 @@ TEST(Server, TextsInMemoryWinOverTheDisk) {
     EXPECT_EQ(codes(client.look(Depth::check, main)), std::vector<std::string>{});
 }
 
+// However a program's files are named, and whether or not it has been looked at.
+TEST(Server, RenamesInAllFilesOfAProgram) {
+    const test::ScratchDirectory scratch;
+    std::filesystem::create_directories(scratch / "inc");
+    test::write_file(scratch / "inc/lib.fl", "; of the disk\ndefine mybox(size) forward(size) done\n");
+    std::filesystem::create_directory_symlink(scratch / "inc", scratch / "linked");
+    const std::string folder = "file://" + scratch.path().string();
+    const std::string library = folder + "/inc/lib.fl";
+    for (const char* name : {"lib.fl", "inc/lib.fl", "inc/../inc/./lib.fl", "linked/lib.fl"}) {
+        SCOPED_TRACE(name);
+        ServerOptions options;
+        options.compile.read.program.folders = {
+            std::filesystem::relative(scratch / "inc", std::filesystem::current_path()).string()};
+        Client client(Json::object(), options);
+        const std::string main = folder + "/main.fl";
+        client.open("define mybox(size) forward(size) done\n", library);
+        client.open(std::string("load(\"") + name + "\")\npopup(8, 6)\nmybox(1)\n", main);
+        const Json to =
+            client.ask("textDocument/rename", with(at(2, 1, main), "newName", "mine"))["result"]["changes"];
+        ASSERT_TRUE(to.contains(library)) << to;
+        EXPECT_EQ(to[library][0]["range"]["start"], (Json{{"line", 0}, {"character", 7}})) << "as it is open";
+        EXPECT_EQ(to[main].size(), 1U);
+        const Json from = client.ask("textDocument/rename",
+                                     with(at(0, 8, library), "newName", "mine"))["result"]["changes"];
+        EXPECT_EQ(from, to) << "from the file that is loaded";
+        EXPECT_EQ(client.ask("textDocument/definition", at(2, 1, main))["result"]["uri"], library);
+    }
+}
+
+TEST(Server, RenamesInDocumentsThatAreNoFiles) {
+    Client client(Json::object());
+    const std::string uri = "untitled:Untitled-1.fl";
+    client.notify("textDocument/didOpen", {{"textDocument",
+                                            {{"uri", uri},
+                                             {"languageId", "flatlang"},
+                                             {"version", 1},
+                                             {"text", "mine = 3\nforward(mine)\n"}}}});
+    const Json made =
+        client.ask("textDocument/rename", with(at(0, 1, uri), "newName", "yours"))["result"]["changes"];
+    EXPECT_EQ(made[uri].size(), 2U) << made;
+}
+
+// Open by its name and by a link, it is two texts, and each has its own edits.
+TEST(Server, RenamesInTheDocumentThatWasAsked) {
+    const test::ScratchDirectory scratch;
+    test::write_file(scratch / "a.fl", "");
+    std::filesystem::create_symlink("a.fl", scratch / "b.fl");
+    const std::string folder = "file://" + scratch.path().string();
+    Client client(Json::object());
+    client.open("; first\nmine = 3\n", folder + "/a.fl");
+    client.open("mine = 4\n", folder + "/b.fl");
+    const Json made = client.ask("textDocument/rename",
+                                 with(at(0, 1, folder + "/b.fl"), "newName", "yours"))["result"]["changes"];
+    ASSERT_TRUE(made.contains(folder + "/b.fl")) << made;
+    EXPECT_EQ(made[folder + "/b.fl"][0]["range"]["start"], (Json{{"line", 0}, {"character", 0}}));
+}
+
+TEST(Server, RenamesNothingWhereAProgramCannotBeRead) {
+    Client client(kAbilities);
+    const std::string uri = "file:///cards/main.fl";
+    client.open("load(\"lib.fl\")\nmybox(1\n", uri);
+    EXPECT_NE(client.ask("textDocument/rename", with(at(1, 1, uri), "newName", "mine"))["error"]["message"]
+                  .get<std::string>()
+                  .find("hides which files"),
+              std::string::npos);
+    // Nor from a file that it loads.
+    const std::string library = "file:///cards/lib.fl";
+    client.open("define mybox() forward(1) done\n", library);
+    EXPECT_NE(
+        client.ask("textDocument/rename", with(at(0, 8, library), "newName", "mine"))["error"]["message"]
+            .get<std::string>()
+            .find("/cards/main.fl has an error"),
+        std::string::npos);
+    client.open("s = tent(card.gutter)\n", uri);
+    for (const int column : {0, 4, 14}) {
+        SCOPED_TRACE(column);
+        EXPECT_EQ(client.ask("textDocument/prepareRename", at(0, column, uri))["result"].is_null(),
+                  column > 0);
+    }
+    client.open("print(\"a;b\", foo", uri);
+    EXPECT_TRUE(has(labels(client, 0, 16, uri), "forward")) << "that text is no comment";
+    client.open("print(\"a\") ; foo", uri);
+    EXPECT_TRUE(labels(client, 0, 16, uri).empty());
+}
+
 }  // namespace
 }  // namespace popup::lsp

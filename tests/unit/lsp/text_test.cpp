@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lsp/frames.h"
@@ -68,6 +69,48 @@ TEST(Text, EveryPositionComesBack) {
                     << "seed " << seed << ", " << to_string(encoding);
             }
         }
+    }
+}
+
+// Held against a count from the beginning, in a line of many thousand bytes.
+TEST(Text, LongLinesAreCountedToTheUnit) {
+    test::Random random(7);
+    std::string bytes = "x\r\n";
+    std::vector<std::string> pieces{"a", "<", "ä", "€", "𝄞", "🎪", "\xFF"};
+    std::vector<std::size_t> starts;
+    std::vector<int> utf16{0};
+    for (int i = 0; i < 6000; ++i) {
+        const std::string& piece = pieces[random.below(pieces.size())];
+        starts.push_back(bytes.size());
+        bytes += piece;
+        utf16.push_back(utf16.back() + (piece.size() == 4 ? 2 : 1));
+    }
+    starts.push_back(bytes.size());
+    const Text text(bytes);
+    for (std::size_t i = 0; i < starts.size(); i += 7) {
+        const auto at = static_cast<int>(i);
+        EXPECT_EQ(text.position(starts[i], Encoding::utf16), (Position{1, utf16[i]}));
+        EXPECT_EQ(text.position(starts[i], Encoding::utf32), (Position{1, at}));
+        EXPECT_EQ(text.offset({1, utf16[i]}, Encoding::utf16), starts[i]);
+        EXPECT_EQ(text.offset(Place{2, at + 1}), starts[i]);
+    }
+    EXPECT_EQ(text.offset({1, 1000000}, Encoding::utf16), bytes.size());
+}
+
+// "\r" and "\n" of one line end have one position between them and the text before.
+TEST(Text, EditsHaveTheWholeOfALineEnd) {
+    for (const auto& [before, after] :
+         std::vector<std::pair<std::string, std::string>>{{"a\r\nb\r\n", "a\nb\n"},
+                                                          {"a\nb\n", "a\r\nb\r\n"},
+                                                          {"a\r\n", "a\r\n\r\n"},
+                                                          {"a\rb", "a\r\nb"}}) {
+        const Text text(before);
+        std::string made = before;
+        const TextEdit edit = difference(before, after);
+        const std::size_t begin = text.offset(text.position(edit.at.begin, Encoding::utf16), Encoding::utf16);
+        const std::size_t end = text.offset(text.position(edit.at.end, Encoding::utf16), Encoding::utf16);
+        made.replace(begin, end - begin, edit.text);
+        EXPECT_EQ(made, after);
     }
 }
 
