@@ -14,6 +14,9 @@ namespace {
 // Shapes of more parts than this are made coarser: the cost of a look at two shapes is the product of their
 // parts.
 constexpr std::size_t kFewParts = 6;
+// Where holes add more parts than this to a shape the smallest are filled: of a tracing with hundreds of
+// specks in it a look at two would take gigabytes.
+constexpr std::size_t kMostParts = 400;
 // What coarser shapes may gain: a share of their area, and no corner further out than a share of their size.
 constexpr double kMostGain = 1e-3;
 constexpr double kFurthest = 2e-3;
@@ -79,11 +82,30 @@ std::optional<std::vector<GridRegion>> provable(const TurnedShape& shape, bool u
     return std::nullopt;
 }
 
+// The convex parts of a region, and of one with many holes those of the region without the smallest, which it
+// then is.
+std::vector<GridRing> parts_with_largest_holes(GridRegion& region) {
+    std::vector<GridRing> parts = convex_parts(region);
+    if (parts.size() <= kMostParts || region.holes.empty()) return parts;
+    // What the outer ring takes no hole can spare.
+    const std::size_t most = kMostParts + convex_parts({region.outer, {}}).size();
+    // Holes run clockwise.
+    std::stable_sort(region.holes.begin(), region.holes.end(),
+                     [](const GridRing& a, const GridRing& b) { return twice_area(a) < twice_area(b); });
+    while (parts.size() > most && !region.holes.empty()) {
+        region.holes.resize(region.holes.size() / 2);
+        parts = convex_parts(region);
+    }
+    return parts;
+}
+
 // The regions' parts for the search: few. False when they had to grow for that.
-bool rough_parts(const std::vector<GridRegion>& regions, double size, std::vector<GridRing>& result) {
+bool rough_parts(std::vector<GridRegion> regions, double size, std::vector<GridRing>& result) {
     bool same = true;
-    for (const GridRegion& region : regions) {
-        std::vector<GridRing> parts = convex_parts(region);
+    for (GridRegion& region : regions) {
+        const std::size_t holes = region.holes.size();
+        std::vector<GridRing> parts = parts_with_largest_holes(region);
+        same = same && holes == region.holes.size();
         if (parts.size() > kFewParts) {
             double twice = twice_area(region.outer);
             for (const GridRing& hole : region.holes) twice += twice_area(hole);
@@ -229,7 +251,9 @@ ShapeSet make_shapes(const NestJob& job) {
                 for (const GridRing& part : convex_parts(region))
                     shape.exact.push_back(widened(part, kWidening));
             }
-            shape.parts = shape.exact;
+            std::vector<GridRing> rough;
+            rough_parts(without_useless_holes(std::move(regions), set.shapes), size, rough);
+            for (const GridRing& part : rough) shape.parts.push_back(widened(part, kWidening));
             set.exact = false;
         }
         for (GridRing& part : shape.parts) part = widened(part, (spacing + 1) / 2);

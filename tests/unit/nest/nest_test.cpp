@@ -529,6 +529,29 @@ TEST(NestParts, WidenedPartsAreConvexAndHoldEveryPointWithinTheWidth) {
     }
 }
 
+// A tracing of noise: hundreds of holes, and specks that would fit into each.
+TEST(NestParts, OfHundredsOfHolesTheLargestAreUsed) {
+    NestJob job;
+    Polygon plate{{{0, 0}, {200, 0}, {200, 200}, {0, 200}}, {}};
+    for (int i = 0; i < 20; ++i) {
+        for (int j = 0; j < 20; ++j) {
+            const Vec2 at{2.0 + 9.0 * i, 2.0 + 9.0 * j};
+            const double size = i == 3 && j == 3 ? 6.0 : 3.0;
+            plate.holes.push_back({at, at + Vec2{0, size}, at + Vec2{size, size}, at + Vec2{size, 0}});
+        }
+    }
+    job.kinds = {{{plate}, turns({0})}, {{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}}, turns({0})}};
+    for (int i = 0; i < 5; ++i) job.items.push_back({i == 0 ? 0 : 1, -1, {}});
+    job.stock = {{200, 200, -1}};
+    const ShapeSet set = make_shapes(job);
+    EXPECT_LE(set.shapes[0].parts.size(), 400U);
+    EXPECT_GT(set.shapes[0].parts.size(), 100U) << "the holes that are used";
+    EXPECT_FALSE(set.exact);
+    const NestResult made = nest(job, {});
+    expect_sound(job, made);
+    EXPECT_EQ(made.plan->sheets.size(), 1U) << "the small ones lie in holes";
+}
+
 // Depth is zero exactly where the shapes do not overlap, by the integer test, and positive where they do.
 TEST(NestParts, NoFitPartsTellOverlapAsTheIntegerTestDoes) {
     std::mt19937 random(10);
