@@ -24,20 +24,22 @@ struct PixelMask {
     int height = 0;
     std::vector<std::uint8_t> inside;  // rows from the top; 1 belongs to the figure, 0 does not
     bool by_alpha = false;             // opacity told them apart, else brightness
+    bool few_clear = false;            // brightness, though some pixels are clear
     int threshold = 0;                 // 1 to 255: which value did
     bool even = false;                 // all pixels have the same value: no threshold could be found
 };
 
 struct MaskOptions {
-    // 1 to 255. Pixels at least as opaque are the figure; or, where the whole picture is opaque, pixels that
-    // are darker. Without: 128 for opacity; for brightness the threshold that separates two classes best
-    // (N. Otsu, "A threshold selection method from gray-level histograms", 1979), in the middle of those
-    // that do so equally well.
+    // 1 to 255. Pixels at least as opaque are the figure; or, where the whole picture is opaque, or less than
+    // a hundredth of it is clear and what is opaque is dark here and light there, pixels that are darker.
+    // Without: 128 for opacity; for brightness the threshold that separates two classes best (N. Otsu, "A
+    // threshold selection method from gray-level histograms", 1979), in the middle of those that do so
+    // equally well.
     std::optional<int> threshold;
     bool invert = false;  // the ground is the figure
 };
 // Precondition: the pixels are those of a picture with at least one. Brightness is
-// (299 r + 587 g + 114 b) / 1000, rounded down. Cost: linear in pixels.
+// (299 r + 587 g + 114 b) / 1000, rounded down, on white where a pixel is not opaque. Cost: linear in pixels.
 PixelMask mask_of(const ImagePixels& pixels, const MaskOptions& options);
 
 struct TraceOptions {

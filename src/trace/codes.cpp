@@ -8,10 +8,15 @@ namespace {
 constexpr std::array kTraceCodes = std::to_array<CodeInfo>({
     {"trace-empty", Severity::error, "a picture in which there is nothing to trace",
      "An outline runs between what is the figure and what is the ground of a picture: between opaque and "
-     "clear "
-     "pixels where some are clear, else between dark and light ones. Here there is no figure: all pixels are "
+     "clear pixels where a hundredth or more is clear, else between dark and light ones. Here there is no "
+     "figure: all pixels are "
      "alike, or what there is is smaller than the least feature. Give another --threshold, or --invert where "
      "the figure is the lighter one, or a smaller --min-feature, or a size at which the picture is larger."},
+    {"trace-few-clear", Severity::remark, "a picture with a few clear pixels was traced by brightness",
+     "Where a picture has a clear ground, its figure is what is opaque. Here less than a hundredth of the "
+     "pixels are clear, such as the corners of a window in a screenshot, and what is opaque is dark in some "
+     "places and light in others. Then the figure is what is dark. Where all that is opaque is the figure, "
+     "paint it in one colour."},
     {"trace-holes-filled", Severity::remark, "small holes of a traced picture were filled",
      "Holes with less area than a square of the side --min-feature are noise of the picture, or too small to "
      "cut. They belong to the figure in the outline that is written. The remark says how many there were, "

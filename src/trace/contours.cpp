@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include "base/geometry/edge_index.h"
 #include "popup/geometry.h"
@@ -110,6 +112,54 @@ const CellContour* CellBorders::of(const CellContour& curve) const {
         }
     }
     return best;
+}
+
+namespace {
+
+Vec2 middle_of(const CellContour& contour) {
+    const Subpath& subpath = contour.path.subpaths().front();
+    Box box;
+    box.extend(subpath.start);
+    for (const PathStep& step : subpath.steps) box.extend(step.to);
+    return box.centre();
+}
+
+}  // namespace
+
+const CellContour* CellBorders::about(const CellContour& curve) const {
+    if (middles_.empty()) {
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            middles_.push_back({contours_[i].area, middle_of(contours_[i]), i});
+        std::sort(middles_.begin(), middles_.end(), [](const Middle& a, const Middle& b) {
+            return std::tie(a.area, a.at.x, a.at.y) < std::tie(b.area, b.at.x, b.at.y);
+        });
+    }
+    const Vec2 wanted = middle_of(curve);
+    const auto start = std::lower_bound(
+        middles_.begin(), middles_.end(), std::tie(curve.area, wanted.x),
+        [](const Middle& one, const auto& key) { return std::tie(one.area, one.at.x) < key; });
+    const CellContour* best = nullptr;
+    double least = HUGE_VAL;
+    // False where no further one that way can be nearer.
+    const auto look = [&](const Middle& one) {
+        if (one.area != curve.area || std::abs(one.at.x - wanted.x) >= least) return false;
+        if (const double away = distance(wanted, one.at); away < least) {
+            least = away;
+            best = &contours_[one.contour];
+        }
+        return true;
+    };
+    for (auto right = start; right != middles_.end() && look(*right); ++right) {
+    }
+    for (auto left = start; left != middles_.begin() && look(*std::prev(left)); --left) {
+    }
+    return best;
+}
+
+double enclosed_area(const CellContour& curve) {
+    Flattened flat;
+    if (flatten(curve.path, flat) != FlatteningFault::none || flat.lines.empty()) return 0.0;
+    return signed_area(flat.lines.front().points);
 }
 
 std::optional<std::vector<std::size_t>> crossing(const std::vector<Path>& paths) {

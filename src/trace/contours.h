@@ -38,13 +38,25 @@ class CellBorders {
     [[nodiscard]] const std::vector<CellContour>& contours() const { return contours_; }
     // The one that a curve follows; null where it follows none.
     [[nodiscard]] const CellContour* of(const CellContour& curve) const;
+    // The same of a curve that has lost most of its length, and so ends far from its border. Cost: the first
+    // call sorts all contours; then log n, and those of the same area that are about as far left.
+    [[nodiscard]] const CellContour* about(const CellContour& curve) const;
 
  private:
     void follow(int x, int y);
     const CellGrid& cells_;
     std::vector<CellContour> contours_;
-    std::vector<std::uint32_t> above_;  // by cell, the number of the contour along its upper edge, from 1
+    struct Middle {
+        std::int64_t area;
+        Vec2 at;  // of the contour's box
+        std::size_t contour;
+    };
+    mutable std::vector<Middle> middles_;  // by area, then from left to right
+    std::vector<std::uint32_t> above_;     // by cell, the number of the contour along its upper edge, from 1
 };
+
+// What a contour of curves encloses, negative of a hole; 0 where it has too many points.
+double enclosed_area(const CellContour& curve);
 
 // The numbers of those that cross or touch themselves or others, ascending; closed subpaths in mm. Nullopt
 // where they have too many points.

@@ -18,6 +18,8 @@ constexpr double kLeastCellMm = 0.01;
 // A clean silhouette of the largest picture has a tenth of this.
 constexpr std::size_t kMostBorder = 4'000'000;
 constexpr std::size_t kMostNecks = 100;
+// Less than so much of a contour is not missed.
+constexpr double kLostCells = 3.0;
 
 // Where cells lie in mm.
 struct Scale {
@@ -33,6 +35,7 @@ class Following {
     Following(const CellGrid& cells, const Scale& scale, double tolerance)
         : cells_(cells), scale_(scale), curves_(curves_of(cells, Closeness::smooth, tolerance)) {
         for (const CellContour& curve : curves_) paths_.push_back(curve.path.mapped(scale_));
+        keep_strokes();
     }
 
     // False where there are too many points.
@@ -41,12 +44,14 @@ class Following {
             if (!find_crossing()) return false;
             if (found_.empty()) return true;
             const std::vector<CellContour> closer = curves_of(cells_, closeness, 0.0);
-            for (const std::size_t i : found_) paths_[i] = closer[i].path.mapped(scale_);
+            for (const std::size_t i : found_) {
+                if (!kept_[i]) paths_[i] = closer[i].path.mapped(scale_);
+            }
             if (closeness == Closeness::straight) straight_ = closer;
         }
         // What is replaced may meet what was not: so until nothing does, and at last by all.
         const CellBorders borders(cells_);
-        std::vector<bool> replaced(paths_.size());
+        std::vector<bool> replaced = kept_;
         while (find_crossing()) {
             if (found_.empty()) return true;
             bool any = false;
@@ -83,6 +88,27 @@ class Following {
     }
 
  private:
+    // Smooth curves make a needle of a stroke that is one cell wide, and lose most of its length. Such
+    // contours go along the cells.
+    void keep_strokes() {
+        constexpr double kMostLost = 0.25;
+        kept_.resize(paths_.size());
+        const auto error = [](const CellContour& curve, std::int64_t area) {
+            return std::abs(enclosed_area(curve) - static_cast<double>(area));
+        };
+        std::optional<CellBorders> borders;
+        for (std::size_t i = 0; i < curves_.size(); ++i) {
+            const std::int64_t area = curves_[i].area;
+            const double lost = error(curves_[i], area);
+            // Specks are a matter of taste.
+            if (lost <= kMostLost * std::abs(static_cast<double>(area)) || lost < kLostCells) continue;
+            if (!borders) borders.emplace(cells_);
+            const CellContour* border = borders->about(curves_[i]);
+            if (border == nullptr || error(*border, area) >= lost) continue;
+            kept_[i] = true;
+            paths_[i] = border->path.mapped(scale_);
+        }
+    }
     bool find_crossing() {
         auto found = crossing(paths_);
         if (found) found_ = std::move(*found);
@@ -92,6 +118,7 @@ class Following {
     Scale scale_;
     std::vector<CellContour> curves_, straight_;
     std::vector<Path> paths_;
+    std::vector<bool> kept_;  // along the cells from the beginning
     std::vector<std::size_t> found_;
 };
 
@@ -211,6 +238,14 @@ std::optional<Traced> trace_outlines(const PixelMask& mask, const TraceOptions& 
         if (traced.necks.size() == kMostNecks) break;
         traced.necks.push_back(
             {scale({neck.x - 0.5, cells.height - 1.5 - neck.y}), neck.width * scale.cell_mm});
+    }
+    if (mask.few_clear) {
+        diagnostics
+            .remark(
+                "trace-few-clear", {},
+                "less than a hundredth of the picture is clear, so the figure is what is dark in it, and not "
+                "what is opaque")
+            .hint("where all that is opaque is the figure, paint it in one colour");
     }
     tell_left_out(traced, options.min_feature_mm, diagnostics);
     tell_thin(traced, thin.necks.size(), thin.shapes, options.min_feature_mm, scale, cells, diagnostics);

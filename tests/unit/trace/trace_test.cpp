@@ -415,6 +415,27 @@ TEST(TraceMask, TakesOpacityWhereSomePixelsAreClear) {
     EXPECT_EQ(mask.inside, (std::vector<std::uint8_t>{0, 1, 1, 0}));
 }
 
+// As the corners of a window in a screenshot.
+TEST(TraceMask, AFewClearPixelsAreNoGround) {
+    std::vector<int> values(400, 255);
+    for (int i = 150; i < 200; ++i) values[static_cast<std::size_t>(i)] = 0;
+    ImagePixels pixels = grey(20, values);
+    pixels.opaque = false;
+    pixels.rgba[3] = 0;
+    pixels.rgba[4 * 399 + 3] = 254;
+    const PixelMask mask = mask_of(pixels, {});
+    EXPECT_FALSE(mask.by_alpha);
+    EXPECT_TRUE(mask.few_clear);
+    EXPECT_EQ(std::count(mask.inside.begin(), mask.inside.end(), 1), 50);
+    EXPECT_EQ(mask.inside[0], 0) << "clear is white";
+    EXPECT_EQ(messages(mask, pixels_of_a_tenth()).front().substr(0, 16), "trace-few-clear:");
+    // All of one colour: there is nothing to see but where it is clear.
+    ImagePixels plain = grey(20, std::vector<int>(400, 255));
+    plain.opaque = false;
+    plain.rgba[3] = 0;
+    EXPECT_TRUE(mask_of(plain, {}).by_alpha);
+}
+
 TEST(TraceMask, KnowsPicturesOfOneValue) {
     EXPECT_TRUE(mask_of(grey(1, {255}), {}).even);
     EXPECT_TRUE(mask_of(grey(2, {7, 7, 7, 7}), {}).even);
@@ -427,6 +448,29 @@ TEST(TraceMask, KnowsPicturesOfOneValue) {
     const Traced one = traced(mask_of(grey(1, {0}), {.threshold = 100}), options);
     ASSERT_EQ(one.shapes.size(), 1U);
     expect_sound(one);
+}
+
+// One pixel wide: smooth curves would leave a needle of a part of it.
+TEST(Trace, KeepsThinStrokesWhole) {
+    const std::string empty(40, '.');
+    std::vector<std::string> bar(40, empty);
+    std::vector<std::string> cross(40, empty);
+    for (std::size_t i = 3; i < 37; ++i) {
+        bar[i][5] = '#';
+        cross[i][20] = cross[20][i] = '#';
+    }
+    TraceOptions options;
+    options.pixel_mm = 1.0;
+    for (const auto& [rows, pixels] : {std::pair(bar, 34.0), std::pair(cross, 67.0)}) {
+        const Traced result = traced(drawn(rows), options);
+        ASSERT_EQ(result.shapes.size(), 1U);
+        expect_sound(result);
+        const Region region = region_of(result.shapes[0]);
+        EXPECT_NEAR(bg::area(region), pixels, 0.1 * pixels);
+        Box box;
+        for (const Vec2 p : walked(result.shapes[0].path.subpaths()[0], 16)) box.extend(p);
+        EXPECT_NEAR(box.height(), 34.0, 1.0);
+    }
 }
 
 TEST(Trace, RefusesNoise) {
