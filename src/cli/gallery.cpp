@@ -34,11 +34,14 @@ namespace fs = std::filesystem;
 
 // Settings that change no page of a design: what is looked at, what is said of it, and where it goes.
 constexpr std::string_view kElsewhere[] = {
-    "INPUT", "output",  "title",   "include",        "exclude",     "jobs",   "color",    "progress",
-    "quiet", "verbose", "dry-run", "message-format", "diagnostics", "config", "no-config"};
+    "INPUT", "output",  "title",   "include",        "exclude",     "jobs",   "color",     "progress",
+    "quiet", "verbose", "dry-run", "message-format", "diagnostics", "config", "no-config", "include-dir"};
 
-std::string command_of(const Options& options, const std::optional<ProfileFile>& profile) {
-    std::vector<std::string> words;
+// `folders`: where programs load from, as they are named from the library's root.
+std::string command_of(const Options& options, const std::optional<ProfileFile>& profile,
+                       const std::vector<std::string>& folders) {
+    std::vector<std::string> words{"include-dir"};
+    words.insert(words.end(), folders.begin(), folders.end());
     for (const auto& [key, values] : options.settings) {
         if (std::find(std::begin(kElsewhere), std::end(kElsewhere), key) != std::end(kElsewhere)) continue;
         words.push_back(key);
@@ -252,7 +255,6 @@ GalleryRun prepare(const Options& options, GalleryPlan plan, const std::optional
     run.plan = std::move(plan);
     run.directory = directory_for(given, run.plan);
     run.record = record_of(given, run.directory, run.plan);
-    run.command = command_of(options, profile);
     run.compile = options.compile;
     run.policy = options.policy;
     run.dry_run = options.gallery.dry_run;
@@ -263,6 +265,7 @@ GalleryRun prepare(const Options& options, GalleryPlan plan, const std::optional
     static const std::atomic<bool> kNever{false};
     run.compile.layout.nesting.stop = &kNever;
     name_from(run.plan.root, run.compile.read.program.folders);
+    run.command = command_of(options, profile, run.compile.read.program.folders);
     for (const std::string_view file : {kGalleryIndex, kGalleryRecord}) {
         const std::string path = fmt::format("{}/{}", given, file);
         if (!options.messages.file.empty() && same_place(path, options.messages.file))
@@ -389,6 +392,10 @@ int run_gallery(const Options& given) {
         return print(due) && told ? exit_of(run, tally) : exit_unusable;
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    if (is_empty && !run.record.rows().empty()) {
+        announce(messages, fmt::format("{}/{} stays as it was: there is no design to show in its place",
+                                       options.gallery.directory, kGalleryIndex));
+    }
     if (output && !messages.use_standard_output())
         announce(messages, summary(options, run, tally, took.count()));
     if (!told) return exit_unusable;

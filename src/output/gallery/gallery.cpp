@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "base/text/base64.h"
@@ -201,7 +202,10 @@ std::string write_gallery(const std::string& title, std::span<const GalleryTile>
     for (const GalleryTile& tile : tiles) {
         list += tile_html(tile);
         for (const auto& [name, count] : tile.elements) ++elements[name];
-        for (const FindingCount& one : tile.findings) ++codes[one.code];
+        // A code may be there with two severities: of findings, and of how many more there are.
+        std::set<std::string_view> found;
+        for (const FindingCount& one : tile.findings) found.insert(one.code);
+        for (const std::string_view one : found) ++codes[std::string(one)];
     }
     const std::string look = style();
     const std::string code = script();

@@ -183,6 +183,28 @@ TEST_F(Gallery, WhatDesignsLoadCounts) {
     EXPECT_EQ(summary_of(make()), "popupc: gallery/index.html: 3 designs; 2 made; 2 as they were");
 }
 
+// Folders are what they are, wherever they are named from.
+TEST_F(Gallery, FoldersThatProgramsLoadFromCount) {
+    const auto library = [](int height) {
+        return "define part(w)\n  forward(w) left(90) forward(" + std::to_string(height) +
+               ") left(90) forward(w) left(90) forward(" + std::to_string(height) + ")\ndone\n";
+    };
+    write("p.fl", "load(\"lib.fl\")\npart(40)\n");
+    for (const int height : {10, 20}) {
+        const fs::path folder = scratch_ / ("from" + std::to_string(height));
+        fs::create_directories(folder / "inc");
+        write_file(folder / "inc/lib.fl", library(height));
+    }
+    const auto made_from = [&](const std::string& folder, const std::string& include) {
+        RunOptions options;
+        options.directory = scratch_ / folder;
+        return summary_of(popupc({"gallery", "../designs", "-o", "../gallery", "-I", include}, options));
+    };
+    EXPECT_NE(made_from("from10", "inc").find("; 3 made"), std::string::npos);
+    EXPECT_NE(made_from("from10", "../from10/./inc").find("; 3 as they were"), std::string::npos);
+    EXPECT_EQ(made_from("from20", "inc").find("; 3 as they were"), std::string::npos) << "another library";
+}
+
 TEST_F(Gallery, DesignsThatAreGoneLoseTheirFiles) {
     write_file(scratch_ / "gallery-of-mine.txt", "mine");
     ASSERT_EQ(make().exit, 0);
@@ -267,6 +289,7 @@ TEST_F(Gallery, AnEmptyLibraryLeavesTheGalleryAsItWas) {
     const RunResult none = make();
     EXPECT_EQ(none.exit, 1);
     EXPECT_NE(none.err.find("[no-designs]"), std::string::npos) << none.err;
+    EXPECT_NE(none.err.find("gallery/index.html stays as it was"), std::string::npos) << none.err;
     EXPECT_EQ(files(), before);
 }
 
