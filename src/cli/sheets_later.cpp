@@ -58,7 +58,11 @@ void SheetsLater::run() {
         Compilation& run = job->build.run.compilation;
         lay_out_run(run, options);
         std::optional<std::string> sheets;
-        if (run.layout && !stop_) sheets = live_sheets(*run.layout, options.output, run.run_diagnostics);
+        if (!stop_) {
+            sheets = live_sheets(run.layout ? &*run.layout : nullptr, options.output, run.run_diagnostics);
+            // Those of the card before must not stay beside the new model.
+            if (!sheets) sheets = live_sheets(nullptr, options.output, run.run_diagnostics);
+        }
         // Whoever starts or forgets a job from now on waits, and what it tells comes after this.
         const std::lock_guard lock(mutex_);
         if (!stop_) done_(*job, std::move(sheets));

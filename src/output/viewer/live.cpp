@@ -81,9 +81,9 @@ std::optional<std::string> live_model(std::span<const SceneCard> cards, const Ou
     return text;
 }
 
-std::optional<std::string> live_sheets(const Layout& layout, const OutputOptions& options,
+std::optional<std::string> live_sheets(const Layout* layout, const OutputOptions& options,
                                        Diagnostics& diagnostics) {
-    const auto sheets = viewer_sheets(&layout, options, diagnostics);
+    const auto sheets = viewer_sheets(layout, options, diagnostics);
     if (!sheets) return std::nullopt;
     const nlohmann::ordered_json told{
         {"count", sheets->packed.size()}, {"html", sheets->html}, {"packed", sheets->packed}};

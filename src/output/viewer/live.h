@@ -25,8 +25,9 @@ LivePage live_page();
 std::optional<std::string> live_model(std::span<const SceneCard> cards, const OutputOptions& options,
                                       Diagnostics& diagnostics);
 
-// The sheets, as JSON: {count, html, packed: as ViewerSheets has them}. Errors: those of write_svg().
-std::optional<std::string> live_sheets(const Layout& layout, const OutputOptions& options,
+// The sheets, as JSON: {count, html, packed: as ViewerSheets has them}; null: there are none, and html says
+// so. Errors: those of write_svg().
+std::optional<std::string> live_sheets(const Layout* layout, const OutputOptions& options,
                                        Diagnostics& diagnostics);
 
 // Findings as a list, as pages of viewer.h have it.

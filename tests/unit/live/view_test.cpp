@@ -187,6 +187,19 @@ TEST_F(View, SheetsFollowTheModel) {
     EXPECT_EQ(small.end(SIGINT), 0);
 }
 
+TEST_F(View, SheetsOfTheCardBeforeAreTakenAway) {
+    view.start({"card.xml", "--sheet", "210x150"});
+    view.until([](const nlohmann::json& news) { return news.contains("sheets"); });
+    std::string wide = card(80);
+    wide.replace(wide.find("'200'"), 5, "'400'");
+    view.replace("card.xml", wide);
+    view.until([](const nlohmann::json& news) { return news.at("sheets").at("count") == 0; });
+    EXPECT_EQ(view.shown.at("errors"), 1);
+    EXPECT_NE(view.shown.at("model").dump().find("w80"), std::string::npos) << "the new model";
+    view.replace("card.xml", card(60));
+    view.until([](const nlohmann::json& news) { return news.at("sheets").at("count") != 0; });
+}
+
 TEST_F(View, SeveralInputsAndDrawingsAreShownAsABuildTakesThem) {
     fs::copy(kSource / "samples/folded/town.svg", view.scratch / "town.svg");
     view.start({"card.xml", "town.svg", "--as", "folded"});
