@@ -332,8 +332,13 @@ void refuse_definitions(Compilation& run) {
                 .hint("without --flat it is folded as far as its panels let it");
             continue;
         }
-        one.diagnostics.error("flatlang-no-parts", {}, "the program draws nothing: it only defines functions")
-            .hint("call them at its end, or load() it from a program that does");
+        one.diagnostics
+            .error("flatlang-no-parts", {},
+                   "the program defines functions and draws nothing, so there is nothing to write")
+            .hint(
+                "functions draw when they are called, with the pen down: call them at its end, or load() it "
+                "from a "
+                "program that does");
     }
 }
 

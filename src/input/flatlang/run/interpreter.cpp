@@ -24,6 +24,8 @@ constexpr std::size_t kStackPerLevel = 1280;
 constexpr std::size_t kStackBesides = 16U << 20;
 
 constexpr std::string_view kPreludeName = "prelude";
+// What evaluated texts are called in findings.
+constexpr std::string_view kEvaluated = "eval";
 
 Value definition_value(Heap& heap, const std::string& text) {
     if (text == "true" || text == "false") return heap.truth(text == "true");
@@ -88,8 +90,18 @@ std::pair<Place, std::string> Interpreter::located(Position at) const {
     };
     while (at.unit == s.prelude && at.callers > 0) go_up();
     if (at.unit == nullptr || at.unit == s.program) return {at.place, {}};
-    std::string where = fmt::format("{}:{}:{}: ", at.unit->file, at.place.line, at.place.column);
+    const auto told = [&at] {
+        return fmt::format("{}:{}:{}: ", at.unit->file, at.place.line, at.place.column);
+    };
+    std::string where = told();
     const Position inner = at;
+    // An evaluated text is nowhere to be looked up: what had it evaluated is.
+    while (at.unit->file == kEvaluated && at.callers > 0) {
+        go_up();
+        while (at.unit == s.prelude && at.callers > 0) go_up();
+        if (at.unit == s.program || at.unit == s.prelude) break;
+        where = told() + where;
+    }
     while (at.unit != s.program && at.callers > 0) go_up();
     // A program that loads itself comes by the same place again.
     if (at.unit == s.program && inner.unit->file == at.unit->file && inner.place == at.place) where.clear();
@@ -404,7 +416,7 @@ Value Interpreter::evaluate_text(const std::string& text, Place place) {
     State& s = *state_;
     spend(kStepsPerEval + text.size() * kStepsPerEvaluatedByte);
     bool complete = false;
-    const Syntax& unit = read_text("eval", text, place, complete);
+    const Syntax& unit = read_text(std::string(kEvaluated), text, place, complete);
     ++s.evaluating;
     Value value = run_unit(unit, place);
     --s.evaluating;

@@ -92,7 +92,7 @@ class Lexer {
             if (is_space(text_[at_])) {
                 step();
             } else if (text_[at_] == ';') {
-                while (at_ < text_.size() && text_[at_] != '\n') step();
+                while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') step();
             } else {
                 return;
             }

@@ -427,6 +427,10 @@ TEST(FlatLangRun, FindingsInLoadedFilesNameThemAndStandAtTheCallInTheProgram) {
               "1:1 run.fl:2:15: argument 2 of find() is a number, where a list is expected\n"
               "1:1 now.fl:2:3: there is no function nothing() here; the call does nothing\n");
     EXPECT_EQ(run("x = 1\neval(\"1 + \\n\")").sentences().substr(0, 12), "2:1 eval:1:5");
+    // A text that was evaluated cannot be looked up: what had it evaluated can.
+    const Files evaluating{{"in.fl", "\n eval(\"5 % 0\")"}, {"out.fl", "load(\"in.fl\")"}};
+    EXPECT_EQ(run("load(\"out.fl\")", with_files(evaluating)).sentences(),
+              "1:1 in.fl:2:2: eval:1:1: the remainder of a division by zero is asked for\n");
     EXPECT_EQ(run("print(eval(\"forward(1) 5 % 0\"))").sentences(),
               "1:7 eval:1:12: the remainder of a division by zero is asked for\n");
 }
