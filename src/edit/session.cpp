@@ -336,6 +336,11 @@ bool Session::set_value(std::size_t n, std::string_view name, const std::string&
                                     xml::format_number(*value / (is_length ? design.unit.mm : 1.0)),
                                     is_length ? " " + std::string(design.unit.name) : "°"));
         }
+        constexpr double kStraightDeg = 180.0;
+        if (is_size && measure.kind == MeasureKind::angle && *value >= kStraightDeg) {
+            return fail("bad-edit", fmt::format("{} is {}°, and must be less than 180°", measure.name,
+                                                xml::format_number(*value)));
+        }
         measures[*number] = *value;
         measured = true;
         return true;
