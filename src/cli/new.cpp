@@ -4,11 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "cli/files/outputs.h"
 #include "cli/options/value_option.h"
 #include "cli/report.h"
 #include "cli/verbs.h"
+#include "popup/compile.h"
 #include "popup/edit.h"
 #include "popup/files.h"
 
@@ -126,7 +129,17 @@ int run_new(const Options& options) {
         written = write_all({{verb.output, *text}}, false, trouble);
     }
     if (!written && reader_has_gone()) return exit_unusable;
-    const bool told = report(options.messages, {{&findings, text.value_or("")}}, trouble);
+    // Elements that have just room are made; what is found of them with the usual settings is said here.
+    Compilation made;
+    if (text) {
+        CompileOptions compile_options = options.compile;
+        compile_options.until = Stage::pattern;
+        compile_options.read.language = "xml";
+        const std::string name = verb.output == "-" ? "standard output" : verb.output;
+        made = compile({{name, *text}}, compile_options, options.policy);
+    }
+    const Diagnostics& found = text ? made.designs.front().diagnostics : findings;
+    const bool told = report(options.messages, {{&found, text.value_or("")}}, trouble);
     if (!written || !told) return exit_unusable;
     return text ? exit_done : exit_findings;
 }
