@@ -56,6 +56,7 @@ struct Label {
     double height_mm = 4.0;  // of the capitals
     double angle = 0.0;      // radians, counter-clockwise
     bool on_back = false;    // of what is there: shown on backs alone
+    double room = 1.0;       // ≥ 1; a text this many times as wide has room there too
 };
 
 // A tab with room for its piece's name: "2L castle" instead of the number alone.

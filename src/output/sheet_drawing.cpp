@@ -9,7 +9,7 @@
 #include "base/diagnostics/render_diagnostics.h"
 #include "base/geometry/regions.h"
 #include "base/text/numbers.h"
-#include "base/text/utf8.h"
+#include "base/text/text_width.h"
 #include "fabrication/broken_score.h"
 #include "fabrication/glue_marks.h"
 #include "fabrication/marks.h"
@@ -44,20 +44,14 @@ double upright(double angle) {
     return turned;
 }
 
-std::size_t characters(std::string_view text) {
-    std::size_t count = 0;
-    for (; !text.empty(); ++count) text.remove_prefix(first_character(text).bytes);
-    return count;
-}
-
-// The label with the name of its design before it, and no wider than before; where that cannot be read, as it
-// is.
+// The label with the name of its design before it, no higher than before and no wider than there is room;
+// where that cannot be read, as it is.
 Label of_design(Label label, std::string_view prefix) {
     constexpr double kLeastTextMm = 1.5;
     if (prefix.empty() || label.text.empty()) return label;
     std::string text = fmt::format("{} {}", prefix, label.text);
-    const double height =
-        label.height_mm * static_cast<double>(characters(label.text)) / static_cast<double>(characters(text));
+    const double wider = text_width(text, 1.0) / text_width(label.text, 1.0);
+    const double height = label.height_mm * std::min(1.0, label.room / wider);
     if (height < kLeastTextMm) return label;
     label.text = std::move(text);
     label.height_mm = height;

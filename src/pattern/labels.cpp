@@ -14,6 +14,8 @@ namespace popup {
 namespace {
 
 constexpr std::array kHeights{4.0, 3.5, 3.0, 2.5, 2.0, 1.5};
+// How much wider texts are tried.
+constexpr std::array kWidenings{1.25, 1.5, 2.0, 3.0, 4.0, 6.0};
 constexpr double kTabPadMm = 0.4;
 constexpr double kPlatePadMm = 1.0;
 
@@ -46,19 +48,6 @@ std::string upright_number(std::string_view number) {
     }
     const bool another = turned != number && !turned.starts_with('0');
     return std::string(number) + (another ? "." : "");
-}
-
-double text_width(std::string_view text, double cap_height) {
-    double width = 0.0;  // in heights of capitals
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xC0U) == 0x80U) continue;  // not the first byte of a character
-        const bool wide =
-            byte >= 0x80U || c == 'm' || c == 'w' || c == 'M' || c == 'W' || c == '@' || c == '%';
-        const bool narrow = c == 'i' || c == 'j' || c == 'l' || c == 'I' || c == '.' || c == ':' || c == '\'';
-        width += wide ? 1.4 : narrow ? 0.5 : 0.95;
-    }
-    return width * cap_height;
 }
 
 namespace {
@@ -205,16 +194,31 @@ std::optional<TextSpot> place_among(const EdgeIndex& plate, const DrawnLines* dr
         if (place.clear < length(half) + kSurelyMm && !clear_of(plate, at, half)) return false;
         return !drawing || clear_of(drawing->at, at, half + Vec2{drawing->half_width, drawing->half_width});
     };
+    const auto half_of = [text](double height, double times) {
+        return Vec2{0.5 * times * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
+    };
+    const auto room_at = [&](const Candidate& place, double height, bool upward) {
+        double room = 1.0;
+        for (const double times : kWidenings) {
+            const Vec2 half = half_of(height, times);
+            if (!is_free(place, upward ? Vec2{half.y, half.x} : half)) break;
+            room = times;
+        }
+        return room;
+    };
     const auto largest = [&](const std::vector<Candidate>& candidates, double above) {
         for (const double height : kHeights) {
             if (height <= above) break;
-            const Vec2 half{0.5 * text_width(text, height) + kPlatePadMm, 0.5 * height + kPlatePadMm};
+            const Vec2 half = half_of(height, 1.0);
             for (const Candidate& candidate : candidates) {
-                if (is_free(candidate, half)) return std::optional(TextSpot{candidate.at, height, 0.0});
+                if (is_free(candidate, half))
+                    return std::optional(
+                        TextSpot{candidate.at, height, 0.0, room_at(candidate, height, false)});
             }
             for (const Candidate& candidate : candidates) {
                 if (is_free(candidate, {half.y, half.x}))
-                    return std::optional(TextSpot{candidate.at, height, 0.5 * std::numbers::pi});
+                    return std::optional(TextSpot{candidate.at, height, 0.5 * std::numbers::pi,
+                                                  room_at(candidate, height, true)});
             }
         }
         return std::optional<TextSpot>();

@@ -7,12 +7,10 @@
 #include <string_view>
 
 #include "base/geometry/edge_index.h"
+#include "base/text/text_width.h"
 #include "popup/geometry.h"
 
 namespace popup {
-
-// Width of a line of text in DejaVu Sans whose capitals are `cap_height` high; never too small.
-double text_width(std::string_view text, double cap_height);
 
 // The number of a piece as it is written alone: with a full stop where it would be another number for those
 // who hold the piece upside down. "6." and "16." (91), but "7", "8" and "6L".
@@ -23,6 +21,7 @@ struct TextSpot {
     Vec2 at;
     double height;
     double angle = 0.0;
+    double room = 1.0;  // as Label's: asked of plates alone
 };
 
 // The largest text, 1.5 to 4 mm high, that fits into one of a tab's parts, in seam coordinates (text along
@@ -48,7 +47,8 @@ struct Drawing {
 // The largest text, 1.5 to 4 mm high, that fits on a plate clear of all its edges, and of other lines and
 // rings in the index (rings that text is to avoid are put in clockwise); the place with most room around it.
 // Clear of what is drawn on the plate if that can be had, and always of texts, which nobody could read with
-// another across. Nothing when no place will do. Cost: a bounded number of questions to the indexes.
+// another across. Its `room` is at most 6. Nothing when no place will do. Cost: a bounded number of questions
+// to the indexes.
 std::optional<TextSpot> place_on_plate(const EdgeIndex& plate, const Drawing& drawing, const Box& bounds,
                                        std::string_view text);
 

@@ -361,7 +361,8 @@ class Unfolder {
     }
 
     void write(std::size_t number, const std::string& text, const TextSpot& spot) {
-        pieces_[number].piece.labels.push_back({LabelKind::piece, text, spot.at, spot.height, spot.angle});
+        pieces_[number].piece.labels.push_back(
+            {LabelKind::piece, text, spot.at, spot.height, spot.angle, false, spot.room});
     }
 
     // On the largest of its paper's regions that has room for it.
