@@ -128,7 +128,7 @@ bool Values::read_path(const Field& field, const ParameterInfo& parameter, Argum
 }
 
 void Values::tell_slits(const DrawnPath& path, const ParameterInfo& parameter, Place place) {
-    const std::vector<std::vector<Vec2>> slits = slits_of(path.path);
+    const std::vector<std::vector<Vec2>> slits = slits_of(path, parameter.name != "outline");
     if (slits.empty()) return;
     const Vec2 from = slits.front().front();
     const Vec2 to = slits.front().back();

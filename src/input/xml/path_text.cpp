@@ -57,17 +57,23 @@ std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath
     return std::nullopt;
 }
 
-std::vector<std::vector<Vec2>> slits_of(const Path& path) {
+std::vector<std::vector<Vec2>> slits_of(const DrawnPath& path, bool is_hole) {
     std::vector<std::vector<Vec2>> slits;
     Flattened flat;
-    if (flatten(path, flat) != FlatteningFault::none) return slits;
+    if (flatten(path.path, flat) != FlatteningFault::none) return slits;
     for (Polyline& line : flat.lines) {
         std::vector<Vec2>& points = line.points;
         while (points.size() > 2 && points.back() == points.front()) points.pop_back();
         if (points.size() == 2) slits.push_back(points);
         for (std::vector<Vec2>& spur : spurs_of(points)) slits.push_back(std::move(spur));
     }
-    std::erase_if(slits, [](const std::vector<Vec2>& slit) { return drawing::length_of(slit) < kLeastSlit; });
+    std::erase_if(slits, [&](const std::vector<Vec2>& slit) {
+        if (drawing::length_of(slit) < kLeastSlit) return true;
+        const Vec2 middle = lerp(slit[0], slit[1], 0.5);
+        const bool within = std::any_of(path.inside.areas.begin(), path.inside.areas.end(),
+                                        [middle](const Polygon& area) { return contains(area, middle); });
+        return within == is_hole;
+    });
     return slits;
 }
 

@@ -22,8 +22,9 @@ struct PathRefusal {
 std::optional<PathRefusal> read_path(std::string_view text, Unit unit, DrawnPath& path);
 
 // The slits of a path, each as a line in mm: where one of its lines runs out and straight back, or is
-// nothing but a straight line. What encloses no area is not cut. None is shorter than 0.5 mm. Cost: linear.
-std::vector<std::vector<Vec2>> slits_of(const Path& path);
+// nothing but a straight line. What encloses no area is not cut. None is shorter than 0.5 mm, and all begin
+// in paper, which is within an outline and about a hole. Cost: linear, and areas times slits.
+std::vector<std::vector<Vec2>> slits_of(const DrawnPath& path, bool is_hole);
 
 // Path data of what is meant: `text` where it says just that, else its lines and curves, moved, with at most
 // six decimals. Of a path without text, the rings of its areas. Precondition: `text` can be read, or is
