@@ -13,6 +13,7 @@
 #include "base/nth.h"
 #include "cli/batch/jobserver.h"
 #include "cli/files/tree_walk.h"
+#include "cli/options/config.h"
 #include "cli/options/config_file.h"
 #include "cli/progress.h"
 
@@ -159,9 +160,10 @@ std::vector<Source> read_all(Run& run, const Options& options) {
 // Configurations below a directory that is walked, which the files there may be thought to have.
 void tell_of_configurations(const std::string& top, const std::vector<std::string>& found,
                             const Options& options, InputFiles& files) {
-    if (options.config.off || !options.config.file.empty()) return;
+    if (is_configuration_chosen(options)) return;
     std::set<std::string> seen;
-    const fs::path end = fs::path(top).lexically_normal();
+    fs::path end = fs::path(top).lexically_normal();
+    if (end == ".") end.clear();
     for (const std::string& file : found) {
         for (fs::path directory = fs::path(file).lexically_normal().parent_path();
              directory.string().size() > end.string().size() && seen.insert(directory.string()).second;

@@ -173,6 +173,28 @@ void apply_values(const ConfigFile& file, bool own, CLI::App& verb, Level& level
     }
 }
 
+// Whether the verb's own table has an option about the sheet whose value is that of a variable.
+bool asks_for_sheets(const ConfigFile& file, CLI::App& verb, const Settings& settings) {
+    Options probe;
+    std::unique_ptr<CLI::App> program;
+    for (const auto& [option, traits] : settable(verb)) {
+        const auto found = file.values.find(traits.key);
+        if (found == file.values.end() || !found->second.own) continue;
+        const auto origin = settings.origins.find(traits.key);
+        if (origin == settings.origins.end() || !origin->second.starts_with(kPrefix)) continue;
+        if (!program) program = declare_program(probe, verb_table());
+        CLI::Option* same = program->get_subcommand(verb.get_name())->get_option_no_throw(option->get_name());
+        if (same == nullptr || found->second.texts.empty()) continue;
+        for (const std::string& text : found->second.texts) same->add_result(text);
+        try {
+            same->run_callback();
+        } catch (const std::exception&) {
+            continue;  // it is told where the value is used
+        }
+    }
+    return probe.sheet_given;
+}
+
 // Variables that look like ours and set no option of any verb, by name.
 std::vector<UnknownVariable> unknown_variables() {
     std::set<std::string> names;
@@ -246,6 +268,14 @@ std::string with_comment(std::string left, const std::string& comment) {
 
 }  // namespace
 
+bool is_configuration_chosen(const Options& options) {
+    const ConfigOptions& given = options.config;
+    if (given.off || !given.file.empty() || variable(variable_of("config"))) return true;
+    const std::string off = variable_of("no-config");
+    const auto text = variable(off);
+    return text && flag_value(off, *text) == "true";
+}
+
 std::string variable_of(std::string_view key) {
     std::string name(kPrefix);
     for (const char c : key) {
@@ -262,6 +292,7 @@ Settings apply_settings(CLI::App& verb, Options& options) {
     // How many threads are right in general does not say that make is not to be asked.
     const bool jobs_given = options.jobs_given;
     apply_environment(verb, settings);
+    options.sheet_given = sheet_given;
     settings.file = config_of(options);
     if (settings.file) {
         options.settings_files.push_back(*settings.file);
@@ -270,14 +301,15 @@ Settings apply_settings(CLI::App& verb, Options& options) {
         const std::unique_ptr<CLI::App> program = declare_program(scratch, verb_table());
         const ConfigFile file =
             read_config(*settings.file, *program, *program->get_subcommand(verb.get_name()));
-        Level level(verb, settings);
         Diagnostics trouble(file.name);
-        apply_values(file, false, verb, level, trouble);
-        options.sheet_given = sheet_given;
-        apply_values(file, true, verb, level, trouble);
+        // The verb's own table stands above the rest of the file.
+        Level own(verb, settings);
+        apply_values(file, true, verb, own, trouble);
+        const bool own_sheet = options.sheet_given || asks_for_sheets(file, verb, settings);
+        Level rest(verb, settings);
+        apply_values(file, false, verb, rest, trouble);
+        options.sheet_given = own_sheet;
         if (trouble.has_errors()) throw UsageError(trouble, file.text);
-    } else {
-        options.sheet_given = sheet_given;
     }
     options.jobs_given = jobs_given;
     options.unknown_variables = unknown_variables();

@@ -30,6 +30,10 @@ Settings apply_settings(CLI::App& verb, Options& options);
 std::string render_settings(const CLI::App& verb, const Settings& settings,
                             const std::vector<UnknownVariable>& unknown_variables);
 
+// Whether a file, or none, was asked for by an option or a variable: then no directory is looked into for
+// one.
+bool is_configuration_chosen(const Options& options);
+
 // "sheet" is "POPUPC_SHEET".
 std::string variable_of(std::string_view key);
 

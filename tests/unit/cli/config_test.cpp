@@ -120,6 +120,10 @@ TEST_F(Config, ChangesWhatARunDoes) {
     config("[check]\nsheet = '30x20'\n");
     EXPECT_TRUE(has(popupc({"check", "designs/card.xml"}).err, "[piece-too-large]"));
     EXPECT_EQ(popupc({"check", "--no-config", "designs/card.xml"}).exit, 0);
+    // A variable may have the value: it is the table that asks for sheets.
+    options.environment["POPUPC_SHEET"] = "30x20";
+    EXPECT_TRUE(has(popupc({"check", "designs/card.xml"}).err, "[piece-too-large]"));
+    EXPECT_FALSE(has(popupc({"check", "--no-config", "designs/card.xml"}).err, "[piece-too-large]"));
 }
 
 TEST_F(Config, FlagsStandAboveTheEnvironmentAndThatAboveTheFile) {
@@ -146,6 +150,10 @@ TEST_F(Config, AVerbsTableStandsAboveTheTop) {
     EXPECT_EQ(
         settings({"build", "designs/card.xml"}),
         (Lines{"deny = [\"collision\"] # designs/popupc.toml:1", "werror = true # designs/popupc.toml:6"}));
+    // Also where they exclude each other, or one stands instead of the other.
+    config("stock = 'a3'\nquiet = true\n[build]\nsheet = 'letter'\nverbose = true\n");
+    EXPECT_EQ(settings({"build", "designs/card.xml"}), (Lines{"sheet = \"letter\" # designs/popupc.toml:4",
+                                                              "verbose = true # designs/popupc.toml:5"}));
     config("margin = 1\n[build]\nmargin = 2\n");
     EXPECT_EQ(settings({"build", "designs/card.xml"}), Lines{"margin = \"2\" # designs/popupc.toml:3"});
 }
@@ -388,6 +396,10 @@ TEST_F(Config, OneBelowADirectoryThatIsWalkedIsNamed) {
     EXPECT_TRUE(has(result.err, "designs/sub/popupc.toml: remark: this is not looked at")) << result.err;
     EXPECT_FALSE(has(popupc({"check", "designs", "--no-config"}).err, "config-ignored"));
     EXPECT_FALSE(has(popupc({"check", "designs/sub"}).err, "config-ignored"));
+    options.directory = scratch / "designs";
+    EXPECT_TRUE(has(popupc({"check", "."}).err, "sub/popupc.toml: remark: this is not looked at"));
+    options.environment["POPUPC_CONFIG"] = "sub/popupc.toml";
+    EXPECT_FALSE(has(popupc({"check", "."}).err, "config-ignored")) << "that was chosen";
 }
 
 TEST_F(Config, FilesInItCountFromItsDirectory) {
