@@ -7,11 +7,7 @@
 namespace popup {
 namespace {
 
-bool is_finding(const Diagnostic& one) {
-    if (one.severity != Severity::remark) return true;
-    const auto further = further_of(one);
-    return further && further->severity != Severity::remark;
-}
+bool is_finding(const Diagnostic& one) { return told_severity(one) != Severity::remark; }
 
 }  // namespace
 

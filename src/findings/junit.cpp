@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/further_findings.h"
 #include "base/diagnostics/render_diagnostics.h"
 #include "findings/message_formats.h"
 
@@ -33,7 +34,7 @@ Case case_of(const ToldFile& file) {
 
 void add(Case& one, const std::vector<Diagnostic>& told) {
     for (const Diagnostic& diagnostic : told) {
-        (diagnostic.severity == Severity::remark ? one.remarks : one.findings).push_back(&diagnostic);
+        (told_severity(diagnostic) == Severity::remark ? one.remarks : one.findings).push_back(&diagnostic);
     }
 }
 
@@ -50,7 +51,7 @@ std::vector<Case> cases_of(const Findings& findings) {
     for (const Diagnostic& one : findings.run) {
         const auto file = index.find(one.file);
         Case& target = file == index.end() ? run : cases[file->second];
-        (one.severity == Severity::remark ? target.remarks : target.findings).push_back(&one);
+        (told_severity(one) == Severity::remark ? target.remarks : target.findings).push_back(&one);
     }
     if (!run.findings.empty() || !run.remarks.empty()) cases.push_back(std::move(run));
     return cases;

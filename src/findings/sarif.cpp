@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/diagnostics/further_findings.h"
 #include "base/text/fingerprint.h"
 #include "findings/message_formats.h"
 #include "findings/repository.h"
@@ -142,7 +143,7 @@ class Log {
             location["logicalLocations"] = Json::array({{{"name", one.element}, {"kind", "element"}}});
         Json json{{"ruleId", one.code},
                   {"ruleIndex", rule_index_.at(one.code)},
-                  {"level", level_of(one.severity)},
+                  {"level", level_of(told_severity(one))},
                   {"message", {{"text", words(one)}}},
                   {"locations", Json::array({std::move(location)})}};
         for (const Related& other : one.related) {
@@ -162,7 +163,7 @@ class Log {
     Json notification(const Diagnostic& one) {
         successful_ = successful_ && one.severity != Severity::error;
         return {{"descriptor", {{"id", one.code}, {"index", rule_index_.at(one.code)}}},
-                {"level", level_of(one.severity)},
+                {"level", level_of(told_severity(one))},
                 {"message", {{"text", words(one)}}}};
     }
 

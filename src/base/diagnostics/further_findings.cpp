@@ -30,4 +30,10 @@ std::optional<FurtherFindings> further_of(const Diagnostic& diagnostic) {
     return std::nullopt;
 }
 
+Severity told_severity(const Diagnostic& diagnostic) {
+    if (diagnostic.severity != Severity::remark) return diagnostic.severity;
+    const auto further = further_of(diagnostic);
+    return further ? further->severity : diagnostic.severity;
+}
+
 }  // namespace popup

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/further_findings.h"
 #include "base/diagnostics/render_diagnostics.h"
 #include "findings/repository.h"
 #include "findings/statistics.h"
@@ -319,6 +320,16 @@ for suite in report:
               "popupc good.xml []\n"
               "popupc missing.xml [('Error', 'unreadable-input')]\n")
         << read.err;
+}
+
+// What is not shown decides a run's status, and so it is no remark to programs.
+TEST(MessageFormats, FurtherFindingsAreAsSevereAsThey) {
+    Findings findings;
+    findings.files = {
+        told("card.xml", {further_findings("unknown-markup", "card.xml", {31, Severity::warning})})};
+    EXPECT_NE(rendered("junit", findings).find("failures=\"1\""), std::string::npos);
+    const json run = json::parse(rendered("sarif", findings))["runs"][0];
+    EXPECT_EQ(run["results"][0]["level"], "warning");
 }
 
 TEST(Junit, RemarksFailNothingAndStandInTheOutput) {
