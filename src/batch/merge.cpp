@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -37,14 +38,14 @@ std::string gone_output(const JobResult& result) {
     return {};
 }
 
-// The message of the first error in what a job found; empty: there is none.
-std::string first_error(const ordered_json& findings) {
+// The message of the first error in what a job found, and the file that it is of; empty: there is none.
+std::pair<std::string, std::string> first_error(const ordered_json& findings) {
     const auto word = [](const ordered_json& finding, const char* key) {
         const auto at = finding.find(key);
         return at != finding.end() && at->is_string() ? at->get<std::string>() : std::string();
     };
     for (const ordered_json& one : findings) {
-        if (word(one, "severity") == "error") return word(one, "message");
+        if (word(one, "severity") == "error") return {word(one, "message"), word(one, "file")};
     }
     return {};
 }
@@ -116,7 +117,7 @@ MergedReport merge_results(const Manifest& manifest, const ResultIndex& results)
             row["errors"] = best->errors;
             row["warnings"] = best->warnings;
             row["diagnostics"] = ordered_json::parse(best->diagnostics);
-            merged.error = first_error(row["diagnostics"]);
+            std::tie(merged.error, merged.error_file) = first_error(row["diagnostics"]);
             for (const ordered_json& one : row["diagnostics"]) {
                 const auto code = one.find("code");
                 if (code != one.end() && code->is_string()) ++codes[code->get<std::string>()];

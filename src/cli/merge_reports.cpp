@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -17,10 +19,15 @@ namespace {
 
 constexpr std::size_t kMostNamed = 20;  // jobs that are named one by one
 
-// With the first error; findings that only the run's policy made errors are none.
-std::string not_built(const std::string& input, const MergedJob& merged) {
+// With the first error; findings that only the run's policy made errors are none. An error in another input
+// of the job names it.
+std::string not_built(const BatchJob& job, const MergedJob& merged) {
+    const std::string& input = job.inputs.front();
     if (merged.error.empty()) return input + " was not built";
-    return fmt::format("{} was not built: {}", input, merged.error);
+    const bool other = merged.error_file != input &&
+                       std::find(job.inputs.begin(), job.inputs.end(), merged.error_file) != job.inputs.end();
+    return fmt::format("{} was not built: {}{}{}", input, other ? merged.error_file : "", other ? ": " : "",
+                       merged.error);
 }
 
 void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& findings) {
@@ -41,7 +48,7 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
                 .hint("run popupc batch on the manifest again: it does what is missing");
             return;
         case JobState::failed:
-            findings.error("job-failed", place, not_built(input, merged))
+            findings.error("job-failed", place, not_built(job, merged))
                 .hint("-o FILE writes the report, which has all that was found; mend the design");
             return;
         case JobState::unusable:
@@ -53,7 +60,7 @@ void tell_job(const MergedJob& merged, const Manifest& manifest, Diagnostics& fi
                     .with(manifest.place(merged.doubled->other), "the other job");
                 return;
             }
-            findings.error("job-failed", place, not_built(input, merged))
+            findings.error("job-failed", place, not_built(job, merged))
                 .hint("-o FILE writes the report, which has all that went wrong");
             return;
         case JobState::crashed:

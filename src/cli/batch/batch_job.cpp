@@ -229,10 +229,11 @@ std::vector<std::string> setting_variables() {
 
 std::vector<std::string> job_words(const BatchRun& run, const BatchJob& job) {
     std::vector<std::string> words{"build", "-j1"};
-    words.insert(words.end(), run.common_options.begin(), run.common_options.end());
-    words.insert(words.end(), job.options.begin(), job.options.end());
     if (job.copies) words.push_back(fmt::format("--copies={}", *job.copies));
     for (const std::string& output : job.outputs) words.push_back("--output=" + output);
+    // Last: an option without its value would take the next word for it.
+    words.insert(words.end(), run.common_options.begin(), run.common_options.end());
+    words.insert(words.end(), job.options.begin(), job.options.end());
     words.emplace_back("--");
     for (const std::string& input : job.inputs) {
         // "@name" would be a file of arguments.

@@ -396,6 +396,34 @@ TEST(Batch, WhatFailedIsToldWithItsFirstError) {
         << merged.err;
 }
 
+TEST(Batch, TheInputThatFailedIsNamed) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 1);
+    write_file(scratch / "designs/broken.xml", "<popup>");
+    write_file(scratch / "m.jsonl",
+               "{\"input\": [\"designs/card0.xml\", \"designs/broken.xml\"], \"output\": \"a.svg\"}\n"
+               "{\"input\": \"designs/broken.xml\", \"output\": \"b.svg\"}\n");
+    EXPECT_EQ(batch(scratch.path(), {"m.jsonl"}).exit, 1);
+    RunOptions here;
+    here.directory = scratch.path();
+    const RunResult merged = popupc({"merge-reports", "m.jsonl"}, here);
+    EXPECT_NE(merged.err.find("designs/card0.xml was not built: designs/broken.xml: "), std::string::npos)
+        << merged.err;
+    EXPECT_EQ(merged.err.find("designs/broken.xml was not built: designs/broken.xml: "), std::string::npos)
+        << merged.err;
+}
+
+// An option without its value takes no word that nobody has written.
+TEST(Batch, OptionsOfAJobStandLast) {
+    const ScratchDirectory scratch;
+    make_library(scratch.path(), 1);
+    write_file(scratch / "m.jsonl",
+               "{\"input\": \"designs/card0.xml\", \"output\": \"a.svg\", \"options\": \"--sheet\"}\n");
+    const RunResult made = batch(scratch.path(), {"m.jsonl"});
+    EXPECT_EQ(made.exit, 2);
+    EXPECT_EQ(made.err.find("--output=a.svg"), std::string::npos) << made.err;
+}
+
 TEST(Batch, WhatCannotBeAskedForIsWrongUsage) {
     const ScratchDirectory scratch;
     make_library(scratch.path(), 1);
