@@ -253,6 +253,11 @@ bool take_in_profile(Options& options, Build& result) {
 void run_stages(const Options& options, Stage until, const OutputPlan* plan, Build& result) {
     result.run = run_inputs(options, until, plan);
     take_in_loaded(options, result);
+    for (const CompiledDesign& one : result.run.compilation.designs) {
+        if (options.build.emit != Emit::design || !one.creases) continue;
+        throw UsageError(fmt::format("{}: this is a folded sheet, and has no design", one.source.name),
+                         {"it has --emit assembly, motion, pattern or layout"});
+    }
     // To check them is one thing, but nothing can be built of programs that only define what others call.
     refuse_definitions(result.run.compilation);
 }

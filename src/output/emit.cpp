@@ -219,9 +219,13 @@ std::string emit_motion(const Assembly& assembly, const Motion& motion) {
                                                    : ",\n  \"solver\": \"closed-form\"");
     append(out, ",\n  \"max_closure_error_mm\": ");
     append_value(out, motion.max_closure_mm, kClosure);
-    append(out, motion.flat_closed ? ",\n  \"flat_closed\": true" : ",\n  \"flat_closed\": false");
-    append(out, ",\n  \"flat_error_deg\": ");
-    append_value(out, motion.flat_error_deg, kAngle);
+    if (assembly.sweep.closed_flat) {
+        append(out, motion.flat_closed ? ",\n  \"flat_closed\": true" : ",\n  \"flat_closed\": false");
+        append(out, ",\n  \"flat_error_deg\": ");
+        append_value(out, motion.flat_error_deg, kAngle);
+    } else {
+        append(out, ",\n  \"flat_closed\": null,\n  \"flat_error_deg\": null");
+    }
     if (!motion.not_forced.empty()) {
         append(out, ",\n  \"not_forced\": ");
         append(out, json_text_within(not_forced_json(assembly, motion.not_forced), 1));

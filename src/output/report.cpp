@@ -44,8 +44,13 @@ Json motion(const Assembly& assembly, const Motion& motion) {
     for (const Angle angle : motion.angles) angles.push_back(rounded(angle.deg, kAngle));
     Json row{{"angles", std::move(angles)},
              {"max_closure_error_mm", rounded(motion.max_closure_mm, kClosure)},
-             {"flat_closed", motion.flat_closed},
-             {"flat_error_deg", rounded(motion.flat_error_deg, kAngle)}};
+             {"flat_closed", nullptr},
+             {"flat_error_deg", nullptr}};
+    // Of what does not lie flat where its motion begins neither is known.
+    if (assembly.sweep.closed_flat) {
+        row["flat_closed"] = motion.flat_closed;
+        row["flat_error_deg"] = rounded(motion.flat_error_deg, kAngle);
+    }
     if (!motion.not_forced.empty()) row["not_forced"] = not_forced_json(assembly, motion.not_forced);
     row.update(examination_json(assembly, motion.examination));
     return row;
