@@ -124,6 +124,24 @@ Vec2 middle_of(const CellContour& contour) {
     return box.centre();
 }
 
+// Whether all corners of a curve lie within a cell of a border.
+bool lies_along(const CellContour& border, const CellContour& curve) {
+    constexpr double kFurthest = 1.0;
+    const Subpath& lines = border.path.subpaths().front();
+    const auto is_near = [&lines](Vec2 p) {
+        Vec2 from = lines.start;
+        for (const PathStep& step : lines.steps) {
+            if (distance(p, Segment{from, step.to}) <= kFurthest) return true;
+            from = step.to;
+        }
+        return distance(p, Segment{from, lines.start}) <= kFurthest;
+    };
+    const Subpath& subpath = curve.path.subpaths().front();
+    return is_near(subpath.start) &&
+           std::all_of(subpath.steps.begin(), subpath.steps.end(),
+                       [&is_near](const PathStep& step) { return is_near(step.to); });
+}
+
 }  // namespace
 
 const CellContour* CellBorders::about(const CellContour& curve) const {
@@ -140,10 +158,14 @@ const CellContour* CellBorders::about(const CellContour& curve) const {
         [](const Middle& one, const auto& key) { return std::tie(one.area, one.at.x) < key; });
     const CellContour* best = nullptr;
     double least = HUGE_VAL;
+    // A contour is no longer than the cells that it goes round, and the curve is within it.
+    const double furthest = std::abs(static_cast<double>(curve.area));
     // False where no further one that way can be nearer.
     const auto look = [&](const Middle& one) {
-        if (one.area != curve.area || std::abs(one.at.x - wanted.x) >= least) return false;
-        if (const double away = distance(wanted, one.at); away < least) {
+        if (one.area != curve.area || std::abs(one.at.x - wanted.x) >= std::min(least, furthest))
+            return false;
+        const double away = distance(wanted, one.at);
+        if (away < std::min(least, furthest) && lies_along(contours_[one.contour], curve)) {
             least = away;
             best = &contours_[one.contour];
         }

@@ -38,8 +38,9 @@ class CellBorders {
     [[nodiscard]] const std::vector<CellContour>& contours() const { return contours_; }
     // The one that a curve follows; null where it follows none.
     [[nodiscard]] const CellContour* of(const CellContour& curve) const;
-    // The same of a curve that has lost most of its length, and so ends far from its border. Cost: the first
-    // call sorts all contours; then log n, and those of the same area that are about as far left.
+    // The same of a curve that has lost most of its length, and so ends far from its border: the one of its
+    // area that it lies along, the nearest of several. Cost: the first call sorts all contours; then log n,
+    // and those of the same area that are about as far left.
     [[nodiscard]] const CellContour* about(const CellContour& curve) const;
 
  private:
