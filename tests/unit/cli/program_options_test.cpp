@@ -383,7 +383,8 @@ TEST_F(LoadedFiles, AreNoFindingsOfACheckThoughTheyDrawNothing) {
         std::vector<std::string> all{"build", "lib/size.fl"};
         all.insert(all.end(), words.begin(), words.end());
         const RunResult result = ran(all, 1);
-        EXPECT_TRUE(has(result.err, "lib/size.fl: error: the program draws nothing")) << result.err;
+        EXPECT_TRUE(has(result.err, "lib/size.fl: error: the program defines functions and draws nothing"))
+            << result.err;
         EXPECT_EQ(result.out, "");
     }
     // What draws, but closes nothing, is one.

@@ -227,8 +227,11 @@ TEST(GlueMarks, NameTheCardWhereSeveralAreOnTheSheets) {
     layout.designs[0].stem = "a";
     const std::vector<SheetText> fits = names();
     EXPECT_EQ(fits[0].text, "a: page");
-    EXPECT_NEAR(fits[0].cap_mm, 4.0 * 4.0 / 7.0, 1e-9);
+    EXPECT_NEAR(fits[0].cap_mm, 4.0 * 3.8 / 6.2, 1e-9) << "as wide as the name was";
     EXPECT_EQ(fits[1].text, "1R");
+    // Where there is room it is wider, and no higher.
+    layout.designs[0].pattern.pieces[0].labels[0].room = 3.0;
+    EXPECT_NEAR(names()[0].cap_mm, 4.0, 1e-9);
 }
 
 TEST(StrokedText, IsCentredAndAsHighAsAsked) {

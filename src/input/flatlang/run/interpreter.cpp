@@ -100,7 +100,7 @@ std::pair<Place, std::string> Interpreter::located(Position at) const {
         go_up();
         while (at.unit == s.prelude && at.callers > 0) go_up();
         if (at.unit == s.program || at.unit == s.prelude) break;
-        where = told() + where;
+        where.insert(0, told());
     }
     while (at.unit != s.program && at.callers > 0) go_up();
     // A program that loads itself comes by the same place again.
