@@ -247,6 +247,8 @@ TEST(Prints, OfTheDiskNothingIsReadButRegularFilesBelowTheFolder) {
         {std::string(5000, 'a') + ".png", "picture-missing"},
     };
     for (const auto& [href, code] : table) {
+        // A test may be started with nothing there.
+        if (href == "stdin.png" && !fs::exists("/dev/stdin")) continue;
         Diagnostics diagnostics;
         const Source source{folder / "card.xml",
                             document("<image x='0' y='0' width='4' href='" + href + "'/>")};
