@@ -29,7 +29,7 @@ struct MergedJob {
     std::string gone = {};                      // a file that is not there as it was
     std::optional<DoubledOutput> doubled = {};  // such a job is unusable
     std::string error = {};                     // the message of its first; may be empty
-    std::string error_file = {};                // which that is of; may be empty
+    std::string error_file = {};                // the file that it is in; may be empty
 };
 
 struct MergedReport {

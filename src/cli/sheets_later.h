@@ -24,9 +24,9 @@ struct SheetsJob {
 // Lays out the last job that it is given, in a thread of its own; jobs before it are forgotten.
 class SheetsLater {
  public:
-    // Called by that thread when the sheets of a job are there: what live_sheets() made of them, or of none
-    // where there are none, and the findings of the run say why. It must not throw. Not called for jobs that
-    // were forgotten.
+    // Called by that thread when the sheets of a job are there, with what live_sheets() made of them. Where
+    // there are none it is what live_sheets() makes of none, and the findings of the run say why. It must not
+    // throw. Not called for jobs that were forgotten.
     using Done = std::function<void(const SheetsJob&, std::optional<std::string> sheets)>;
     explicit SheetsLater(Done done);
     SheetsLater(const SheetsLater&) = delete;

@@ -27,8 +27,8 @@ struct View {
     std::vector<std::string> loaded = {};
     // Open documents that load it, and what else they load.
     std::vector<std::string> readers = {};
-    // An open document, itself perhaps, of which an error hides which files it loads: of these there may be
-    // more. Empty: none.
+    // An open document that may load this one, or is this one, and whose error hides which files it loads.
+    // Empty: there is none.
     std::string doubtful = {};
 };
 

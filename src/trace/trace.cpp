@@ -18,7 +18,7 @@ constexpr double kLeastCellMm = 0.01;
 // A clean silhouette of the largest picture has a tenth of this.
 constexpr std::size_t kMostBorder = 4'000'000;
 constexpr std::size_t kMostNecks = 100;
-// Less than so much of a contour is not missed.
+// A contour that loses fewer cells than this stays smooth.
 constexpr double kLostCells = 3.0;
 
 // Where cells lie in mm.

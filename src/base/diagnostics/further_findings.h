@@ -20,7 +20,7 @@ Diagnostic further_findings(std::string code, std::string file, const FurtherFin
 // What such a remark stands for; nothing for any other diagnostic.
 std::optional<FurtherFindings> further_of(const Diagnostic& diagnostic);
 
-// How severe what it tells is: of such a remark, what is not shown.
+// The severity that it counts with: of such a remark, that of the findings that are not shown.
 Severity told_severity(const Diagnostic& diagnostic);
 
 }  // namespace popup

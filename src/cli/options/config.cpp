@@ -56,14 +56,24 @@ std::string directory_of(const std::string& input) {
 
 std::string named(const std::optional<std::string>& file) { return file ? *file : "no popupc.toml"; }
 
+// What an option or a variable says of the configuration.
+struct Choice {
+    bool made = false;
+    std::optional<std::string> file;  // none: no configuration
+};
+Choice choice_of(const Options& options) {
+    const ConfigOptions& given = options.config;
+    if (given.off) return {true, std::nullopt};
+    if (!given.file.empty()) return {true, given.file};
+    if (auto file = variable(variable_of("config"))) return {true, std::move(file)};
+    const std::string off = variable_of("no-config");
+    const auto text = variable(off);
+    return {text && flag_value(off, *text) == "true", std::nullopt};
+}
+
 // The configuration of the run: one for all inputs, or none.
 std::optional<std::string> config_of(const Options& options) {
-    const ConfigOptions& given = options.config;
-    if (given.off) return std::nullopt;
-    if (!given.file.empty()) return given.file;
-    if (auto file = variable(variable_of("config"))) return file;
-    const std::string off = variable_of("no-config");
-    if (const auto text = variable(off); text && flag_value(off, *text) == "true") return std::nullopt;
+    if (Choice choice = choice_of(options); choice.made) return std::move(choice.file);
     const std::vector<std::string>& inputs = options.inputs.names;
     if (inputs.empty()) return find_config({});
     std::optional<std::string> first = find_config(inputs.front());
@@ -268,13 +278,7 @@ std::string with_comment(std::string left, const std::string& comment) {
 
 }  // namespace
 
-bool is_configuration_chosen(const Options& options) {
-    const ConfigOptions& given = options.config;
-    if (given.off || !given.file.empty() || variable(variable_of("config"))) return true;
-    const std::string off = variable_of("no-config");
-    const auto text = variable(off);
-    return text && flag_value(off, *text) == "true";
-}
+bool is_configuration_chosen(const Options& options) { return choice_of(options).made; }
 
 std::string variable_of(std::string_view key) {
     std::string name(kPrefix);

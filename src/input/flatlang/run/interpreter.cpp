@@ -95,7 +95,7 @@ std::pair<Place, std::string> Interpreter::located(Position at) const {
     };
     std::string where = told();
     const Position inner = at;
-    // An evaluated text is nowhere to be looked up: what had it evaluated is.
+    // Nobody can look up an evaluated text, so the call that evaluated it is named before it.
     while (at.unit->file == kEvaluated && at.callers > 0) {
         go_up();
         while (at.unit == s.prelude && at.callers > 0) go_up();
