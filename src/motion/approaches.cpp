@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nth.h"
+#include "motion/bodies.h"
 #include "motion/sweep.h"
 
 namespace popup {
 namespace {
 
-// Plates that touch at all telling angles are joined: they share a fold, a seam, an apex.
-constexpr double kJoinedMm = 1e-6;
+// Plates that touch at all telling angles are joined: they share an apex, say. Corners of documents are
+// rounded.
+constexpr double kJoinedMm = kTouchMm;
 constexpr double kFlushMm = 1e-3;
 // What is near until the card is closed (or lies flat) is so because it folds, below this angle.
 constexpr double kFoldingDeg = 45.0;
@@ -19,12 +22,14 @@ constexpr int kLooks = 64;          // where a smallest distance is looked for, 
 }  // namespace
 
 Approaches::Approaches(const Assembly& assembly, std::span<const PlateShape> shapes, double distance_mm)
-    : sweep_(assembly.sweep), shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()) {
+    : sweep_(assembly.sweep), shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()),
+      bodies_(bodies_of(assembly)) {
     for (const double deg : kTellingDegs) {
         frames_.emplace_back(assembly.plates.size());
         reached_ = reached_ && place(assembly, Angle::degrees(opening_at(sweep_, deg)), frames_.back());
     }
     reached_ = reached_ && place(assembly, Angle::degrees(sweep_.to_deg), open_);
+    for (const Hinge& hinge : assembly.hinges) joined_[std::minmax(hinge.a, hinge.b)] = true;
 }
 
 void Approaches::add(const Cell& cell, int a, int b, PairSearch& search) {
@@ -47,7 +52,7 @@ std::vector<Approach> Approaches::take(const std::vector<Contact>& contacts, Pai
             if (sweep_.closed_flat && one.from_deg <= least_opening(sweep_)) {
                 one.from_deg = sweep_.from_deg + kFoldingDeg;
             }
-            if (one.to_deg >= sweep_.to_deg && in_one_plane_when_open(one)) {
+            if (one.to_deg >= sweep_.to_deg && meet_when_open(one, search)) {
                 one.to_deg = sweep_.to_deg - kFoldingDeg;
             }
             if (one.from_deg >= one.to_deg) continue;
@@ -67,7 +72,8 @@ std::vector<Approach> Approaches::take(const std::vector<Contact>& contacts, Pai
 }
 
 bool Approaches::joined(int a, int b) {
-    const auto known = joined_.find({a, b});
+    if (nth(bodies_, a) == nth(bodies_, b)) return true;
+    const auto known = joined_.find(std::minmax(a, b));
     if (known != joined_.end()) return known->second;
     const auto touch = [&](const std::vector<Frame>& frames) {
         PairPose pose;
@@ -78,7 +84,7 @@ bool Approaches::joined(int a, int b) {
         return nearness_(pose, kJoinedMm, true).nearness != Nearness::clear &&
                nearness_(pose, kFlushMm, false).nearness == Nearness::clear;
     };
-    return joined_[{a, b}] = std::all_of(frames_.begin(), frames_.end(), touch);
+    return joined_[std::minmax(a, b)] = std::all_of(frames_.begin(), frames_.end(), touch);
 }
 
 void Approaches::find_least(Approach& one, PairSearch& search) const {
@@ -99,11 +105,12 @@ void Approaches::find_least(Approach& one, PairSearch& search) const {
     }
 }
 
-bool Approaches::in_one_plane_when_open(const Approach& one) const {
-    const Frame& a = open_[static_cast<std::size_t>(one.a)];
-    const Frame& b = open_[static_cast<std::size_t>(one.b)];
-    return length(cross(a.normal(), b.normal())) < 1e-6 &&
-           std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
+bool Approaches::meet_when_open(const Approach& one, PairSearch& search) const {
+    const Frame& a = nth(open_, one.a);
+    const Frame& b = nth(open_, one.b);
+    const bool in_one_plane = length(cross(a.normal(), b.normal())) < 1e-6 &&
+                              std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
+    return in_one_plane || search.distance(one.a, one.b, sweep_.to_deg, distance_mm_).mm <= kTouchMm;
 }
 
 }  // namespace popup

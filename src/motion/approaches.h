@@ -26,17 +26,19 @@ class Approaches {
  private:
     bool joined(int a, int b);
     void find_least(Approach& one, PairSearch& search) const;
-    [[nodiscard]] bool in_one_plane_when_open(const Approach& one) const;
+    // They lie in one plane, or one stands on the other as a wall does on the page.
+    [[nodiscard]] bool meet_when_open(const Approach& one, PairSearch& search) const;
 
     Sweep sweep_;
     std::span<const PlateShape> shapes_;
     double distance_mm_;
     std::vector<std::vector<Frame>> frames_;
     std::vector<Frame> open_;
-    bool reached_ = true;  // all those angles
+    std::vector<int> bodies_;  // by plate
+    bool reached_ = true;      // all those angles
     NearnessTest nearness_;
     std::vector<ContactRange> stretches_;
-    std::map<std::pair<int, int>, bool> joined_;
+    std::map<std::pair<int, int>, bool> joined_;  // the smaller number first
     std::map<std::pair<int, int>, std::vector<Approach>> found_;
 };
 

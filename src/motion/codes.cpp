@@ -18,8 +18,9 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "the other side of the paper, where the fold turns away from it and it sticks out into the air."},
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
-     "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that are "
-     "only brought together by folding flat, below 45°. The message gives the smallest distance, and the "
+     "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that never "
+     "move against each other, are only brought together by folding flat, below 45°, or stand on the page of "
+     "the open card. The message gives the smallest distance, and the "
      "angle where it is reached. Real paper is thick, bends, and is cut and glued a little off, so that "
      "such plates may rub or catch. Move the elements further apart, make one of them smaller, or ask for "
      "less."},

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/sets.h"
+#include "motion/bodies.h"
 #include "motion/joints/joint.h"
 #include "motion/rates.h"
 #include "motion/sweep.h"
@@ -44,21 +45,12 @@ struct Bodies {
     std::vector<char> forced;  // by body
     std::size_t open = 0;      // bodies that are not known to be forced
 
-    explicit Bodies(const Assembly& assembly) : of(assembly.plates.size()), forced(assembly.plates.size()) {
-        Sets glued(of.size());
-        std::vector<int> driven;
+    explicit Bodies(const Assembly& assembly) : of(bodies_of(assembly)), forced(assembly.plates.size()) {
         for (const Joint& joint : assembly.joints) {
             for (const PlacedPlate& one : plates_of(joint).places) {
-                if (one.parent < 0) {
-                    driven.push_back(one.plate);
-                } else if (one.lying != Lying::free && !assembly.plates[at(one.plate)].rivet) {
-                    glued.unite(one.plate, one.parent);
-                }
+                if (one.parent < 0) forced[at(of[at(one.plate)])] = 1;
             }
         }
-        for (const GluedArea& area : assembly.glued_areas) glued.unite(area.plate, area.base_plate);
-        for (std::size_t i = 0; i < of.size(); ++i) of[i] = glued.find(static_cast<int>(i));
-        for (const int plate : driven) forced[at(of[at(plate)])] = 1;
         for (std::size_t i = 0; i < of.size(); ++i) open += is_open(static_cast<int>(i)) ? 1U : 0U;
     }
     // Of a body or anything else: whether it is a body, and not known to be forced.

@@ -10,6 +10,8 @@
 
 #include "motion/examine.h"
 #include "motion/mend.h"
+#include "popup/compile.h"
+#include "popup/files.h"
 #include "support/designs.h"
 
 namespace popup::test {
@@ -229,6 +231,30 @@ TEST(Collision, ClearanceNamesHowNearTheMissIs) {
     options.clearance_mm = 0.04;
     EXPECT_TRUE(examined(tip.design(), options).found.approaches->empty());
     EXPECT_FALSE(examined(tip.design()).found.approaches.has_value()) << "not asked for";
+}
+
+// What stays together, is glued on, or stands on the page of the open card is not near: it is there.
+TEST(Collision, ClearanceIsSilentAboutWhatBelongsTogether) {
+    MotionOptions options;
+    options.clearance_mm = 0.01;
+    for (const std::string name :
+         {"house", "tree", "stage", "tent-village", "cake", "high-street", "layers"}) {
+        SCOPED_TRACE(name);
+        Diagnostics diagnostics;
+        const auto source =
+            read_source(std::string(POPUP_SOURCE_DIR) + "/samples/" + name + ".xml", diagnostics);
+        ASSERT_TRUE(source);
+        CompileOptions compiling;
+        compiling.until = Stage::motion;
+        compiling.motion = options;
+        const Compilation run = compile({*source}, compiling, {});
+        ASSERT_TRUE(run.designs.front().motion);
+        for (const Approach& one : *run.designs.front().motion->examination->approaches) {
+            const auto& plates = run.designs.front().assembly->plates;
+            ADD_FAILURE() << plates.at(static_cast<std::size_t>(one.a)).name << " and "
+                          << plates.at(static_cast<std::size_t>(one.b)).name << " at " << one.least_deg;
+        }
+    }
 }
 
 // A box on the gutter, sides d, and on each of its side folds a tent, mirror images: their ridges lean
