@@ -11,6 +11,7 @@
 #include "base/text/numbers.h"
 #include "gluing/glue_flaps.h"
 #include "output/book/book.h"
+#include "output/book/line_words.h"
 #include "output/book/opening.h"
 #include "output/book/panel_labels.h"
 #include "output/book/steps.h"
@@ -131,16 +132,7 @@ void add_needs(const RunPage& page, const OutputOptions& options, Book& book) {
 void add_first(const RunPage& page, const OutputOptions& options, Book& book) {
     const Figures figures = figures_of(*page.layout);
     const GlueCount glue = glue_of(page.cards, *page.layout);
-    book.first.emplace_back("Print the sheets at 100 %, without fitting them to the page.");
-    if (figures.folds > 0)
-        book.first.emplace_back(
-            "Score the dashed lines before you cut: a ruler, and a blunt point that presses a "
-            "groove without cutting. Blue lines (long and short dashes) are mountains: they fold "
-            "away from you. Magenta lines (even dashes) are valleys: they fold towards you.");
-    book.first.emplace_back(
-        figures.has_inner_cuts
-            ? "Cut the solid red lines: first those inside of a piece, with the knife, then its outline."
-            : "Cut the solid red lines.");
+    book.first = line_words(options.profile, {figures.folds > 0, figures.has_inner_cuts});
     if (glue.tabs > 0)
         book.first.emplace_back(
             "Fold every tab back, away from the printed side. A tab belongs on the grey target with "

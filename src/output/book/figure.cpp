@@ -161,6 +161,7 @@ Figure sheet_figure(const Layout& layout, int number) {
     Figure figure;
     figure.width_mm = sheet.width_mm;
     figure.height_mm = sheet.height_mm;
+    figure.letters_only = layout.prefix_names;  // several designs have a piece 2
     const auto upright = [&sheet](Vec2 p) { return Vec2{p.x, sheet.height_mm - p.y}; };
     figure.shapes.push_back(
         {{{{0, 0}, {sheet.width_mm, 0}, {sheet.width_mm, sheet.height_mm}, {0, sheet.height_mm}}},
@@ -200,8 +201,10 @@ Figure sheet_figure(const Layout& layout, int number) {
         }
         std::string name = layout.piece_name(placement);
         for (const Label& label : piece.labels) {
-            if (label.kind == LabelKind::piece && label.text.ends_with(piece.name) && !layout.prefix_names)
-                name = label.text;
+            if (label.kind == LabelKind::piece && label.text.ends_with(piece.name))
+                name = layout.prefix_names
+                           ? fmt::format("{}: {}", nth(layout.designs, placement.design).stem, label.text)
+                           : label.text;
         }
         if (largest.outer.empty()) continue;
         // "2" of "2. castle".

@@ -40,6 +40,7 @@ struct Figure {
     double width_mm = 0.0, height_mm = 0.0;  // in true size; x to the right, y down
     std::vector<Shape> shapes;               // painted in their order
     std::vector<Label> labels;
+    bool letters_only = false;  // numbers would be taken for those of pieces: settle_labels()
 };
 
 // A piece with its folds, its tabs and the targets on it. Targets with one of the labels in `wanted` are

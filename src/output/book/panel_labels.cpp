@@ -26,6 +26,7 @@ class Settler {
 
     std::string run() {
         named_.assign(figure_.labels.size(), true);
+        has_briefs_ = figure_.letters_only;
         for (std::size_t i = 0; i < named_.size(); ++i) {
             Figure::Label& label = figure_.labels[i];
             has_briefs_ = has_briefs_ || !label.brief.empty();

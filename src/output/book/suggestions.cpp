@@ -136,8 +136,9 @@ class Maker {
         step.scenes.push_back(std::move(shown));
         if (!row.furthest.panels[0].empty()) step.notes.push_back(turn_text(row.furthest));
         if (!row.like.empty())
-            step.notes.push_back(fmt::format("Like merge {}: accepted with it unless --alone is given.",
-                                             fmt::join(row.like, ", ")));
+            step.notes.push_back(
+                fmt::format("Like merge {}: accepted with it where it closes, unless --alone is given.",
+                            fmt::join(row.like, ", ")));
         return step;
     }
 

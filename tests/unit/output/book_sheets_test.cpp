@@ -242,6 +242,16 @@ TEST(PanelLabels, GiveWayToNumbersThatWouldHaveNoPlace) {
     EXPECT_EQ(figure.labels[1].at.y, 30.0);
 }
 
+// Of several designs each has a piece 1: a number would be taken for another's.
+TEST(PanelLabels, AreLettersWhereNumbersWouldBeTakenForOthers) {
+    book::Figure figure;
+    figure.width_mm = 150.0;
+    figure.height_mm = 100.0;
+    figure.letters_only = true;
+    figure.labels = {{"boat: 1. far", {20.0, 20.0}, {}, 5.0}, {"boat: 2. near", {90.0, 20.0}, {}, 60.0}};
+    EXPECT_EQ(book::settle_labels(figure), "In the drawing: a boat: 1. far.");
+}
+
 // "2. castle" is "2" where it is wider than its piece, and what has no number of its own has a letter then.
 TEST(PanelLabels, GiveWayToNumbersOfPiecesAndToLetters) {
     book::Figure figure;
