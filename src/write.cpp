@@ -192,8 +192,7 @@ std::optional<std::vector<SheetFile>> write_format(const Format& format, const O
             [&](StillWriter write) { return write(scene_of(run), options, diagnostics); },
             [&](PageWriter write) {
                 const std::vector<SceneCard> cards = scene_of(run);
-                const std::optional<Design>& first = run.designs.front().design;
-                const bool inches = first && first->unit.name == "in";
+                const bool inches = !cards.empty() && cards.front().assembly->units == UnitSystem::inches;
                 RunPage page{cards, &*run.layout, findings_of(run), inches};
                 const auto found = begun.pages.find(&format);
                 if (found != begun.pages.end()) page.begun = found->second;
@@ -394,8 +393,7 @@ std::optional<std::vector<PendingFile>> make_files(const OutputPlan& plan, const
                                are_pictures ? "views and openings" : "sheets, their sides and parts",
                                parts->size()))
                 .hint(are_pictures ? "write to a file, or ask for one --view and one opening (--at)"
-                                   : "write to a file, choose a larger --sheet, or a format that holds "
-                                     "several sheets (--to pdf)");
+                                   : "write to a file, or choose a format that holds several (--to pdf)");
             good = false;
             continue;
         }
