@@ -298,7 +298,26 @@ class Unfolder {
         put_in_order(piece.cuts);
     }
 
-    // What labels stay off: strokes, and texts that are drawn.
+    // Lines across a picture, so near each other that no label stands between two.
+    static void hatch(const Image& image, std::vector<Segment>& lines) {
+        constexpr double kApartMm = 2.0;
+        constexpr double kMostLines = 100.0;
+        const auto across = [&](Vec2 corner, Vec2 along, Vec2 up) {
+            const double count = std::ceil(std::min(kMostLines, length(up) / kApartMm));
+            for (int i = 0; i <= static_cast<int>(count); ++i) {
+                const Vec2 from = corner + (i / std::max(1.0, count)) * up;
+                lines.push_back({from, from + along});
+            }
+        };
+        if (image.clip.empty())
+            return across(image.place.origin, image.width * image.place.x, image.height * image.place.y);
+        for (const Polygon& shown : image.clip) {
+            const Box box = bounds(shown.outer);
+            across(box.min, {box.width(), 0.0}, {0.0, box.height()});
+        }
+    }
+
+    // What labels stay off: strokes, pictures, and texts that are drawn.
     // With the targets on the plate's back: on printed backs names stand there, too.
     static Drawing drawing_of(std::span<const Print> on_plate, std::span<const Print> on_piece,
                               std::span<const GlueTarget> targets, int plate) {
@@ -312,6 +331,7 @@ class Unfolder {
                 texts.push_back({text->at - along, text->at + along});
                 half_text = std::max(half_text, text->height_mm);
             }
+            if (const Image* image = std::get_if<Image>(&print)) hatch(*image, lines);
             const Stroke* stroke = std::get_if<Stroke>(&print);
             if (stroke == nullptr) return;
             for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i) {
