@@ -20,6 +20,8 @@ namespace {
 
 // What of a line lies outside by less than this is the rounding of a drawing.
 constexpr double kOutsideMm = 0.05;
+// Of pairs of contours that overlap, so many are told one by one.
+constexpr std::size_t kToldOverlaps = 20;
 
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
@@ -160,18 +162,35 @@ class PartMaker {
                 .about(element(one.elements[0]).name)
                 .hint("in Inkscape Path > Union does the same; look whether that is what was meant");
         }
-        for (const ContourOverlap& one : contours_.overlaps) tell_overlap(one);
+        tell_overlaps();
         for (const std::vector<int>& elements : contours_.doubled) doubled_.insert(elements[0]);
         for (auto& [points, elements] : contours_.hairs) {
             loose_.push_back({std::move(points), LineKind::cut, elements[0]});
         }
     }
 
+    // Two holes of one part that overlap are one hole.
+    [[nodiscard]] bool are_holes(const ContourOverlap& one) const {
+        const ClosedContour& a = contours_.all[at(one.a)];
+        const ClosedContour& b = contours_.all[at(one.b)];
+        return a.parent >= 0 && b.parent >= 0 && a.root == b.root;
+    }
+
+    // One misplaced line can overlap a thousand others: the first few say what is wrong.
+    void tell_overlaps() {
+        std::size_t errors = 0;
+        for (const ContourOverlap& one : contours_.overlaps) {
+            if (are_holes(one) || ++errors <= kToldOverlaps) tell_overlap(one);
+        }
+        if (errors <= kToldOverlaps) return;
+        diagnostics_.error("contours-overlap", place(contours_.all[at(contours_.overlaps.back().a)].elements),
+                           fmt::format("{} more pairs of contours overlap partly", errors - kToldOverlaps));
+    }
+
     void tell_overlap(const ContourOverlap& one) {
         const ClosedContour& a = contours_.all[at(one.a)];
         const ClosedContour& b = contours_.all[at(one.b)];
-        // Two holes of one part that overlap are one hole.
-        const bool inside = a.parent >= 0 && b.parent >= 0 && a.root == b.root;
+        const bool inside = are_holes(one);
         const std::string& first = element(a.elements[0]).name;
         const std::string& second = element(b.elements[0]).name;
         const bool named = !first.empty() && !second.empty();
