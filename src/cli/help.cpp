@@ -165,7 +165,12 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
                               {see});
         }
     }
-    return UsageError(lower_first(error.what()), {see});
+    // "--emit: At Most 1 required but received 2", of an option that takes one value.
+    const std::string said = error.what();
+    const std::size_t end = said.find(": At Most 1 required but received ");
+    if (end != std::string::npos)
+        return UsageError(fmt::format("{} is given more than once", said.substr(0, end)), {see});
+    return UsageError(lower_first(said), {see});
 }
 
 }  // namespace popup::cli

@@ -7,9 +7,9 @@ namespace {
 
 constexpr std::array kFabricationCodes = std::to_array<CodeInfo>({
     {"bad-profile", Severity::error, "a profile's file is not what it should be",
-     "A profile of your own is a TOML file with the keys name, about, base, folds, one-sided, "
-     "styled-paths, and the tables perforation and pens; \"man popupc\" says what each takes. A key that "
-     "is not known is refused, so that a slip of the pen does not end in a wrong colour on a machine."},
+     "A profile of your own is a TOML file. \"man popupc\" says which keys there are and what each takes, "
+     "and schemas/profile.schema.json tells editors. A key that is not known is refused, so that a slip of "
+     "the pen does not end in a wrong colour on a machine."},
     {"kerf-shares-color", Severity::remark, "cuts that are moved for the kerf share their colour with others",
      "With --kerf closed cuts are moved out of the paper by half of what the tool burns away; slits, and "
      "cuts that no kerf was given for, are not. Programs that move cuts themselves do so by colour or "

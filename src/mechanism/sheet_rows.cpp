@@ -157,7 +157,8 @@ bool constrain_border(Element& e, std::optional<Border> (*border_of_drawn)(const
                                    at_mm(loops.dropped.front().at), loops.dropped.size() - 1)
                      : fmt::format("its outline encloses {:.2f} mm²{}, and {:.0f} mm² are the least", left,
                                    crosses ? " without its loops" : "", kLeastPaperMm2),
-                 "draw a line that goes round once and nowhere meets itself");
+                 loops.hopeless || crosses ? "draw a line that goes round once and nowhere meets itself"
+                                           : "draw it larger");
         return false;
     }
     if (tell_loops(e, "its outline", loops.dropped, edges, left)) write_path(e, "outline", path_of(*border));
