@@ -16,6 +16,7 @@
 #include "popup/pattern.h"
 #include "support/dxf_text.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 
 namespace popup {
 namespace {
@@ -160,12 +161,14 @@ TEST(DxfFuzz, SeedsAreSound) {
 
 TEST(DxfFuzz, DamagedBytes) {
     Random random(21);
-    for (int i = 0; i < 2000; ++i) expect_sound(mutated(seeds()[random.below(seeds().size())], random));
+    for (int i = 0; i < test::sanitized_count(2000); ++i)
+        expect_sound(mutated(seeds()[random.below(seeds().size())], random));
 }
 
 TEST(DxfFuzz, DamagedValues) {
     Random random(22);
-    for (int i = 0; i < 2000; ++i) expect_sound(mutated_lines(seeds()[random.below(seeds().size())], random));
+    for (int i = 0; i < test::sanitized_count(2000); ++i)
+        expect_sound(mutated_lines(seeds()[random.below(seeds().size())], random));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ void type(std::string& text, test::Dice& random) {
 }
 
 TEST(Analysis, AfterEachChangeIsThatOfWhoKnowsNothing) {
-    const auto seeds = test::sanitized_count<std::uint64_t>(6, 2);
+    const auto seeds = test::sanitized_count<std::uint64_t>(6, 3);
     std::map<std::string, int> codes;
     int remembered = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {

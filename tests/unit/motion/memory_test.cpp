@@ -105,7 +105,7 @@ Design crowded(test::Dice& random, int elements) {
 }
 
 TEST(ExaminationMemory, FindsWhatAnExaminationOfEverythingFinds) {
-    const auto seeds = test::sanitized_count<std::uint64_t>(8, 2);
+    const auto seeds = test::sanitized_count<std::uint64_t>(8, 4);
     std::size_t compared = 0;
     std::size_t remembered = 0;
     std::size_t with_contacts = 0;

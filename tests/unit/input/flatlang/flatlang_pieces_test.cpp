@@ -10,6 +10,7 @@
 #include "input/flatlang/pieces/pieces.h"
 #include "popup/pattern.h"
 #include "support/designs.h"
+#include "support/sanitized.h"
 #include "support/trails.h"
 
 namespace popup {
@@ -532,19 +533,20 @@ TEST(FlatLangPieces, TheModelHasANodeAPartAndOneOfLooseLines) {
 
 TEST(FlatLangPieces, TensOfThousandsOfLoopsArePieces) {
     TrailMaker maker;
-    constexpr int kSide = 130;
-    for (int x = 0; x < kSide; ++x) {
-        for (int y = 0; y < kSide; ++y) maker.loop(regular(6, 0.4, {1.0 * x, 1.0 * y, 0.0}));
+    const int side = test::sanitized_count(130, 4);
+    const int leaves = test::sanitized_count(2999);
+    for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < side; ++y) maker.loop(regular(6, 0.4, {1.0 * x, 1.0 * y, 0.0}));
     }
     maker.part("book");
-    for (int i = 0; i < 2999; ++i) {
+    for (int i = 0; i < leaves; ++i) {
         // Leaves round one edge, which is of all of them.
-        const double angle = 2.0 * M_PI * i / 2999;
+        const double angle = 2.0 * M_PI * i / leaves;
         maker.rectangle({-9, 0, 0}, {0, 5, 0}, {3 * std::cos(angle), 0, 3 * std::sin(angle)});
     }
     const Made made = make(maker);
     ASSERT_TRUE(made.list) << made.told();
-    EXPECT_EQ(made.list->parts.size(), kSide * kSide + 2999U);
+    EXPECT_EQ(made.list->parts.size(), static_cast<std::size_t>(side * side + leaves));
 }
 
 TEST(FlatLangPieces, ALongStripUnfolds) {
