@@ -86,7 +86,8 @@ struct MotionOptions {
 // either side. So what touches along folds, seams, corners or cut edges, or lies flat on one another, does
 // not cross. Contact begins and ends where that is 0.0001 mm (below 1°, where all shrinks, that times the
 // angle in degrees), and plates that go wholly through each other between two angles, face to face, are in
-// contact there.
+// contact there. Where a fold lies in a plate's plane, each of its two plates only touches that plate, and
+// yet the paper that is folded there may lie on both sides of it: a contact with either, `at_fold`.
 struct Contact {
     int a = 0, b = 0;       // plates, a < b
     double from_deg = 0.0;  // 0 when they still cross at the smallest angle looked at
@@ -99,6 +100,7 @@ struct Contact {
     int longer = 0;          // a or b: the one that reaches less far through the other
     Vec3 point;              // of both, at to_deg
     Vec2 corner{};           // of `longer`, on its page: what reaches furthest through, at deepest_deg
+    bool at_fold = false;    // `longer` goes through a fold of the other: depth and excess are 0
 };
 
 // Two plates that cannot be told apart or together within the work allowed.

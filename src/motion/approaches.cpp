@@ -22,7 +22,10 @@ constexpr int kLooks = 64;          // where a smallest distance is looked for, 
 }  // namespace
 
 Approaches::Approaches(const Assembly& assembly, std::span<const PlateShape> shapes, double distance_mm)
-    : sweep_(assembly.sweep), shapes_(shapes), distance_mm_(distance_mm), open_(assembly.plates.size()),
+    : sweep_(assembly.sweep),
+      shapes_(shapes),
+      distance_mm_(distance_mm),
+      open_(assembly.plates.size()),
       bodies_(bodies_of(assembly)) {
     for (const double deg : kTellingDegs) {
         frames_.emplace_back(assembly.plates.size());
@@ -108,8 +111,8 @@ void Approaches::find_least(Approach& one, PairSearch& search) const {
 bool Approaches::meet_when_open(const Approach& one, PairSearch& search) const {
     const Frame& a = nth(open_, one.a);
     const Frame& b = nth(open_, one.b);
-    const bool in_one_plane = length(cross(a.normal(), b.normal())) < 1e-6 &&
-                              std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
+    const bool in_one_plane =
+        length(cross(a.normal(), b.normal())) < 1e-6 && std::abs(dot(b.origin - a.origin, a.normal())) < 1e-3;
     return in_one_plane || search.distance(one.a, one.b, sweep_.to_deg, distance_mm_).mm <= kTouchMm;
 }
 

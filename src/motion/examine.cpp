@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "motion/approaches.h"
@@ -13,6 +14,7 @@
 #include "motion/examine_again.h"
 #include "motion/parallels.h"
 #include "motion/sweep.h"
+#include "motion/through_folds.h"
 
 namespace popup {
 namespace {
@@ -180,6 +182,22 @@ Examination look_through(const Assembly& assembly, Linkage& linkage, std::span<c
     return result;
 }
 
+// Pairs that cross anyhow are told of as such.
+void add_at_folds(const std::vector<Contact>& more, std::vector<Contact>& contacts) {
+    const auto pair = [](const Contact& one) { return std::pair(one.a, one.b); };
+    std::vector<Contact> all = contacts;
+    for (const Contact& one : more) {
+        const auto known =
+            std::lower_bound(contacts.begin(), contacts.end(), one,
+                             [&](const Contact& p, const Contact& q) { return pair(p) < pair(q); });
+        if (known == contacts.end() || pair(*known) != pair(one)) all.push_back(one);
+    }
+    std::sort(all.begin(), all.end(), [](const Contact& p, const Contact& q) {
+        return std::tuple(p.a, p.b, p.from_deg) < std::tuple(q.a, q.b, q.from_deg);
+    });
+    contacts = std::move(all);
+}
+
 }  // namespace
 
 std::vector<PlateShape> plate_shapes(const Assembly& assembly, const MotionOptions& options) {
@@ -197,7 +215,9 @@ Examination examine(const Assembly& assembly, const MotionOptions& options) {
 
 Examination examine(const Assembly& assembly, Linkage& linkage, std::span<const PlateShape> shapes,
                     const MotionOptions& options, Recall* recall) {
-    return look_through(assembly, linkage, shapes, options, recall, nullptr);
+    Examination found = look_through(assembly, linkage, shapes, options, recall, nullptr);
+    add_at_folds(find_through_folds(assembly, shapes), found.contacts);
+    return found;
 }
 
 Examination examine_until_crossed(const Assembly& assembly, Linkage& linkage,

@@ -35,6 +35,10 @@ std::string what_would_force(const Assembly& assembly, const FreePlates& one) {
         return rivets == 1 ? "it is turned by hand about its rivet: glue it where it is not to be"
                            : "they are turned by hand about their rivets: glue what is not to be";
     }
+    // Of one sheet nothing is glued.
+    if (assembly.pieces.size() == 1 && assembly.glue.empty())
+        return one.lines < 2 ? "let another of its edges reach what moves with the card, and fold it there"
+                             : "fold another of its edges to what the opening forces";
     if (one.lines == 0) return "fold it or glue it to something that moves with the card";
     if (one.lines == 1) {
         return "it turns about one line only: glue a second edge of it, or glue it flat on what it stands on";
@@ -74,8 +78,8 @@ class Findings {
                 all.begin(), all.end(),
                 [](const Contact* p, const Contact* q) { return p->depth_mm < q->depth_mm; });
             const int other = worst.longer == worst.a ? worst.b : worst.a;
-            std::string text =
-                fmt::format("\"{}\" goes through \"{}\" {}", name(worst.longer), name(other), when(worst));
+            std::string text = fmt::format("\"{}\" goes through \"{}\" {}{}", name(worst.longer), name(other),
+                                           worst.at_fold ? "at its fold " : "", when(worst));
             if (worst.depth_mm > 0.0) {
                 text += fmt::format(", by {:.2f} mm at {:.2f}°", worst.depth_mm, worst.deepest_deg);
             }
@@ -89,6 +93,11 @@ class Findings {
                     fmt::format("\"{}\" reaches {:.2f} mm too far, with its corner at ({:.2f}, {:.2f}) mm",
                                 name(worst.longer), worst.excess_mm, in_hundredths(worst.corner.x),
                                 in_hundredths(worst.corner.y)));
+            }
+            // What parts two plates does not part one from a fold.
+            if (worst.at_fold) {
+                finding.hint("move one of the two aside, or end it before the fold");
+                continue;
             }
             if (joints.first == joints.second || tried++ == kMostTries ||
                 assembly_.plates.size() > kMostPlates)

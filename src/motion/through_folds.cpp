@@ -1,0 +1,262 @@
+#include "motion/through_folds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "base/geometry/near_boxes.h"
+#include "base/geometry/tolerances.h"
+#include "base/nth.h"
+#include "motion/bodies.h"
+#include "motion/nearness.h"
+#include "motion/sweep.h"
+
+namespace popup {
+namespace {
+
+constexpr double kInPlaneMm = 1e-3;  // that a fold is off a plane it lies in
+constexpr double kLeastMm = 0.02;    // of a fold inside of a plate
+constexpr double kLeastSine = 1e-3;  // of planes that are not one
+constexpr double kBetween =
+    0.02;  // of the sine of the fold's angle: what is nearer to one of its plates lies on it
+constexpr double kBesideMm = 0.05;  // from a fold, where its plate is looked for
+constexpr double kExactDeg = 5e-4;
+constexpr std::size_t kFewPlates = 300;
+constexpr std::size_t kMostNear = 200;
+constexpr int kSteps = 45;
+constexpr std::array kNearlyClosed{0.02, 0.1, 0.3, 0.8, 1.5, 2.5};
+
+struct Candidate {
+    int hinge = 0;
+    int plate = 0;
+};
+
+class Search {
+ public:
+    Search(const Assembly& assembly, std::span<const PlateShape> shapes)
+        : assembly_(assembly), shapes_(shapes), frames_(assembly.plates.size()) {}
+
+    std::vector<Contact> run() {
+        find_candidates();
+        if (candidates_.empty()) return {};
+        const std::vector<double> looks = openings();
+        std::vector<std::vector<bool>> through(candidates_.size());
+        for (const double deg : looks) {
+            const bool reached = put(deg);
+            for (std::size_t i = 0; i < candidates_.size(); ++i)
+                through[i].push_back(reached && goes_through(candidates_[i]));
+        }
+        for (std::size_t i = 0; i < candidates_.size(); ++i) gather(candidates_[i], looks, through[i]);
+        std::sort(found_.begin(), found_.end(), [](const Contact& p, const Contact& q) {
+            return std::tuple(p.a, p.b, p.from_deg) < std::tuple(q.a, q.b, q.from_deg);
+        });
+        return std::move(found_);
+    }
+
+ private:
+    bool put(double deg) { return place(assembly_, Angle::degrees(deg), frames_); }
+    [[nodiscard]] const Hinge& hinge(const Candidate& one) const { return nth(assembly_.hinges, one.hinge); }
+
+    // Whether the line of the fold lies in the plate's plane.
+    [[nodiscard]] bool lies_in(const Candidate& one) const {
+        const Hinge& fold = hinge(one);
+        const Frame& of = nth(frames_, fold.a);
+        const Frame& plane = nth(frames_, one.plate);
+        const Vec3 normal = plane.normal();
+        for (const Vec2 end : {fold.a_line.a, fold.a_line.b}) {
+            if (std::abs(dot(of.point(end) - plane.origin, normal)) > kInPlaneMm) return false;
+        }
+        return true;
+    }
+    // Whether neither of its plates does. On a card that is nearly closed all do.
+    [[nodiscard]] bool parts(const Candidate& one) const {
+        const Hinge& fold = hinge(one);
+        const Vec3 normal = nth(frames_, one.plate).normal();
+        const auto is_other = [&](int plate) {
+            return length(cross(nth(frames_, plate).normal(), normal)) > kLeastSine;
+        };
+        return is_other(fold.a) && is_other(fold.b);
+    }
+
+    void find_candidates() {
+        const std::vector<int> bodies = bodies_of(assembly_);
+        std::vector<Candidate> all;
+        const auto offer = [&](int number, int plate) {
+            const Hinge& fold = nth(assembly_.hinges, number);
+            const int body = nth(bodies, plate);
+            if (fold.glued || body == nth(bodies, fold.a) || body == nth(bodies, fold.b)) return;
+            const Candidate one{number, plate};
+            if (lies_in(one) && parts(one)) all.push_back(one);
+        };
+        const auto telling = [this](double deg) { return put(opening_at(assembly_.sweep, deg)); };
+        if (!offer_near(offer) && telling(kTellingDegs[1])) {
+            for (int i = 0; i < static_cast<int>(assembly_.hinges.size()); ++i) {
+                for (int k = 0; k < static_cast<int>(assembly_.plates.size()); ++k) offer(i, k);
+            }
+        }
+        for (const double deg : {kTellingDegs[0], kTellingDegs[2]}) {
+            if (all.empty() || !telling(deg)) return;
+            std::erase_if(all, [this](const Candidate& one) { return !lies_in(one) || !parts(one); });
+        }
+        candidates_ = std::move(all);
+    }
+
+    // Of many plates only those that come near each other. False: there are few.
+    template <typename Offer>
+    bool offer_near(const Offer& offer) {
+        if (assembly_.plates.size() <= kFewPlates) return false;
+        std::vector<SpaceBox> boxes(shapes_.size());
+        constexpr int kPoses = 8;
+        for (int pose = 0; pose < kPoses; ++pose) {
+            if (!put(opening_at(assembly_.sweep, 180.0 * (pose + 0.5) / kPoses))) continue;
+            for (std::size_t i = 0; i < shapes_.size(); ++i) {
+                // Between two poses a plate gets no further than this.
+                for (const Vec2 corner : shapes_[i].hull)
+                    boxes[i].extend(frames_[i].point(corner), 0.2 * shapes_[i].radius + kTouchMm);
+            }
+        }
+        std::vector<std::vector<int>> folds(assembly_.plates.size());
+        for (std::size_t i = 0; i < assembly_.hinges.size(); ++i) {
+            nth(folds, assembly_.hinges[i].a).push_back(static_cast<int>(i));
+            nth(folds, assembly_.hinges[i].b).push_back(static_cast<int>(i));
+        }
+        if (!put(opening_at(assembly_.sweep, kTellingDegs[1]))) return true;
+        for (const auto& [a, b] : near_earlier(boxes, kMostNear)) {
+            for (const int fold : nth(folds, a)) offer(fold, b);
+            for (const int fold : nth(folds, b)) offer(fold, a);
+        }
+        return true;
+    }
+
+    [[nodiscard]] std::vector<double> openings() const {
+        const Sweep& sweep = assembly_.sweep;
+        std::vector<double> looks{least_opening(sweep)};
+        for (const double deg : kNearlyClosed) looks.push_back(opening_at(sweep, deg));
+        for (int i = 1; i <= kSteps; ++i) looks.push_back(opening_at(sweep, 180.0 * i / kSteps));
+        return looks;
+    }
+
+    // The stretches of the fold that are inside of the plate, as shares of it; together longer than kLeastMm.
+    [[nodiscard]] std::optional<Vec3> inside(const Candidate& one) const {
+        const Hinge& fold = hinge(one);
+        const Frame& plane = nth(frames_, one.plate);
+        const Vec3 from = nth(frames_, fold.a).point(fold.a_line.a);
+        const Vec3 to = nth(frames_, fold.a).point(fold.a_line.b);
+        const Vec2 a = on_page(plane, from);
+        const Vec2 along = on_page(plane, to) - a;
+        std::vector<double> cuts{0.0, 1.0};
+        const PlateShape& shape = nth(shapes_, one.plate);
+        for (const std::vector<Vec2>& ring : shape.rings) {
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Vec2 p = ring[i];
+                const Vec2 edge = ring[(i + 1) % ring.size()] - p;
+                const double by = cross(along, edge);
+                if (by == 0.0) continue;
+                const double t = cross(p - a, edge) / by;
+                const double s = cross(p - a, along) / by;
+                if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0) cuts.push_back(t);
+            }
+        }
+        std::sort(cuts.begin(), cuts.end());
+        double sum = 0.0;
+        double most = 0.0;
+        std::optional<Vec3> middle;
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double t = 0.5 * (cuts[i] + cuts[i + 1]);
+            const double here = (cuts[i + 1] - cuts[i]) * length(along);
+            const Vec2 at = a + t * along;
+            if (!shape.covers(at) || shape.to_edge(at, 2.0 * kTouchMm) < kTouchMm) continue;
+            sum += here;
+            if (here > most) middle = from + t * (to - from);
+            most = std::max(most, here);
+        }
+        return sum > kLeastMm ? middle : std::nullopt;
+    }
+
+    // From the fold into one of its plates, square to it; nullopt where it is on both sides, or on none.
+    [[nodiscard]] std::optional<Vec3> into(int plate, const Segment& line) const {
+        const Vec2 side = unit(left_of(line.b - line.a));
+        const Vec2 middle = lerp(line.a, line.b, 0.5);
+        const PlateShape& shape = nth(shapes_, plate);
+        const bool left = shape.covers(middle + kBesideMm * side);
+        if (left == shape.covers(middle - kBesideMm * side)) return std::nullopt;
+        return nth(frames_, plate).direction(left ? side : -side);
+    }
+
+    [[nodiscard]] bool goes_through(const Candidate& one) const {
+        const Hinge& fold = hinge(one);
+        if (!lies_in(one) || !inside(one)) return false;
+        const auto to_a = into(fold.a, fold.a_line);
+        const auto to_b = into(fold.b, fold.b_line);
+        if (!to_a || !to_b) return false;
+        const Vec3 along = nth(frames_, fold.a).direction(unit(fold.a_line.b - fold.a_line.a));
+        const Vec3 across = cross(nth(frames_, one.plate).normal(), along);
+        // All are square to the fold: angles about it.
+        const auto turn = [&along](Vec3 p, Vec3 q) { return dot(cross(p, q), along); };
+        const double wedge = turn(*to_a, *to_b);
+        // Of a fold that is flat, or shut.
+        if (std::abs(wedge) < kLeastSine * kLeastSine)
+            return dot(*to_a, *to_b) < 0.0 && std::abs(turn(*to_a, across)) > kLeastSine;
+        for (const Vec3 way : {across, -1.0 * across}) {
+            if (turn(*to_a, way) / wedge > kBetween && turn(way, *to_b) / wedge > kBetween) return true;
+        }
+        return false;
+    }
+
+    // The angle between the two at which it changes, to kExactDeg.
+    double change(const Candidate& one, double without, double with) {
+        while (std::abs(with - without) > kExactDeg) {
+            const double middle = 0.5 * (without + with);
+            (put(middle) && goes_through(one) ? with : without) = middle;
+        }
+        return with;
+    }
+
+    void gather(const Candidate& one, const std::vector<double>& looks, const std::vector<bool>& through) {
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            if (!through[i]) continue;
+            std::size_t last = i;
+            while (last + 1 < looks.size() && through[last + 1]) ++last;
+            const double from = i == 0 ? assembly_.sweep.from_deg : change(one, looks[i - 1], looks[i]);
+            const double to =
+                last + 1 == looks.size() ? looks[last] : change(one, looks[last + 1], looks[last]);
+            add(one, from, to);
+            i = last;
+        }
+    }
+
+    void add(const Candidate& one, double from, double to) {
+        const Hinge& fold = hinge(one);
+        const auto rounded = [](double deg) { return std::round(1000.0 * deg) / 1000.0; };
+        put(to);
+        const Vec3 point = inside(one).value_or(nth(frames_, fold.a).point(fold.a_line.a));
+        for (const int other : {fold.a, fold.b}) {
+            Contact contact;
+            std::tie(contact.a, contact.b) = std::minmax(one.plate, other);
+            contact.from_deg = rounded(from);
+            contact.to_deg = rounded(to);
+            contact.deepest_deg = contact.from_deg;
+            contact.longer = one.plate;
+            contact.point = point;
+            contact.at_fold = true;
+            found_.push_back(contact);
+        }
+    }
+
+    const Assembly& assembly_;
+    std::span<const PlateShape> shapes_;
+    std::vector<Frame> frames_;
+    std::vector<Candidate> candidates_;
+    std::vector<Contact> found_;
+};
+
+}  // namespace
+
+std::vector<Contact> find_through_folds(const Assembly& assembly, std::span<const PlateShape> shapes) {
+    return Search(assembly, shapes).run();
+}
+
+}  // namespace popup
