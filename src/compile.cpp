@@ -58,6 +58,8 @@ bool run_last_stages(CompiledDesign& one, const CompileOptions& options, Draw dr
     if (one.assembly && options.opens && !open_to(*one.assembly, *options.opens, one.diagnostics))
         return false;
     if (one.assembly && one.checked) level_horizons(*one.assembly, one.diagnostics);
+    if (one.assembly && one.creases && options.until == Stage::assembly)
+        order_folds(*one.assembly, options.motion, one.diagnostics);
     if (!one.assembly || options.until <= Stage::assembly) return false;
     const auto bound = [&](const auto& f) { return std::bind_front(f, std::cref(one), std::cref(options)); };
     if (moves(*one.assembly)) {
@@ -83,9 +85,8 @@ void conclude(CompiledDesign& one, const CompileOptions& options, bool whole) {
     one.diagnostics.apply_allowances();
     // What has not been looked for cannot be missed.
     if (!whole || (one.motion && !one.motion->examination) || one.diagnostics.has_errors_as_given()) return;
-    std::set<std::string_view> unasked;
-    if (!options.motion.clearance_mm) unasked.insert("clearance-low");
-    tell_unused_allowances(one.diagnostics, unasked);
+    using Codes = std::set<std::string_view>;
+    tell_unused_allowances(one.diagnostics, options.motion.clearance_mm ? Codes{} : Codes{"clearance-low"});
 }
 
 void compile_one(CompiledDesign& one, const CompileOptions& options) {
@@ -128,8 +129,7 @@ void compile_further(CompiledDesign& one, const CompileOptions& options) {
 void find_further(CompiledDesign& one, const CompileOptions& options) {
     CompileOptions all = options;
     all.until = Stage::pattern;
-    const bool whole = one.checked && run_last_stages(one, all, Draw::no);
-    conclude(one, options, whole);
+    conclude(one, options, one.checked && run_last_stages(one, all, Draw::no));
 }
 
 void compile_each(std::size_t count, const std::function<std::optional<Source>(std::size_t)>& source,

@@ -142,8 +142,11 @@ TEST(AssemblyReading, EveryOutputOfASampleHasTheSameBytes) {
     with_model.insert(with_model.end(), {"x.glb", "x.gltf", "x.html"});
     std::vector<std::string> all = with_model;
     all.emplace_back("x.fold");
-    for (const auto& [sample, outputs] : {std::pair("tree.xml", all), std::pair("parts.svg", sheets),
-                                          std::pair("flatlang/box.fl", with_model)}) {
+    // Its folds go in an order; that they do is a finding, which pages have, of the first alone.
+    const std::vector<std::string> models{"x.svg", "x.glb", "x.gltf"};
+    for (const auto& [sample, outputs] :
+         {std::pair("tree.xml", all), std::pair("parts.svg", sheets),
+          std::pair("flatlang/box.fl", with_model), std::pair("cartons/straight-tuck-end.fl", models)}) {
         const std::string name = std::string(sample).substr(std::string(sample).rfind('/') + 1);
         const Source source{name, test::read_file(std::string(POPUP_SOURCE_DIR) + "/samples/" + sample)};
         const Source again{source.stem() + ".assembly.json", assembly_text(source)};
