@@ -56,7 +56,7 @@ class Freer {
           const DiagnosticPolicy& policy)
         : name_(source.name), language_(language), options_(options), policy_(policy) {
         options_.read.language = language.name;
-        options_.until = Stage::motion;
+        options_.until = Stage::pattern;
         options_.motion.examine = true;
         options_.threads = 1;
         options_.progress = {};
