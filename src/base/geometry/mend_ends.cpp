@@ -35,8 +35,8 @@ struct Move {
 
 class Round {
  public:
-    Round(const std::vector<SheetLine>& lines, const SheetGraph& graph, double snap_mm)
-        : lines_(lines), graph_(graph), snap_mm_(snap_mm) {
+    Round(const std::vector<SheetLine>& lines, const SheetGraph& graph, const EndTolerances& tolerances)
+        : lines_(lines), graph_(graph), snap_mm_(tolerances.snap_mm), gathers_(tolerances.gathers_folds) {
         std::vector<Segment> segments;
         for (std::size_t i = 0; i < graph.edges.size(); ++i)
             segments.push_back(graph.segment(static_cast<int>(2 * i)));
@@ -46,6 +46,9 @@ class Round {
 
     // Nullopt when there are more looks than a drawing takes.
     std::optional<std::vector<Move>> moves() {
+        // Where folds are gathered the other ends see it in the next round.
+        if (gathers_ && gather())
+            return looks_ > kMostLooks ? std::nullopt : std::optional(std::move(moves_));
         // What is only rounding is no reason to look further.
         weld();
         trim(kSilentMm);
@@ -88,6 +91,85 @@ class Round {
             }
         }
         done_.assign(loose_.size(), false);
+    }
+
+    // Three and more ends of folds near each other, with no cut there, are one point: where most of them are,
+    // else where their lines meet. One may lie on another fold just beside it, and would be no loose end.
+    // True: some moved.
+    bool gather() {
+        std::vector<LooseEnd> ends;
+        std::multimap<int, std::size_t> at_corner;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            const SheetLine& line = lines_[i];
+            if (line.closed || (line.ink & kAnyFold) == 0) continue;
+            for (const bool last : {false, true}) {
+                const int corner = graph_.ends[i][last ? 1 : 0];
+                // Where a cut is, folds end at it, each for itself.
+                if (is_near_cut(graph_.at(corner))) continue;
+                const Vec2 before = last ? line.points[line.points.size() - 2] : line.points[1];
+                at_corner.emplace(corner, ends.size());
+                ends.push_back({static_cast<int>(i), last, corner, -1, graph_.at(corner),
+                                unit(graph_.at(corner) - before)});
+            }
+        }
+        std::vector<bool> gathered(ends.size(), false);
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            if (gathered[i]) continue;
+            std::vector<std::size_t> group = ends_within(at_corner, ends[i].at, snap_mm_);
+            std::erase_if(group, [&](std::size_t one) { return gathered[one]; });
+            std::map<int, int> lines;
+            std::map<int, int> corners;
+            for (const std::size_t one : group) {
+                ++lines[ends[one].line];
+                ++corners[ends[one].corner];
+            }
+            // A line with both its ends there is too short to say where it leads.
+            const bool has_short =
+                std::any_of(lines.begin(), lines.end(), [](const auto& one) { return one.second > 1; });
+            // In paper that folds flat an even number of folds meets (Maekawa's theorem): where that holds,
+            // what is near each other is meant to be.
+            const bool is_odd = std::any_of(corners.begin(), corners.end(), [this](const auto& one) {
+                return graph_.around(one.first).size() % 2 == 1;
+            });
+            if (lines.size() < 3 || corners.size() < 2 || has_short || !is_odd) continue;
+            const auto most =
+                std::max_element(corners.begin(), corners.end(),
+                                 [](const auto& a, const auto& b) { return a.second < b.second; });
+            const auto to =
+                most->second > 1 ? std::optional(graph_.at(most->first)) : meeting(ends, group, false);
+            if (!to || std::any_of(group.begin(), group.end(),
+                                   [&](std::size_t one) { return distance(ends[one].at, *to) > snap_mm_; }))
+                continue;
+            for (const std::size_t one : group) {
+                gathered[one] = true;
+                if (ends[one].at != *to) moves_.push_back({ends[one].line, ends[one].last, *to});
+            }
+        }
+        return !moves_.empty();
+    }
+
+    [[nodiscard]] bool is_near_cut(Vec2 at) {
+        look(at, snap_mm_);
+        return std::any_of(found_.begin(), found_.end(), [&](int edge) {
+            return !is_fold(nth(graph_.edges, edge)) && distance(at, graph_.segment(2 * edge)) <= snap_mm_;
+        });
+    }
+
+    // In their order.
+    [[nodiscard]] std::vector<std::size_t> ends_within(const std::multimap<int, std::size_t>& at_corner,
+                                                       Vec2 at, double reach) {
+        std::vector<std::size_t> group;
+        look(at, reach);
+        for (const int edge : found_) {
+            for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
+                if (distance(at, graph_.at(corner)) > reach) continue;
+                const auto [begin, end] = at_corner.equal_range(corner);
+                for (auto other = begin; other != end; ++other) group.push_back(other->second);
+            }
+        }
+        std::sort(group.begin(), group.end());
+        group.erase(std::unique(group.begin(), group.end()), group.end());
+        return group;
     }
 
     // Ends at a corner that is another up to rounding go there.
@@ -144,20 +226,8 @@ class Round {
 
     // Loose ends near each other, all of them.
     [[nodiscard]] std::vector<std::size_t> ends_near(std::size_t first) {
-        const double reach = 2.0 * snap_mm_;
-        std::vector<std::size_t> group{first};
-        look(loose_[first].at, reach);
-        for (const int edge : found_) {
-            for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
-                const auto [begin, end] = loose_at_.equal_range(corner);
-                for (auto other = begin; other != end; ++other) {
-                    const bool far = distance(loose_[first].at, loose_[other->second].at) > reach;
-                    if (!far && !done_[other->second]) group.push_back(other->second);
-                }
-            }
-        }
-        std::sort(group.begin(), group.end());
-        group.erase(std::unique(group.begin(), group.end()), group.end());
+        std::vector<std::size_t> group = ends_within(loose_at_, loose_[first].at, 2.0 * snap_mm_);
+        std::erase_if(group, [&](std::size_t one) { return one != first && done_[one]; });
         return group;
     }
 
@@ -172,7 +242,7 @@ class Round {
                 return loose_[other].corner != loose_[i].corner;
             };
             if (std::none_of(group.begin(), group.end(), elsewhere)) continue;
-            auto to = meeting(group, level);
+            auto to = meeting(loose_, group, level);
             if (!to) {
                 const auto off = [&](std::size_t other) {
                     return elsewhere(other) ? distance(loose_[i].at, loose_[other].at) : HUGE_VAL;
@@ -180,7 +250,7 @@ class Round {
                 const auto nearest = std::min_element(group.begin(), group.end(),
                                                       [&](auto a, auto b) { return off(a) < off(b); });
                 group = {i, *nearest};
-                to = meeting(group, level);
+                to = meeting(loose_, group, level);
             }
             if (!to) continue;
             for (const std::size_t one : group) move(one, *to);
@@ -188,27 +258,28 @@ class Round {
     }
 
     // The point nearest to the lines of all these ends, which cross; of level ones their middle.
-    [[nodiscard]] std::optional<Vec2> meeting(const std::vector<std::size_t>& group, bool level) const {
+    [[nodiscard]] std::optional<Vec2> meeting(const std::vector<LooseEnd>& ends,
+                                              const std::vector<std::size_t>& group, bool level) const {
         double xx = 0.0;
         double xy = 0.0;
         double yy = 0.0;
         Vec2 right;
         Vec2 middle;
         for (const std::size_t one : group) {
-            const Vec2 n = left_of(loose_[one].onwards);
-            const double by = dot(n, loose_[one].at);
+            const Vec2 n = left_of(ends[one].onwards);
+            const double by = dot(n, ends[one].at);
             xx += n.x * n.x;
             xy += n.x * n.y;
             yy += n.y * n.y;
             right = right + by * n;
-            middle = middle + (1.0 / static_cast<double>(group.size())) * loose_[one].at;
+            middle = middle + (1.0 / static_cast<double>(group.size())) * ends[one].at;
         }
         const double det = xx * yy - xy * xy;
         if ((det <= kLeastSine * kLeastSine) != level) return std::nullopt;
         Vec2 to = middle;
         if (!level) to = {(yy * right.x - xy * right.y) / det, (xx * right.y - xy * right.x) / det};
         for (const std::size_t one : group) {
-            if (distance(loose_[one].at, to) > snap_mm_) return std::nullopt;
+            if (distance(ends[one].at, to) > snap_mm_) return std::nullopt;
         }
         return to;
     }
@@ -272,6 +343,7 @@ class Round {
     const std::vector<SheetLine>& lines_;
     const SheetGraph& graph_;
     double snap_mm_;
+    bool gathers_;
     EdgeIndex index_;
     std::vector<LooseEnd> loose_;
     std::multimap<int, std::size_t> loose_at_;  // by corner
@@ -297,7 +369,7 @@ std::optional<SheetGraph> mend_ends(std::vector<SheetLine>& lines, const EndTole
         if (!graph) return std::nullopt;
         if (round == kMostRounds) break;
         bool any = false;
-        const std::optional<std::vector<Move>> moves = Round(lines, *graph, tolerances.snap_mm).moves();
+        const std::optional<std::vector<Move>> moves = Round(lines, *graph, tolerances).moves();
         if (!moves) return std::nullopt;
         for (const Move& move : *moves) {
             Vec2& end = end_of(move.line, move.last);

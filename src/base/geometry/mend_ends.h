@@ -16,6 +16,8 @@ inline constexpr double kSilentMm = 0.02;
 struct EndTolerances {
     double snap_mm = kSnapMm;  // at least kSilentMm
     double one_point_mm = kOnePointMm;
+    // Three and more ends of folds within snap_mm of each other, with no cut there, are one point.
+    bool gathers_folds = false;
 };
 
 // An end of a line that was moved.

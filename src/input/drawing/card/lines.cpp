@@ -234,7 +234,7 @@ CardLines card_lines(const Tracing& tracing, Diagnostics& diagnostics) {
 std::optional<SheetGraph> join_ends(const Tracing& tracing, std::vector<SheetLine>& lines,
                                     std::vector<Segment>& moves, Diagnostics& diagnostics) {
     std::vector<MovedEnd> moved;
-    std::optional<SheetGraph> graph = mend_ends(lines, {}, moved);
+    std::optional<SheetGraph> graph = mend_ends(lines, {.gathers_folds = true}, moved);
     if (!graph) {
         diagnostics.error("document-too-large", {},
                           "the lines of the drawing cross one another too often to be looked at");

@@ -15,6 +15,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 // Folds that lean less over the drive do not meet it, in radians.
 constexpr double kLeastLean = 0.01;
+// At less than the first of these angles no step folds (angled-step); at less than the second its side folds
+// are meant to be parallel, unless they meet in one point of the drive to the rounding of a drawing.
+constexpr double kLeastAngle = kPi / 180.0;
+constexpr double kMeantAngle = 3.0 * kPi / 180.0;
 
 // A line in coordinates of the drive: x along it, y to its left.
 struct Seen {
@@ -151,7 +155,10 @@ std::optional<Linkage> find_linkage(const Drive& drive, const Segment& left, con
     for (const Segment& s : mids) between.push_back(seen(drive, s));
     Linkage parallel = as_parallel(l, between, r);
     Linkage meeting = as_meeting(l, between, r);
-    Linkage& best = parallel.off <= meeting.off ? parallel : meeting;
+    const double angle = std::max(meeting.left_angle, meeting.right_angle);
+    const bool meant = angle < kLeastAngle || (angle < kMeantAngle && meeting.off > kSilentMm);
+    const bool askew = parallel.off <= kSnapMm && meeting.off < HUGE_VAL && meant;
+    Linkage& best = askew || parallel.off <= meeting.off ? parallel : meeting;
     if (best.off <= kSnapMm) return std::move(best);
     if (best.off < why.off || why.what.empty()) why = {reason(best, between), best.off};
     return std::nullopt;

@@ -72,9 +72,23 @@ class PageFinder {
             border_ = std::move(loop);
             ring_ = std::move(ring);
         }
-        if (!border_.empty()) return true;
+        if (!border_.empty()) return is_cut();
         diagnostics_
             .error("no-page", {}, "nothing in the drawing encloses an area, so there is no page to fold")
+            .hint("draw the border of the page as a rectangle, solid and not in the colour of folds");
+        return false;
+    }
+
+    // Folds that enclose paper are those of a drawing whose border was forgotten.
+    bool is_cut() {
+        const auto fold = std::find_if(border_.begin(), border_.end(), [this](int half) {
+            return (graph_.edge(half).ink & (kCut | kCutOut)) == 0;
+        });
+        if (fold == border_.end()) return true;
+        diagnostics_
+            .error("no-page", place_of(graph_.edge(*fold).element),
+                   "this fold is on the border of the largest area that the drawing encloses, so there is no "
+                   "page to fold")
             .hint("draw the border of the page as a rectangle, solid and not in the colour of folds");
         return false;
     }

@@ -123,12 +123,11 @@ class DesignMaker {
         argument.place = made.place;
     }
 
-    void fault(Place place, const std::string& what, std::optional<Vec2> at) {
-        diagnostics_
-            .error("not-understood", place, at ? what + ", at " + shown_point(tracing_.ruler, *at) : what)
-            .hint(
-                "draw it otherwise, or leave it out with --lines ignore=NAME, of a layer, class, id or "
-                "colour");
+    Diagnostic& fault(Place place, const std::string& what, std::optional<Vec2> at) {
+        Diagnostic& told = diagnostics_.error("not-understood", place,
+                                              at ? what + ", at " + shown_point(tracing_.ruler, *at) : what);
+        return told.hint(
+            "draw it otherwise, or leave it out with --lines ignore=NAME, of a layer, class, id or colour");
     }
 
     // --- features
@@ -187,8 +186,16 @@ class DesignMaker {
                  {std::pair{1.0, feature.linkage.left}, {-1.0, feature.linkage.right}}) {
                 const double over = reach(drive, outline.ring, aside) - fold;
                 if (over <= kSnapMm) continue;
-                fault(place,
-                      fmt::format("this feature reaches {:.2f} mm beyond the fold that holds it", over), {});
+                Diagnostic& told = fault(
+                    place, fmt::format("this feature reaches {:.2f} mm beyond the fold that holds it", over),
+                    {});
+                const auto at_end = [this](Vec2 p) {
+                    return std::abs(page_.to_page(p).y) >= 0.5 * page_.height - kSnapMm;
+                };
+                if (std::any_of(outline.ring.begin(), outline.ring.end(), at_end))
+                    told.hint(
+                        "it reaches the end of the card, where a card's features do not: end it before the "
+                        "border, or fold the drawing with --as folded");
                 return;
             }
         }
