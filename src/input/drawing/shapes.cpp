@@ -155,6 +155,17 @@ const ShapeRow* find_shape(std::string_view tag) {
 
 }  // namespace
 
+Attributes::Attributes(std::vector<xml::Attribute> all, const Entities& entities, std::string_view text)
+    : all_(std::move(all)) {
+    for (xml::Attribute& one : all_) {
+        const std::string_view raw = text.substr(one.value.raw.offset, one.value.raw.length);
+        // "&amp;st1;" is no reference.
+        if (raw.find('&') == std::string_view::npos || !entities.expanded(raw)) continue;
+        std::optional<std::string> value = entities.expanded(one.value.decoded);
+        if (value) one.value.decoded = expanded_.emplace_back(std::move(*value));
+    }
+}
+
 const xml::Attribute* Attributes::find(std::string_view name) const {
     const auto found =
         std::find_if(all_.begin(), all_.end(), [&](const xml::Attribute& a) { return a.name == name; });

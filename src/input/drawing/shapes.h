@@ -1,11 +1,13 @@
 // The shapes of SVG as paths.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "input/drawing/entities.h"
 #include "input/xml/tree.h"
 #include "popup/path.h"
 
@@ -15,6 +17,14 @@ namespace popup::drawing {
 class Attributes {
  public:
     explicit Attributes(std::vector<xml::Attribute> all) : all_(std::move(all)) {}
+    // With these entities expanded.
+    // Precondition: `text`, which they stand in, and what they were made from outlive them.
+    Attributes(std::vector<xml::Attribute> all, const Entities& entities, std::string_view text);
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+    Attributes(Attributes&&) = default;
+    Attributes& operator=(Attributes&&) = default;
+    ~Attributes() = default;
     [[nodiscard]] const xml::Attribute* find(std::string_view name) const;
     // Its value; empty when it is missing.
     [[nodiscard]] std::string_view value(std::string_view name) const;
@@ -22,6 +32,7 @@ class Attributes {
 
  private:
     std::vector<xml::Attribute> all_;
+    std::deque<std::string> expanded_;  // values that stand for others
 };
 
 // What is wrong with an attribute.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -146,7 +145,7 @@ class Tracer {
     bool root(Context& context) {
         const auto tree = xml::Tree::parse(located_, 0, xml::Tree::Extent::tag, diagnostics_);
         if (!tree) return false;
-        const Attributes attributes(tree->root().attributes());
+        const Attributes attributes(tree->root().attributes(), entities_, located_.text);
         const Place place = located_.elements[0].place;
         const auto size = [&](std::string_view name) -> double {
             const std::string_view value = attributes.value(name);
@@ -224,7 +223,7 @@ class Tracer {
             stopped_ = true;
             return;
         }
-        const Attributes attributes(tree->root().attributes());
+        const Attributes attributes(tree->root().attributes(), entities_, located_.text);
         Context context = around;
         Declarations declared = declarations(tag, attributes, false);
         if (!take_style(declared, at.place, context)) return;
@@ -412,7 +411,9 @@ class Tracer {
         if (const int name = add_name(name_of(attributes)); name >= 0) context.instance = name;
         if (tag_of(element) == "symbol") {
             const auto tree = xml::Tree::parse(located_, element, xml::Tree::Extent::tag, diagnostics_);
-            if (!tree || !new_viewport(Attributes(tree->root().attributes()), size, context)) return;
+            if (!tree ||
+                !new_viewport(Attributes(tree->root().attributes(), entities_, located_.text), size, context))
+                return;
         }
         active_[element] = 1;
         ++uses_;
@@ -564,6 +565,7 @@ class Tracer {
     }
 
     const xml::Located& located_;
+    const Entities entities_{located_.text.substr(0, located_.elements[0].begin)};
     bool strict_;
     LineRules rules_;
     Diagnostics& diagnostics_;

@@ -19,10 +19,9 @@ constexpr std::array kOaCodes = std::to_array<CodeInfo>({
      "more than 0, for at 0 it would be the back itself, and no more than the height of the card, for there "
      "the floor ends. This face is left out. Correct its t."},
     {"oa-hidden", Severity::warning, "a face of webOAcard of which nothing is left",
-     "All cards of this kind are one sheet, and each point of it can be in one plate only. What stands "
-     "nearer "
-     "has the paper before what stands farther away, horizontal plates before those that stand, and holes "
-     "leave nothing. Nothing of this face remains, so it is neither cut nor folded. Take it out, or move "
+     "All cards of this kind are one sheet, and each point of it can be in one plate only. Of what "
+     "would have the same paper the highest has it, of standing plates the nearest, and holes leave nothing. "
+     "Nothing of this face remains, so it is neither cut nor folded. Take it out, or move "
      "what covers it on the sheet."},
     {"oa-loose", Severity::warning, "paper of a webOAcard design that nothing holds",
      "The part is cut on all sides: no path of folds leads from it to the back or to the floor, so it falls "

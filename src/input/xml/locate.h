@@ -75,7 +75,8 @@ inline constexpr std::size_t kAttributesLimit = 1000;
 inline constexpr std::size_t kMarkupLimit = 8'000'000;
 
 // What is made of a document type declaration: an error, or nothing, for languages whose files often have
-// one. Entities that it defines are never read: a reference to one then stands for its own letters.
+// one. Entities that it defines are not read here: a reference to one then stands for its own letters, and
+// drawings expand them (input/drawing/entities.h).
 enum class Doctype { refuse, skip };
 
 // Preconditions: check_encoding() is true of `text`, which must outlive the result.
