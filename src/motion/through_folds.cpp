@@ -17,12 +17,12 @@
 namespace popup {
 namespace {
 
-constexpr double kInPlaneMm = 1e-3;  // that a fold is off a plane it lies in
-constexpr double kLeastMm = 0.02;    // of a fold inside of a plate
-constexpr double kLeastSine = 1e-3;  // of planes that are not one
+constexpr double kInPlaneMm = 1e-3;       // that a fold is off a plane it lies in
+constexpr double kLeastThroughMm = 0.02;  // of a fold inside of a plate
+constexpr double kLeastSine = 1e-3;       // of planes that are not one
 constexpr double kBetween =
     0.02;  // of the sine of the fold's angle: what is nearer to one of its plates lies on it
-constexpr double kBesideMm = 0.05;  // from a fold, where its plate is looked for
+constexpr double kJustBesideMm = 0.05;  // from a fold, where its plate is looked for
 constexpr double kExactDeg = 5e-4;
 constexpr std::size_t kFewPlates = 300;
 constexpr std::size_t kMostNear = 200;
@@ -139,7 +139,8 @@ class Search {
         return looks;
     }
 
-    // The stretches of the fold that are inside of the plate, as shares of it; together longer than kLeastMm.
+    // The stretches of the fold that are inside of the plate, as shares of it; together longer than
+    // kLeastThroughMm.
     [[nodiscard]] std::optional<Vec3> inside(const Candidate& one) const {
         const Hinge& fold = hinge(one);
         const Frame& plane = nth(frames_, one.plate);
@@ -173,7 +174,7 @@ class Search {
             if (here > most) middle = from + t * (to - from);
             most = std::max(most, here);
         }
-        return sum > kLeastMm ? middle : std::nullopt;
+        return sum > kLeastThroughMm ? middle : std::nullopt;
     }
 
     // From the fold into one of its plates, square to it; nullopt where it is on both sides, or on none.
@@ -181,8 +182,8 @@ class Search {
         const Vec2 side = unit(left_of(line.b - line.a));
         const Vec2 middle = lerp(line.a, line.b, 0.5);
         const PlateShape& shape = nth(shapes_, plate);
-        const bool left = shape.covers(middle + kBesideMm * side);
-        if (left == shape.covers(middle - kBesideMm * side)) return std::nullopt;
+        const bool left = shape.covers(middle + kJustBesideMm * side);
+        if (left == shape.covers(middle - kJustBesideMm * side)) return std::nullopt;
         return nth(frames_, plate).direction(left ? side : -side);
     }
 

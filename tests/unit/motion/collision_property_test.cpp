@@ -8,6 +8,8 @@
 #include <map>
 #include <random>
 #include <set>
+#include <string>
+#include <tuple>
 
 #include "motion/plate_shape.h"
 #include "popup/check.h"
@@ -286,7 +288,13 @@ class Comparison {
           tally_(tally),
           found_(examine(assembly, {})),
           brute_(assembly) {
-        for (const Contact& one : found_.contacts) contacts_[{one.a, one.b}].push_back(one);
+        for (const Contact& one : found_.contacts) {
+            if (one.at_fold) {
+                at_folds_.push_back(one);
+            } else {
+                contacts_[{one.a, one.b}].push_back(one);
+            }
+        }
         for (const Undecided& one : found_.undecided) undecided_[{one.a, one.b}].push_back(one);
         if (found_.decided_up_to_deg < assembly.sweep.to_deg) ++tally.cut_short;
     }
@@ -309,9 +317,29 @@ class Comparison {
         for (const auto& [pair, contacts] : contacts_) {
             for (const Contact& one : contacts) is_contact(pair, one);
         }
+        through_folds();
     }
 
  private:
+    // Moved a little to one side, what goes through a fold crosses one of its two plates, and moved to the
+    // other side the other; so does nothing that only lies on the fold.
+    void through_folds() {
+        std::map<std::tuple<int, double, double>, std::set<int>> sides;
+        for (const Contact& one : at_folds_) {
+            const double deg = 0.5 * (one.from_deg + one.to_deg);
+            const Vec3 normal = frames_at(assembly_, deg)[static_cast<std::size_t>(one.longer)].normal();
+            std::set<int>& seen = sides[{one.longer, one.from_deg, one.to_deg}];
+            for (const int side : {1, -1}) {
+                const double by = 0.1 * side * (one.longer == one.b ? 1.0 : -1.0);
+                if (brute_.meet_when_moved(one.a, one.b, deg, by * normal, true)) seen.insert(side);
+            }
+        }
+        for (const auto& [which, seen] : sides) {
+            EXPECT_EQ(seen.size(), 2U) << name_ << ": plate " << std::get<0>(which) << " at its fold from "
+                                       << std::get<1>(which) << "° to " << std::get<2>(which) << "°";
+        }
+    }
+
     [[nodiscard]] bool looked_at(double deg) const {
         return deg > found_.undecided_below_deg && deg < found_.decided_up_to_deg;
     }
@@ -406,7 +434,8 @@ class Comparison {
     Tally& tally_;
     Examination found_;
     BruteForce brute_;
-    std::map<PlatePair, std::vector<Contact>> contacts_;
+    std::map<PlatePair, std::vector<Contact>> contacts_;  // but for those at folds
+    std::vector<Contact> at_folds_;
     std::map<PlatePair, std::vector<Undecided>> undecided_;
     std::size_t told_ = 0;
 };
