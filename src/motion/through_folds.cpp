@@ -110,10 +110,13 @@ class Search {
         if (assembly_.plates.size() <= kFewPlates) return false;
         std::vector<SpaceBox> boxes(shapes_.size());
         constexpr int kPoses = 8;
+        bool any = false;
         for (int pose = 0; pose < kPoses; ++pose) {
             if (!put(opening_at(assembly_.sweep, 180.0 * (pose + 0.5) / kPoses))) continue;
+            any = true;
             for (std::size_t i = 0; i < shapes_.size(); ++i) {
-                // Between two poses a plate gets no further than this.
+                // None may be empty, and between two poses a plate reaches a little further.
+                if (shapes_[i].hull.empty()) boxes[i].extend(frames_[i].origin);
                 for (const Vec2 corner : shapes_[i].hull)
                     boxes[i].extend(frames_[i].point(corner), 0.2 * shapes_[i].radius + kTouchMm);
             }
@@ -123,7 +126,7 @@ class Search {
             nth(folds, assembly_.hinges[i].a).push_back(static_cast<int>(i));
             nth(folds, assembly_.hinges[i].b).push_back(static_cast<int>(i));
         }
-        if (!put(opening_at(assembly_.sweep, kTellingDegs[1]))) return true;
+        if (!any || !put(opening_at(assembly_.sweep, kTellingDegs[1]))) return true;
         for (const auto& [a, b] : near_earlier(boxes, kMostNear)) {
             for (const int fold : nth(folds, a)) offer(fold, b);
             for (const int fold : nth(folds, b)) offer(fold, a);
