@@ -17,7 +17,7 @@ class Entities {
  public:
     static constexpr std::size_t kMost = 1000;     // that are kept
     static constexpr std::size_t kLongest = 1000;  // bytes of one, with those in it expanded
-    static constexpr std::size_t kLongestValue = 1'000'000;
+    static constexpr std::size_t kLongestValue = 10'000;
 
     Entities() = default;
     // Of the text before the root element. Only texts that stand in the declaration itself count: no file is
