@@ -112,7 +112,7 @@ struct Undecided {
 // Two plates that come closer than MotionOptions::clearance_mm without crossing. Not looked at: plates that
 // share a fold, a seam or a corner, or never move against each other; below 45° those that stay as close
 // until the card is closed, because folding flat brings everything together; and above 135° those that stay
-// as close until they meet on the open card, in one plane or as a wall does that stands on the page.
+// as close until they lie in one plane, or touch, on the open card: as a wall that stands on the page.
 struct Approach {
     int a = 0, b = 0;
     double from_deg = 0.0, to_deg = 0.0;  // closer than that from … to

@@ -19,8 +19,8 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
     {"clearance-low", Severity::warning, "two plates come closer than was asked for",
      "With --clearance LENGTH the examination names plates that come closer to each other than that length "
      "without crossing. Plates that share a fold, a seam or a corner are not meant, nor those that never "
-     "move against each other, are only brought together by folding flat, below 45°, or stand on the page of "
-     "the open card. The message gives the smallest distance, and the "
+     "move against each other, are only brought together by folding flat, below 45°, or touch when the card "
+     "is open. The message gives the smallest distance, and the "
      "angle where it is reached. Real paper is thick, bends, and is cut and glued a little off, so that "
      "such plates may rub or catch. Move the elements further apart, make one of them smaller, or ask for "
      "less."},
@@ -29,7 +29,9 @@ constexpr std::array kMotionCodes = std::to_array<CodeInfo>({
      "the smallest one looked at and 180°, by bounds on how far plates can move, not at samples. Plates "
      "cross where a common point of both lies more than 0.01 mm inside the edges of both, and the paper "
      "round it stands out of the other plate on either side; plates that only touch, along folds, seams, "
-     "corners and edges or flat on one another, do not. The message gives the first and last angle, and "
+     "corners and edges or flat on one another, do not. A plate in whose plane a fold lies goes through the "
+     "paper that is folded there, though it only touches either half; that has no depth. The message gives "
+     "the first and last angle, and "
      "how deep they are in each other: how far one must move, square to itself or to the other, until they "
      "are apart. Real paper would bend, catch or tear there. Move one of the elements as the hint says, or "
      "make one of them smaller."},

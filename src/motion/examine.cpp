@@ -226,6 +226,7 @@ Examination examine_until_crossed(const Assembly& assembly, Linkage& linkage,
     FirstContact first;
     Examination found = look_through(assembly, linkage, shapes, options, nullptr, &first);
     *crossed = first.found;
+    if (!first.found) add_at_folds(find_through_folds(assembly, shapes), found.contacts);
     return found;
 }
 
@@ -235,8 +236,13 @@ bool is_clear(const Assembly& assembly, Linkage& linkage, std::span<const PlateS
     FirstContact first{&aside, &seen};
     const Examination found = look_through(assembly, linkage, shapes, options, nullptr, &first);
     poses += found.poses;
-    return found.undecided.empty() && found.decided_up_to_deg >= assembly.sweep.to_deg &&
-           found.contacts.empty();
+    if (!found.undecided.empty() || found.decided_up_to_deg < assembly.sweep.to_deg ||
+        !found.contacts.empty())
+        return false;
+    const std::vector<Contact> at_folds = find_through_folds(assembly, shapes);
+    return std::all_of(at_folds.begin(), at_folds.end(), [&aside](const Contact& one) {
+        return aside.contains({one.a, one.b});
+    });
 }
 
 }  // namespace popup

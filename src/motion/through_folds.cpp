@@ -43,13 +43,13 @@ class Search {
         find_candidates();
         if (candidates_.empty()) return {};
         const std::vector<double> looks = openings();
-        std::vector<std::vector<bool>> through(candidates_.size());
+        std::vector<std::vector<bool>> seen(candidates_.size());
         for (const double deg : looks) {
             const bool reached = put(deg);
             for (std::size_t i = 0; i < candidates_.size(); ++i)
-                through[i].push_back(reached && goes_through(candidates_[i]));
+                seen[i].push_back(reached && through(candidates_[i]));
         }
-        for (std::size_t i = 0; i < candidates_.size(); ++i) gather(candidates_[i], looks, through[i]);
+        for (std::size_t i = 0; i < candidates_.size(); ++i) gather(candidates_[i], looks, seen[i]);
         std::sort(found_.begin(), found_.end(), [](const Contact& p, const Contact& q) {
             return std::tuple(p.a, p.b, p.from_deg) < std::tuple(q.a, q.b, q.from_deg);
         });
@@ -142,59 +142,45 @@ class Search {
         return looks;
     }
 
-    // The stretches of the fold that are inside of the plate, as shares of it; together longer than
-    // kLeastThroughMm.
-    [[nodiscard]] std::optional<Vec3> inside(const Candidate& one) const {
-        const Hinge& fold = hinge(one);
-        const Frame& plane = nth(frames_, one.plate);
-        const Vec3 from = nth(frames_, fold.a).point(fold.a_line.a);
-        const Vec3 to = nth(frames_, fold.a).point(fold.a_line.b);
-        const Vec2 a = on_page(plane, from);
-        const Vec2 along = on_page(plane, to) - a;
-        std::vector<double> cuts{0.0, 1.0};
-        const PlateShape& shape = nth(shapes_, one.plate);
+    // Where a line enters or leaves an outline, as shares of the line; corners beside it, too.
+    static void cut(const Segment& line, const PlateShape& shape, std::vector<double>& cuts) {
+        const Vec2 along = line.b - line.a;
+        const double size = length(along);
+        const auto offer = [&](double t) {
+            if (t > 0.0 && t < 1.0) cuts.push_back(t);
+        };
         for (const std::vector<Vec2>& ring : shape.rings) {
             for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Vec2 p = ring[i];
-                const Vec2 edge = ring[(i + 1) % ring.size()] - p;
-                const double by = cross(along, edge);
-                if (by == 0.0) continue;
-                const double t = cross(p - a, edge) / by;
-                const double s = cross(p - a, along) / by;
-                if (t > 0.0 && t < 1.0 && s >= 0.0 && s <= 1.0) cuts.push_back(t);
+                const Vec2 p = ring[i] - line.a;
+                const Vec2 q = ring[(i + 1) % ring.size()] - line.a;
+                const double beside = cross(along, p) / size;
+                const double next = cross(along, q) / size;
+                if (std::abs(beside) <= kInPlaneMm) offer(dot(p, along) / (size * size));
+                if ((beside > 0.0) != (next > 0.0)) {
+                    const double share = beside / (beside - next);
+                    offer(dot(lerp(p, q, share), along) / (size * size));
+                }
             }
         }
-        std::sort(cuts.begin(), cuts.end());
-        double sum = 0.0;
-        double most = 0.0;
-        std::optional<Vec3> middle;
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            const double t = 0.5 * (cuts[i] + cuts[i + 1]);
-            const double here = (cuts[i + 1] - cuts[i]) * length(along);
-            const Vec2 at = a + t * along;
-            if (!shape.covers(at) || shape.to_edge(at, 2.0 * kTouchMm) < kTouchMm) continue;
-            sum += here;
-            if (here > most) middle = from + t * (to - from);
-            most = std::max(most, here);
-        }
-        return sum > kLeastThroughMm ? middle : std::nullopt;
     }
 
-    // From the fold into one of its plates, square to it; nullopt where it is on both sides, or on none.
-    [[nodiscard]] std::optional<Vec3> into(int plate, const Segment& line) const {
+    // From a point of the fold into one of its plates, square to it; nullopt where there is paper on both
+    // sides of the point, or on none.
+    [[nodiscard]] std::optional<Vec3> into(int plate, const Segment& line, double share) const {
         const Vec2 side = unit(left_of(line.b - line.a));
-        const Vec2 middle = lerp(line.a, line.b, 0.5);
+        const Vec2 at = lerp(line.a, line.b, share);
         const PlateShape& shape = nth(shapes_, plate);
-        const bool left = shape.covers(middle + kJustBesideMm * side);
-        if (left == shape.covers(middle - kJustBesideMm * side)) return std::nullopt;
+        const bool left = shape.covers(at + kJustBesideMm * side);
+        if (left == shape.covers(at - kJustBesideMm * side)) return std::nullopt;
         return nth(frames_, plate).direction(left ? side : -side);
     }
 
-    [[nodiscard]] bool goes_through(const Candidate& one) const {
+    // Whether paper is folded at a point of the fold, and the plate lies between its two sides on one side of
+    // the fold and outside on the other.
+    [[nodiscard]] bool parts_paper(const Candidate& one, double share) const {
         const Hinge& fold = hinge(one);
-        if (!lies_in(one) || !inside(one)) return false;
-        const auto to_a = into(fold.a, fold.a_line);
-        const auto to_b = into(fold.b, fold.b_line);
+        const auto to_a = into(fold.a, fold.a_line, share);
+        const auto to_b = into(fold.b, fold.b_line, share);
         if (!to_a || !to_b) return false;
         const Vec3 along = nth(frames_, fold.a).direction(unit(fold.a_line.b - fold.a_line.a));
         const Vec3 across = cross(nth(frames_, one.plate).normal(), along);
@@ -210,20 +196,54 @@ class Search {
         return false;
     }
 
+    // Where the plate goes through the fold, if it does for more than kLeastThroughMm: the middle of the
+    // longest stretch.
+    [[nodiscard]] std::optional<Vec3> through(const Candidate& one) const {
+        if (!lies_in(one)) return std::nullopt;
+        const Hinge& fold = hinge(one);
+        const Frame& plane = nth(frames_, one.plate);
+        const Vec3 from = nth(frames_, fold.a).point(fold.a_line.a);
+        const Vec3 to = nth(frames_, fold.a).point(fold.a_line.b);
+        const Segment seen{on_page(plane, from), on_page(plane, to)};
+        const double size = length(seen.b - seen.a);
+        if (size < kLeastThroughMm) return std::nullopt;
+        const PlateShape& shape = nth(shapes_, one.plate);
+        std::vector<double> cuts{0.0, 1.0};
+        cut(seen, shape, cuts);
+        if (cuts.size() == 2 && !shape.covers(lerp(seen.a, seen.b, 0.5))) return std::nullopt;
+        cut(fold.a_line, nth(shapes_, fold.a), cuts);
+        cut(fold.b_line, nth(shapes_, fold.b), cuts);
+        std::sort(cuts.begin(), cuts.end());
+        double sum = 0.0;
+        double most = 0.0;
+        std::optional<Vec3> middle;
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double share = 0.5 * (cuts[i] + cuts[i + 1]);
+            const double here = (cuts[i + 1] - cuts[i]) * size;
+            const Vec2 at = lerp(seen.a, seen.b, share);
+            if (!shape.covers(at) || shape.to_edge(at, 2.0 * kTouchMm) < kTouchMm || !parts_paper(one, share))
+                continue;
+            sum += here;
+            if (here > most) middle = from + share * (to - from);
+            most = std::max(most, here);
+        }
+        return sum > kLeastThroughMm ? middle : std::nullopt;
+    }
+
     // The angle between the two at which it changes, to kExactDeg.
     double change(const Candidate& one, double without, double with) {
         while (std::abs(with - without) > kExactDeg) {
             const double middle = 0.5 * (without + with);
-            (put(middle) && goes_through(one) ? with : without) = middle;
+            (put(middle) && through(one) ? with : without) = middle;
         }
         return with;
     }
 
-    void gather(const Candidate& one, const std::vector<double>& looks, const std::vector<bool>& through) {
+    void gather(const Candidate& one, const std::vector<double>& looks, const std::vector<bool>& seen) {
         for (std::size_t i = 0; i < looks.size(); ++i) {
-            if (!through[i]) continue;
+            if (!seen[i]) continue;
             std::size_t last = i;
-            while (last + 1 < looks.size() && through[last + 1]) ++last;
+            while (last + 1 < looks.size() && seen[last + 1]) ++last;
             const double from = i == 0 ? assembly_.sweep.from_deg : change(one, looks[i - 1], looks[i]);
             const double to =
                 last + 1 == looks.size() ? looks[last] : change(one, looks[last + 1], looks[last]);
@@ -236,7 +256,7 @@ class Search {
         const Hinge& fold = hinge(one);
         const auto rounded = [](double deg) { return std::round(1000.0 * deg) / 1000.0; };
         put(to);
-        const Vec3 point = inside(one).value_or(nth(frames_, fold.a).point(fold.a_line.a));
+        const Vec3 point = through(one).value_or(nth(frames_, fold.a).point(fold.a_line.a));
         for (const int other : {fold.a, fold.b}) {
             Contact contact;
             std::tie(contact.a, contact.b) = std::minmax(one.plate, other);

@@ -52,6 +52,7 @@ class Rows {
         row["deepest_deg"] = told_deg(one.deepest_deg);
         row["excess_mm"] = told_mm(one.excess_mm);
         row["longer"] = name(one.longer);
+        row["at_fold"] = one.at_fold;
         row["corner_mm"] = vector(one.corner, kPoint);
         row["point_mm"] = vector(one.point, kPoint);
         return row;

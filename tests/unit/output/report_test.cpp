@@ -151,6 +151,7 @@ TEST(Report, SaysWhatTheExaminationFoundWithPlatesByNameAndRounded) {
     EXPECT_EQ(motion["collisions"], Json::parse(R"([{
         "plates": ["page/left", "page/right"], "from_deg": 12.346, "to_deg": 98.765, "angle_deg": 98.765,
         "depth_mm": 1.2346, "deepest_deg": 45.679, "excess_mm": 0.1235, "longer": "page/right",
+        "at_fold": false,
         "corner_mm": [7.0, -8.5], "point_mm": [1.235, -2.0, 0.0]}])"));
     EXPECT_EQ(motion["undecided"],
               Json::parse(R"([{"plates": ["page/left", "page/right"], "from_deg": 3.0, "to_deg": 3.0}])"));
