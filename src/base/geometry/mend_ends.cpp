@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/geometry/edge_index.h"
@@ -35,8 +36,8 @@ struct Move {
 
 class Round {
  public:
-    Round(const std::vector<SheetLine>& lines, const SheetGraph& graph, const EndTolerances& tolerances)
-        : lines_(lines), graph_(graph), snap_mm_(tolerances.snap_mm), gathers_(tolerances.gathers_folds) {
+    Round(const std::vector<SheetLine>& lines, const SheetGraph& graph, double snap_mm)
+        : lines_(lines), graph_(graph), snap_mm_(snap_mm) {
         std::vector<Segment> segments;
         for (std::size_t i = 0; i < graph.edges.size(); ++i)
             segments.push_back(graph.segment(static_cast<int>(2 * i)));
@@ -46,9 +47,6 @@ class Round {
 
     // Nullopt when there are more looks than a drawing takes.
     std::optional<std::vector<Move>> moves() {
-        // Where folds are gathered the other ends see it in the next round.
-        if (gathers_ && gather())
-            return looks_ > kMostLooks ? std::nullopt : std::optional(std::move(moves_));
         // What is only rounding is no reason to look further.
         weld();
         trim(kSilentMm);
@@ -61,11 +59,23 @@ class Round {
             if (done_[i]) continue;
             if (const auto near = nearest(loose_[i])) move(i, *near);
         }
-        if (looks_ > kMostLooks) return std::nullopt;
-        return std::move(moves_);
+        return taken();
+    }
+
+    // Three and more ends of folds near each other, with no cut there, are one point: where most of them are,
+    // else where their lines meet. One may lie on another fold just beside it, and would be no loose end.
+    // Nullopt as above.
+    std::optional<std::vector<Move>> gathered() {
+        gather();
+        return taken();
     }
 
  private:
+    std::optional<std::vector<Move>> taken() {
+        if (looks_ > kMostLooks) return std::nullopt;
+        return std::exchange(moves_, {});
+    }
+
     // Edges whose boxes are that near to a point, in found_; none once there have been too many.
     void look(Vec2 at, double reach) {
         found_.clear();
@@ -93,10 +103,7 @@ class Round {
         done_.assign(loose_.size(), false);
     }
 
-    // Three and more ends of folds near each other, with no cut there, are one point: where most of them are,
-    // else where their lines meet. One may lie on another fold just beside it, and would be no loose end.
-    // True: some moved.
-    bool gather() {
+    void gather() {
         std::vector<LooseEnd> ends;
         std::multimap<int, std::size_t> at_corner;
         for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -117,35 +124,40 @@ class Round {
             if (gathered[i]) continue;
             std::vector<std::size_t> group = ends_within(at_corner, ends[i].at, snap_mm_);
             std::erase_if(group, [&](std::size_t one) { return gathered[one]; });
-            std::map<int, int> lines;
-            std::map<int, int> corners;
-            for (const std::size_t one : group) {
-                ++lines[ends[one].line];
-                ++corners[ends[one].corner];
-            }
-            // A line with both its ends there is too short to say where it leads.
-            const bool has_short =
-                std::any_of(lines.begin(), lines.end(), [](const auto& one) { return one.second > 1; });
-            // In paper that folds flat an even number of folds meets (Maekawa's theorem): where that holds,
-            // what is near each other is meant to be.
-            const bool is_odd = std::any_of(corners.begin(), corners.end(), [this](const auto& one) {
-                return graph_.around(one.first).size() % 2 == 1;
-            });
-            if (lines.size() < 3 || corners.size() < 2 || has_short || !is_odd) continue;
-            const auto most =
-                std::max_element(corners.begin(), corners.end(),
-                                 [](const auto& a, const auto& b) { return a.second < b.second; });
-            const auto to =
-                most->second > 1 ? std::optional(graph_.at(most->first)) : meeting(ends, group, false);
-            if (!to || std::any_of(group.begin(), group.end(),
-                                   [&](std::size_t one) { return distance(ends[one].at, *to) > snap_mm_; }))
-                continue;
+            const std::optional<Vec2> to = apex_of(ends, group);
+            if (!to) continue;
             for (const std::size_t one : group) {
                 gathered[one] = true;
                 if (ends[one].at != *to) moves_.push_back({ends[one].line, ends[one].last, *to});
             }
         }
-        return !moves_.empty();
+    }
+
+    // Where these ends of folds are one point; nullopt where they are meant to be as they are, or too far
+    // off.
+    [[nodiscard]] std::optional<Vec2> apex_of(const std::vector<LooseEnd>& ends,
+                                              const std::vector<std::size_t>& group) const {
+        std::map<int, int> lines;
+        std::map<int, int> corners;
+        for (const std::size_t one : group) {
+            ++lines[ends[one].line];
+            ++corners[ends[one].corner];
+        }
+        // A line with both its ends there is too short to say where it leads.
+        const bool has_short =
+            std::any_of(lines.begin(), lines.end(), [](const auto& one) { return one.second > 1; });
+        // In paper that folds flat an even number of folds meets (Maekawa's theorem): where that holds, what
+        // is near each other is meant to be.
+        const bool is_odd = std::any_of(corners.begin(), corners.end(), [this](const auto& one) {
+            return graph_.around(one.first).size() % 2 == 1;
+        });
+        if (lines.size() < 3 || corners.size() < 2 || has_short || !is_odd) return std::nullopt;
+        const auto most = std::max_element(corners.begin(), corners.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        const auto to =
+            most->second > 1 ? std::optional(graph_.at(most->first)) : meeting(ends, group, false);
+        const auto far = [&](std::size_t one) { return distance(ends[one].at, *to) > snap_mm_; };
+        return to && std::none_of(group.begin(), group.end(), far) ? to : std::nullopt;
     }
 
     [[nodiscard]] bool is_near_cut(Vec2 at) {
@@ -158,17 +170,19 @@ class Round {
     // In their order.
     [[nodiscard]] std::vector<std::size_t> ends_within(const std::multimap<int, std::size_t>& at_corner,
                                                        Vec2 at, double reach) {
-        std::vector<std::size_t> group;
         look(at, reach);
+        std::set<int> corners;
         for (const int edge : found_) {
             for (const int corner : {nth(graph_.edges, edge).a, nth(graph_.edges, edge).b}) {
-                if (distance(at, graph_.at(corner)) > reach) continue;
-                const auto [begin, end] = at_corner.equal_range(corner);
-                for (auto other = begin; other != end; ++other) group.push_back(other->second);
+                if (distance(at, graph_.at(corner)) <= reach) corners.insert(corner);
             }
         }
+        std::vector<std::size_t> group;
+        for (const int corner : corners) {
+            const auto [begin, end] = at_corner.equal_range(corner);
+            for (auto other = begin; other != end; ++other) group.push_back(other->second);
+        }
         std::sort(group.begin(), group.end());
-        group.erase(std::unique(group.begin(), group.end()), group.end());
         return group;
     }
 
@@ -343,7 +357,6 @@ class Round {
     const std::vector<SheetLine>& lines_;
     const SheetGraph& graph_;
     double snap_mm_;
-    bool gathers_;
     EdgeIndex index_;
     std::vector<LooseEnd> loose_;
     std::multimap<int, std::size_t> loose_at_;  // by corner
@@ -364,22 +377,28 @@ std::optional<SheetGraph> mend_ends(std::vector<SheetLine>& lines, const EndTole
         return last ? points.back() : points.front();
     };
     std::optional<SheetGraph> graph;
-    for (int round = 0;; ++round) {
-        graph = make_graph(lines, tolerances.one_point_mm);
-        if (!graph) return std::nullopt;
-        if (round == kMostRounds) break;
-        bool any = false;
-        const std::optional<std::vector<Move>> moves = Round(lines, *graph, tolerances).moves();
-        if (!moves) return std::nullopt;
-        for (const Move& move : *moves) {
-            Vec2& end = end_of(move.line, move.last);
-            const Vec2 from = drawn.try_emplace({move.line, move.last}, end).first->second;
-            if (distance(from, move.to) > tolerances.snap_mm || end == move.to) continue;
-            end = move.to;
-            any = true;
+    // False when a drawing does not take so much.
+    const auto repeat = [&](std::optional<std::vector<Move>> (Round::*look)()) {
+        for (int round = 0;; ++round) {
+            graph = make_graph(lines, tolerances.one_point_mm);
+            if (!graph) return false;
+            if (round == kMostRounds) return true;
+            bool any = false;
+            Round here(lines, *graph, tolerances.snap_mm);
+            const std::optional<std::vector<Move>> moves = (here.*look)();
+            if (!moves) return false;
+            for (const Move& move : *moves) {
+                Vec2& end = end_of(move.line, move.last);
+                const Vec2 from = drawn.try_emplace({move.line, move.last}, end).first->second;
+                if (distance(from, move.to) > tolerances.snap_mm || end == move.to) continue;
+                end = move.to;
+                any = true;
+            }
+            if (!any) return true;
         }
-        if (!any) break;
-    }
+    };
+    if (tolerances.gathers_folds && !repeat(&Round::gathered)) return std::nullopt;
+    if (!repeat(&Round::moves)) return std::nullopt;
     for (const auto& [which, from] : drawn) {
         const Vec2 to = end_of(which.first, which.second);
         if (from != to) moved.push_back({which.first, which.second, from, to});
