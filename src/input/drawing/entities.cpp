@@ -49,8 +49,11 @@ Entities::Entities(std::string_view prolog) {
     }
 }
 
-std::optional<std::string> Entities::expanded(std::string_view value) const {
-    return expanded(value, kLongestValue);
+std::optional<std::string> Entities::expanded(std::string_view value) {
+    std::optional<std::string> made = expanded(value, kLongestValue);
+    if (!made || made->size() > left_) return std::nullopt;
+    left_ -= made->size();
+    return made;
 }
 
 std::optional<std::string> Entities::expanded(std::string_view value, std::size_t longest) const {
@@ -59,9 +62,10 @@ std::optional<std::string> Entities::expanded(std::string_view value, std::size_
     bool any = false;
     std::size_t done = 0;
     for (std::size_t at = value.find('&'); at != std::string_view::npos; at = value.find('&', at + 1)) {
-        const std::size_t end = value.find(';', at);
-        if (end == std::string_view::npos) break;
-        const auto known = values_.find(value.substr(at + 1, end - at - 1));
+        const std::size_t length = value.substr(at + 1, kLongestName).find(';');
+        if (length == std::string_view::npos) continue;
+        const std::size_t end = at + 1 + length;
+        const auto known = values_.find(value.substr(at + 1, length));
         if (known == values_.end()) continue;
         out += value.substr(done, at - done);
         out += known->second;

@@ -155,12 +155,13 @@ const ShapeRow* find_shape(std::string_view tag) {
 
 }  // namespace
 
-Attributes::Attributes(std::vector<xml::Attribute> all, const Entities& entities, std::string_view text)
+Attributes::Attributes(std::vector<xml::Attribute> all, Entities& entities, std::string_view text)
     : all_(std::move(all)) {
     for (xml::Attribute& one : all_) {
+        if (one.value.decoded.find('&') == std::string_view::npos) continue;
+        // "&amp;st1;" is no reference, and stays what it is, whatever stands beside it.
         const std::string_view raw = text.substr(one.value.raw.offset, one.value.raw.length);
-        // "&amp;st1;" is no reference.
-        if (raw.find('&') == std::string_view::npos || !entities.expanded(raw)) continue;
+        if (raw.find("&amp;") != std::string_view::npos || raw.find("&#") != std::string_view::npos) continue;
         std::optional<std::string> value = entities.expanded(one.value.decoded);
         if (value) one.value.decoded = expanded_.emplace_back(std::move(*value));
     }

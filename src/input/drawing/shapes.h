@@ -17,9 +17,8 @@ namespace popup::drawing {
 class Attributes {
  public:
     explicit Attributes(std::vector<xml::Attribute> all) : all_(std::move(all)) {}
-    // With these entities expanded.
-    // Precondition: `text`, which they stand in, and what they were made from outlive them.
-    Attributes(std::vector<xml::Attribute> all, const Entities& entities, std::string_view text);
+    // With entities expanded, but for values that have an escaped "&", too. `text`: what they stand in.
+    Attributes(std::vector<xml::Attribute> all, Entities& entities, std::string_view text);
     Attributes(const Attributes&) = delete;
     Attributes& operator=(const Attributes&) = delete;
     Attributes(Attributes&&) = default;

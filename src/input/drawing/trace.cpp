@@ -565,7 +565,7 @@ class Tracer {
     }
 
     const xml::Located& located_;
-    const Entities entities_{located_.text.substr(0, located_.elements[0].begin)};
+    Entities entities_{located_.text.substr(0, located_.elements[0].begin)};
     bool strict_;
     LineRules rules_;
     Diagnostics& diagnostics_;

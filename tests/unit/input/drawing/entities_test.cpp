@@ -10,7 +10,7 @@ namespace popup::drawing {
 namespace {
 
 TEST(Entities, StandForTheirTexts) {
-    const Entities entities(
+    Entities entities(
         "<?xml version='1.0'?>\n<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"svg11.dtd\" [\n"
         "  <!-- <!ENTITY st0 \"no\"> -->\n"
         "  <!ENTITY st0 \"fill:none;stroke:#F00;\">\n\t<!ENTITY st1 'stroke:blue'>\n"
@@ -39,7 +39,7 @@ TEST(Entities, GrowNoLargerThanTheirLimits) {
         for (int k = 0; k < 10; ++k) prolog += fmt::format("&a{};", i - 1);
         prolog += "\">";
     }
-    const Entities entities(prolog + "]>");
+    Entities entities(prolog + "]>");
     for (int i = 0; i < 30; ++i) {
         const auto value = entities.expanded(fmt::format("&a{};", i));
         ASSERT_TRUE(value);
@@ -48,6 +48,11 @@ TEST(Entities, GrowNoLargerThanTheirLimits) {
     std::string value;
     while (value.size() < Entities::kLongestValue) value += "&a2;";
     EXPECT_EQ(entities.expanded(value), std::nullopt);
+    // Nor do many values together.
+    std::size_t sum = 0;
+    while (const auto one = entities.expanded("&a2;")) sum += one->size();
+    EXPECT_LE(sum, Entities::kInAll);
+    EXPECT_GT(sum, Entities::kInAll / 2);
 }
 
 }  // namespace
