@@ -79,10 +79,10 @@ constexpr std::array kDrawnCardCodes = std::to_array<CodeInfo>({
      "gap beside all features. Draw it dashed, in the colour of folds or on a layer called folds, from edge "
      "to edge; or say with --lines which lines are folds."},
     {"no-page", Severity::error, "a drawn card without a border",
-     "The border of a drawn card is what surrounds everything else: a closed rectangle. The drawing has no "
-     "line that encloses anything, so it is not known how large the page is. Draw the page's border, or let "
-     "the lines that make it end at one another; ends that miss by more than half a millimetre are not "
-     "joined."},
+     "The border of a drawn card is what surrounds everything else: a closed rectangle of cuts. The drawing "
+     "has no line that encloses anything, or what encloses most has folds for sides; so it is not known how "
+     "large the page is. Draw the page's border, or let the lines that make it end at one another; ends that "
+     "miss by more than half a millimetre are not joined."},
     {"not-understood", Severity::error, "lines of a drawn card that make nothing that pops up",
      "The lines at this place of the drawing cut or fold something that no element of one sheet is: a flap "
      "that nothing moves, folds that do not close flat, a cut that ends in the paper, or an outline over "

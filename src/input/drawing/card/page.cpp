@@ -41,7 +41,7 @@ class PageFinder {
     std::optional<CardPage> run() {
         if (!find_border()) return std::nullopt;
         const auto rectangle = fit_rectangle();
-        if (!rectangle) return std::nullopt;
+        if (!rectangle || !is_cut()) return std::nullopt;
         return find_gutter(*rectangle);
     }
 
@@ -72,14 +72,14 @@ class PageFinder {
             border_ = std::move(loop);
             ring_ = std::move(ring);
         }
-        if (!border_.empty()) return is_cut();
+        if (!border_.empty()) return true;
         diagnostics_
             .error("no-page", {}, "nothing in the drawing encloses an area, so there is no page to fold")
             .hint("draw the border of the page as a rectangle, solid and not in the colour of folds");
         return false;
     }
 
-    // Folds that enclose paper are those of a drawing whose border was forgotten.
+    // A rectangle that folds enclose is of a drawing whose border was forgotten.
     bool is_cut() {
         const auto fold = std::find_if(border_.begin(), border_.end(), [this](int half) {
             return (graph_.edge(half).ink & (kCut | kCutOut)) == 0;
@@ -87,8 +87,7 @@ class PageFinder {
         if (fold == border_.end()) return true;
         diagnostics_
             .error("no-page", place_of(graph_.edge(*fold).element),
-                   "this fold is on the border of the largest area that the drawing encloses, so there is no "
-                   "page to fold")
+                   "this fold is a side of the largest rectangle of the drawing, so there is no page to fold")
             .hint("draw the border of the page as a rectangle, solid and not in the colour of folds");
         return false;
     }
