@@ -50,9 +50,7 @@ std::string fold_words(const Profile& profile) {
     const std::string away = plain_name(profile.pen(drawn_as(Operation::mountain)).color);
     const std::string towards = plain_name(profile.pen(drawn_as(Operation::valley)).color);
     constexpr std::string_view kTool = "a ruler, and a blunt point that presses a groove without cutting.";
-    if (!all_there)
-        return "Not all folds are on the sheets: the steps say between which parts they are, and which way "
-               "they go.";
+    if (!all_there) return "Not all folds are on the sheets: the drawings of the steps show them.";
     if (profile.dashes(Operation::mountain) && profile.dashes(Operation::valley))
         return fmt::format(
             "Score the dashed lines before you cut: {} {} lines (long and short dashes) are mountains: "
@@ -63,7 +61,8 @@ std::string fold_words(const Profile& profile) {
         perforated ? std::string("They are cut as they are, and not scored.")
                    : fmt::format("Score them before you cut, where no machine does it: {}", kTool);
     if (away == towards)
-        return fmt::format("Folds are {} {}: the steps say which way they go. {}", away, lines, score);
+        return fmt::format("Folds are {} {}: the drawings of the steps show which way they go. {}", away,
+                           lines, score);
     return fmt::format(
         "{} {} are mountains: they fold away from you. {} {} are valleys: they fold towards you. {}",
         begun(away), lines, begun(towards), lines, score);
@@ -77,7 +76,9 @@ std::string cut_words(const Profile& profile, bool inner_cuts) {
         if (profile.draws(operation) && std::find(inner.begin(), inner.end(), name) == inner.end())
             inner.push_back(name);
     }
-    if (!inner_cuts) return fmt::format("Cut the solid {} lines.", outer);
+    if (!profile.draws(Operation::outer_cut))
+        return "Not all cuts are on the sheets: the drawings of the steps show the outlines of pieces.";
+    if (!inner_cuts || inner.empty()) return fmt::format("Cut the solid {} lines.", outer);
     if (inner == std::vector{outer})
         return fmt::format(
             "Cut the solid {} lines: first those inside of a piece, with the knife, then its outline.",

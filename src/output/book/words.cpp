@@ -152,8 +152,11 @@ std::vector<std::string> Words::folds(int piece) const {
         }
     }
     if (alike.size() > kMostWays || ways.size() > kMostFolds)
-        return {fmt::format("Crease all folds sharply, {}: mountains away from you, valleys towards you.",
-                            fold_count(piece))};
+        return {
+            fmt::format("Crease all folds sharply, {}: mountains (in the drawing blue, long and short "
+                        "dashes) away from you, "
+                        "valleys (magenta, even dashes) towards you.",
+                        fold_count(piece))};
     std::vector<std::string> said;
     for (const auto& [how, where] : alike) {
         const std::size_t space = how.find(' ');

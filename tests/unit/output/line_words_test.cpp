@@ -34,7 +34,9 @@ TEST(LineWords, AreThoseOfTheWorkshop) {
 TEST(LineWords, OfAMachineNameItsColours) {
     const std::string said = all_of(*find_profile("lightburn"), {true, true});
     EXPECT_TRUE(said.starts_with("The lines of the sheets are drawn for lightburn.")) << said;
-    EXPECT_NE(said.find("Folds are red lines: the steps say which way they go."), std::string::npos) << said;
+    EXPECT_NE(said.find("Folds are red lines: the drawings of the steps show which way they go."),
+              std::string::npos)
+        << said;
     EXPECT_NE(
         said.find(
             "first those inside of a piece, which are blue or orange, with the knife, then its outline, "
@@ -72,6 +74,12 @@ TEST(LineWords, OfOnesOwnProfileFollowItsPens) {
               std::string::npos)
         << said;
     EXPECT_NE(said.find("Cut the solid black lines: first those"), std::string::npos) << said;
+    pen(Operation::slit).layer.clear();
+    pen(Operation::inner_cut).layer.clear();
+    EXPECT_NE(all_of(own, {true, true}).find("Cut the solid black lines.\n"), std::string::npos)
+        << all_of(own, {true, true});
+    pen(Operation::outer_cut).layer.clear();
+    EXPECT_NE(all_of(own, {true, true}).find("Not all cuts are on the sheets"), std::string::npos);
     pen(Operation::valley).layer.clear();
     EXPECT_NE(all_of(own, {true, true}).find("Not all folds are on the sheets"), std::string::npos);
 }
