@@ -56,7 +56,7 @@ class Freer {
           const DiagnosticPolicy& policy)
         : name_(source.name), language_(language), options_(options), policy_(policy) {
         options_.read.language = language.name;
-        options_.until = Stage::pattern;
+        options_.until = Stage::check;
         options_.motion.examine = true;
         options_.threads = 1;
         options_.progress = {};
@@ -78,11 +78,15 @@ class Freer {
  private:
     Looked look(std::string text) const {
         Compilation run = compile({Source{name_, std::move(text)}}, options_, policy_);
+        // What tabs have to say, too, but no sheets.
+        find_further(run.designs.front(), options_);
         Looked made{std::move(run.designs.front()), {}, {}, {}, false};
         const CompiledDesign& design = made.design;
         for (const Diagnostic& one : design.diagnostics.sorted()) {
             if (one.code == "lies-on-another") made.lying.insert(sorted(pair_of(one)));
-            if (!may_be_freed(one) && one.severity != Severity::remark) ++made.others[one.code];
+            // An allowance that is no longer needed is no harm done.
+            if (!may_be_freed(one) && one.severity != Severity::remark && one.code != "unused-allow")
+                ++made.others[one.code];
         }
         if (!design.motion || !design.motion->examination) return made;
         for (const Contact& contact : design.motion->examination->contacts) {
