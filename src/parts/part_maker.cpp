@@ -179,12 +179,19 @@ class PartMaker {
     // One misplaced line can overlap a thousand others: the first few say what is wrong.
     void tell_overlaps() {
         std::size_t errors = 0;
+        const ContourOverlap* untold = nullptr;
         for (const ContourOverlap& one : contours_.overlaps) {
-            if (are_holes(one) || ++errors <= kToldOverlaps) tell_overlap(one);
+            if (are_holes(one) || ++errors <= kToldOverlaps) {
+                tell_overlap(one);
+            } else {
+                untold = &one;
+            }
         }
-        if (errors <= kToldOverlaps) return;
-        diagnostics_.error("contours-overlap", place(contours_.all[at(contours_.overlaps.back().a)].elements),
-                           fmt::format("{} more pairs of contours overlap partly", errors - kToldOverlaps));
+        if (untold == nullptr) return;
+        const std::size_t more = errors - kToldOverlaps;
+        diagnostics_.error("contours-overlap", place(contours_.all[at(untold->a)].elements),
+                           fmt::format("{} more pair{} of contours overlap{} partly", more,
+                                       more == 1 ? "" : "s", more == 1 ? "s" : ""));
     }
 
     void tell_overlap(const ContourOverlap& one) {
