@@ -145,7 +145,8 @@ struct Layout {
 // Places all copies of all pieces by their outlines; each inside the margin, no two closer than the spacing,
 // as nest() promises. Errors name piece, size and usable sheet (`piece-too-large`), or what else stands in
 // the way: `sheet-too-small`, `sheet-too-large` for the bed, `too-many-pieces`, `unknown-piece`,
-// `lock-impossible`, `stock-used-up`, `group-too-large`.
+// `lock-impossible`, `stock-used-up`, `group-too-large`. Where there is one piece in all, its name is taken
+// off it: there is no other that it tells it from.
 std::optional<Layout> lay_out(std::vector<DesignPattern> designs, const LayoutOptions& options,
                               Diagnostics& diagnostics);
 

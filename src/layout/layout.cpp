@@ -56,6 +56,7 @@ class Layouter {
         layout_.designs = std::move(designs);
         layout_.margin_mm = options.margin.mm;
         layout_.prefix_names = layout_.designs.size() > 1;
+        spare_only_name();
     }
 
     std::optional<Layout> run() {
@@ -87,6 +88,13 @@ class Layouter {
     }
     [[nodiscard]] bool is_meant(const PieceRule& rule, const PieceSource& source) const {
         return rule.piece == name_of(source) || rule.piece == piece_of(source).name;
+    }
+
+    // Names tell pieces apart: the only one would have it on its face for nothing.
+    void spare_only_name() {
+        if (layout_.designs.size() != 1 || layout_.designs.front().pattern.pieces.size() != 1) return;
+        std::erase_if(layout_.designs.front().pattern.pieces.front().labels,
+                      [](const Label& label) { return label.kind == LabelKind::piece; });
     }
 
     bool gather() {

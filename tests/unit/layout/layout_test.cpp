@@ -322,13 +322,37 @@ TEST(Layout, TooManyCopiesAndBoundlessScalesAreErrors) {
     }
 }
 
+TEST(Layout, TheOnlyPieceHasNoNameOnIt) {
+    PatternPiece piece = piece_of("p", rectangle(10, 20));
+    piece.labels.push_back({LabelKind::tab, "1L", {5, 5}, 4.0, 0.1});
+    piece.labels.push_back({LabelKind::piece, "p", {5, 5}, 4.0, 0.1});
+    const auto names = [](const std::vector<DesignPattern>& designs) {
+        Diagnostics diagnostics;
+        LayoutOptions options;
+        options.copies = 2;
+        const auto layout = lay_out(designs, options, diagnostics);
+        std::ptrdiff_t found = 0;
+        for (const DesignPattern& design : layout.value().designs) {
+            for (const PatternPiece& one : design.pattern.pieces) {
+                EXPECT_EQ(one.labels.front().text, "1L");
+                found += std::count_if(one.labels.begin(), one.labels.end(),
+                                       [](const Label& label) { return label.kind == LabelKind::piece; });
+            }
+        }
+        return found;
+    };
+    EXPECT_EQ(names({design_of("d", {piece})}), 0);
+    EXPECT_EQ(names({design_of("d", {piece, piece})}), 2);
+    EXPECT_EQ(names({design_of("d", {piece}), design_of("e", {piece})}), 2);
+}
+
 TEST(Layout, ScaleAppliesToEverythingWithASize) {
     PatternPiece piece = piece_of("p", rectangle(10, 20));
     piece.prints.push_back({Stroke{{{1, 1}, {2, 2}}, 0.5, {}}, -1});
     piece.prints.push_back({Text{"t", {3, 4}, 2.0, 0.2}, -1});
     piece.prints.push_back(
         {Image{nullptr, ImageFormat::png, 8, 8, {{1, 0}, {0, -1}, {2, 3}}, {{rectangle(2, 2), {}}}}, 0});
-    piece.labels.push_back({LabelKind::piece, "p", {5, 5}, 4.0, 0.1});
+    piece.labels.push_back({LabelKind::tab, "1L", {5, 5}, 4.0, 0.1});
     piece.targets.push_back({rectangle(2, 2), 0});
     piece.lines.push_back({LineKind::valley, {{0, 1}, {10, 1}}, 0});
     piece.prints.push_back({Area{{rectangle(3, 3), {rectangle(1, 1)}}, {}}, 0});
