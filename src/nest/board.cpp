@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nest/two.h"
-
 namespace popup {
 namespace {
 
@@ -103,20 +101,6 @@ void Board::reset_weights() {
 
 namespace {
 
-// Depth of (x, y) in a part of a no-fit polygon; any value up to kTouch where it is less than that.
-double depth_in(const NoFit& fit, const NoFitPart& part, double x, double y) {
-    const std::uint32_t padded = part.padded();
-    const double* nx = fit.planes.data() + part.first;
-    const double* ny = nx + padded;
-    const double* c = ny + padded;
-    const Two at_x = Two::alike(x);
-    const Two at_y = Two::alike(y);
-    Two depth = Two::alike(HUGE_VAL);
-    for (std::uint32_t i = 0; i < padded; i += 2)
-        depth = lesser(depth, Two::at(c + i) - Two::at(nx + i) * at_x - Two::at(ny + i) * at_y);
-    return depth.least();
-}
-
 // Depth of (x, y) in all parts of a no-fit polygon.
 double total_depth(const NoFit& fit, double x, double y) {
     double sum = 0.0;
@@ -205,43 +189,42 @@ void Board::add_spans(int other, std::size_t first) {
     }
 }
 
-// Where a level (or upright) line runs inside a part, seen from where the other stands: from the last of the
-// planes that it comes in through to the first of those that it leaves by. Empty: nowhere. Planes come in
-// the order of their directions, so that none is asked which it is.
+// Where a level (or upright) line through the box of a part runs inside the part, seen from where the other
+// stands: from the last of the planes that it comes in through to the first of those that it leaves by.
+// Empty: nowhere.
 template <bool level>
 std::pair<double, double> chord_of(const NoFit& fit, const NoFitPart& part, double across) {
-    const double* nx = fit.planes.data() + part.first;
-    const double* ny = nx + part.padded();
-    const double* c = ny + part.padded();
-    const double* over = level ? ny : nx;
-    const double* along = level ? nx : ny;
-    const auto beside = [&](int eighth) {
-        for (std::uint32_t i = part.begins[index(eighth)]; i < part.begins[index(eighth) + 1]; ++i) {
-            if (c[i] - over[i] * across <= kTouch) return true;
-        }
-        return false;
-    };
-    if (beside(level ? 0 : 2) || beside(level ? 4 : 6)) return {0.0, 0.0};
+    const double* at_zero = fit.planes.data() + part.first + part.count;
+    const double* slope = at_zero + part.count;
     const Two at = Two::alike(across);
-    const auto each = [&](std::uint32_t i, std::uint32_t end, const auto& see_two, const auto& see) {
-        for (; i + 2 <= end; i += 2) see_two((Two::at(c + i) - Two::at(over + i) * at) / Two::at(along + i));
-        if (i < end) see((c[i] - over[i] * across) / along[i]);
-    };
-    Two tos = Two::alike(HUGE_VAL);
-    double to = HUGE_VAL;
-    each(
-        part.begins[level ? 1 : 3], part.begins[level ? 4 : 6], [&](Two two) { tos = lesser(tos, two); },
-        [&](double one) { to = std::min(to, one); });
-    Two froms = Two::alike(-HUGE_VAL);
-    double from = -HUGE_VAL;
-    const auto come_in = [&](std::uint32_t begin, std::uint32_t end) {
+    if constexpr (level) {
+        const auto crossing = [&](std::uint32_t i) { return Two::at(at_zero + i) - Two::at(slope + i) * at; };
+        Two to = Two::alike(part.x1);
+        for (std::uint32_t i = 0; i < part.half; i += 2) to = lesser(to, crossing(i));
+        Two from = Two::alike(part.x0);
+        for (std::uint32_t i = part.half; i < part.count; i += 2) from = greater(from, crossing(i));
+        return {from.most(), to.least()};
+    } else {
+        const auto each = [&](std::uint32_t i, std::uint32_t end, const auto& see_two, const auto& see) {
+            for (; i + 2 <= end; i += 2) see_two((Two::at(at_zero + i) - at) / Two::at(slope + i));
+            if (i < end) see((at_zero[i] - across) / slope[i]);
+        };
+        Two tos = Two::alike(part.y1);
+        double to = part.y1;
         each(
-            begin, end, [&](Two two) { froms = greater(froms, two); },
-            [&](double one) { from = std::max(from, one); });
-    };
-    come_in(part.begins[level ? 5 : 7], part.begins[8]);
-    if constexpr (!level) come_in(0, part.begins[2]);
-    return {std::max(from, froms.most()), std::min(to, tos.least())};
+            part.third, part.last, [&](Two two) { tos = lesser(tos, two); },
+            [&](double one) { to = std::min(to, one); });
+        Two froms = Two::alike(part.y0);
+        double from = part.y0;
+        const auto come_in = [&](std::uint32_t begin, std::uint32_t end) {
+            each(
+                begin, end, [&](Two two) { froms = greater(froms, two); },
+                [&](double one) { from = std::max(from, one); });
+        };
+        come_in(part.last, part.count);
+        come_in(0, part.third);
+        return {std::max(from, froms.most()), std::min(to, tos.least())};
+    }
 }
 
 // Where on the line's stretch from `low` to `high` the item overlaps others, by where that begins.
@@ -273,7 +256,8 @@ void Board::gather_spans(int item, const Stand& stand, double low, double high, 
         const NoFit& fit = no_fit(stand.shape, there.shape);
         const double rest = fixed - there_across;
         for (const NoFitPart& part : fit.parts) {
-            if (rest <= (level ? part.y0 : part.x0) || rest >= (level ? part.y1 : part.x1)) continue;
+            if (rest - (level ? part.y0 : part.x0) <= kTouch || (level ? part.y1 : part.x1) - rest <= kTouch)
+                continue;
             const auto [begin, end] = chord_of<level>(fit, part, rest);
             const double from = there_along + begin;
             const double to = there_along + end;

@@ -1,12 +1,23 @@
 #include "nest/no_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "base/nth.h"
 
 namespace popup {
+namespace {
+
+// A plane that all points are behind, whichever way a line crosses it.
+void add_nothing(double nx, double* plane, std::size_t count) {
+    plane[0] = nx;
+    plane[count] = nx * HUGE_VAL;
+    plane[2 * count] = 0.0;
+}
+
+}  // namespace
+
 void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result) {
     result.parts.clear();
     result.planes.clear();
@@ -20,16 +31,27 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
             // one the other stands where its own next edge begins.
             const std::vector<PartEdge>& one = part_a.mirrored;
             const std::vector<PartEdge>& other = part_b.plain;
-            NoFitPart part{
-                HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, static_cast<std::uint32_t>(result.planes.size()),
-                {}};
+            std::array<std::uint32_t, 8> counts{};
             for (const std::vector<PartEdge>* edges : {&one, &other}) {
-                for (const PartEdge& edge : *edges) ++part.begins.at(index(edge.eighth) + 1);
+                for (const PartEdge& edge : *edges) ++nth(counts, edge.eighth);
             }
-            std::partial_sum(part.begins.begin(), part.begins.end(), part.begins.begin());
-            const std::size_t padded = part.padded();
-            result.planes.resize(part.first + 3 * padded);
-            double* plane = result.planes.data() + part.first;
+            const auto even = [](std::uint32_t count) { return (count + 1) & ~1U; };
+            const std::uint32_t half = even(counts[1] + counts[3]);
+            const std::uint32_t count = half + even(counts[5] + counts[7]);
+            NoFitPart part{HUGE_VAL,
+                           HUGE_VAL,
+                           -HUGE_VAL,
+                           -HUGE_VAL,
+                           static_cast<std::uint32_t>(result.planes.size()),
+                           counts[1],
+                           half,
+                           half + counts[5],
+                           count};
+            result.planes.resize(part.first + 3 * static_cast<std::size_t>(count));
+            double* const planes = result.planes.data() + part.first;
+            if (counts[1] + counts[3] < half) add_nothing(1.0, planes + half - 1, count);
+            if (half + counts[5] + counts[7] < count) add_nothing(-1.0, planes + count - 1, count);
+            std::uint32_t next = 0;
             std::size_t i = 0;
             std::size_t j = 0;
             while (i < one.size() || j < other.size()) {
@@ -44,22 +66,20 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
                 part.y0 = std::min(part.y0, y);
                 part.x1 = std::max(part.x1, x);
                 part.y1 = std::max(part.y1, y);
-                const double c = edge.nx * x + edge.ny * y;
-                plane[0] = edge.nx;
-                plane[padded] = edge.ny;
-                plane[2 * padded] = edge.slanted ? c + slack : c;
-                ++plane;
+                if (edge.slanted) {
+                    if (edge.eighth >= 5) next = std::max(next, half);
+                    double* const plane = planes + next;
+                    plane[0] = edge.nx;
+                    plane[count] = (edge.nx * x + edge.ny * y + slack) / edge.nx;
+                    plane[2 * static_cast<std::size_t>(count)] = edge.ny / edge.nx;
+                    ++next;
+                }
                 ++(first ? i : j);
             }
-            if (padded > part.count()) {
-                plane[0] = 0.0;
-                plane[padded] = 0.0;
-                plane[2 * padded] = HUGE_VAL;
-            }
-            part.x0 -= slack;
-            part.y0 -= slack;
-            part.x1 += slack;
-            part.y1 += slack;
+            if (counts[0] == 0) part.y0 -= slack;
+            if (counts[2] == 0) part.x1 += slack;
+            if (counts[4] == 0) part.y1 += slack;
+            if (counts[6] == 0) part.x0 -= slack;
             x0 = std::min(x0, part.x0);
             y0 = std::min(y0, part.y0);
             x1 = std::max(x1, part.x1);
@@ -76,12 +96,15 @@ void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit
 bool covers(const NoFit& fit, const NoFitBox& box, int cuts) {
     constexpr int kMostCuts = 10;
     const auto has = [&](const NoFitPart& part, const NoFitBox& all) {
+        if (all.x0 <= part.x0 || all.x1 >= part.x1 || all.y0 <= part.y0 || all.y1 >= part.y1) return false;
         const double* nx = fit.planes.data() + part.first;
-        const double* ny = nx + part.padded();
-        const double* c = ny + part.padded();
-        for (std::uint32_t i = 0; i < part.count(); ++i) {
-            if (nx[i] * (nx[i] > 0.0 ? all.x1 : all.x0) + ny[i] * (ny[i] > 0.0 ? all.y1 : all.y0) >= c[i])
-                return false;
+        const double* at_zero = nx + part.count;
+        const double* slope = at_zero + part.count;
+        for (std::uint32_t i = 0; i < part.count; ++i) {
+            // The corner that is furthest out.
+            const double x = nx[i] > 0.0 ? all.x1 : all.x0;
+            const double y = nx[i] * slope[i] > 0.0 ? all.y1 : all.y0;
+            if (nx[i] * (at_zero[i] - slope[i] * y - x) <= 0.0) return false;
         }
         return true;
     };

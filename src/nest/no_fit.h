@@ -7,27 +7,32 @@
 // fits exactly stays a line between parts, which the union of the parts would lose.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "nest/shapes.h"
+#include "nest/two.h"
 
 namespace popup {
 
-// A half plane has the points with nx x + ny y < c, in steps of the grid; the normal has length 1.
+// A part is its box, as far as that is inside the half planes of its slanted edges. A side of the box is an
+// edge that is upright or level, or where the part has none there, `slack` outside of its outermost corner.
+//
+// The half plane of a slanted edge with the normal (nx, ny), of length 1, has the points with
+// nx x + ny y < c. It is kept as nx, c / nx and ny / nx: then a level line through y crosses its edge at
+// c / nx - (ny / nx) y, without a division.
 struct NoFitPart {
     double x0, y0, x1, y1;  // its box
+    // Its planes, from `first` on in NoFit::planes: all their nx, then all c / nx, then all ny / nx. They
+    // come by the direction of their edges, of the eighths 1, 3, 5, 7 of PartEdge. After those of 3 and of 7
+    // there is one more where else their count were odd, that all points are behind.
     std::uint32_t first;
-    // Its planes, from `first` on in NoFit::planes: first all their nx, then all ny, then all c, each padded
-    // to an even count by a plane that all points are behind. They come by the direction of the edges that
-    // they stand for: those of edges of one of the eighths of PartEdge begin where `begins` says, and end
-    // where the next begins.
-    std::array<std::uint32_t, 9> begins;
-    [[nodiscard]] std::uint32_t count() const { return begins[8]; }
-    [[nodiscard]] std::uint32_t padded() const { return (count() + 1) & ~1U; }
+    std::uint32_t third;  // where those of 3 begin
+    std::uint32_t half;   // where those of 5 begin; nx > 0 before
+    std::uint32_t last;   // where those of 7 begin
+    std::uint32_t count;
 };
 
 struct NoFit {
@@ -39,6 +44,22 @@ struct NoFit {
 // The no-fit polygon of a moving about b at rest. Edges that are neither upright nor level are moved out by
 // `slack` steps: room for the rounding of places, where touching need not be exact.
 void make_no_fit(const TurnedShape& a, const TurnedShape& b, double slack, NoFit& result);
+
+// How deep (x, y) is in a part: the least distance from an edge, and negative outside.
+inline double depth_in(const NoFit& fit, const NoFitPart& part, double x, double y) {
+    const double* nx = fit.planes.data() + part.first;
+    const double* at_zero = nx + part.count;
+    const double* slope = at_zero + part.count;
+    const Two place = Two::of(x, y);
+    Two depth = lesser(place - Two::of(part.x0, part.y0), Two::of(part.x1, part.y1) - place);
+    const Two at_x = Two::alike(x);
+    const Two at_y = Two::alike(y);
+    for (std::uint32_t i = 0; i < part.count; i += 2) {
+        const Two edge = Two::at(at_zero + i) - Two::at(slope + i) * at_y;
+        depth = lesser(depth, Two::at(nx + i) * (edge - at_x));
+    }
+    return depth.least();
+}
 
 // Whether all places of a box overlap, its edges too. A no may be wrong where many small parts make it up.
 // Cost: a few looks at all parts where it is plain, some thousand at the most.

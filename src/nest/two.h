@@ -14,6 +14,7 @@ struct Two {
     __m128d both;
     static Two at(const double* values) { return {_mm_loadu_pd(values)}; }
     static Two alike(double value) { return {_mm_set1_pd(value)}; }
+    static Two of(double first, double second) { return {_mm_set_pd(second, first)}; }
     friend Two operator-(Two a, Two b) { return {_mm_sub_pd(a.both, b.both)}; }
     friend Two operator*(Two a, Two b) { return {_mm_mul_pd(a.both, b.both)}; }
     friend Two operator/(Two a, Two b) { return {_mm_div_pd(a.both, b.both)}; }
@@ -25,6 +26,7 @@ struct Two {
     double one, other;
     static Two at(const double* values) { return {values[0], values[1]}; }
     static Two alike(double value) { return {value, value}; }
+    static Two of(double first, double second) { return {first, second}; }
     friend Two operator-(Two a, Two b) { return {a.one - b.one, a.other - b.other}; }
     friend Two operator*(Two a, Two b) { return {a.one * b.one, a.other * b.other}; }
     friend Two operator/(Two a, Two b) { return {a.one / b.one, a.other / b.other}; }

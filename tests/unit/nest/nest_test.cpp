@@ -574,14 +574,9 @@ TEST(NestParts, NoFitPartsTellOverlapAsTheIntegerTestDoes) {
                            to_grid(number(random, fit.y0 * 1e-6 - 2, fit.y1 * 1e-6 + 2))};
         double deepest = -HUGE_VAL;
         for (const NoFitPart& part : fit.parts) {
-            double depth = HUGE_VAL;
-            const double* nx = fit.planes.data() + part.first;
-            const double* ny = nx + part.padded();
-            const double* c = ny + part.padded();
-            for (std::uint32_t i = 0; i < part.count(); ++i) {
-                depth = std::min(
-                    depth, c[i] - nx[i] * static_cast<double>(at.x) - ny[i] * static_cast<double>(at.y));
-            }
+            const auto x = static_cast<double>(at.x);
+            const auto y = static_cast<double>(at.y);
+            const double depth = depth_in(fit, part, x, y);
             deepest = std::max(deepest, depth);
         }
         if (std::abs(deepest) < 1.0) continue;  // as near as rounding
