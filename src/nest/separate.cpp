@@ -131,6 +131,8 @@ void Separator::pass(double limit) {
 double Separator::settle(int item, Stand& stand, double cost) {
     const Board::Range range = board_.range(stand.shape, stand.sheet);
     bool level = dice_.below(2) == 0;
+    // How many of the two lines through the stand can gain nothing: that along which it has just been moved
+    // is one of them.
     int idle = 0;
     for (int i = 0; i < 12 && idle < 2; ++i, level = !level) {
         Stand next = stand;
@@ -141,7 +143,7 @@ double Separator::settle(int item, Stand& stand, double cost) {
         if (found < cost) {
             cost = found;
             stand = next;
-            idle = 0;
+            idle = 1;
         } else {
             ++idle;
         }
