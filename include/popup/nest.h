@@ -66,8 +66,8 @@ struct NestProgress {
 inline constexpr double kFastNesting = 3e6;
 inline constexpr double kNormalNesting = 3e7;
 inline constexpr double kBestNesting = 3e8;
-// The default of a run for NestEffort::shortening: some 20 ms.
-inline constexpr double kQuickShortening = 2e6;
+// The default of a run for NestEffort::shortening: some 12 ms.
+inline constexpr double kQuickShortening = 1.2e6;
 struct NestEffort {
     double work = kFastNesting;  // units an item, ≥ 0; beyond 64 each adds an 8th, beyond 1024 a 128th
     // Units in all, beyond which no shorter last sheet is looked for. Fewer sheets are looked for as ever.

@@ -30,7 +30,7 @@ constexpr double kMeetings = 24.0;
 constexpr double kLeastSlice = 2e4;
 // In haste, a stage ends when it has gained nothing for so much work, and for as much as it took to gain what
 // it did.
-constexpr double kIdle = 4e5;
+constexpr double kIdle = 3e5;
 // With a clock, work between two looks at it.
 constexpr double kClockSlice = 1e6;
 // Lines looked at for a piece of the first layout, and how the orders of the lanes differ.
