@@ -16,6 +16,7 @@ namespace popup {
 namespace {
 
 constexpr double kFullOpeningDeg = 180.0;
+constexpr double kSameAngleDeg = 1e-9;
 
 std::vector<Angle> default_angles(const Sweep& sweep) {
     std::vector<Angle> angles;
@@ -97,11 +98,17 @@ bool is_driven(const Linkage& linkage) {
                        [](const Turn& turn) { return turn.other < 0 && !turn.still; });
 }
 
-// The first and last angle of each contact are looked at like those asked for.
+// The first and last angle of each contact are looked at like those asked for. Where one is at the end of the
+// sweep, it is that up to rounding.
 void add_witnesses(Motion& motion) {
+    const std::vector<Angle> asked = motion.angles;
     for (const Contact& contact : motion.examination->contacts) {
-        motion.angles.push_back(Angle::degrees(contact.from_deg));
-        motion.angles.push_back(Angle::degrees(contact.to_deg));
+        for (const double deg : {contact.from_deg, contact.to_deg}) {
+            const bool is_there = std::any_of(asked.begin(), asked.end(), [&](Angle angle) {
+                return std::abs(angle.deg - deg) < kSameAngleDeg;
+            });
+            if (!is_there) motion.angles.push_back(Angle::degrees(deg));
+        }
     }
     std::sort(motion.angles.begin(), motion.angles.end(), by_degrees);
     motion.angles.erase(std::unique(motion.angles.begin(), motion.angles.end()), motion.angles.end());
