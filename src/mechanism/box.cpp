@@ -137,19 +137,15 @@ void keep_ends_apart(Element& e) {
 }
 
 bool constrain(Element& e) {
-    // What moves its walls may take the paper from under them: twice is enough where there is any.
-    constexpr int kRounds = 4;
-    for (int round = 0; round < kRounds; ++round) {
-        if (!two_seams::constrain_page(e)) return false;
-        two_seams::make_even(e, "fold, and its walls fold flat only at the same distance");
-        if (!make_opposite(e)) return false;
-        keep_ends_apart(e);
-        if (walls::feet_fit(e)) break;
-        if (round + 1 < kRounds) continue;
-        e.failed("does-not-fit", "there is no paper under both of its walls where they stand opposite",
-                 "move the box along the fold, or what has been cut out beside it");
+    const auto stand = [](Element& box) {
+        two_seams::make_even(box, "fold, and its walls fold flat only at the same distance");
+        if (!make_opposite(box)) return false;
+        keep_ends_apart(box);
+        return true;
+    };
+    if (!two_seams::constrain_page(e, stand,
+                                   "there is no paper under both of its walls where they stand opposite"))
         return false;
-    }
     const Measures m = measures(e);
     if (m.near < e.tolerances->min_length_mm) {
         e.failed("degenerate",

@@ -37,8 +37,13 @@ void make_flat(Element& e) {
 }
 
 bool constrain(Element& e) {
-    if (!constrain_page(e)) return false;
-    if (e.site.mountain) make_even(e, "mountain fold, which hold it only at the same distance");
+    const auto stand = [](Element& layer) {
+        if (layer.site.mountain) make_even(layer, "mountain fold, which hold it only at the same distance");
+        return true;
+    };
+    if (!constrain_page(e, stand,
+                        "there is no paper under both of its seams at the same distance from the fold"))
+        return false;
     if (!constrain_piece(e)) return false;
     make_flat(e);
     return constrain_outline(e);

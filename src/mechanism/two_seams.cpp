@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "mechanism/fitting.h"
 #include "mechanism/shapes.h"
 #include "mechanism/silhouette.h"
+#include "mechanism/walls.h"
 
 namespace popup::two_seams {
 namespace {
@@ -208,6 +210,18 @@ bool constrain_page(Element& e) {
         return false;
     }
     return fit_seam(e, Side::left, A, B, "A–B") && fit_seam(e, Side::right, E, F, "E–F");
+}
+
+bool constrain_page(Element& e, const std::function<bool(Element&)>& move, std::string_view no_paper) {
+    // Twice is enough where there is any paper.
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round) {
+        if (!constrain_page(e) || !move(e)) return false;
+        if (walls::feet_fit(e)) return true;
+    }
+    e.failed("does-not-fit", std::string(no_paper),
+             fmt::format("move the {} along the fold, or what has been cut out beside it", e.info->name));
+    return false;
 }
 
 bool constrain_piece(Element& e) {

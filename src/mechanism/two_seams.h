@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "mechanism/measures.h"
@@ -46,6 +47,9 @@ double apart(const Element& e);
 
 // Makes the page's seams parallel and puts them on paper; false after failed().
 bool constrain_page(Element& e);
+// The same, and then moves them by `move`, which may take the paper from under them: then both are done
+// again, a few times. False after failed(), or where `move` is false; `no_paper` says what was not found.
+bool constrain_page(Element& e, const std::function<bool(Element&)>& move, std::string_view no_paper);
 // Makes the piece face up, its seams parallel, and its ends match the page's; false after failed().
 bool constrain_piece(Element& e);
 // Makes the outline that is drawn, if any, fit the seams as they are then; false after failed().
